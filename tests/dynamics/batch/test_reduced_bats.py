@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -11,6 +13,7 @@ from sweetspot.collision.kernel import STEP, hits_with_motion
 from sweetspot.dynamics.batch.reduction import ReducedBats, fast_reduced_bat, reduced_lines
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.equipment.laminate import Laminate, Ply
 
 NAMES = ("single-wall", "composite", "r161-ash", "corked-r161", "cricket-bat")
 
@@ -50,6 +53,26 @@ def test_hits_of_many_bats_are_those_of_each(lines: list[BeamModel], bats: Reduc
         one = hits_with_motion(modes, ball=ball, position=place[number], closing_speed=60.0, step=STEP)
         assert np.allclose(done.collision_efficiency[number], one.collision_efficiency, rtol=1e-9)
         assert np.allclose(done.velocity[number, :, : len(modes)], one.velocity, atol=1e-9)
+
+
+def test_a_wall_that_gives_way_less_than_its_beam_counts_with_the_beam() -> None:
+    """Of stiff plies the wall's own part is below zero: only its sum with the beam's is a give, and cut at none."""
+    bat, ply = catalog.bat("composite"), catalog.material("carbon-ply")
+    assert bat.shell is not None
+    around = Laminate(plies=(Ply(material=ply, angle=math.radians(90), thickness=0.3e-3),) * 2)
+    line, ball = (
+        beam_model(bat.replaced(shell=bat.shell.replaced(laminate=around), mass=None, moi=None)),
+        catalog.ball(),
+    )
+    modes, ours = all_modes(line, ball), reduced_lines([line], ball=ball)
+    place, speed = line.bat.length - np.linspace(0.03, 0.06, 7), np.full((1, 7), 60.0)
+    wall = ours.walls[0]
+    assert wall is not None and wall.give_at(place, closing_speed=speed[0]).max() < 0 < modes.compliance_at(place).min()
+    give = ours.compliance_at(place[None], closing_speed=speed)[0]
+    assert give == pytest.approx(modes.compliance_at(place, closing_speed=speed[0]), rel=1e-6)
+    done = struck(ours, ball=ball, position=place[None], closing_speed=speed)
+    one = hits_with_motion(modes, ball=ball, position=place, closing_speed=60.0, step=STEP)
+    assert np.allclose(done.collision_efficiency[0], one.collision_efficiency, rtol=0, atol=1e-8)
 
 
 def test_a_quick_contact_has_as_many_modes_as_in_the_readable_chain() -> None:

@@ -89,7 +89,7 @@ class ReducedBats:
         give = give + np.sum(dents * self.law.weights_at(speed), axis=-1)
         for row, wall in enumerate(self.walls):
             if wall is not None:
-                give[row] += wall.compliance_at(position[row], closing_speed=None if speed is None else speed[row])
+                give[row] += wall.give_at(position[row], closing_speed=None if speed is None else speed[row])
         return np.asarray(np.maximum(give, 0.0))
 
     def modes(self, number: int) -> Modes:
