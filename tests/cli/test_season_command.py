@@ -174,7 +174,7 @@ def test_bats_of_batters_who_are_not_in_the_tables(tmp_path: Path, capsys: pytes
 def test_one_is_not_several() -> None:
     row = {"batter": "7", "name": None, "balls": 1, "ev20": 40.0, "home_runs_expected": 0.2, "home_runs": 0,
            "doubters": 1, "mostly_gone": 1, "no_doubters": 2}  # fmt: skip
-    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=pl.DataFrame([row]))},
+    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=pl.DataFrame([row]), spreads={})},
                                   counted=CASES["speeds alone"][0].with_columns(batter=pl.lit("7")))  # fmt: skip
     told = html.page(player_page(report, "7"), US)
     assert "1 ball in play" in told and "1 doubter, 1 mostly gone, 2 no-doubters" in told
@@ -191,7 +191,7 @@ def test_one_is_not_several() -> None:
 def test_a_name_that_is_nobody_s_or_of_several_is_refused(asked: str, words: str) -> None:
     numbers = [str(number) for number in range(1, 204)]
     table = pl.DataFrame({"batter": numbers, "name": ["Doe", "Doe", "Roe", *(f"X{one}Y" for one in numbers[3:])]})
-    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=table)})
+    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=table, spreads={})})
     with pytest.raises(InputError, match=words):
         player_page(report, asked)
 

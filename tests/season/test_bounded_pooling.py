@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.pooling import FEWEST_GROUPS, POSITIVE, pooled_groups
-from sweetspot.season.standings import BOUNDS
+from sweetspot.season.standings import BOUNDS, Standing, rare_shares
 
 SHARE = (0.0, 1.0)
 
@@ -180,3 +180,13 @@ def test_one_group_has_jeffreys_interval() -> None:
 def test_every_share_has_bounds() -> None:
     assert BOUNDS["squared_up"] == BOUNDS["home_run_here"] == SHARE
     assert BOUNDS["squared_up_above"] == (-1.0, 1.0) and "exit_speed" not in BOUNDS
+
+
+@pytest.mark.parametrize(
+    ("blasts", "rare"), [(1, ["blast"]), (2, ["blast"]), (3, []), (37, []), (39, ["blast"]), (40, [])]
+)
+def test_shares_of_few_of_a_kind_are_named(blasts: int, rare: list[str]) -> None:
+    """Each of six players with 40 balls; near 100 % it is the others that are few, and all or none is another thing."""
+    share = np.full(6, blasts / 40)
+    told, spread = pooled_groups(groups_of(np.full(6, 40), share), key="who", bounds=SHARE)
+    assert rare_shares(Standing("batter", told, {"blast": spread, "exit_speed": spread})) == rare

@@ -47,6 +47,9 @@ BOUNDS: Mapping[str, Bounds] = {
 } | {"from_best": POSITIVE}
 """Least and greatest value of the measures that come near one: shares, how far a share may be from another, and the
 distance from the best place."""
+NEAR, RARE = 0.1, 3.0
+"""From 0 or 1 a share, and of the rarer kind that a group has on average, below which intervals of 90 % hold 84 to 88 %
+where groups differ by about as much as the share itself: in made-up leagues (`docs/theory/season.md`)."""
 PLAIN = ("balls", "ev20", "home_runs_expected", "home_runs_average_park", "home_runs", "doubters", "mostly_gone",
          "no_doubters", "name")  # fmt: skip
 """Columns that are counted and not pooled."""
@@ -66,6 +69,16 @@ class Standing:
     key: str
     table: pl.DataFrame
     spreads: Mapping[str, Spread]
+
+
+def rare_shares(table: Standing) -> list[str]:
+    """Return the shares of a table that rest on so few of a kind that their intervals hold less than they say."""
+    rare = []
+    for name, spread in table.spreads.items():
+        rarer = min(spread.mean, 1 - spread.mean)
+        if BOUNDS.get(name) == (0.0, 1.0) and 0 < rarer < NEAR and rarer * spread.balls < RARE * spread.groups:
+            rare.append(name)
+    return rare
 
 
 def all_standings(parts: Sequence[pl.LazyFrame], *, keys: Sequence[str] = tuple(GROUPS)) -> dict[str, Standing]:

@@ -43,6 +43,8 @@ ASKED_ALWAYS = (*DOUBTFUL, "velocity_y", "release_speed", "plate_speed")
 """Quantities of which a first look asks in which rows they are missing, or more."""
 DOUBTED = 4096
 """Balls of a part that are looked at for that, evenly drawn."""
+HIGH = 1000.0
+"""m above the sea; of a park above it, Denver's, counts and lists say more than is told (`tools/park_ranking.py`)."""
 LEVEL, FAIR = math.radians(1.6), math.radians(50)
 """rad; no launch angle above the first: they are written in radians; bearings beyond the second are foul."""
 MOST_FOUL = 0.3
@@ -118,16 +120,23 @@ class TableLook:
             told = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
             self._note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~told)
         if headings.has("home_team"):
-            played = used.select("home_team", "season").drop_nulls("home_team").unique().iter_rows()
-            lost = [(club, year) for club, year in played if home_park(club, year) is None]
-            for club, year in lost:
-                here = (pl.col("home_team") == club) & pl.col("season").eq_missing(pl.lit(year, pl.Int32))
-                self._note("unknown park", used, here)
-            self.lost |= {club for club, _ in lost}
+            self._note_parks(used)
         doubted = used.select(name for name in DOUBTFUL if headings.has(name))
         self._doubt(used, doubted.gather_every(max(1, len(used) // DOUBTED)))
         if headings.has("event"):
             self.endings |= set(used["event"].drop_nulls().unique())
+
+    def _note_parks(self, used: pl.DataFrame) -> None:
+        """Note balls whose park is not known, and those whose park is so high that home runs there are told too few."""
+        flown = self.table.headings.has("launch_angle")
+        for club, year in used.select("home_team", "season").drop_nulls("home_team").unique().iter_rows():
+            park = home_park(club, year)
+            here = (pl.col("home_team") == club) & pl.col("season").eq_missing(pl.lit(year, pl.Int32))
+            if park is None:
+                self._note("unknown park", used, here)
+                self.lost.add(club)
+            elif park.elevation > HIGH and flown:
+                self._note("thin air", used, here, park.name)
 
     def _note_placeholders(self, used: pl.DataFrame) -> None:
         """Note balls with an exit speed and launch angle that stand in the table again and again."""

@@ -62,6 +62,8 @@ WARNINGS: Mapping[str, str] = {
     "pitch speed unknown": "no pitch speed was measured; the usual one of its kind of pitch stands in, with its error",
     "selected": "all balls of the table ended alike, so it was selected by how they ended; no average of it holds for "
     "others, drag least of all",
+    "thin air": "a park so high that balls likely carry 4 to 8 ft farther there than is told; counts say a seventh "
+    "more home runs, so chances there are likely too low",
     "unknown park": "home teams whose park is not known; no chance of a home run there",
 }
 """What can be wrong with a table of batted balls, by name."""

@@ -24,7 +24,7 @@ from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.rows import REASONS, USED
 from sweetspot.season.season_drag import DragOfMonth, drag_by_month
 from sweetspot.season.season_table import Season
-from sweetspot.season.standings import MEASURES, Standing, above_expected_parts, all_standings
+from sweetspot.season.standings import MEASURES, Standing, above_expected_parts, all_standings, rare_shares
 from sweetspot.season.table_warnings import WARNINGS
 from sweetspot.season.untracked import Untracked, untracked_bias
 from sweetspot.units import FOOT, grouped
@@ -116,7 +116,7 @@ def season_document(report: SeasonReport) -> Document:
     if words := left_over_words(report.drawn):
         details.append(Section("left_over", "Tracked distance less carry", [Paragraph(one) for one in words]))
     if (groups := _groups(report)).rows:
-        details.append(groups)
+        details += [groups, *(Paragraph(words, "note") for words in few_of_a_kind(report.standings["batter"]))]
     details.append(Section("cannot", "What such tables cannot tell", [Bullets(cannot_tell(season))]))
     drawing = Picture("season", partial(_drawn, report), label=PICTURED)
     players = report.standings.get("batter")
@@ -131,6 +131,17 @@ def cannot_tell(season: Season) -> tuple[str, ...]:
     """Return what the tables of a season cannot tell; one that measures places along the bat tells the side."""
     measured = all(table.headings.has("axial_offset") for table in season.survey.tables)
     return tuple(words for words in CANNOT if words != SIDE or not measured)
+
+
+def few_of_a_kind(players: Standing) -> list[Sentence]:
+    """Return which shares are so rare that their intervals are surer than they should be, in words."""
+    rare = [MEASURES[name][1].partition(":")[0] for name in rare_shares(players)]
+    if not rare:
+        return []
+    words = (
+        "Fewer than three of a kind a player: {shares}. Such intervals of 90 % hold 84 to 88 %; the truth may be lower."
+    )
+    return [say(words, shares="; ".join(rare))]
 
 
 def _headline(report: SeasonReport) -> list[Sentence]:
@@ -356,6 +367,7 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
         "left_over": {kind: left_over_by(report.drawn, kind).to_dicts() for kind in KINDS},
         "scatter": {key: {name: asdict(spread) for name, spread in one.spreads.items()}
                     for key, one in report.standings.items()},
+        "rare_shares": {key: rare_shares(one) for key, one in report.standings.items()},
         "cannot_tell": list(cannot_tell(season)),
     })  # fmt: skip
 

@@ -11,7 +11,7 @@ from sweetspot.errors import InputError
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
-from sweetspot.report.season.document import NO_FOULS, SeasonReport, cannot_tell
+from sweetspot.report.season.document import NO_FOULS, SeasonReport, cannot_tell, few_of_a_kind
 from sweetspot.report.sentences import Slot, joined, say
 from sweetspot.season.batters import unknown_batter
 from sweetspot.season.counted import WITH
@@ -51,7 +51,8 @@ def player_page(report: SeasonReport, batter: str) -> Document:
         *_home_runs(row),
     ])  # fmt: skip
     cannot = cannot_tell(report.season) if row.get("squared_up") is not None else (NO_FOULS,)
-    blocks: list[Block] = [Paragraph(words), _measures(row), drawing, *_bats(row), Bullets(cannot)]
+    rare = [Paragraph(one, "note") for one in few_of_a_kind(players)]
+    blocks: list[Block] = [Paragraph(words), _measures(row), *rare, drawing, *_bats(row), Bullets(cannot)]
     return Document(
         name=f"player-{number}", title=name, kind="Season of a player", blocks=blocks, drawing=drawing,
         data=cleaned(dict(row)),
