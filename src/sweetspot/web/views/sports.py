@@ -200,7 +200,10 @@ def recipe(state: SportsState) -> dict[str, str]:
         f"conditions = usual{changed}\n"
         "result = analyse(tool, conditions)\nresult.scan.exit_speed  # m/s along it\n"
     )
-    lines = {"command": f"sweetspot report {quote(name)}{options}", "python": python}
+    command = f"sweetspot report {quote(name)}{options}"
+    if state.met_from_tip_in is not None and not state.aside_in:  # the command meets the ball on the middle line
+        command += f"\nsweetspot hit {quote(name)} --at {state.met_from_tip_in:.12g}in-from-tip{options}"
+    lines = {"command": command, "python": python}
     return lines if state.implement_toml is None else {**lines, FILE: state.implement_toml}
 
 

@@ -86,10 +86,10 @@ export const view = {
       ]),
       group("The batter", [
         slider(app, "contact_in", { label: "Meets the ball, from the tip", step: 0.1 }),
-        slider(app, "contact_spread_in", { label: "Give or take", step: 0.1 }), this.swings(app),
+        slider(app, "contact_spread_in", { label: "Standard deviation of that", step: 0.1 }), this.swings(app),
         group("More of the batter", [
-          slider(app, "contact_doubt_in", { label: "How well that is known", step: 0.1 }),
-          slider(app, "miss_in", { label: "Ball above the axis", step: 0.05 }), slider(app, "miss_spread_in", { label: "Give or take", step: 0.05 }),
+          slider(app, "contact_doubt_in", { label: "The place is known to (standard deviation)", step: 0.1 }),
+          slider(app, "miss_in", { label: "Ball above the axis", step: 0.05 }), slider(app, "miss_spread_in", { label: "Standard deviation of that", step: 0.05 }),
           choice(app, "swing_law", { label: "A heavier bat is swung", options: [["baseball", "slower, by the players' law"], ["none", "just as fast"]] }),
         ], { open: false }),
       ]),

@@ -167,7 +167,7 @@ export const view = {
       told.push(box);
     }
     this.values.replaceChildren(...told);
-    paragraphs(this.doubt, budget[app.units]);
+    paragraphs(this.doubt, budget[app.units].map((/** @type {string} */ words) => words.replace(" and give --pendulum", ""))); // what the command line has it by
   },
 
   /** @param {Answer} given */

@@ -135,6 +135,10 @@ export const view = {
     if (!found?.means) return;
     const { means } = found;
     const whose = app.state.batter === null ? "" : ` of ${this.players.nameOf(app.state.batter)}`;
+    if (!means.balls) {
+      this.words.textContent = `No ball in play${whose} is left by this choice.`;
+      return;
+    }
     const bats = typeof means.squared_up === "number" ? `, ${app.text("share", means.squared_up)} squared up against ${answer.season.same_bat ? answer.bat.name : "the bat they were read with"}, met ${app.text("offset", means.from_best)} from its best place on average` : "";
     tell(this.words, `${grouped(means.balls)} ${means.balls === 1 ? "ball" : "balls"} in play${whose}: ${app.text("speed", means.exit_speed)} of exit speed${bats}.`);
     app.announce(this.words.textContent);

@@ -11,7 +11,7 @@ import { fromShown, grouped, kindOf, toShown, unitOf } from "../units.js";
 
 /** @import { Point } from "../surface.js" */
 /** @typedef {(right: number, out: number) => Point} Placing from a place on the field, m from home, to a pixel */
-const PANELS = [{ title: "Balls by exit speed over the greatest possible", kind: "share", height: 110, zero: true, lines: [
+const PANELS = [{ title: "Balls, by part of the greatest speed", kind: "share", height: 110, zero: true, lines: [
   { key: "squared_up_ratio", label: "this bat", color: "blue", width: 2.2 }, { key: "league_ratio", label: "the league's formula", color: "orange", width: 1.6, dash: [5, 4] }] }];
 
 export class BarrelMap {
