@@ -19,7 +19,8 @@ from sweetspot.motion.swing_law import Interval
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import MISSED, ContactTable, contact_table, farthest_offset
-from sweetspot.player.likelihood import COUNTED, combined, fill_hits, fill_untold, fill_weights, normal, swung
+from sweetspot.player.hit_share import fill_hits, fill_untold, fill_weights
+from sweetspot.player.likelihood import COUNTED, combined, normal, swung
 from sweetspot.player.model import PlayerModel, bats_of, player_model, speed_ratio
 from sweetspot.player.off_centre import (
     STEEPEST_LAUNCH,

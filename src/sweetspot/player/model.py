@@ -17,7 +17,8 @@ from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
 from sweetspot.player.contact_tables import ContactTable, contact_table
-from sweetspot.player.likelihood import LANES, Table, log_likelihoods
+from sweetspot.player.likelihood import LANES, log_likelihoods
+from sweetspot.player.likelihood_table import Table
 from sweetspot.player.off_centre import (
     MEAN_ATTACKS,
     STEEPEST_LAUNCH,
