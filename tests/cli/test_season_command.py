@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 from pathlib import Path
 from types import SimpleNamespace
@@ -53,6 +54,21 @@ def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "With mlb-a the same swings would have given" in " ".join(shown.out.split())
     assert set(pl.read_parquet(out / "ledger")["table"]) == {"table.csv"}  # rows of several tables are told apart
     assert (out / "season.html").exists() and (out / "season.png").exists()
+
+
+@pytest.mark.parametrize("asked", [(), ("--player", "600002")])
+def test_csv_and_json_are_si_with_the_unit_in_every_name(
+    asked: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whatever the units of tables and pages; players' tables in the folder are in those of its balls."""
+    table = tmp_path / "table.csv"
+    made_up(300).write_csv(table)
+    assert run(table, *asked, "--flight-only", "--format", "csv", "--units", "us", "--out", tmp_path / "out") == 0
+    told = pl.read_csv(io.StringIO(capsys.readouterr().out)).filter(pl.col("batter") == 600_002)
+    written = pl.read_csv(tmp_path / "out" / "players.csv").filter(pl.col("batter") == 600_002)
+    assert "exit_speed" not in told.columns and "ev20" not in told.columns
+    for name in ("ev20", "exit_speed", "exit_speed_low90"):
+        assert told[f"{name}_m_s"][0] == pytest.approx(written[f"{name}_mph"][0] * 0.44704)
 
 
 def test_few_balls_with_bat_speed_are_told_as_few(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -136,6 +136,8 @@ def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = N
         when there is no room for the copy of a CSV file; no other table would find any.
     """
     name = path.name.lower()
+    if path.is_dir():
+        raise InputError(f"{path} is a folder; give the tables in it, for example {path / '*.parquet'}")
     if not path.is_file():
         raise InputError(f"{path} is not a file; give CSV (also .csv.gz) or Parquet")
     if path.stat().st_size == 0:

@@ -15,6 +15,7 @@ from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Pa
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.season.left_over import KINDS, left_over_by, left_over_words
+from sweetspot.report.season.standing_columns import with_units
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.counted import WITH
 from sweetspot.season.csv_copy import LEFT_OUT
@@ -122,7 +123,8 @@ def season_document(report: SeasonReport) -> Document:
     players = report.standings.get("batter")
     return Document(
         name="season", title="Season", kind="Season", blocks=blocks, details=details, drawing=drawing,
-        data=season_json(report), rows={} if players is None else players.table.to_dict(as_series=False),
+        data=season_json(report),
+        rows={} if players is None else with_units(players, system="si").to_dict(as_series=False),
         passed=not season.survey.faults,
     )  # fmt: skip
 

@@ -12,6 +12,7 @@ from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Pa
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.season.document import NO_FOULS, SeasonReport, cannot_tell, few_of_a_kind
+from sweetspot.report.season.standing_columns import with_units
 from sweetspot.report.sentences import Slot, joined, say
 from sweetspot.season.batters import unknown_batter
 from sweetspot.season.counted import WITH
@@ -39,7 +40,8 @@ def player_page(report: SeasonReport, batter: str) -> Document:
     players = report.standings.get("batter")
     if players is None:
         raise InputError("no table has a column of batters, so there is no player to tell of")
-    row = _row_of(players.table, batter)
+    index = _index_of(players.table, batter)
+    row = players.table.row(index, named=True)
     number = str(row["batter"])
     name = str(row.get("name") or f"Player {number}")
     drawing = Picture("player", partial(_drawn, report, number, name), label=f"Balls of {name}.",
@@ -51,12 +53,12 @@ def player_page(report: SeasonReport, batter: str) -> Document:
         *_home_runs(row),
     ])  # fmt: skip
     cannot = cannot_tell(report.season) if row.get("squared_up") is not None else (NO_FOULS,)
+    told = with_units(players, system="si").row(index, named=True)
     rare = [Paragraph(one, "note") for one in few_of_a_kind(players)]
     blocks: list[Block] = [Paragraph(words), _measures(row), *rare, drawing, *_bats(row), Bullets(cannot)]
     return Document(
         name=f"player-{number}", title=name, kind="Season of a player", blocks=blocks, drawing=drawing,
-        data=cleaned(dict(row)),
-        rows={key: [value] for key, value in row.items()},
+        data=cleaned(told), rows={key: [value] for key, value in told.items()},
     )  # fmt: skip
 
 
@@ -72,16 +74,17 @@ def _home_runs(row: dict[str, Any]) -> list[str]:
     return [f"Home runs: {'; '.join(filter(None, (', '.join(told), ', '.join(kinds))))}."] if told or kinds else []
 
 
-def _row_of(players: pl.DataFrame, batter: str) -> dict[str, Any]:
-    """Return the row of a batter's number, or of a name that only one batter has."""
+def _index_of(players: pl.DataFrame, batter: str) -> int:
+    """Return where the row of a batter's number stands, or of a name that only one batter has."""
     asked = [name for name in ("batter", "name") if name in players.columns]
     for name in asked:
-        rows = players.filter(pl.col(name) == batter)
-        if len(rows) > 1:
-            numbers = ", ".join(rows["batter"].head(MOST_NAMED)) + (", …" if len(rows) > MOST_NAMED else "")
-            raise InputError(f"{len(rows)} batters are called {batter!r}; give the number of one: {numbers}")
-        if len(rows):
-            return rows.row(0, named=True)
+        places = (players[name] == batter).arg_true()
+        if len(places) > 1:
+            numbers = players["batter"].gather(places)
+            listed = ", ".join(numbers.head(MOST_NAMED)) + (", …" if len(numbers) > MOST_NAMED else "")
+            raise InputError(f"{len(numbers)} batters are called {batter!r}; give the number of one: {listed}")
+        if len(places):
+            return int(places[0])
     known = players[asked[0] if batter.isdigit() else asked[-1]].drop_nulls().unique(maintain_order=True).to_list()
     raise unknown_batter(batter, known)
 
