@@ -175,6 +175,18 @@ def test_the_motion_left_out_changes_no_number() -> None:
         assert np.array_equal(getattr(bare, name), getattr(whole, name), equal_nan=True), name
 
 
+def test_answers_have_the_shape_of_the_question() -> None:
+    places, speeds = np.linspace(0.6, 0.8, 3), np.array([[40.0], [60.0]])
+    table = hits_with_motion(MODES, ball=BALL, position=places, closing_speed=speeds)
+    assert table.collision_efficiency.shape == table.outcome.shape == (2, 3)
+    assert table.velocity.shape == (2, 3, len(MODES))
+    for row, speed in enumerate(speeds[:, 0]):
+        one = hits_with_motion(MODES, ball=BALL, position=places, closing_speed=speed)
+        assert np.array_equal(table.collision_efficiency[row], one.collision_efficiency)
+        assert np.array_equal(table.velocity[row], one.velocity)
+    assert hits(MODES, ball=BALL, position=0.7, closing_speed=60.0).collision_efficiency.shape == (1,)
+
+
 def test_what_does_not_part_in_time_is_still_in_contact_in_both() -> None:
     """A ball ten million times as soft is pressed flat for longer than any hit lasts."""
     soft = BALL.replaced(stiffness=1e-7 * BALL.stiffness)

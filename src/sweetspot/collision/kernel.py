@@ -58,14 +58,14 @@ def hits(
     Parameters
     ----------
     position, closing_speed, lateral : m from the knob end, m/s and m across the face from the bat's line, broadcast
-        together to shape (hits,).
+        together to any shape; three numbers are one hit, shape (1,).
     step : s, > 0; None: `STEP`, or less where a light face needs it (`contact_step`).
     threads : workers; None: one per core, and one only for small batches.
 
     Returns
     -------
     Impacts
-        arrays of shape (hits,): ``collision_efficiency``, ``contact_time``, ``peak_force``, ``outcome``, ...
+        arrays of that shape: ``collision_efficiency``, ``contact_time``, ``peak_force``, ``outcome``, ...
 
     >>> from sweetspot import all_modes, beam_model, catalog, hits
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
@@ -138,7 +138,8 @@ def _hits(
             motion[:, part] = moved(modes, displacement, velocity, -np.where(np.isnan(late), 0.0, late))
 
     in_parts(work, count, size=CHUNK, threads=threads)
-    return Impacts(outcome, *results[:LATE], *motion)
+    rows = [values.reshape(shape or (1,)) for values in (outcome, *results[:LATE])]
+    return Impacts(*rows, *(motion.reshape(2, *(shape or (1,)), size) if keep_motion else motion))
 
 
 def _of_modes(modes: Modes, step: float) -> tuple[Array, ...]:
