@@ -416,7 +416,7 @@ def test_why_here_adds_up_and_is_what_the_report_says(client: httpx.Client) -> N
     assert parts["whole"] == pytest.approx(-found["lost_m_s"], abs=0.02)
     above = client.post("/api/v1/explorer", json={"impact_from_tip_in": 5.8, "offset_in": 0.7}).json()
     best, missed = above["why"]["us"]
-    assert best.startswith("This is the best place along the bat")
+    assert best.startswith("For a ball met in the middle this is the best place along the bat")
     assert f"(\N{MINUS SIGN}{above['lost_m_s'] / MPH:.1f} mph)" in missed  # all that is lost here
     told = client.post("/api/v1/explorer/why", json={}).json()["sentences"]
     assert any("Why not at the tip?" in one for one in told["us"])
@@ -435,6 +435,45 @@ def test_where_a_ball_is_touched_twice_is_told_and_its_numbers_agree(client: htt
     assert "hits it again" in told and "to 16.0 in from the tip" in told
     wooden = client.post("/api/v1/explorer", json={}).json()
     assert wooden["touched_again"]["us"] == []
+
+
+def test_what_is_fouled_back_is_met_at_no_best_place(client: httpx.Client) -> None:
+    found = client.post("/api/v1/explorer", json={"impact_from_tip_in": 5.8, "offset_in": 2.5}).json()
+    assert abs(found["hit"]["launch_angle_rad"]) > math.pi / 2
+    [told] = found["why"]["us"]
+    assert "goes on backwards" in told and "best place" not in told
+    assert found["lost_m_s"] is None
+
+
+CONE = """name = "cone"
+length = "33 in"
+material = "white-ash"
+profile = [["0 in", "1 in"], ["20 in", "1 in"], ["33 in", "2.5 in"]]
+"""
+
+
+def test_a_best_place_that_rests_on_a_second_push_is_not_crowned_without_a_word(client: httpx.Client) -> None:
+    """A cone that whips: the ball is pressed three times at its best place without ever being free."""
+    found = client.post("/api/v1/explorer", json={"bat_toml": CONE, "impact_from_tip_in": 11.7}).json()
+    [doubt] = found["best_in_doubt"]["us"]
+    assert "nobody has measured" in doubt and "best place" in doubt
+    assert found["lost_m_s"] == pytest.approx(0, abs=0.7)  # the speed that is told is that of the place that is told
+    assert any(
+        doubt == one for one in client.post("/api/v1/explorer/why", json={"bat_toml": CONE}).json()["sentences"]["us"]
+    )
+    for bat in ("r161-ash", "fast-pitch", "youth-alloy", "uniform-rod"):
+        assert client.post("/api/v1/explorer", json={"bat": bat}).json()["best_in_doubt"]["us"] == []
+
+
+def test_beside_a_jump_what_is_told_of_the_hit_is_of_that_hit(client: httpx.Client) -> None:
+    """11.3 and 11.4 in from a cone's tip differ by 12 mph: shares and sting between them would be of neither."""
+    asked = {"bat_toml": CONE, "impact_from_tip_in": 11.3}
+    hit, scan = (client.post("/api/v1/explorer", json=asked).json()[name] for name in ("hit", "scan"))
+    assert sum(hit["energy_shares"].values()) == pytest.approx(1, abs=1e-4)
+    assert hit["energy_shares"]["ball"] == pytest.approx(hit["collision_efficiency"] ** 2, abs=1e-3)
+    closest = np.argmin(np.abs(np.array(scan["position_m"]) - hit["position_m"]))
+    assert hit["sting_m_s"] == pytest.approx(scan["sting_m_s"][closest], rel=0.1)
+    assert "sting_m_s" not in client.post("/api/v1/explorer", json={}).json()["hit"]  # no jump: neighbours tell it
 
 
 def test_modules_are_sent_without_their_comments_line_by_line(client: httpx.Client) -> None:

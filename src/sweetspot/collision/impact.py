@@ -117,6 +117,15 @@ class Impact(ShownInNotebooks):
         return int(np.count_nonzero(pressed[1:] & ~pressed[:-1]))
 
     @property
+    def presses(self) -> int:
+        """How many times the ball was pressed, with less than 1 % of the greatest force in between.
+
+        More than once too where the bat caught up with a ball that was nearly gone and had touched it all the time.
+        """
+        pressed = self.force >= CONTACT_FORCE * np.max(self.force, initial=0.0)
+        return int(np.count_nonzero(pressed[1:] & ~pressed[:-1]))
+
+    @property
     def unrecovered_gain(self) -> float:
         """How much faster, m/s along the line of centres, a ball leaves that has not recovered; 0 if touched once."""
         if self.unrecovered is None:

@@ -61,14 +61,21 @@ def speed_difference(scan: Scan, position: float, *, best: float, exit_speed: fl
 
 
 def why_here(
-    difference: SpeedDifference, *, body: RigidBody, conditions: Conditions, best: float, words: Words
-) -> Sentence:
-    """Return why the ball leaves a place as it does, with what each reason costs."""
+    difference: SpeedDifference, *, body: RigidBody, conditions: Conditions, best: float, words: Words,
+    in_the_middle: bool = True,
+) -> Sentence:  # fmt: skip
+    """Return why a ball met in the middle leaves a place as it does, with what each reason costs.
+
+    Parameters
+    ----------
+    in_the_middle : whether the ball that is asked about is met so; else the best place is said to be that of others.
+    """
     place = difference.position
     here, there = float(effective_mass(body, place)), float(effective_mass(body, best))
     if abs(place - best) < NEAR:
+        this = "This is" if in_the_middle else "For a {ball} met in the middle this is"
         return in_words(
-            "This is the best place along the {implement}: further out it moves faster but gives way more and bends "
+            this + " the best place along the {implement}: further out it moves faster but gives way more and bends "
             "more, further in it moves slower. The {ball} meets {mass} of {whole}.", words,
             mass=weight(here), whole=weight(body.mass),
         )  # fmt: skip
@@ -104,3 +111,11 @@ def why_off_axis(offset: float, cost: float, *, words: Words) -> Sentence:
         met + f"gets {'less' if cost < 0 else 'more'} of the swing ({{cost}}).",
         words, offset=Slot(abs(offset), "length"), cost=Slot(cost, "speed", sign=True),
     )  # fmt: skip
+
+
+def why_backwards(offset: float, *, words: Words) -> Sentence:
+    """Return why a ball that is met so far off the implement's axis, m, leaves behind the batter."""
+    met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
+    return in_words(
+        met + "glances off the {implement} and goes on backwards.", words, offset=Slot(abs(offset), "length")
+    )

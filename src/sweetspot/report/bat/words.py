@@ -17,6 +17,7 @@ from sweetspot.equipment.sport import Words
 from sweetspot.motion.swing_law import Interval
 from sweetspot.paper.sports import dead_spot
 from sweetspot.report.bat.assumed_values import soft_defaults
+from sweetspot.report.hit.second_touch import best_in_doubt
 from sweetspot.report.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.report.sport_words import arriving, in_words, weight, words_of
 from sweetspot.units import INCH
@@ -68,8 +69,8 @@ def answer(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool
     """
     words = words_of(analysis.bat)
     paragraphs = (
-        _where(analysis, words, by_ball=not drawn), _bounce(analysis, words), _why_not_the_end(analysis, words),
-        _miss(misses, words, drawn=drawn), _hands(analysis, words), _wall(analysis),
+        _where(analysis, words, by_ball=not drawn), *best_in_doubt(analysis.best, words), _bounce(analysis, words),
+        _why_not_the_end(analysis, words), _miss(misses, words, drawn=drawn), _hands(analysis, words), _wall(analysis),
         soft_defaults(analysis.bat, analysis.conditions.ball, analysis.conditions),
     )  # fmt: skip
     return [words for words in paragraphs if words.parts]

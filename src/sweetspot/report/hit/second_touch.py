@@ -17,6 +17,15 @@ AGAIN = (
     "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then nobody "
     "has measured: it is taken as new{otherwise}."
 )
+BEST_AGAIN = (
+    "There the {implement} catches up with a {ball} that is nearly gone and presses it again. How far a {ball} has "
+    "recovered by then nobody has measured, and the best place and its speed follow from what is taken for it."
+)
+
+
+def best_in_doubt(best: Impact, words: Words) -> list[Sentence]:
+    """Return what is not known of a best hit that presses the ball more than once; nothing of any other."""
+    return [in_words(BEST_AGAIN, words)] if best.presses > 1 else []
 
 
 def touched_again(impact: Impact, words: Words) -> list[Sentence]:

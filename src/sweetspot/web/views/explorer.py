@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict
 from typing import Any
 
@@ -11,7 +12,7 @@ from sweetspot.analysis.bat_analysis import analyse_reduced
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
-from sweetspot.report.bat.place_words import speed_difference, why_here, why_off_axis
+from sweetspot.report.bat.place_words import speed_difference, why_backwards, why_here, why_off_axis
 from sweetspot.report.bat.words import answer as words_about
 from sweetspot.report.bat.words import misses_of
 from sweetspot.report.hit.json import conditions_json
@@ -25,7 +26,7 @@ from sweetspot.web.publications import published
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
-from sweetspot.web.views.explorer_curves import Met, along, curves, leaving, power_map, struck
+from sweetspot.web.views.explorer_curves import Met, along, beside, curves, here, leaving, power_map, struck
 
 
 class ExplorerState(HitState):
@@ -37,14 +38,22 @@ def answer(state: ExplorerState) -> dict[str, Any]:
     met = along(state)
     conditions, spots, shown = met.conditions, met.spots, curves(state)
     hit = _hit(state, met)
-    fastest = np.nanmax(met.scan.exit_speed)
-    middle = hit["exit_speed_m_s"] if state.offset_in == 0 else None
+    at_middle, exact = here(state, hit["position_m"])
+    middle = hit["exit_speed_m_s"] if state.offset_in == 0 else at_middle
+    fastest = float(np.nanmax(met.scan.exit_speed[beside(met.scan, spots.max_exit_speed)]))
     difference = speed_difference(met.scan, hit["position_m"], best=spots.max_exit_speed, exit_speed=middle)
-    words, lost = words_of(met.reduced.bat), None
-    why = [why_here(difference, body=met.reduced.body, conditions=conditions, best=spots.max_exit_speed, words=words)]
-    if hit["exit_speed_m_s"] is not None:
-        lost = float(fastest) - hit["exit_speed_m_s"]
-        if state.offset_in != 0:
+    angle, words, lost = hit["launch_angle_rad"], words_of(met.reduced.bat), None
+    if angle is not None and abs(angle) > math.pi / 2:
+        why = [why_backwards(state.offset_in * INCH, words=words)]
+    else:
+        why = [
+            why_here(
+                difference, body=met.reduced.body, conditions=conditions, best=spots.max_exit_speed, words=words,
+                in_the_middle=state.offset_in == 0,
+            )
+        ]  # fmt: skip
+        lost = None if hit["exit_speed_m_s"] is None else fastest - hit["exit_speed_m_s"]
+        if lost is not None and state.offset_in != 0:
             why.append(why_off_axis(state.offset_in * INCH, -lost - difference.whole, words=words))
     return {
         "bat": bat_picture(state, met.reduced),
@@ -56,10 +65,11 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         "scan": shown["curves"],
         "energy_shares": shown["energy"],
         "touched_again": shown["touched_again"],
-        "hit": hit,
+        "best_in_doubt": in_both_systems(met.doubts),
+        "hit": hit | exact,
         "why": in_both_systems(why),
         "difference_m_s": {name: getattr(difference, name) for name in ("motion", "giving", "keeping", "whole")},
-        "best_exit_speed_m_s": float(fastest),
+        "best_exit_speed_m_s": fastest,
         "lost_m_s": lost,
         "ball": ball_picture(state, conditions.ball),
         "published": published(state),

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sweetspot.analysis.bat_analysis import check_conditions
+from sweetspot.analysis.bat_analysis import check_conditions, hit_at
 from sweetspot.analysis.position_scan import Scan, energy_shares, scan, sting
 from sweetspot.analysis.sweet_spot import SweetSpots, sweet_spots
 from sweetspot.collision.closed_form import bbcor
@@ -22,7 +22,8 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.hit.second_touch import touched_again_between
+from sweetspot.report.hit.second_touch import best_in_doubt, touched_again_between
+from sweetspot.report.sentences import Sentence
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
@@ -30,6 +31,8 @@ from sweetspot.web.documents import in_both_systems
 from sweetspot.web.states import HitState
 
 KEPT = 128
+BESIDE = 3 * INCH
+"""m from the best place within which a ball that is touched twice makes the best hit doubtful."""
 ALONG, ABOVE = 49, 25
 """Places of the map along the barrel and above its axis."""
 BARREL, EDGE = 18 * INCH, 0.98
@@ -44,6 +47,7 @@ class Met:
     conditions: Conditions
     scan: Scan
     spots: SweetSpots
+    doubts: list[Sentence]
 
 
 def along(state: HitState) -> Met:
@@ -90,42 +94,77 @@ def _along(state: HitState) -> Met:
     conditions = conditions_of(state, model.bat)
     check_conditions(model.bat, conditions, body=model.body)
     scanned = scan(model.bat, body=model.body, modes=model.modes, conditions=conditions)
-    return Met(
-        model, conditions, scanned, sweet_spots(scanned, body=model.body, modes=model.modes, conditions=conditions)
-    )
+    spots = sweet_spots(scanned, body=model.body, modes=model.modes, conditions=conditions)
+    return Met(model, conditions, scanned, spots, _doubts(model, conditions, scanned, spots.max_exit_speed))
+
+
+def _doubts(model: ReducedBat, conditions: Conditions, scanned: Scan, best: float) -> list[Sentence]:
+    """Return what is not known of the best hit; asked, by a hit of its own, where balls beside it are touched twice."""
+    if not np.any(scanned.touches[np.abs(scanned.position - best) < BESIDE] > 1):
+        return []
+    return best_in_doubt(hit_at(best, modes=model.modes, conditions=conditions), words_of(model.bat))
 
 
 @lru_cache(maxsize=KEPT)
 def _curves(state: HitState) -> dict[str, Any]:
     met = along(state)
+    return _listed(_scanned(state, met, met.scan), met)
+
+
+def _scanned(state: HitState, met: Met, middle: Scan) -> dict[str, Any]:
+    """Return a scan's values of a ball met as far off the bat's axis as is asked; ``middle`` is of one met on it."""
     if state.offset_in == 0:
-        return _listed(asdict(met.scan), met)
-    position, modes, ball = met.scan.position, met.reduced.modes, met.conditions.ball
+        return asdict(middle)
+    position, modes, ball = middle.position, met.reduced.modes, met.conditions.ball
     done = struck(met, position=position, offset=state.offset_in * INCH)
     closing = np.nan_to_num(done.closing_speed)
     again = hits_with_motion(modes, ball=ball, position=position, closing_speed=closing)
     speed, angle, _ = leaving(done)
     efficiency, body, hands = done.collision_efficiency, met.reduced.body, met.conditions.hands
     ratio = hand_impulse_ratio(body, position, hands=hands.position)
-    return _listed(
-        {
-            **asdict(met.scan),
-            "exit_speed": speed,
-            "rigid_exit_speed": np.full(len(position), math.nan),
-            "launch_angle": angle,
-            "collision_efficiency": efficiency,
-            "bbcor": bbcor(efficiency, body=body, ball=ball, position=position),
-            "hand_impulse": ratio * ball.mass * closing * (1 + efficiency),
-            "sting": np.where(
-                np.isfinite(efficiency),
-                sting(modes, hands=hands, displacement=again.displacement, velocity=again.velocity),
-                np.nan,
-            ),
-            "energy": energy_shares(again, modes=modes, ball=ball, closing_speed=closing),
-            "touches": done.touches,
-        },
-        met,
-    )
+    return {
+        **asdict(middle),
+        "exit_speed": speed,
+        "rigid_exit_speed": np.full(len(position), math.nan),
+        "launch_angle": angle,
+        "collision_efficiency": efficiency,
+        "bbcor": bbcor(efficiency, body=body, ball=ball, position=position),
+        "hand_impulse": ratio * ball.mass * closing * (1 + efficiency),
+        "sting": np.where(
+            np.isfinite(efficiency),
+            sting(modes, hands=hands, displacement=again.displacement, velocity=again.velocity),
+            np.nan,
+        ),
+        "energy": energy_shares(again, modes=modes, ball=ball, closing_speed=closing),
+        "touches": done.touches,
+    }
+
+
+def beside(scanned: Scan, place: float) -> slice:
+    """Return which hits of a scan are the neighbours of a place in m from the knob end."""
+    beyond = int(np.searchsorted(scanned.position, place))
+    return slice(max(0, beyond - 1), beyond + 1)
+
+
+def here(state: HitState, place: float) -> tuple[float | None, dict[str, Any]]:
+    """Return how fast a ball met in the middle leaves a place, m from the knob end, and what curves do not tell there.
+
+    Where a ball begins to be touched twice values jump, and lie between those of the neighbours nowhere; elsewhere
+    they do, and nothing is worked out anew.
+    """
+    met = along(state)
+    if not np.any(met.scan.touches[beside(met.scan, place)] > 1):
+        return None, {}
+    middle = scan(
+        met.reduced.bat, body=met.reduced.body, modes=met.reduced.modes, conditions=met.conditions,
+        positions=np.array([place]),
+    )  # fmt: skip
+    found = _scanned(state, met, middle)
+    return float(middle.exit_speed[0]), {
+        "hand_impulse_n_s": found["hand_impulse"][0],
+        "sting_m_s": found["sting"][0],
+        "energy_shares": {name: round(float(part[0]), 5) for name, part in found["energy"]._asdict().items()},
+    }
 
 
 def _listed(scanned: dict[str, Any], met: Met) -> dict[str, Any]:

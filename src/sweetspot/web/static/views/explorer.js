@@ -177,7 +177,7 @@ export const view = {
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [],
       marks: [{ at: spots.max_exit_speed_m, color: "red" }],
       published: this.published(answer),
-      here: { exit_speed_m_s: hit.exit_speed_m_s, collision_efficiency: hit.collision_efficiency, bbcor: hit.bbcor },
+      here: { exit_speed_m_s: hit.exit_speed_m_s, collision_efficiency: hit.collision_efficiency, bbcor: hit.bbcor, hand_impulse_n_s: hit.hand_impulse_n_s, sting_m_s: hit.sting_m_s },
       points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map((/** @type {Answer} */ { position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
     });
     this.bars.hidden = state.offset_in !== 0 || !this.costs?.length;
@@ -203,14 +203,14 @@ export const view = {
   },
 
   /** @param {Answer} given */
-  say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan, touched_again: stretches }) {
+  say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan, touched_again: stretches, best_in_doubt: doubts }) {
     const show = this.app.text.bind(this.app);
     const here = hit.exit_speed_m_s === null ? hit.outcome_text : show("exit_speed_m_s", hit.exit_speed_m_s);
     const back = hit.launch_angle_rad !== null && Math.abs(hit.launch_angle_rad) > Math.PI / 2 ? ", fouled back" : "";
     const words = `${bat.name} hits fastest ${show("from_m", bat.length_m - spots.max_exit_speed_m, 1)} from the tip: ` +
-      `${show("exit_speed_m_s", best)}. Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}${back}.`;
+      `${[`${show("exit_speed_m_s", best)}.`, ...doubts[this.app.units]].join(" ")} Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}${back}.`;
     tell(this.words, words);
-    const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => ({ name, part: between(scan.position_m, shares[key], hit.position_m) ?? 0 })).filter(({ part }) => part > 0.004);
+    const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => ({ name, part: hit.energy_shares?.[key] ?? between(scan.position_m, shares[key], hit.position_m) ?? 0 })).filter(({ part }) => part > 0.004);
     const energy = parts.length ? ` Of the energy of the meeting: ${parts.map(({ part, name }) => `${name} ${show("share", part, 0)}`).join(", ")}.` : "";
     tell(this.why, [...why[this.app.units], ...hit.touched_again[this.app.units]].join(" ") + energy);
     tell(this.again, hit.touched_again[this.app.units].length ? "" : stretches[this.app.units].join(" "));
