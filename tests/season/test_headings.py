@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import polars as pl
 import pytest
@@ -203,6 +204,12 @@ def test_a_frame_that_holds_lists_is_refused_as_a_file_is() -> None:
     nested = made_up().with_columns(launch_speed=pl.concat_list("launch_speed"))
     with pytest.raises(InputError, match="column launch_speed holds List"):
         season_columns(nested, setting=season_setting(contact=False))
+
+
+@pytest.mark.parametrize("frame", ["table.csv", {"launch_speed": [90.0]}])
+def test_what_is_no_polars_frame_is_refused_in_a_line(frame: Any) -> None:
+    with pytest.raises(InputError, match="give a polars frame"):
+        season_columns(frame, setting=season_setting(contact=False))
 
 
 def test_a_club_s_feed_needs_no_inference_of_the_place(tmp_path: Path) -> None:

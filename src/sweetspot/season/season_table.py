@@ -153,7 +153,7 @@ def analyse_season(
     paths: Sequence[Path | str],
     *,
     setting: SeasonSetting | None = None,
-    folder: Path,
+    folder: Path | str,
     given: Mapping[str, str] | None = None,
     resume: bool = False,
     run: Callable[[Plan, Progress | None], None] | None = None,
@@ -179,6 +179,7 @@ def analyse_season(
     UnwritableError
         when there is no room for the copy of a CSV file.
     """
+    folder = Path(folder)
     replaced = [(folder / name).resolve() for name in (BALLS, LEDGER, COUNTED)]
     if among := [path for path in paths if Path(path).resolve().parent in replaced]:
         raise InputError(f"{among[0]} is one of the answers in {folder}, which are replaced; write to another folder")
@@ -335,12 +336,22 @@ def season_columns(
     setting : how; None: the usual.
     given : heading by quantity where a heading is not understood.
 
+    Raises
+    ------
+    InputError
+        for what is no polars frame, or one that `frame_headings` refuses.
+
     >>> import polars as pl
     >>> table = pl.DataFrame({"launch_speed": [103.0], "launch_angle": [27.5], "hc_x": [125.42], "hc_y": [50.0]})
     >>> flown = season_columns(table, setting=season_setting(contact=False)).collect()
     >>> bool(390 < flown["carry_ft"][0] < 430)
     True
     """
+    if not isinstance(frame, pl.DataFrame | pl.LazyFrame):
+        raise InputError(
+            f"frame was given as {type(frame).__name__}; give a polars frame: polars.scan_csv or scan_parquet reads a "
+            "file, polars.from_pandas takes one of pandas"
+        )
     chosen = setting or season_setting()
     lazy = frame.lazy()
     headings = frame_headings(lazy, given=given)
