@@ -27,6 +27,7 @@ def test_a_bat_is_weighed_tapped_and_carried_to_other_views(
     count = answered(page, count)
     expect(page.locator("[data-field=weighed_error_oz] input[type=number]")).to_have_value("0.08")  # 90 %
     expect(page.get_by_role("row", name="mass").first).to_contain_text("31.00 oz ± 0.08 oz")
+    assert "--" not in page.locator(".stack").inner_text()  # options of the command line
     weight.fill("")
     weight.press("Tab")
     count = answered(page, count)

@@ -68,27 +68,68 @@ function trial(path) {
   return box;
 }
 
+// What to type for a route's answer: the first control that has a number, a little of it.
+/**
+ * @param {string} path
+ * @param {any} schema
+ */
+function example(path, schema) {
+  const named = Object.entries(schema?.properties ?? {}).find(([, { default: usual }]) => typeof usual === "number");
+  const state = named ? JSON.stringify({ [named[0]]: /** @type {any} */ (named[1]).default }) : "{}";
+  return `curl -s ${location.origin}${path} -H 'content-type: application/json' -d '${state}'`;
+}
+
 /**
  * @param {any} document
  * @param {string} path
  * @param {string} method
  * @param {any} operation
+ * @param {string | undefined} above  the route of the group that has the same fields
  */
-function route(document, path, method, operation) {
-  const box = make("section", "", { className: "card" });
-  box.append(make("h2", `${method.toUpperCase()} ${path}`), make("p", operation.description ?? operation.summary ?? ""));
+function route(document, path, method, operation, above) {
+  const box = make("details", "", { className: "card" });
   const body = resolve(document, operation.requestBody?.content["application/json"].schema);
-  const repeated = path.endsWith("/recipe"); // the fields are those of the view above
-  if (body && !repeated) box.append(fieldsTable(body));
+  box.append(make("summary", `${method.toUpperCase()} ${path}`), make("p", operation.description ?? operation.summary ?? ""));
+  if (body) box.append(above ? make("p", `Its fields are those of ${above}.`, { className: "note" }) : fieldsTable(body));
+  if (path.includes("{")) return box;
+  box.append(make("pre", body ? example(path, body) : `curl -s ${location.origin}${path}`, { tabIndex: 0 }));
   if (body) box.append(trial(path));
   return box;
+}
+
+/** @param {any} found */
+function groups(found) {
+  /** @type {Map<string, HTMLElement[]>} */
+  const all = new Map();
+  /** @type {Map<string, string>} */
+  const told = new Map(); // fields -> the route that tells them
+  for (const [path, methods] of Object.entries(found.paths)) {
+    for (const [method, operation] of Object.entries(methods)) {
+      const [tag] = operation.tags;
+      const name = tag === "catalogue" ? "Catalogue" : path.split("/")[3];
+      const fields = operation.requestBody?.content["application/json"].schema.$ref;
+      const made = route(found, path, method, operation, told.get(fields));
+      if (fields && !told.has(fields)) told.set(fields, `${method.toUpperCase()} ${path}`);
+      all.set(name, [...(all.get(name) ?? []), made]);
+    }
+  }
+  return all;
 }
 
 const response = await fetch("/api/v1/openapi.json");
 const found = await response.json();
 partOf(main, "#about", HTMLElement).textContent = found.info.description;
-for (const [path, methods] of Object.entries(found.paths)) {
-  for (const [method, operation] of Object.entries(methods)) main.append(route(found, path, method, operation));
+const contents = make("ul", "");
+const index = make("nav", "", { className: "card", ariaLabel: "Contents" });
+index.append(contents);
+main.append(index);
+for (const [name, routes] of groups(found)) {
+  const section = make("section", "", { id: name });
+  section.append(make("h2", name), ...routes);
+  main.append(section);
+  const line = make("li", "");
+  line.append(make("a", name, { href: `#${name}` }), `: ${routes.length} route${routes.length === 1 ? "" : "s"}`);
+  contents.append(line);
 }
 main.append(make("p", "Socket /ws: send {\"id\": 1, \"view\": \"explorer\", \"state\": {…}}; the answer carries the same id. " +
   "A newer question for the same view replaces one that still waits, which then gets no answer."));
