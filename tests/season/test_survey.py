@@ -52,9 +52,13 @@ def test_the_ledger_adds_up_to_the_row(table: Write) -> None:
 
 
 def test_untracked_is_not_zero(table: Write) -> None:
-    frame = made_up().with_columns(
-        launch_speed=pl.when(pl.int_range(pl.len()) % 5 == 0).then(None).otherwise(pl.col("launch_speed")),
-        bb_type=pl.when(pl.int_range(pl.len()) % 2 == 0).then(pl.lit("popup")).otherwise(pl.lit("line_drive")),
+    frame = (
+        made_up()
+        .drop("hc_x", "hc_y")
+        .with_columns(
+            launch_speed=pl.when(pl.int_range(pl.len()) % 5 == 0).then(None).otherwise(pl.col("launch_speed")),
+            bb_type=pl.when(pl.int_range(pl.len()) % 2 == 0).then(pl.lit("popup")).otherwise(pl.lit("line_drive")),
+        )
     )
     found = look(table(frame=frame))
     assert found.counts[0]["untracked"] == warned(found, "untracked") == 12
@@ -649,7 +653,7 @@ def test_an_estimate_from_endings_comes_nearer_to_the_truth(table: Write) -> Non
     season = analyse_season([path], setting=season_setting(contact=False), folder=path.parent / "out")
     words = " ".join(str(block) for block in season_document(season_report(season)).blocks)
     assert "the mean exit speed of all would be" in words
-    bare = table("bare.csv", lost.drop("events", "bb_type"))
+    bare = table("bare.csv", lost.drop("events", "bb_type", "hc_x", "hc_y"))
     season = analyse_season([bare], setting=season_setting(contact=False), folder=path.parent / "out")
     words = " ".join(str(block) for block in season_document(season_report(season)).blocks)
     assert "nothing tells how they ended" in words
@@ -662,3 +666,19 @@ def test_columns_that_answers_take_the_place_of_are_named(table: Write) -> None:
     assert found.detail == "carry_ft, hang_time_s" and found.count == 60
     balls = season.balls().collect()
     assert balls["carry_m"].to_list() == [2.0] * 60 and balls["carry_ft"].max() > 100  # type: ignore[operator]
+
+
+def test_how_far_out_untracked_balls_came_tells_of_them(table: Write) -> None:
+    """Balls that all ended in the same words, slow ones nearer home: their places tell what the lost ones were."""
+    frame = pl.concat([made_up(seed=seed) for seed in range(20)]).with_columns(game_pk=pl.int_range(pl.len()))
+    near = pl.col("launch_speed") < 80
+    frame = frame.with_columns(
+        events=pl.lit("field_out"), hc_x=pl.lit(125.42), hc_y=pl.when(near).then(180.0).otherwise(100.0)
+    )
+    lost = frame.with_columns(launch_speed=pl.when(~(near & (pl.int_range(pl.len()) % 2 == 0))).then("launch_speed"))
+    bias = untracked_bias(look(table(frame=lost)))
+    assert bias is not None and bias.tracked / 0.44704 - frame["launch_speed"].mean() > 2  # type: ignore[operator]
+    assert bias.estimated / 0.44704 == pytest.approx(frame["launch_speed"].mean(), abs=0.5)
+    fled = lost.with_columns(hc_y=pl.when(pl.col("launch_speed").is_null()).then(20.0).otherwise("hc_y"))
+    farther = untracked_bias(look(table(frame=fled)))  # where no tracked one came down the words tell
+    assert farther is not None and farther.explained == 1.0 and farther.estimated == pytest.approx(farther.tracked)

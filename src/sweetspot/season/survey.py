@@ -12,6 +12,7 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
+from sweetspot.flight.bearing import HOME_X, HOME_Y
 from sweetspot.numerics.threads import in_order
 from sweetspot.season.duplicates import duplicate_rows
 from sweetspot.season.row_groups import strips_of
@@ -21,6 +22,11 @@ from sweetspot.season.table_look import TableLook
 from sweetspot.season.table_parts import PART, part_of
 from sweetspot.season.table_reader import TableReader
 from sweetspot.season.table_warnings import TableWarning
+
+Ending = tuple[str, int | None]
+"""How a ball in play ended, in words, and how far out; None where that is not known."""
+APART = 20.0
+"""Units of the map, some 50 ft, by which balls are told apart that ended in the same words."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +41,8 @@ class Survey:
     duplicates : rows of each table, from 0, that are another row's pitch.
     warnings : everything to beware of.
     days : first and last day of each table, None where no date is known.
-    endings : by how balls in play ended: tracked ones, the sum of their exit speeds (m/s), and untracked ones.
+    endings : by how balls in play ended, and how far out on the map (in `APART`): tracked ones, the sum of their exit
+        speeds (m/s), and untracked ones.
     """
 
     tables: tuple[TableFile, ...]
@@ -44,7 +51,7 @@ class Survey:
     duplicates: tuple[NDArray[np.uint32], ...]
     warnings: tuple[TableWarning, ...]
     days: tuple[tuple[date, date] | None, ...]
-    endings: Mapping[str, tuple[int, float, int]] = field(default_factory=dict)
+    endings: Mapping[Ending, tuple[int, float, int]] = field(default_factory=dict)
 
     @property
     def rows(self) -> int:
@@ -77,7 +84,7 @@ def survey_tables(
             faults.append((path, str(error)))
     duplicates = duplicate_rows(tables)
     counts, warnings, days = [], [], []
-    endings: dict[str, tuple[int, float, int]] = {}
+    endings: dict[Ending, tuple[int, float, int]] = {}
     total, done = sum(table.rows for table in tables), 0
     for number, table in enumerate(tables):
         look = TableLook(number, table)
@@ -95,18 +102,20 @@ def survey_tables(
     return Survey(tuple(tables), tuple(faults), tuple(counts), tuple(duplicates), tuple(warnings), tuple(days), endings)
 
 
-def _count_endings(rows: pl.DataFrame, endings: dict[str, tuple[int, float, int]]) -> None:
-    """Add balls in play by their ending and kind to those counted."""
+def _count_endings(rows: pl.DataFrame, endings: dict[Ending, tuple[int, float, int]]) -> None:
+    """Add balls in play by their ending and kind, and by how far out they were fielded, to those counted."""
     names = [name for name in ("event", "batted_type") if name in rows.columns]
-    if not names:
+    mapped = {"map_x", "map_y"} <= set(rows.columns)
+    if not names and not mapped:
         return
+    far = ((pl.col("map_x") - HOME_X) ** 2 + (HOME_Y - pl.col("map_y")) ** 2).sqrt() if mapped else pl.lit(None)
     table = (
-        rows.select(*names, "reason", "exit_speed").filter(pl.col("reason").is_in([USED, "untracked"]))
-        .group_by(names)
-        .agg(tracked=(pl.col("reason") == USED).sum(), total=pl.col("exit_speed").sum(),
-             lost=(pl.col("reason") != USED).sum())
+        rows.filter(pl.col("reason").is_in([USED, "untracked"]))
+        .select(*names, "exit_speed", tracked=pl.col("reason") == USED, far=(far / APART).cast(pl.Int32))
+        .group_by(*names, "far")
+        .agg(pl.col("tracked").sum(), total=pl.col("exit_speed").sum(), lost=(~pl.col("tracked")).sum())
     )  # fmt: skip
-    for *words, tracked, total, lost in table.sort(names).iter_rows():
-        ending = " ".join(word or "" for word in words)
+    for *words, far_out, tracked, total, lost in table.sort(*names, "far").iter_rows():
+        ending = " ".join(word or "" for word in words), far_out
         before = endings.get(ending, (0, 0.0, 0))
         endings[ending] = (before[0] + tracked, before[1] + total, before[2] + lost)

@@ -261,8 +261,9 @@ def _untracked(report: SeasonReport) -> list[Block]:
         return [Paragraph(say(words, balls="1 ball" if lost == 1 else f"{grouped(lost)} balls"))]
     bias = report.untracked
     words = (
-        "{share} of the balls in play have no exit speed. Were they hit as tracked ones that ended alike, the mean "
-        "exit speed of all would be {estimated} instead of {tracked}."
+        "{share} of the balls in play have no exit speed. Were they hit as tracked ones that ended alike, as "
+        "far out, the mean exit speed of all would be {estimated} instead of {tracked}; most likely they were hit less "
+        "hard still."
     )
     return [Paragraph(say(words, share=Slot(bias.share, "share", 1), estimated=Slot(bias.estimated, "speed"),
                           tracked=Slot(bias.tracked, "speed")))]  # fmt: skip
