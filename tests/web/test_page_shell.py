@@ -94,6 +94,17 @@ def test_paper_is_white(page: Page, server: str, answered: Answered) -> None:
     assert colours[0] == colours[2] != colours[1]
 
 
+def test_a_printed_sheet_says_its_conditions_and_all_its_numbers(page: Page, server: str, until: Until) -> None:
+    page.goto(f"{server}/hit?pitch_speed_mph=81")
+    page.get_by_role("button", name="Pause").wait_for()  # printed while the film plays
+    foot = "document.querySelector('#view > p.note')?.textContent ?? ''"
+    printing = "dispatchEvent(new Event('beforeprint'))"
+    until(page, f"({printing}, {foot}.includes('pitch 81.0 mph'))")  # what puts it there comes after the picture
+    empty = "[...document.querySelectorAll('.ledger dd')].filter((value) => !value.textContent)"
+    assert page.evaluate(f"dispatchEvent(new Event('afterprint')), {printing}, {empty}.length") == 0
+    assert page.evaluate(f"dispatchEvent(new Event('afterprint')), {foot}") == ""
+
+
 def test_the_first_visit_is_guided(browser: Browser, server: str, answered: Answered) -> None:
     context = browser.new_context()
     page = context.new_page()

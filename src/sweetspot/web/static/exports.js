@@ -4,7 +4,7 @@ import { isPacked } from "./address.js";
 import { download, downloadBlob } from "./download.js";
 import { posted } from "./post.js";
 import { FONT, wrapped } from "./surface.js";
-import { partOf } from "./parts.js";
+import { make, partOf } from "./parts.js";
 import { SvgContext } from "./svgcontext.js";
 /** @import { App } from "./main.js" */
 
@@ -20,10 +20,10 @@ export async function openExports(app) {
     "<form method=\"dialog\"><button>Close</button></form>";
   dialog.addEventListener("close", () => dialog.remove());
   const files = partOf(dialog, ".files", HTMLElement);
-  for (const [words, make] of choices(app)) {
+  for (const [words, act] of choices(app)) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
     button.dataset.format = words.toLowerCase();
-    button.addEventListener("click", make);
+    button.addEventListener("click", act);
     files.append(button);
   }
   document.body.append(dialog);
@@ -152,6 +152,16 @@ function sourceOf(app) {
   const address = decodeURIComponent(location.pathname + location.search);
   const state = address.length > LONGEST_LINE ? `${location.pathname}, its address is too long to stand here` : address;
   return `sweetspot ${app.version}, ${date}. Model, data and their sources: the documentation, "Sources" and "Validation". State: ${state}`;
+}
+
+// A printed sheet has no controls: at its foot stands under which conditions it holds, by what and when.
+/** @param {App} app */
+export function onPaper(app) {
+  addEventListener("beforeprint", () => {
+    const foot = make("p", { className: "note", textContent: `${conditionsOf(app)}. ${sourceOf(app)}` });
+    partOf(document, "#view", HTMLElement).append(foot);
+    addEventListener("afterprint", () => foot.remove(), { once: true });
+  });
 }
 
 /** @param {App} app */

@@ -100,14 +100,14 @@ export class Ledger {
     this.series = series;
     const last = this.all.filter(({ key }) => film.energy[key]).map(({ key, name }) => `${name} ${this.app.text("energy_j", film.energy[key].at(-1))}`).join(", ");
     this.chart.label(`Where the ${this.app.text("energy_j", film.hit.incoming_energy_j)} of incoming energy are over time. At the end: ${last}.`);
-    this.name();
+    return this.name();
   }
 
-  // The parts that this hit has, in the theme's colours; the list is made anew where it has others.
+  // The parts that this hit has, in the theme's colours; the list is made anew where it has others, and then has no values.
   name() {
     const parts = this.all.filter(({ key }) => this.film?.energy[key]);
     const about = [this.app.colors, ...parts];
-    if (about.length === this.named.length && about.every((one, i) => one === this.named[i])) return;
+    if (about.length === this.named.length && about.every((one, i) => one === this.named[i])) return false;
     this.named = about;
     this.panel.lines = parts;
     this.list.replaceChildren();
@@ -121,6 +121,7 @@ export class Ledger {
       this.list.append(box);
       return value;
     });
+    return true;
   }
 
   /** @param {number} moment */

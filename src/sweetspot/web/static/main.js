@@ -400,7 +400,7 @@ export class App {
     byId("view").dataset.answered = String(Number(byId("view").dataset.answered ?? 0) + 1);
     if (!first || this.embedded) return;
     welcome(this);
-    fetchOthers(this.views.keys()); // so that the other views are there at once, even without a server
+    fetchOthers(this); // so that the other views are there at once, even without a server
   }
 
   // Say beside each control what is wrong with it, and on top what belongs to none; without any picture, draw the first.

@@ -1,5 +1,7 @@
 // The modules of the views, and what else is fetched only when wanted.
 
+/** @import { App } from "./main.js" */
+
 // A view's module. A failed import is remembered by the browser under its address, so another try needs another one.
 const modules = new Map();
 let tries = 0;
@@ -18,9 +20,9 @@ export function fetched(name) {
 }
 
 // Those of the other views, the exports and the wizard, so that they are there at once, even without a server; who goes there asks again.
-/** @param {Iterable<string>} names */
-export function fetchOthers(names) {
-  for (const name of names) fetched(name).catch(() => {});
-  import("./exports.js").catch(() => {});
+/** @param {App} app */
+export function fetchOthers(app) {
+  for (const name of app.views.keys()) fetched(name).catch(() => {});
+  import("./exports.js").then(({ onPaper }) => onPaper(app), () => {});
   import("./wizard.js").catch(() => {});
 }

@@ -106,11 +106,11 @@ export const view = {
     this.state = state;
     this.facts.fill(answer);
     this.sure.update();
-    this.ledger.set(this.film, this.series);
+    const renamed = this.ledger.set(this.film, this.series);
     this.transport.set({ from: -LEAD, to: this.film.end, frames: this.film.times, slowness: state.slowness });
     this.bench.update(answer);
     this.say(answer);
-    if (!this.transport.moving) this.paint(); // while it plays, every frame does
+    if (renamed || !this.transport.moving) this.paint(); // while it plays, every frame does
     if (!this.started && !this.app.calm && !new URLSearchParams(location.search).has("moment_ms")) {
       this.transport.moment = -LEAD;
       this.transport.play();
