@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import polars as pl
+from polars.testing import assert_frame_equal
 
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.carry_scatter import MORE_DRAG, braked, usual_launch
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.report.quantities import US
-from sweetspot.report.season.left_over import left_over_words
+from sweetspot.report.season.left_over import left_over_by, left_over_words
 from sweetspot.season.balls import balls_of
 from sweetspot.season.fields import fields_of
 from sweetspot.season.flight_columns import CLOSE, STEP, flown_balls
@@ -74,3 +75,22 @@ def test_what_distances_leave_over_is_put_into_words() -> None:
     assert angle.startswith("By launch angle: from +") and ("at 40° to" in angle or "at 44° to" in angle)
     assert speed.endswith(", which chance alone could do.")
     assert re.fullmatch(r"By park: from -1\.\d ± 0\.2 ft at There to \+9\.[789] ± 0\.1 ft at Here\.", place)
+
+
+def test_what_is_left_over_is_the_same_to_the_last_digit_however_balls_lie_in_memory() -> None:
+    rng = np.random.default_rng(4)
+    frame = pl.DataFrame({
+        "park": np.array(["Here", "There", "Elsewhere", None])[rng.integers(0, 4, 90_000)],
+        "launch_angle": rng.uniform(0, 1, 90_000), "carry_above": rng.normal(0, 8, 90_000),
+    })  # fmt: skip
+    several = pl.concat([frame[start : start + 999] for start in range(0, len(frame), 999)], rechunk=False)
+    for kind in ("park", "launch_angle"):
+        table = left_over_by(frame.lazy(), kind)
+        assert table.equals(left_over_by(several.lazy(), kind))
+    told = frame.drop_nulls().group_by("park").agg(
+        mean=pl.col("carry_above").mean(), error=pl.col("carry_above").std() / pl.len().sqrt(), balls=pl.len()
+    )  # fmt: skip
+    assert_frame_equal(
+        left_over_by(frame.lazy(), "park").rename({"name": "park"}), told.sort("mean"), check_dtypes=False,
+        check_column_order=False, rel_tol=1e-10,
+    )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import polars as pl
@@ -34,13 +35,21 @@ def gains_of(season: Season) -> list[Gain]:
     contact, system = season.setting.contact, season.setting.system
     gains = []
     for other in () if contact is None else contact.others:
-        name, size = f"{WITH}{other.name}", ENDINGS["speed"][system][1]
-        known = season.counted().select(balls=pl.col(name).count(), mean=pl.col(name).cast(pl.Float64).mean())
-        balls, mean = known.collect(engine="streaming").row(0)
+        gain = pl.col(f"{WITH}{other.name}").cast(pl.Float64)
+        balls, mean = _mean(season.counted_parts(), gain)
         if not balls:
             continue
         _, low, high = (pl.col(column.heading(system)).cast(pl.Float64) for column in columns_of_other(other.name))
-        width = (high - low).filter(high > low).mean()
-        reach = (season.balls().select(width).collect(engine="streaming").item() or 0.0) * size / 2
-        gains.append(Gain(other.name, int(balls), mean, mean - reach, mean + reach))
+        _, width = _mean(season.balls_parts(), (high - low).filter(high > low))
+        reach = width * ENDINGS["speed"][system][1] / 2
+        gains.append(Gain(other.name, balls, mean, mean - reach, mean + reach))
     return gains
+
+
+def _mean(parts: Sequence[pl.LazyFrame], value: pl.Expr) -> tuple[int, float]:
+    """Return how often there is a value, and its mean, 0 of none; added up part by part, always in the same order."""
+    count, total = 0, 0.0
+    for part in parts:
+        values = part.select(value.drop_nulls()).collect().to_series().to_numpy()
+        count, total = count + len(values), total + float(values.sum())
+    return count, total / max(count, 1)

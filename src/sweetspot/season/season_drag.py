@@ -90,14 +90,10 @@ def residuals(counted: pl.LazyFrame, *, by: str, edges: Sequence[float]) -> pl.D
     """
     middles = [(low + high) / 2 for low, high in pairwise(edges)]
     binned = pl.sum_horizontal(*((pl.col(by) >= edge).cast(pl.Int64) for edge in edges))
-    table = (
-        counted.filter(pl.col("carry_above").is_not_null() & pl.col(by).is_not_null())
-        .select(bin=binned, above=pl.col("carry_above").cast(pl.Float64)).group_by("bin")
-        .agg(mean=pl.col("above").mean(), error=pl.col("above").std() / pl.len().sqrt(), balls=pl.len()).sort("bin")
-        .collect()
-    )  # fmt: skip
-    inside = table.filter((pl.col("bin") > 0) & (pl.col("bin") < len(edges)))
-    return inside.with_columns(middle=pl.Series([middles[number - 1] for number in inside["bin"]], dtype=pl.Float64))
+    table = _in_groups(counted.filter(pl.col(by).is_not_null()), binned)
+    inside = table.filter((pl.col("name") > 0) & (pl.col("name") < len(edges)))
+    middle = pl.Series([middles[number - 1] for number in inside["name"]], dtype=pl.Float64)
+    return inside.drop("name").with_columns(middle=middle)
 
 
 def residuals_in(counted: pl.LazyFrame, key: str) -> pl.DataFrame:
@@ -107,9 +103,20 @@ def residuals_in(counted: pl.LazyFrame, key: str) -> pl.DataFrame:
     ----------
     key : a column of names: park, month.
     """
-    return (
-        counted.filter(pl.col("carry_above").is_not_null() & pl.col(key).is_not_null())
-        .select(name=key, above=pl.col("carry_above").cast(pl.Float64)).group_by("name")
-        .agg(mean=pl.col("above").mean(), error=pl.col("above").std() / pl.len().sqrt(), balls=pl.len())
-        .filter(pl.col("balls") >= FEWEST).sort("mean", "name").collect()
+    table = _in_groups(counted.filter(pl.col(key).is_not_null()), pl.col(key))
+    return table.filter(pl.col("balls") >= FEWEST).sort("mean", "name")
+
+
+def _in_groups(counted: pl.LazyFrame, group: pl.Expr) -> pl.DataFrame:
+    """Return ``name``, ``mean``, ``error`` and ``balls`` of groups, in order; always added up ball by ball."""
+    asked = counted.filter(pl.col("carry_above").is_not_null())
+    balls = asked.select(name=group, above=pl.col("carry_above").cast(pl.Float64)).collect()
+    names = balls["name"].unique().sort()
+    number = balls["name"].rank("dense").cast(pl.Int64).to_numpy() - 1
+    above, several = balls["above"].to_numpy(), np.bincount(number, minlength=len(names))
+    mean = np.bincount(number, above, len(names)) / several
+    squares = np.bincount(number, (above - mean[number]) ** 2, len(names))
+    error = pl.Series(np.sqrt(squares / np.maximum(several - 1, 1) / several))
+    return pl.DataFrame({"name": names, "mean": mean}).with_columns(
+        error=pl.when(pl.Series(several) > 1).then(error), balls=pl.Series(several)
     )  # fmt: skip

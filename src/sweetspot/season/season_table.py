@@ -71,6 +71,10 @@ class Season:
         """Return the balls with all answers beside the tables' own columns; missing where a table lacks a column."""
         return _scanned(self.folder / BALLS)
 
+    def balls_parts(self) -> list[pl.LazyFrame]:
+        """Return the same, each task's balls by themselves."""
+        return [pl.scan_parquet(file) for file in _files(self.folder / BALLS)]
+
     def counted(self) -> pl.LazyFrame:
         """Return groups and measures of the balls, in SI."""
         return counted_in(self.folder)

@@ -136,28 +136,28 @@ def _best_bat(table: pl.DataFrame, others: list[str]) -> pl.Series:
     return pl.Series("best_bat", names)
 
 
-def above_expected_parts(counted: pl.LazyFrame, parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
-    """Return parts of the counted balls with ``squared_up_above``: the league's flag less what such bat speeds have.
+def above_expected_parts(parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
+    """Return counted balls with ``squared_up_above``: the league's flag less what such bat speeds have.
 
-    The expectation is the parabola in bat speed through all balls of the season.
+    The expectation is the parabola in bat speed through all balls of the season. Sums are added up part by part, in
+    order, so that they are the same to the last digit however many threads there are.
 
     Parameters
     ----------
-    counted : all parts together.
+    parts : of the counted balls, which make up a season together.
     """
-    names = counted.collect_schema().names()
-    if "league_squared_up" not in names:
+    speed, flag = pl.col("bat_speed").cast(pl.Float64) - 32.0, pl.col("league_squared_up").cast(pl.Float64)
+    square, along = np.zeros((3, 3)), np.zeros(3)
+    told = [part for part in parts if "league_squared_up" in part.collect_schema().names()]
+    for part in told:
+        known = part.select(speed=speed, flag=flag).drop_nulls().collect()
+        powers = np.stack([known["speed"].to_numpy() ** power for power in range(3)])
+        square += np.einsum("in,jn->ij", powers, powers)
+        along += np.einsum("in,n->i", powers, known["flag"].to_numpy())
+    if square[0, 0] < 10:
         return list(parts)
-    speed, flag = pl.col("bat_speed").cast(pl.Float64), pl.col("league_squared_up").cast(pl.Float64)
-    known = counted.filter(speed.is_not_null() & flag.is_not_null())
-    moments = known.select(
-        *(((speed - 32.0) ** power).sum().alias(f"s{power}") for power in range(5)),
-        *((flag * (speed - 32.0) ** power).sum().alias(f"f{power}") for power in range(3)),
-    ).collect(engine="streaming").row(0, named=True)  # fmt: skip
-    if moments["s0"] < 10:
-        return list(parts)
-    square = np.array([[moments[f"s{i + j}"] for j in range(3)] for i in range(3)])
-    a, b, c = np.linalg.lstsq(square, np.array([moments[f"f{i}"] for i in range(3)]), rcond=None)[0].tolist()
-    expected = a + b * (speed - 32.0) + c * (speed - 32.0) ** 2
-    fresh = (flag - expected).cast(pl.Float32).alias(ABOVE)
-    return [part.with_columns(fresh) if "league_squared_up" in part.collect_schema() else part for part in parts]
+    a, b, c = np.linalg.lstsq(square, along, rcond=None)[0].tolist()
+    fresh = (flag - (a + b * speed + c * speed**2)).cast(pl.Float32).alias(ABOVE)
+    return [
+        part.with_columns(fresh) if "league_squared_up" in part.collect_schema().names() else part for part in parts
+    ]

@@ -88,8 +88,8 @@ class SeasonReport:
 
 def season_report(season: Season) -> SeasonReport:
     """Return everything that is told of a season; groups that no ball has are left out."""
-    every = season.counted()
-    counted, *parts = above_expected_parts(every, [every, *season.counted_parts()])
+    parts = above_expected_parts(season.counted_parts())
+    counted = pl.concat(parts, how="diagonal_relaxed")
     balls = sum(counts[USED] for counts in season.survey.counts)
     drawn = counted if balls <= MOST_DRAWN else counted.gather_every(-(-balls // MOST_DRAWN))
     return SeasonReport(
