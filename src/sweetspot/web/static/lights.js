@@ -48,6 +48,13 @@ export const stateOf = (/** @type {Answer} */ check) => (isUnsure(check) ? "unsu
 /** @type {Record<string, string>} */
 const KINDS = { m: "length", "kg m^2": "moi" };
 
+// A value, and what it may be.
+/**
+ * @param {{ value: any, least: number | null, most: number | null }} one
+ * @param {(value: number) => string} show
+ */
+export const beside = ({ value, least, most }, show) => [show(value), least === null ? "" : `at least ${show(least)}`, most === null ? "" : `at most ${show(most)}`].filter(Boolean).join(", ");
+
 /**
  * A league's rules, each with what the bat has and the limit.
  * @param {Lights} lights
@@ -58,8 +65,7 @@ export function showRules(lights, rules, app) {
   lights.head(rules.length ? `Rules of ${rules[0].league_name}` : "Rules");
   lights.show(rules.map((rule) => {
     const show = (/** @type {number} */ one) => app.text(KINDS[rule.unit] ?? "ratio", one);
-    const ends = [rule.least === null ? "" : `at least ${show(rule.least)}`, rule.most === null ? "" : `at most ${show(rule.most)}`].filter(Boolean).join(", ");
-    const known = typeof rule.value === "number" && rule.unit !== "yes or no" ? [show(rule.value), ends].filter(Boolean).join(", ") : "";
+    const known = typeof rule.value === "number" && rule.unit !== "yes or no" ? beside(rule, show) : "";
     return { state: stateOf(rule), name: rule.title, words: [known, rule.reason].filter(Boolean).join("; ") };
   }));
 }

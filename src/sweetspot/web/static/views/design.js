@@ -5,7 +5,7 @@ import { Bench, ballGroup, swingGroup, unchanged } from "../bench.js";
 import { Chart } from "../chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls.js";
 import { download } from "../download.js";
-import { Lights, showRules } from "../lights.js";
+import { Lights, beside, showRules } from "../lights.js";
 import { make, paragraphs, tableOf, tell, withDoubt, write } from "../parts.js";
 import { Front, WANTS } from "./design_front.js";
 /** @import { Answer, App, Control, State, Step, View } from "../main.js" */
@@ -253,7 +253,7 @@ export const view = {
   /** @param {{ locks: Answer[], rules: Answer[], limits: Answer[] }} given */
   light({ locks, rules, limits }) {
     const { app } = this;
-    const words = (/** @type {Answer} */ { scale, value, kept, miss, why }) => `${app.text(scale, value)}${kept ? "" : `, beyond by ${app.text(scale, miss)}`}${why === "kept as it is" ? "" : ` (${why})`}`;
+    const words = (/** @type {Answer} */ { scale, value, least, most, kept, miss, why }) => `${beside({ value, least, most }, (one) => app.text(scale, one))}${kept ? "" : `, beyond by ${app.text(scale, miss)}`}${why === "kept as it is" ? "" : ` (${why})`}`;
     const lamp = (/** @type {Answer} */ one) => ({ state: one.kept ? "pass" : "fail", name: one.label, words: words(one) });
     this.lights.locks.show(locks.map(lamp));
     this.lights.limits.show(limits.filter(({ why, kept }) => !kept || !rules.some(({ league_name: name }) => name === why)).map(lamp));
