@@ -64,6 +64,21 @@ def test_the_explorer_works_without_a_mouse(page: Page, server: str, answered: A
     assert page.evaluate("document.activeElement.id") == "view"
 
 
+@pytest.mark.parametrize(
+    ("view", "words", "last"),
+    [("flight", "This path as a table", "382"), ("modes?number=2", "This motion as a table", "0.00")],
+)
+def test_a_path_and_a_motion_are_tables_too(
+    page: Page, server: str, settled: Callable[[Page], None], view: str, words: str, last: str
+) -> None:
+    page.goto(f"{server}/{view}")
+    settled(page)
+    page.locator("summary", has_text=words).click()
+    rows = page.locator("details", has_text=words).locator("tbody tr")
+    expect(rows.last).to_contain_text(last)  # where it comes down, and the tip
+    assert rows.count() > 10
+
+
 COVERED = """(() => {
   const { left, top, width, height } = document.activeElement.getBoundingClientRect();
   const there = document.elementFromPoint(left + width / 2, top + Math.min(20, height / 2)); // of what is tall, its top

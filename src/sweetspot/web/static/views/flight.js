@@ -66,7 +66,7 @@ export const view = {
     this.play = button("Let it fly", () => this.fly(), { primary: true });
     this.outlines = button("All parks' fences", () => this.showFences());
     this.pictures = make("div", { className: "pair" },
-      make("div", {}, make("h2", { textContent: "From the side" }), this.side.element, make("div", { className: "row tight" }, this.play), this.facts.element, this.map.element, this.map.numbers.element),
+      make("div", {}, make("h2", { textContent: "From the side" }), this.side.element, make("div", { className: "row tight" }, this.play), this.side.numbers.element, this.facts.element, this.map.element, this.map.numbers.element),
       make("div", {}, make("h2", { textContent: "From above" }), this.field.element, make("div", { className: "row tight" }, this.outlines), this.hint));
     this.list = make("section", { className: "picture" }, make("h2", { textContent: "In every park" }),
       toggle(app, "own_elevation", { label: "Each park with the air of its own elevation" }), this.parks);

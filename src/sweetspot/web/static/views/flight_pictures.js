@@ -1,8 +1,9 @@
 // The flight from the side (distance over the ground against height) and from above (the field with its fence).
 
+import { Numbers, evenly } from "../numbers.js";
 import { FONT, Surface, arrow, haloText, ticks } from "../surface.js";
 /** @import { Point } from "../surface.js" */
-import { fromShown, toShown, unitOf } from "../units.js";
+import { fromShown, kindOf, toShown, unitOf } from "../units.js";
 /** @import { Answer, App, State } from "../main.js" */
 /** @import { Way } from "../batpaint.js" */
 
@@ -67,11 +68,26 @@ export class SidePicture {
     this.moment = null;
     this.surface = new Surface(app, { height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
+    this.numbers = new Numbers(app, "This path as a table", () => this.data && this.tabled(this.data));
+  }
+
+  // Where the ball is at even times, and where it would be without air.
+  /** @param {Answer} answer */
+  tabled({ path, path_without_air: vacuum }) {
+    const { units } = this.app;
+    const shown = (/** @type {string} */ kind, /** @type {number} */ value) => toShown(kind, value, units).toFixed(kindOf(kind)[units].digits).replace(/^-(0(\.0*)?)$/, "$1").replace("-", "−");
+    const unit = unitOf("distance", units);
+    const rows = evenly(path.time_s, 13).map((/** @type {number} */ moment) => {
+      const [here, there] = [placeAt(path, moment), placeAt(vacuum, moment)];
+      return [shown("seconds", moment), ...[here.distance_m, here.up_m, here.right_m, there.distance_m, there.up_m].map((value) => shown("distance", value))];
+    });
+    return { caption: "The ball's path", rows, columns: ["Time, s", `Over the ground, ${unit}`, `Height, ${unit}`, `To the right, ${unit}`, `Without air: over the ground, ${unit}`, `Without air: height, ${unit}`] };
   }
 
   /** @param {Answer} answer */
   draw(answer) {
     this.data = answer;
+    this.numbers.redraw();
     const far = (/** @type {number} */ value) => this.app.text("distance", value);
     this.surface.label(`The flight from the side: ${far(answer.flight.apex_m)} high at its apex, ${far(answer.flight.carry_m)} of carry, ` +
       `${answer.end.clearance_m === null ? "not reaching the fence" : `${clearance(this.app, answer.end.clearance_m)} ${answer.end.clearance_m > 0 ? "above" : "below"} the fence's top`}.`);

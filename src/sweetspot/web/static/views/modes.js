@@ -3,11 +3,12 @@
 import { Bench } from "../bench.js";
 import { button, group, slider, toggle } from "../controls.js";
 import { Stage, paintMotion } from "../modescene.js";
+import { Numbers, evenly } from "../numbers.js";
 import { make, partOf, tell } from "../parts.js";
 import { Surface } from "../surface.js";
 import { unbroken } from "../tables.js";
 import { strike } from "../tapsound.js";
-import { INCH } from "../units.js";
+import { INCH, kindOf, toShown } from "../units.js";
 /** @import { Answer, View } from "../main.js" */
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
@@ -51,7 +52,8 @@ export const view = {
       this.all = !this.all;
       this.list();
     });
-    picture.append(this.words, this.stage.element, row, this.rowsBox, this.more, this.aside);
+    this.numbers = new Numbers(app, "This motion as a table", () => this.answer && this.tabled());
+    picture.append(this.words, this.stage.element, row, this.numbers.element, this.rowsBox, this.more, this.aside);
     root.append(this.controls(), picture);
     this.heard = new AbortController();
     root.addEventListener("keydown", (event) => this.key(event), { signal: this.heard.signal });
@@ -104,6 +106,7 @@ export const view = {
     this.bench.update(answer);
     this.list();
     this.say();
+    this.numbers.redraw();
     this.aside.textContent = state.held
       ? "Shaded: between the nodes of the first two bending modes. Damping of a held bat is each motion's own part; the hands' dampers couple the motions too. Hands: typical values, recalled and not measured."
       : "Shaded: between the nodes of the first two bending modes. Damping of the hanging bat: the material's, the same ratio for every motion.";
@@ -214,6 +217,17 @@ export const view = {
     this.stage.label(`${answer.bat.name}. ${this.words.textContent}`);
     if (this.stage.element.ariaLabel !== this.spoken) app.announce(this.words.textContent);
     this.spoken = this.stage.element.ariaLabel;
+  },
+
+  // The chosen motion at even places along the bat.
+  tabled() {
+    const { answer: { bat, place_m: places }, app: { units } } = this;
+    const { shape, ...motion } = this.motion();
+    const { digits, unit } = kindOf("node_m")[units];
+    return {
+      caption: `${nameOf(motion)}: how far each place moves, as a part of the most`, columns: [`${unit} from the tip`, "Moves by"],
+      rows: evenly([...places.keys()], 18).map((i) => [toShown("node_m", bat.length_m - places[i], units).toFixed(digits), shape[i].toFixed(2).replace(/^-(0\.00)$/, "$1").replace("-", "−")]),
+    };
   },
 
   unmount() {
