@@ -127,8 +127,10 @@ def _schema(source: Path, ends: TextEnds, *, lines: int | None = None) -> pl.Sch
     rows = _scanned(source, ends, lines=lines)
     schema = rows.collect_schema()
     whole = [name for name, kind in schema.items() if kind.is_integer()]
-    texts = _scanned(source, ends, schema=pl.Schema(dict.fromkeys(schema, pl.String)), cut=True).select(whole)
-    padded = texts.head(PADDED_LINES).select(pl.all().str.contains(PADDED).any()).collect()
+    texts = _scanned(
+        source, ends, schema=pl.Schema(dict.fromkeys(schema, pl.String)), cut=True, rows=PADDED_LINES
+    ).select(whole)
+    padded = texts.select(pl.all().str.contains(PADDED).any()).collect()
     names = [name for name in whole if padded[name].item()]
     return pl.Schema({**schema, **dict.fromkeys(names, pl.String())})
 
@@ -147,8 +149,9 @@ def _left_out(headings: Headings, schema: pl.Schema) -> dict[str, pl.Expr]:
 
 
 def _scanned(
-    source: Path, ends: TextEnds, *, cut: bool = False, lines: int | None = None, schema: pl.Schema | None = None
-) -> pl.LazyFrame:
+    source: Path, ends: TextEnds, *, cut: bool = False, lines: int | None = None, schema: pl.Schema | None = None,
+    rows: int | None = None,
+) -> pl.LazyFrame:  # fmt: skip
     """Return the rows; a column with anything but numbers in it stays text.
 
     Parameters
@@ -156,9 +159,11 @@ def _scanned(
     cut : whether cells beyond the headings are left out; otherwise they are an error.
     lines : that are looked at for what stands in the columns; None: all.
     schema : what the columns are, where that is known.
+    rows : that are read; None: all.
     """
     separator = separator_of(ends.above[-1])
     return pl.scan_csv(
         source, separator=separator, schema=schema, infer_schema_length=lines, truncate_ragged_lines=cut,
         encoding="utf8-lossy", null_values=list(ABSENT), decimal_comma=separator == ";", skip_lines=len(ends.above) - 1,
+        n_rows=rows,
     )  # fmt: skip
