@@ -20,23 +20,31 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, ViewportSize, expect
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, Page, ViewportSize, expect
 from playwright.sync_api import Error as PlaywrightError
 
 from sweetspot.web import answers, jobs, protocols
 from sweetspot.web.run_server import listening, server_for
 
-PATIENCE = 600_000 if os.environ.get("CI") == "true" else 60_000
-"""ms that a browser test waits for what it expects: where nobody watches, longer than any machine is late."""
 LATE = 600.0
 """s after which something never comes: no machine is that late."""
-expect.set_options(timeout=PATIENCE)
+PATIENCE = 1e3 * LATE
+"""ms that a test waits for what it expects while the page works: reading a season compiles its kernels first."""
+PRESSED = PATIENCE if os.environ.get("CI") == "true" else 60_000
+"""ms that it waits for what is to be pressed: where nobody watches, as long."""
+LOOKS, REST = 4, 5_000
+"""A page that has nothing to do stays as it is: what is not there at so many looks, so many ms apart, is wrong."""
+AT_REST = """(document.readyState === "complete" && !document.querySelector("#view")?.dataset.waiting
+  && ![...document.querySelectorAll("progress, [aria-busy=true]")].some((one) => one.checkVisibility()))"""
+"""Whether nothing is asked for and nothing is being worked on."""
 SIZE: ViewportSize = {"width": 1280, "height": 900}
 LOOK = """new Promise((done, failed) => {{
+  let busy = performance.now();
   const look = () => {{
     try {{
-      const found = {script};
-      if (found || performance.now() > end) done(found);
+      const found = {script}, now = performance.now();
+      if (!{at_rest}) busy = now;
+      if (found || now > end || now > busy + {rest}) done(found);
       else setTimeout(look, 20);
     }} catch (error) {{
       failed(error);
@@ -63,6 +71,50 @@ def _no_hurry() -> Iterator[None]:
         patch.setattr(answers, "TIME_LIMIT", LATE)
         patch.setattr(jobs, "UNWATCHED", LATE)
         patch.setattr(protocols, "REQUEST_TIME", LATE)
+        yield
+
+
+class Expected:
+    """What is expected of a page or a part of it: waited for as long as the page works, and no longer."""
+
+    def __init__(self, assertions: Any, page: Page) -> None:
+        self._assertions, self._page = assertions, page
+
+    def __getattr__(self, name: str) -> Callable[..., None]:
+        check = getattr(self._assertions, name)
+
+        def wait(*words: Any, timeout: float = PATIENCE, **options: Any) -> None:
+            end, rested = time.monotonic() + timeout / 1000, 0
+            while True:
+                try:
+                    check(*words, timeout=min(timeout, REST), **options)
+                    return
+                except AssertionError:
+                    rested = rested + 1 if self._at_rest() else 0
+                    if rested == LOOKS or time.monotonic() > end:
+                        raise
+
+        return wait
+
+    def _at_rest(self) -> bool:
+        try:
+            return bool(self._page.evaluate(AT_REST))
+        except PlaywrightError:  # it is left for another page, which is looked at next
+            return False
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _no_patience_with_a_page_at_rest() -> Iterator[None]:
+    """A wrong word fails a test in seconds, and a slow machine none: `expect` asks whether the page still works."""
+    usual = type(expect).__call__
+
+    def patient(self: Any, actual: Any, message: str | None = None) -> Any:
+        if isinstance(actual, (Page, Locator)):
+            return Expected(usual(self, actual, message), actual if isinstance(actual, Page) else actual.page)
+        return usual(self, actual, message)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(type(expect), "__call__", patient)
         yield
 
 
@@ -93,7 +145,7 @@ def client(server: str) -> Iterator[httpx.Client]:
 def visitor(browser: Browser, server: str) -> Iterator[BrowserContext]:
     """One visitor's browser, 1280 by 900, who has been here before; leaves before the server stops."""
     context = browser.new_context(viewport=SIZE)
-    context.set_default_timeout(PATIENCE)
+    context.set_default_timeout(PRESSED)
     context.add_init_script("localStorage.setItem('guided', 'yes')")
     yield context
     context.close()
@@ -146,14 +198,16 @@ def until() -> Callable[[Page, str], Any]:
     """A function that waits until a script's value is true, and returns it."""
 
     def wait(page: Page, script: str) -> Any:
-        deadline, found = time.monotonic() + PATIENCE / 1000, None
-        while not found:
+        look = LOOK.format(script=script, patience=PATIENCE, at_rest=AT_REST, rest=LOOKS * REST)
+        deadline = time.monotonic() + LATE
+        while True:
             try:
-                found = page.evaluate(LOOK.format(script=script, patience=PATIENCE))
+                found = page.evaluate(look)
+                break
             except PlaywrightError as error:  # of a page that was left for another one, which is looked at next
-                if "context was destroyed" not in str(error):
+                if "context was destroyed" not in str(error) or time.monotonic() > deadline:
                     raise
-            assert found or time.monotonic() < deadline, f"never true: {script}\non a page that says: {_told(page)}"
+        assert found, f"never true: {script}\non a page that says: {_told(page)}"
         return found
 
     return wait
