@@ -17,6 +17,7 @@ from sweetspot.paper import formulas as paper
 from sweetspot.paper.choices import Choices, can_be_drilled, corked_analysis
 from sweetspot.paper.formulas import Row
 from sweetspot.paper.metal_wall import METAL_BAT, paper_metal_wall
+from sweetspot.paper.worded_claims import carries, hole_lightens, livelier_ball, metal_is_swung_faster
 from sweetspot.paper.words import Number, Words, inches, metres, miles_per_hour
 from sweetspot.units import INCH, MPH
 
@@ -161,12 +162,14 @@ def _hollowing(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
     if not can_be_drilled(bat):
         return
-    softer = corked_analysis(bat, choices, conditions).best
+    drilled = corked_analysis(bat, choices, conditions)
+    softer = drilled.best
     before, after = exit_speed_of(best, conditions) / MPH, exit_speed_of(softer, conditions) / MPH
     q_before, q_after = best.collision_efficiency, softer.collision_efficiency
     needed = (before * MPH - q_after * conditions.pitch.speed) / (1 + q_after)
     extra = needed - conditions.swing.speed_at(softer.position)
     hole = inches(choices.bore_diameter), inches(choices.bore_depth)
+    yield hole_lightens(analysis, drilled)
     yield Row("13", "F = k x: peak force, plain bat", "kN", None, None, best.peak_force / 1e3, "Full model: this bat.")
     yield Row(
         "13", Words("F = k x: peak force, corked {} by {}", *hole), "kN", "increases", None, softer.peak_force / 1e3,
@@ -244,6 +247,7 @@ def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )
     measured = analysis.best.collision_efficiency * (1 + recoil) + recoil
     metal = paper_metal_wall()
+    speeds = []
     for name, restitution, part, printed in cases:
         returned = paper.energy_returned(
             bat_restitution=restitution, ball_restitution=choices.ball_restitution, share=part
@@ -251,6 +255,7 @@ def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         wood = name.startswith("W1")
         efficiency = collision_efficiency(math.sqrt(returned), recoil=recoil)
         speed = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=conditions.swing.speed_at(place))
+        speeds.append(speed)
         yield Row(
             "W", f"{name}: energy returned over energy stored", "ratio", printed, returned,
             measured**2 if wood else metal.bbcor**2,
@@ -279,6 +284,9 @@ def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         "k", "restitution of that wall", "ratio", paper.PAPER_METAL_RESTITUTION, None, metal.restitution,
         "What the wall gives back before the ball has gone, as the square root of the part of the energy.",
     )  # fmt: skip
+    if analysis.bat.sport == "baseball":
+        yield metal_is_swung_faster(analysis)
+    yield from carries(analysis, speeds=speeds)
 
 
 def _verdict(analysis: Analysis, _choices: Choices) -> Iterator[Row]:
@@ -295,6 +303,7 @@ def _verdict(analysis: Analysis, _choices: Choices) -> Iterator[Row]:
             *width,
         ),
     )  # fmt: skip
+    yield from livelier_ball(analysis)
 
 
 PARTS: dict[str, Callable[[Analysis, Choices], Iterator[Row]]] = {
