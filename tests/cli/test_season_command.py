@@ -17,6 +17,7 @@ from sweetspot.report import html
 from sweetspot.report.quantities import US
 from sweetspot.report.season.one_player import player_page
 from sweetspot.report.season.tables import write_tables
+from sweetspot.season.bat_table import read_bats
 from sweetspot.season.batters import require_batter
 from sweetspot.season.standings import GROUPS
 from tests.report.season.test_picture import CASES
@@ -185,6 +186,12 @@ def test_bats_of_batters_who_are_not_in_the_tables(tmp_path: Path, capsys: pytes
     assert f"'600009' of {bats} is no batter of the tables" in capsys.readouterr().err
     told = pl.read_parquet(tmp_path / "out" / "balls").group_by("batter").agg(pl.col("bat").unique()).sort("batter")
     assert told["bat"].to_list() == [["mlb-a"], *[["unknown"]] * 5]
+
+
+@pytest.mark.parametrize("text", ["batter,bat\n7,mlb-a\n", "Batter;Bat\n7;mlb-a\n", "hitter\tbat\n7.0\tmlb-a\n"])
+def test_a_table_of_bats_as_spreadsheets_save_it(text: str, tmp_path: Path) -> None:
+    (tmp_path / "bats.csv").write_text(text, "utf-8")
+    assert read_bats(tmp_path / "bats.csv") == {"7": "mlb-a", "": "unknown"}
 
 
 def test_one_is_not_several() -> None:

@@ -10,6 +10,7 @@ from sweetspot.catalog.bats import load_bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.season.answers import UNKNOWN_BAT
+from sweetspot.season.text_ends import separator_of
 
 BATTER = ("batter", "batter_id", "player", "hitter", "batter_name")
 
@@ -24,7 +25,8 @@ def read_bats(path: Path) -> dict[str, str]:
     InputError
         when the file cannot be read, lacks a column, names a batter twice, or a bat that is not known.
     """
-    rows = list(csv.reader(io.StringIO(read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV table of bats"))))
+    text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV table of bats")
+    rows = list(csv.reader(io.StringIO(text), delimiter=separator_of(text.partition("\n")[0])))
     if not rows:
         raise InputError(f"{path} is empty; give a table with the columns batter and bat")
     names = [cell.strip().lower() for cell in rows[0]]
