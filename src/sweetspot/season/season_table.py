@@ -335,8 +335,8 @@ def season_columns(
 
     Parameters
     ----------
-    frame : Statcast, Trackman or any other names that are understood. Of a lazy one dates that may begin with the day
-        are looked at before anything else is read.
+    frame : Statcast, Trackman or any other names that are understood. Of a lazy one dates that may begin with the day,
+        and whose name ``player_name`` is, are looked at before anything else is read.
     setting : how; None: the usual.
     given : heading by quantity where a heading is not understood.
 
