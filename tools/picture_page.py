@@ -30,7 +30,7 @@ SHOTS = {
     "page-compare": ("/compare", "light", 1180, 980),
     "page-flight": ("/flight", "light", 1180, 760),
     "page-paper": ("/paper", "light", 1180, 900),
-    "page-own": ("/own", "light", 1180, 900),
+    "page-own": ("/own?weighed_oz=31.2&balanced_in=22.1&pendulum_ms=1454.5", "light", 1180, 1010),
     "page-design": ("/design", "light", 1180, 900),
     "page-season": ("/season", "light", 1180, 1130),
 }

@@ -1,6 +1,7 @@
 // One field of the state that may be empty: a select whose list comes with the answer, as [value], [value, how many] or
 // [value, how many, words]; hidden where there is nothing to choose.
 
+import { reveal } from "../controls.js";
 import { make } from "../parts.js";
 import { grouped } from "../units.js";
 /** @import { Answer, App, State } from "../main.js" */
@@ -23,7 +24,7 @@ export class Filter {
     app.control({ field, sync: (state) => this.sync(state), fault: (message) => {
       this.fault.textContent = message;
       this.fault.hidden = message === "";
-      if (message) this.element.hidden = false;
+      if (message) reveal(this.fault);
     } });
   }
 

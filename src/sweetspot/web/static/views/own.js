@@ -88,8 +88,8 @@ export const view = {
       }), { primary: true, title: "From now on it is the bat of every view" }),
       button("Bat file, with intervals", () => file((toml) => download("my-bat.toml", "application/toml", toml))),
     ];
-    return make("div", { className: "row" }, ...this.bringers,
-      button("Forget what was measured", () => app.setState({ weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] })));
+    this.forget = button("Forget what was measured", () => app.setState({ weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] }));
+    return make("div", { className: "row" }, ...this.bringers, this.forget);
   },
 
   update(answer) {
@@ -112,6 +112,7 @@ export const view = {
       showRules(this.rules, answer.rules, app);
     });
     for (const one of this.bringers) one.disabled = !answer.values.length || off.length > 0;
+    this.forget.disabled = !answer.measurements.length;
     this.say(answer);
   },
 

@@ -69,7 +69,8 @@ export const view = {
     const { season } = answer;
     this.bench.update(answer);
     this.reading.draw(season);
-    for (const one of [this.which, ...this.told]) one.hidden = !season;
+    for (const one of this.told) one.hidden = !season;
+    this.which.hidden = !season && !this.which.querySelector(".fault:not([hidden])");
     this.told[1].hidden ||= !this.found?.field;
     this.told[2].hidden ||= !this.players.players.length;
     this.player.hidden = !season || app.state.batter === null;
