@@ -37,7 +37,7 @@ export function drawerOf(side, /** @type {HTMLElement} */ root, /** @type {Abort
 function uncover(side, root) {
   const at = document.activeElement;
   const lies = (/** @type {Element} */ one) => getComputedStyle(one).position === "sticky";
-  if (!at || !lies(side) || !root.contains(at) || side.contains(at) || !at.matches(":focus-visible")) return;
+  if (!at || at === root || !lies(side) || !root.contains(at) || side.contains(at) || !at.matches(":focus-visible")) return;
   const box = at.getBoundingClientRect();
   const pinned = [...root.querySelectorAll(".pinned")].find((one) => lies(one) && one !== at && Boolean(one.compareDocumentPosition(at) & Node.DOCUMENT_POSITION_FOLLOWING));
   const over = pinned?.getBoundingClientRect();
