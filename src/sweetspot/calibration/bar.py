@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.naming import Expected, ModeName, NamedTone, named, uniform_bar
+from sweetspot.calibration.recording import BAT_BAND, Band
+from sweetspot.calibration.ring import Tone
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -28,15 +30,26 @@ MODULUS_RATIO = Measured(math.log(6.0), 0.8)
 WOOD, WOOD_RATIO = (250.0, 850.0), Measured(math.log(13.0), 0.35)
 """kg/m^3 between which a bar is wood, and its ln(E / G): 7 of cherry to 22 of balsa are within 1.8 sigma (table of
 elastic ratios in the Wood Handbook, recalled). Foams are lighter, plastics begin at 900."""
+ISOTROPIC, ISOTROPIC_RATIO = 2000.0, Measured(math.log(2.6), 0.06)
+"""kg/m^3 from which on a bar is metal, glass or ceramic and the same in all directions, and its ln(E / G): 2 (1 + nu)
+is 2.4 to 2.88 for a Poisson's ratio of 0.2 of glass to 0.44 of lead (recalled). Fibre composites are lighter."""
 RATIO_TRUST = 0.005
 """One sigma of ln E that a higher tone deserves beside its frequency's error: Goens' formula and an even section."""
+SQUARE = 0.1
+"""Logarithm of width over thickness below which bending sideways cannot be told from bending across the thickness."""
+WIDEST_WOOD, WIDEST = 0.25, 0.4
+"""Width over length, of wood and of anything else, from which on bars bend across too before they bend along the third
+time, at (L / W)^2 sqrt(E across / E along) of the first tone: a fifteenth for wood (recalled), 1 for metal. Of such
+plates nobody can tell by ratios which tone is which."""
 STEP = 0.1
 """Of a standard error, in the derivatives."""
 THICKEST = 0.2
 """Of the length; a thicker bar is no beam."""
-SPEED = 4000.0
-"""sqrt(E / rho) in m/s of a bar that nobody has tapped: the middle of lead's 1,200 and beryllium's 12,900 m/s, between
-which solids lie (both recalled); steel, aluminium, glass and spruce along its grain have about 5,000."""
+SPEED, SPEEDS = 4000.0, (1200.0, 12900.0)
+"""sqrt(E / rho) in m/s of a bar that nobody has tapped: the middle of lead's and beryllium's, between which solids lie
+(both recalled); steel, aluminium, glass and spruce along its grain have about 5,000."""
+SLOW, FAST = 0.6, 3.0
+"""Times `SPEED`: between which the first tone is listened for; plastics and lead are slower, and need --band."""
 LIGHTEST, DENSEST = 20.0, 23000.0
 """kg/m^3 of a bar, from foams to osmium (recalled): what lies outside is a slip of a unit."""
 
@@ -72,16 +85,80 @@ class Bar:
 
     @property
     def usual_ratio(self) -> Measured:
-        """ln(E / G) before the tones say more: what is as dense as wood is taken for wood."""
+        """ln(E / G) before the tones say more: what is as dense as wood or metal is taken for that."""
+        if self.density >= ISOTROPIC:
+            return ISOTROPIC_RATIO
         return WOOD_RATIO if WOOD[0] <= self.density <= WOOD[1] else MODULUS_RATIO
 
     @property
     def usual_tones(self) -> tuple[float, ...]:
         """Hz, of the bending modes were sqrt(E / rho) `SPEED`; shear draws those of a thick wooden bar together."""
-        slender = self.thickness.value * SPEED / (2 * math.pi * math.sqrt(12) * self.length.value**2)
-        ratio, thick = math.exp(self.usual_ratio.value), self.thickness.value / self.length.value
-        factors = [frequency_factor(mode, slenderness=thick, modulus_ratio=ratio) for mode in range(len(ROOTS))]
+        return self.tones_at(SPEED, math.exp(self.usual_ratio.value))
+
+    def tones_at(self, speed: float, modulus_ratio: float) -> tuple[float, ...]:
+        """Return the frequencies of bending in Hz for sqrt(E / rho) in m/s and E / G."""
+        slender = self.thickness.value * speed / (2 * math.pi * math.sqrt(12) * self.length.value**2)
+        thick = self.thickness.value / self.length.value
+        factors = [frequency_factor(mode, slenderness=thick, modulus_ratio=modulus_ratio) for mode in range(len(ROOTS))]
         return tuple(root**2 * slender / math.sqrt(factor) for root, factor in zip(ROOTS, factors, strict=True))
+
+    @property
+    def sideways_tones(self) -> tuple[float, ...]:
+        """The same of bending across the width; none of a bar that is about square."""
+        if abs(math.log(self.width.value / self.thickness.value)) < SQUARE:
+            return ()
+        if self.width.value > THICKEST * self.length.value:  # no beam in this direction
+            return ()
+        return replace(self, width=self.thickness, thickness=self.width).usual_tones
+
+    @property
+    def twist_tones(self) -> tuple[float, ...]:
+        """Hz, of the torsional modes were sqrt(E / rho) `SPEED` and E / G usual.
+
+        f_n = n / (2 L) sqrt(G J / (rho I_p)) sqrt(1 + (E/G) (w / L)^2 pi^2 (n - 1/2)^2 / 48): Saint-Venant's torsion of
+        a rectangle, and that a wide one is held against warping; n - 1/2 stands for its free ends, and is within 3 %
+        of Ritz's method for plates up to 0.2 as wide as long, the first four modes.
+        """
+        thin, wide = sorted((self.thickness.value, self.width.value))
+        slender, ratio = wide / self.length.value, math.exp(self.usual_ratio.value)
+        stiff = wide * thin**3 / 3 * (1 - 0.63 * thin / wide * (1 - (thin / wide) ** 4 / 12))
+        polar = wide * thin * (wide**2 + thin**2) / 12
+        first = SPEED / math.sqrt(ratio) * math.sqrt(stiff / polar) / (2 * self.length.value)
+        return tuple(
+            number * first * math.sqrt(1 + ratio * slender**2 * math.pi**2 * (number - 0.5) ** 2 / 48)
+            for number in range(1, len(ROOTS) + 1)
+        )
+
+    @property
+    def is_plate(self) -> bool:
+        """Whether it is so wide that the ratios of its tones do not tell which is which."""
+        wood = WOOD[0] <= self.density <= WOOD[1]
+        return self.width.value > (WIDEST_WOOD if wood else WIDEST) * self.length.value
+
+    @property
+    def band(self) -> Band:
+        """Where to listen: the band of bats, and as far as the first tone of a slow or a fast solid asks for."""
+        first = self.usual_tones[0]
+        return Band(min(BAT_BAND.low, SLOW * first), max(BAT_BAND.high, FAST * first))
+
+
+def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
+    """Return a bar's tones with their modes; of a plate without names.
+
+    Twists are named anew once E is known, for G is then known better.
+    """
+    if bar.is_plate:
+        return tuple(NamedTone(tone, None, None) for tone in tones)
+    families = uniform_bar(bar.usual_tones, sideways=bar.sideways_tones, twist=bar.twist_tones)
+    first = named(tones, families)
+    usual = dict(zip(families[0].names, families[0].frequency, strict=True))
+    scales = [math.log(one.tone.frequency.value / usual[one.name]) for one in first if one.name in usual]
+    if not scales:
+        return first
+    scale = math.exp(sum(scales) / len(scales))
+    tied = replace(families[1], frequency=scale * families[1].frequency, spread=bar.usual_ratio.error / 2)
+    again = iter(named([one.tone for one in first if one.name not in usual], [tied]))
+    return tuple(one if one.name in usual else replace(next(again), expected=None) for one in first)
 
 
 @dataclass(frozen=True)
@@ -131,6 +208,27 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
         Measured(float(ratio), float(ratio * deviations[1])),
         {name: float(share / shares.sum()) for name, share in zip(sources, shares, strict=True)},
     )
+
+
+def modelled(bar: Bar, fit: BarModulus) -> Expected:
+    """Return the bending modes of a bar as its tones made it."""
+    tones = bar.tones_at(math.sqrt(fit.modulus.value / bar.density), fit.modulus_ratio.value)
+    names = tuple(ModeName("bending", number + 1) for number in range(len(tones)))
+    return Expected(names, np.array(tones), np.ones(len(tones)), fit.modulus.relative / 2)
+
+
+def along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Measured], ...]:
+    """Return E in Pa for each tone that a plate surely has, were it the first that bends the plate along.
+
+    Tones that would make sound run faster or slower than in solids are left out.
+    """
+    first = ModeName("bending", 1)
+    moduli = [(one.tone, bar_modulus(bar, [NamedTone(one.tone, first, None)]).modulus) for one in tones if one.tone.own]
+    slowest, fastest = SPEEDS
+    return tuple(
+        (tone, modulus) for tone, modulus in moduli
+        if slowest < math.sqrt(modulus.value / bar.density) < fastest
+    )  # fmt: skip
 
 
 def _solved(given: Array, heard: Sequence[tuple[int, Measured]], trust: float) -> Array:

@@ -26,6 +26,9 @@ before the tap, and the damping ratio below which a tone may not die away at all
 (all assumed)."""
 AS_LOUD = 0.5
 """Amplitude of hum before a tap over that after it, at least."""
+WANDERS, LONGEST_BEFORE, SHORTEST_BEFORE = 0.01, 0.5, 0.1
+"""Part of its frequency by which the tone of a fan or a motor wanders, and s of sound before the first tap that say
+how loud it is, at most and at least (assumed)."""
 PART, BLOCK = 0.1, 5.0
 """s of a part with whole periods of both mains, and of the sound in which they keep frequency and amplitude."""
 FEWEST = 4
@@ -124,6 +127,30 @@ def without_hum(fit: Fit, earlier: Array) -> Fit:
         or (one.amplitude > HUM_LEVEL * loudest and _amplitude(earlier, one, fit.rate) < AS_LOUD * one.amplitude)
     )
     return replace(fit, sinusoids=kept)
+
+
+def risen(fit: Fit, earlier: Array) -> Fit:
+    """Return a fit without the tones that were there before anything was tapped: of a fan, a motor, rushing air.
+
+    Parameters
+    ----------
+    earlier : the sound before the first tap of the recording; too little of it says nothing.
+    """
+    import scipy.signal
+
+    quiet = earlier[-round(LONGEST_BEFORE * fit.rate) :]
+    if len(quiet) < SHORTEST_BEFORE * fit.rate:
+        return fit
+    window = scipy.signal.windows.hann(len(quiet), sym=False)
+    # by Parseval's theorem a sine of amplitude a has the sum N a^2 / 4 of the window's squares in its bins
+    power = 4 * np.abs(np.fft.rfft(window * quiet)) ** 2 / (len(quiet) * np.sum(window**2))
+    frequency = np.fft.rfftfreq(len(quiet), 1 / fit.rate)
+
+    def before(one: Sinusoid) -> float:
+        reach = WANDERS * one.frequency.value + 2 * fit.rate / len(quiet)
+        return float(np.sqrt(power[np.abs(frequency - one.frequency.value) < reach].sum()))
+
+    return replace(fit, sinusoids=tuple(one for one in fit.sinusoids if before(one) < AS_LOUD * one.amplitude))
 
 
 def _amplitude(samples: Array, one: Sinusoid, rate: float) -> float:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -43,9 +44,9 @@ ANY_SPREAD, ANY_RATIO_SPREAD = 0.25, 0.09
 
 @dataclass(frozen=True)
 class ModeName:
-    """Family and number of a mode."""
+    """Family and number of a mode; a bar bends sideways and twists too."""
 
-    family: Family
+    family: Family | Literal["sideways", "torsion"]
     harmonic: int
 
     def __str__(self) -> str:
@@ -98,14 +99,27 @@ def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> 
     return Expected(names, modes.frequency[chosen], excitation, STIFFNESS_SPREAD)
 
 
-def uniform_bar(tones: Sequence[float]) -> Expected:
-    """Return the bending modes of a uniform bar, of which hardly more than the ratios is known.
+def uniform_bar(
+    tones: Sequence[float], *, sideways: Sequence[float] = (), twist: Sequence[float] = ()
+) -> list[Expected]:
+    """Return the modes of a uniform bar, of which hardly more than the ratios is known.
+
+    A tap across the thickness need not move those that bend it sideways, which share E, and those that twist it.
 
     Parameters
     ----------
-    tones : Hz, were it of a usual material.
+    tones, sideways, twist : Hz, were it of a usual material.
     """
-    return _bending(tones, BAR_SPREAD, RATIO_SPREAD)
+    across = [ModeName("bending", number + 1) for number in range(len(tones))]
+    beside = [ModeName("sideways", number + 1) for number in range(len(sideways))]
+    heard = np.repeat([1.0, 0.0], [len(tones), len(sideways)])
+    order = np.argsort(frequency := np.array([*tones, *sideways]))
+    names = tuple([*across, *beside][index] for index in order)
+    families = [Expected(names, frequency[order], heard[order], BAR_SPREAD, RATIO_SPREAD)]
+    if len(twist):
+        turned = tuple(ModeName("torsion", number + 1) for number in range(len(twist)))
+        families.append(Expected(turned, np.array(twist), np.zeros(len(twist)), BAR_SPREAD, RATIO_SPREAD))
+    return families
 
 
 def any_bat() -> Expected:

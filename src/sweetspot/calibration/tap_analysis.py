@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus
+from sweetspot.calibration.bar import Bar, BarModulus, along, bar_modulus, modelled, named_bar
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import (
     SILENT,
     Expected,
@@ -13,11 +14,10 @@ from sweetspot.calibration.naming import (
     any_bat,
     expected_of,
     named,
-    uniform_bar,
     wants_a_mode,
 )
 from sweetspot.calibration.recording import BAT_BAND, Band, Recording
-from sweetspot.calibration.ring import tones_of
+from sweetspot.calibration.ring import Tone, tones_of
 from sweetspot.calibration.tap_faults import HELD
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.dynamics.modes import Family, Modes
@@ -38,15 +38,17 @@ class TapTest:
     recordings : as read.
     taps : good and bad, in the order of the recordings.
     tones : of the good taps together, lowest first.
-    expected : the families of modes that the names were chosen from.
+    expected : the families of modes that a bat's names were chosen from; of a bar as its tones made it.
     bar : elastic constants, where it was a bar that was tapped.
+    along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
     """
 
     recordings: tuple[Recording, ...]
     taps: tuple[Tap, ...]
     tones: tuple[NamedTone, ...]
-    expected: tuple[Expected, ...]
+    expected: tuple[Expected, ...] = ()
     bar: BarModulus | None = None
+    along: tuple[tuple[Tone, Measured], ...] | None = None
 
     @property
     def good(self) -> tuple[Tap, ...]:
@@ -119,18 +121,18 @@ def told_taps(
     ----------
     taps : of all recordings, good and bad.
     """
+    heard = tones_of(taps)
     if bar is not None:
-        expected = [uniform_bar(bar.usual_tones)]
-    elif modes is None:
+        tones = named_bar(bar, heard)
+        if bar.is_plate:
+            return TapTest(tuple(recordings), tuple(taps), tones, along=along(bar, tones))
+        fit = bar_modulus(bar, tones)
+        return TapTest(tuple(recordings), tuple(taps), tones, (modelled(bar, fit),), fit)
+    if modes is None:
         expected = [any_bat()]
-    else:
-        expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
-    tones = named(tones_of(taps), expected)
-    if bar is None and modes is None:
-        tones = _like_a_bat(tones)
-    return TapTest(
-        tuple(recordings), tuple(taps), tones, tuple(expected), None if bar is None else bar_modulus(bar, tones)
-    )
+        return TapTest(tuple(recordings), tuple(taps), _like_a_bat(named(heard, expected)), tuple(expected))
+    expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
+    return TapTest(tuple(recordings), tuple(taps), named(heard, expected), tuple(expected))
 
 
 def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:

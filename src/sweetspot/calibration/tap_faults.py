@@ -32,6 +32,8 @@ BURST_SHARE = 0.1
 """And over the greatest burst."""
 ONE_BLOW = 0.02
 """s after the beginning in which all blows are one contact; the window then begins after the last."""
+APART = 0.2
+"""s between blows that are meant as two taps."""
 MEDIAN_TO_RMS = 1.4826
 LARGEST_MISFIT = 0.8
 """rms of what is no damped sinusoid over that of the sound."""
@@ -85,6 +87,8 @@ def fault_of_sound(raw: Array, whole: Array, struck: Array, rate: float, *, step
     if lasts < ONE_BLOW + SETTLE + SHORTEST:
         return f"too short: only {1e3 * lasts:.0f} ms of it; let it ring"
     late = struck[struck > ONE_BLOW]
+    if len(late) and late[0] > APART:
+        return f"doubled: tapped again {1e3 * late[0]:.0f} ms later, while it rang; let it ring out between taps"
     if len(late):
         return f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off"
     return _does_not_die_away(whole, struck, rate)

@@ -11,10 +11,10 @@ from itertools import pairwise
 import numpy as np
 
 from sweetspot.calibration.echoes import in_their_room
-from sweetspot.calibration.hum import hum_taken_out, without_hum
+from sweetspot.calibration.hum import hum_taken_out, risen, without_hum
 from sweetspot.calibration.recording import Band, Recording, in_band
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
-from sweetspot.calibration.tap_faults import CROWDED, HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
+from sweetspot.calibration.tap_faults import APART, CROWDED, HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
 from sweetspot.numerics.arrays import Array
 
 FRAME = 0.002
@@ -26,8 +26,6 @@ ABOVE_FLOOR = 10.0
 """dB of a tap's beginning above the quietest tenth of the recording, at least."""
 WINDOW = 0.5
 """s of ringing that are used at most."""
-APART = 0.2
-"""s between taps that are meant as two."""
 BEFORE = (0.3, 0.004)
 """s before a tap between which hum is looked for that was not steady enough to be taken out."""
 HUMLESS, CLEARER = 400.0, 6.0
@@ -79,13 +77,14 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     sound = in_band(clear, band)
     starts = _starts(_where_taps_stand_out(clear, sound, band))
     spans = list(pairwise([*starts, sound.duration]))
-    taps = [_tap(recording, sound, span, band, held=held) for span in spans]
+    quiet = starts[0] - BEFORE[1]
+    taps = [_tap(recording, sound, span, band, held=held, quiet=quiet) for span in spans]
     crowded = [index for index, tap in enumerate(taps) if tap.fault and CROWDED in tap.fault]
     if crowded and 2 * band.low < FEWER_TONES < band.high:
         lower = Band(band.low, FEWER_TONES)
         low_sound = in_band(clear, lower)
         for index in crowded:
-            again = _tap(recording, low_sound, spans[index], lower, held=held)
+            again = _tap(recording, low_sound, spans[index], lower, held=held, quiet=quiet)
             taps[index] = replace(again, heard_to=FEWER_TONES) if again.good else taps[index]
     for index, (before, after) in enumerate(pairwise(starts)):
         if after - before < APART:
@@ -149,7 +148,15 @@ def _rises(level: Array, least: float) -> list[int]:
     return merged
 
 
-def _tap(recording: Recording, sound: Recording, span: tuple[float, float], band: Band, *, held: float) -> Tap:
+def _tap(
+    recording: Recording, sound: Recording, span: tuple[float, float], band: Band, *, held: float, quiet: float
+) -> Tap:
+    """Return what begins at the first of two times in s, and is heard to the second.
+
+    Parameters
+    ----------
+    quiet : s from the beginning of the recording in which nothing was tapped; may be negative.
+    """
     start, end = span
     background = float(10 ** (_levels(sound)[1] / 10))
     raw = recording.samples[int(start * recording.rate) : int(min(end, start + WINDOW) * recording.rate)]
@@ -161,6 +168,7 @@ def _tap(recording: Recording, sound: Recording, span: tuple[float, float], band
     window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
     earlier = sound.samples[int(max(start - BEFORE[0], 0.0) * sound.rate) : int(max(start - BEFORE[1], 0) * sound.rate)]
     fit = without_hum(fit_sinusoids(window, sound.rate, band=band), earlier)
+    fit = risen(fit, sound.samples[: max(int(quiet * sound.rate), 0)])
     tones = in_their_room(_louder_than_losses(fit.sinusoids, recording))
     fit = replace(fit, sinusoids=tuple(one for one in tones if one.amplitude >= STEPS * step))
     return Tap(recording.name, start, fault_of_fit(fit, background=background, held=held), fit)

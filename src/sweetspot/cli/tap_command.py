@@ -47,7 +47,8 @@ class ListeningOptions:
     """What counts as a tone."""
 
     band: Annotated[
-        str | None, Parameter(help="Frequencies looked at; default: 60Hz:5kHz, from lower on for a limp --bat.")
+        str | None,
+        Parameter(help="Frequencies looked at; default: 60Hz:5kHz, wider for a limp --bat or a --bar that needs more."),
     ] = None
     most_damping: Annotated[
         str | None,
@@ -113,7 +114,7 @@ def tap(
         raise InputError("--at was given without --bat; say what was tapped")
     modes = None if described is None else modes_to_name(described)
     output, bar = answer.into(out), _bar(tapped.bar, tapped.mass)
-    band = usual_band(modes) if listening.band is None else _band(listening.band)
+    band = _band(listening.band) if listening.band is not None else usual_band(modes) if bar is None else bar.band
     held = usual_held(modes) if listening.most_damping is None else _most_damping(listening.most_damping)
     test = tap_test(
         [read_recording(path) for path in recordings],

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from sweetspot.calibration.bar import BarModulus
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.ring import Tone
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap
 from sweetspot.numerics.confidence import LEVEL
@@ -23,6 +26,13 @@ COARSE = 0.05
 ROOMS = (
     "room's?: a tone that the room may have added, or the same mode in another plane; another within 10 % holds more "
     "energy, or it holds less than a thousandth of the greatest."
+)
+
+PLATE = (
+    "So wide a bar is a plate: it bends across and twists at tones among those of bending along, and nothing in them "
+    "tells which is which. So its tones have no names and no E is told. If you know which is the first that bends it "
+    "along (held at 0.22 of its length from both ends and tapped in the middle, it is the loudest), take E from its "
+    "line; of metal, a plate seems up to a tenth stiffer than a bar."
 )
 
 
@@ -44,6 +54,8 @@ def tap_document(test: TapTest, title: str) -> Document:
     blocks.append(_tones(test))
     if test.bar is not None:
         blocks += [_bar(test.bar), Paragraph(_budget(test.bar)), *(Paragraph(words) for words in _finer(test.bar))]
+    if test.along is not None:
+        blocks += [Paragraph(PLATE, "warning"), _along(test.along)]
     level = say(
         "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.", level=Slot(LEVEL, "share")
     )
@@ -103,6 +115,14 @@ def _bar(bar: BarModulus) -> Table:
     return Table("The bar", [Column("quantity"), Column("value", right=True)], rows)
 
 
+def _along(moduli: Sequence[tuple[Tone, Measured]]) -> Table:
+    rows: list[tuple[Cell, ...]] = [
+        (measured_words(tone.frequency, "frequency"), measured_words(modulus, "modulus")) for tone, modulus in moduli
+    ]
+    columns = [Column("tone", right=True), Column("E if it is the first along", right=True)]
+    return Table("The plate", columns, rows)
+
+
 def _budget(bar: BarModulus) -> Sentence:
     ranked = sorted(bar.budget.items(), key=lambda entry: -entry[1])
     told = (say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked
@@ -155,6 +175,7 @@ def _data(test: TapTest) -> dict[str, Any]:
             ],
             "tones": [_tone_data(one) for one in test.tones],
             "bar": None if test.bar is None else _bar_data(test.bar),
+            "plate": None if test.along is None else [_along_data(*one) for one in test.along],
         }
     )
 
@@ -172,6 +193,12 @@ def _tone_data(one: NamedTone) -> dict[str, Any]:
         "own": tone.own,
         "expected_hz": one.expected,
     }
+
+
+def _along_data(tone: Tone, modulus: Measured) -> dict[str, Any]:
+    return {
+        "frequency_hz": tone.frequency.value, **measured_json(modulus, "modulus_if_first_along", "_pa"),
+    }  # fmt: skip
 
 
 def _bar_data(bar: BarModulus) -> dict[str, Any]:

@@ -51,11 +51,12 @@ def _waveform(axes: Axes, test: TapTest) -> None:
             axes.axvline(tap.start, color=GREEN if tap.good else ORANGE, linewidth=1.2)
     axes.set_xlim(0, recording.duration)
     axes.set_xlabel("s")
+    axes.set_ylabel("of full scale")
 
 
 def _spectrum(axes: Axes, test: TapTest, fit: Fit) -> None:
     expected = [mode for family in test.expected if np.isfinite(family.spread) for mode in family.frequency]
-    heading(axes, "What rings", "dashed: the modes expected; words: the tones found" if expected else "the tones found")
+    heading(axes, "What rings", "dashed: the modelled modes; words: the tones found" if expected else "the tones found")
     frequency, level = spectrum(fit)
     axes.plot(frequency, level, color=INK, linewidth=0.7)
     for mode in expected:
@@ -102,27 +103,38 @@ def _words_box(label: Annotation) -> Bbox:
 
 
 def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
-    """Draw each named tone's amplitude as it decays: heard (line) and fitted (dashes)."""
-    heading(axes, "How long it rings", "amplitude of each named tone, heard (line) and fitted (dashes)")
+    """Draw the amplitude of the tones that have colours as they decay: heard (line) and fitted (dashes)."""
+    heading(axes, "How long it rings", "amplitude of the coloured tones, heard (line) and fitted (dashes)")
     time = np.arange(len(fit.samples)) / fit.rate
-    for one, colour in [entry for entry in _coloured(test) if entry[0].name][: len(COLOURS)]:
+    for one, colour in [entry for entry in _coloured(test) if entry[1] in COLOURS]:
         tone, ratio = one.tone.frequency.value, one.tone.damping_ratio.value
         mine = min(fit.sinusoids, key=lambda sinusoid, tone=tone: abs(sinusoid.frequency.value - tone))  # type: ignore[misc]
         width = max(int(0.008 * fit.rate), int(4 * fit.rate / tone))
         turning = fit.samples * np.exp(-2j * np.pi * tone * time)
         heard = 2 * np.abs(np.convolve(turning, np.hanning(width + 2) / np.hanning(width + 2).sum(), "same"))
-        axes.semilogy(time[width:-width], heard[width:-width], color=colour, linewidth=0.9, label=str(one.name))
+        axes.semilogy(
+            time[width:-width],
+            heard[width:-width],
+            color=colour,
+            linewidth=0.9,
+            label=str(one.name or f"{grouped(tone)} Hz"),
+        )
         fitted = mine.amplitude * np.exp(-2 * np.pi * tone * ratio * time)
         axes.semilogy(time, fitted, color=colour, linewidth=0.9, linestyle=(0, (4, 3)))
     top = max(one.amplitude for one in fit.sinusoids)
     axes.set_ylim(1e-3 * top, 40 * top)  # room for the legend above the curves
     axes.set_xlim(0, time[-1])
     axes.set_xlabel("s after the tap")
+    axes.set_ylabel("of full scale")
     axes.legend(loc="upper right", fontsize=SMALL - 1, frameon=False, ncols=3)
     light_grid(axes)
 
 
 def _coloured(test: TapTest) -> list[tuple[NamedTone, str]]:
-    """Return every tone with a colour: those whose decay is drawn have their own, unnamed ones are grey."""
-    colours = iter([*COLOURS, *[INK] * len(test.tones)])
-    return [(one, next(colours) if one.name else MUTED) for one in test.tones]
+    """Return every tone with a colour: those whose decay is drawn have their own, the lowest with a name.
+
+    Where none has a name, those are the lowest that are surely the body's.
+    """
+    named = [one for one in test.tones if one.name] or [one for one in test.tones if one.tone.own]
+    own = dict(zip(map(id, named), COLOURS, strict=False))
+    return [(one, own.get(id(one), INK if one.name else MUTED)) for one in test.tones]
