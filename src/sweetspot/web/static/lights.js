@@ -53,7 +53,10 @@ const KINDS = { m: "length", "kg m^2": "moi" };
  * @param {{ value: any, least: number | null, most: number | null }} one
  * @param {(value: number) => string} show
  */
-export const beside = ({ value, least, most }, show) => [show(value), least === null ? "" : `at least ${show(least)}`, most === null ? "" : `at most ${show(most)}`].filter(Boolean).join(", ");
+export function beside({ value, least, most }, show) {
+  if (least !== null && most !== null) return `${show(value)}, allowed ${show(least)} to ${show(most)}`;
+  return [show(value), least === null ? "" : `at least ${show(least)}`, most === null ? "" : `at most ${show(most)}`].filter(Boolean).join(", ");
+}
 
 /**
  * A league's rules, each with what the bat has and the limit.
