@@ -35,8 +35,8 @@ PRESSED = PATIENCE if os.environ.get("CI") == "true" else 60_000
 LOOKS, REST = 4, 5_000
 """A page that has nothing to do stays as it is: what is not there at so many looks, so many ms apart, is wrong."""
 AT_REST = """(document.readyState === "complete" && !document.querySelector("#view")?.dataset.waiting
-  && ![...document.querySelectorAll("progress, [aria-busy=true]")].some((one) => one.checkVisibility()))"""
-"""Whether nothing is asked for and nothing is being worked on."""
+  && ![...document.querySelectorAll("progress, [aria-busy=true], #status")].some((one) => one.checkVisibility()))"""
+"""Whether nothing is asked for, nothing is being worked on, and the line to the server is open."""
 SIZE: ViewportSize = {"width": 1280, "height": 900}
 LOOK = """new Promise((done, failed) => {{
   let busy = performance.now();

@@ -26,6 +26,7 @@ def hit(
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import check_conditions, hit_at
     from sweetspot.analysis.strain import damage
+    from sweetspot.calibration.ball_doubt import error_by_ball
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import present
     from sweetspot.dynamics.beam import beam_model
@@ -50,7 +51,10 @@ def hit(
     check_lateral(implement, position, lateral)
     impact = hit_at(position, modes=modes, conditions=conditions, lateral=lateral)
     strains = damage(impact, line=line, modes=modes) if isinstance(implement, Bat) else None
-    document = hit_document(BattedHit(implement, body, conditions, impact, strains))
+    error = None
+    if not uncertainty:  # which draws balls too
+        error = error_by_ball(implement, body=body, modes=modes, conditions=conditions, position=position)
+    document = hit_document(BattedHit(implement, body, conditions, impact, strains, error))
     if uncertainty:
         from sweetspot.calibration.draws.drawn_reports import drawn_hit
         from sweetspot.report.uncertainty.uncertainty_section import uncertain

@@ -89,6 +89,7 @@ def play(
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import check_conditions
     from sweetspot.analysis.full_play import play as follow
+    from sweetspot.calibration.ball_doubt import error_by_ball
     from sweetspot.cli.hit_command import check_beyond_hands
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.options.weather import park_of, through
@@ -120,8 +121,15 @@ def play(
             pitch=pitch,
             contact=Contact(position, under),
         )
+    error = None
+    if not meeting.uncertainty and played.flight is not None:  # draws have other balls too
+        error = error_by_ball(
+            described, body=model.body, modes=model.modes, position=position,
+            conditions=conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed)),
+        )  # fmt: skip
     result = PlayedPitch(
         play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
+        error=error,
     )  # fmt: skip
     law = catalog.aerodynamics_of_ball(ball)
     result = with_ending(result, flying, outdoors=law, park=park)

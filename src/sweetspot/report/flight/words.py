@@ -112,7 +112,7 @@ def alike_words(spread: float, *, spin_known: bool) -> Sentence:
     spread : m, standard deviation.
     """
     return say(
-        "{what} differ: two in three hit like it come down within {spread} of that.",
+        "{what} differ: two in three that leave like it come down within {spread} of that.",
         what="Balls and weather" if spin_known else "Balls, spin and weather",
         spread=Slot(spread, "distance", digits=0),
     )

@@ -14,6 +14,7 @@ from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
 from sweetspot.motion.swing import Conditions
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.hit.json import damage_json, hit_json, impact_json
@@ -31,13 +32,19 @@ TOLD = 1e-3
 
 @dataclass(frozen=True)
 class BattedHit:
-    """A collision with everything that was put in; ``damage`` is known of bats only."""
+    """A collision with everything that was put in; ``damage`` is known of bats only.
+
+    Parameters
+    ----------
+    error : standard deviation in m/s that the ball alone leaves to the exit speed; None: not known, or told elsewhere.
+    """
 
     implement: Implement
     body: RigidBody
     conditions: Conditions
     impact: Impact
     damage: Damage | None = None
+    error: float | None = None
 
 
 def hit_document(hit: BattedHit) -> Document:
@@ -54,10 +61,23 @@ def hit_document(hit: BattedHit) -> Document:
     return Document(
         name="hit", title=hit.implement.name, kind="Hit",
         subtitle=place,
-        blocks=[hit_table(hit), *_doubts(impact, words), *_damage_blocks(hit.damage, words),
-                *soft_note(hit.implement, hit.conditions.ball), picture], data=data,
+        blocks=[hit_table(hit), *map(Paragraph, by_ball(hit.error, words)), *_doubts(impact, words),
+                *_damage_blocks(hit.damage, words), *soft_note(hit.implement, hit.conditions.ball), picture], data=data,
         rows=data["history"], reader=reader_of(hit.implement), drawing=picture,
     )  # fmt: skip
+
+
+def by_ball(error: float | None, words: Words) -> list[Sentence]:
+    """Return in words what the ball alone leaves open of an exit speed; nothing where that is not known.
+
+    Parameters
+    ----------
+    error : standard deviation, m/s.
+    """
+    if error is None:
+        return []
+    half = Slot(REACH * error, "speed_change", 1)
+    return [in_words("By the {ball} alone the {exit_speed} may be {half} more or less (90 %).", words, half=half)]
 
 
 def _doubts(impact: Impact, words: Words) -> list[Paragraph]:

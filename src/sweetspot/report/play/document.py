@@ -16,6 +16,7 @@ from sweetspot.report.flight.words import (
     launch_words,
     path_columns,
 )
+from sweetspot.report.hit.document import by_ball
 from sweetspot.report.hit.second_touch import touched_again
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.play.played_pitch import PlayedPitch
@@ -96,6 +97,7 @@ def play_words(played: PlayedPitch) -> Sentence:
             speed=Slot(struck.bat_speed, "speed", of="bat_speed_m_s"),
         ),
         say("The ball leaves {launch}.", launch=launch_words(ball)),
+        *by_ball(played.error, sport(played.bat.sport).words),
         *([] if struck.impact is None else touched_again(struck.impact, sport(played.bat.sport).words)),
         "" if struck.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
         flight_words(played.play.flight),

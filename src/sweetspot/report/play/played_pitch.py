@@ -29,6 +29,7 @@ class PlayedPitch:
     spread : m, standard deviation of the carry of balls hit alike; 0 where it is not known.
     park, landing : where the flight ends, if a park was asked for.
     chance : of a home run there, with the scatter of balls and weather; None where it is not known.
+    error : standard deviation in m/s that the ball alone leaves to the exit speed; None: not known, or told elsewhere.
     """
 
     play: Play
@@ -42,6 +43,7 @@ class PlayedPitch:
     park: Park | None = None
     landing: Landing | None = None
     chance: float | None = None
+    error: float | None = None
 
     @property
     def bat_radius(self) -> float:
