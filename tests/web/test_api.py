@@ -457,6 +457,11 @@ def test_a_best_place_that_rests_on_a_second_push_is_not_crowned_without_a_word(
     found = client.post("/api/v1/explorer", json={"bat_toml": CONE, "impact_from_tip_in": 11.7}).json()
     [doubt] = found["best_in_doubt"]["us"]
     assert "nobody has measured" in doubt and "best place" in doubt
+    [here] = found["hit"]["touched_again"]["us"]
+    assert "presses it again" in here
+    assert client.post("/api/v1/hit", json={"bat_toml": CONE, "impact_from_tip_in": 11.7}).json()["hit"][
+        "touched_again"
+    ]["us"] == [here]
     assert found["lost_m_s"] == pytest.approx(0, abs=0.7)  # the speed that is told is that of the place that is told
     assert any(
         doubt == one for one in client.post("/api/v1/explorer/why", json={"bat_toml": CONE}).json()["sentences"]["us"]

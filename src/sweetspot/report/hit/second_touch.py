@@ -17,21 +17,30 @@ AGAIN = (
     "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then nobody "
     "has measured: it is taken as new{otherwise}."
 )
-BEST_AGAIN = (
-    "There the {implement} catches up with a {ball} that is nearly gone and presses it again. How far a {ball} has "
-    "recovered by then nobody has measured, and the best place and its speed follow from what is taken for it."
+PRESSED_AGAIN = (
+    "{where} {implement} catches up with a {ball} that is nearly gone and presses it again. How far a {ball} has "
+    "recovered by then nobody has measured"
 )
 
 
 def best_in_doubt(best: Impact, words: Words) -> list[Sentence]:
     """Return what is not known of a best hit that presses the ball more than once; nothing of any other."""
-    return [in_words(BEST_AGAIN, words)] if best.presses > 1 else []
+    if best.presses < 2:
+        return []
+    return [
+        in_words(
+            PRESSED_AGAIN + ", and the best place and its speed follow from what is taken for it.", words,
+            where="There the",
+        )
+    ]  # fmt: skip
 
 
 def touched_again(impact: Impact, words: Words) -> list[Sentence]:
-    """Return the doubt of a hit whose ball is touched more than once, in one sentence; nothing for one touch."""
-    if impact.unrecovered is None:
+    """Return the doubt of a hit whose ball is pressed more than once, in one sentence; nothing of any other."""
+    if impact.presses < 2 and impact.unrecovered is None:
         return []
+    if impact.unrecovered is None:
+        return [in_words(PRESSED_AGAIN + ": it springs on as it was.", words, where="The")]
     gain = impact.unrecovered_gain
     otherwise = in_words(
         "; had it not recovered at all, it would leave {gain} {faster}", words, gain=Slot(abs(gain), "speed"),
@@ -41,11 +50,16 @@ def touched_again(impact: Impact, words: Words) -> list[Sentence]:
 
 
 def touched_again_at(
-    touches: float, words: Words, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
+    perhaps: bool, words: Words, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
     lateral: float = 0.0,
 ) -> list[Sentence]:  # fmt: skip
-    """Return the same for a hit of the compiled solver, which is made once more where the ball was touched again."""
-    if touches < 2:
+    """Return the same for a hit of the compiled solver, which is made once more for it.
+
+    Parameters
+    ----------
+    perhaps : whether the ball was touched again, or is nearby; else there is nothing to say.
+    """
+    if not perhaps:
         return []
     again = hit(modes, ball=ball, position=position, lateral=lateral, closing_speed=closing_speed)
     return touched_again(again, words)

@@ -26,7 +26,17 @@ from sweetspot.web.publications import published
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
-from sweetspot.web.views.explorer_curves import Met, along, beside, curves, here, leaving, power_map, struck
+from sweetspot.web.views.explorer_curves import (
+    Met,
+    along,
+    beside,
+    curves,
+    here,
+    leaving,
+    power_map,
+    struck,
+    touched_twice,
+)
 
 
 class ExplorerState(HitState):
@@ -158,8 +168,8 @@ def _hit(state: ExplorerState, met: Met) -> dict[str, Any]:
     efficiency, bat_speed = float(done.collision_efficiency[0]), conditions.swing.speed_at(place)
     closing = conditions.pitch.speed + bat_speed if isinstance(done, Impacts) else float(done.closing_speed[0])
     again = touched_again_at(
-        float(done.touches[0]), words_of(bat), modes=met.reduced.modes, ball=conditions.ball, position=place,
-        closing_speed=closing,
+        float(done.touches[0]) > 1 or touched_twice(met.scan, place, within=INCH), words_of(bat),
+        modes=met.reduced.modes, ball=conditions.ball, position=place, closing_speed=closing,
     )  # fmt: skip
     return {
         "position_m": place,

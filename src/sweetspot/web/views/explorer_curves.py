@@ -98,9 +98,14 @@ def _along(state: HitState) -> Met:
     return Met(model, conditions, scanned, spots, _doubts(model, conditions, scanned, spots.max_exit_speed))
 
 
+def touched_twice(scanned: Scan, place: float, *, within: float) -> bool:
+    """Return whether a ball is touched twice so near to a place, both in m."""
+    return bool(np.any(scanned.touches[np.abs(scanned.position - place) < within] > 1))
+
+
 def _doubts(model: ReducedBat, conditions: Conditions, scanned: Scan, best: float) -> list[Sentence]:
     """Return what is not known of the best hit; asked, by a hit of its own, where balls beside it are touched twice."""
-    if not np.any(scanned.touches[np.abs(scanned.position - best) < BESIDE] > 1):
+    if not touched_twice(scanned, best, within=BESIDE):
         return []
     return best_in_doubt(hit_at(best, modes=model.modes, conditions=conditions), words_of(model.bat))
 

@@ -165,7 +165,7 @@ def _hit(state: SportsState, analysis: Analysis[Implement]) -> dict[str, Any]:
     )  # fmt: skip
     efficiency = float(done.collision_efficiency[0])
     again = touched_again_at(
-        float(done.touches[0]), words_of(tool), modes=analysis.modes, ball=conditions.ball, position=place,
+        bool(done.touches[0] > 1), words_of(tool), modes=analysis.modes, ball=conditions.ball, position=place,
         closing_speed=closing, lateral=aside,
     )  # fmt: skip
     felt = sting(analysis.modes, hands=conditions.hands, displacement=done.displacement, velocity=done.velocity)
