@@ -185,16 +185,23 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
     used = taken(balls, everyone)
     speeds = likeliest_speeds(used.bat_speed)
     relation = learn_places(
-        circumstances(used, speeds), bat_speeds=speeds, places=setting.surfaces[0].axes[2],
+        circumstances(used, speeds), places=setting.surfaces[0].axes[2],
         predicted=np.concatenate(tables), measured=np.concatenate(outs), error=np.concatenate(widths),
-        turned=turn_term(np.concatenate(turns)),
+        turned=turn_term(np.concatenate(turns)), measured_places=_measured_places(used, setting.errors),
     )  # fmt: skip
+    relation = replace(relation, bat_speeds=speeds)
     if relation.balls < RANKED_FROM:
         return relation
     bare = replace(setting, relation=relation, others=())
     rank = contacts(used, bat_of[everyone], bare).results[:, kernel.RANK]
     ends = np.nanquantile(rank, np.linspace(0, 1, RANKS)[1:-1])
     return replace(relation, ranks=(0.0, *np.maximum.accumulate(ends).tolist(), 1.0))
+
+
+def _measured_places(balls: Balls, errors: Errors) -> Array:
+    """Return measured places, m from the tip, and one over the variance of their errors; 0 where none was measured."""
+    known = np.isfinite(balls.axial_offset)
+    return np.stack([np.where(known, SPEED_FROM_TIP - balls.axial_offset, 0.0), known / errors.axial_offset**2])
 
 
 def _chances_of(balls: Balls) -> Array:
@@ -211,10 +218,9 @@ def _posteriors(
     balls: Balls, plane: InPlane, known: Circumstances, best: Array, surface: BatSurface, setting: ContactSetting,
     solved: NDArray[np.bool_],
 ) -> tuple[Array, Array]:  # fmt: skip
-    prior = setting.relation.prior(known)
-    told = np.isfinite(balls.axial_offset)
-    prior = np.where(told[:, None], np.stack([SPEED_FROM_TIP - np.nan_to_num(balls.axial_offset),
-                     np.full(len(told), setting.errors.axial_offset)], axis=-1), prior)  # fmt: skip
+    told, sure = _measured_places(balls, setting.errors)
+    measured = np.stack([told, np.full(len(told), setting.errors.axial_offset)], axis=-1)
+    prior = np.where(sure[:, None] > 0, measured, setting.relation.prior(known))
     rows = np.flatnonzero(solved)
     asked = np.ascontiguousarray(asked_of(plane)[rows])
     posteriors = np.full((len(rows), kernel.ROWS), np.nan)

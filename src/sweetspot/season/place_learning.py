@@ -33,7 +33,6 @@ from sweetspot.season.place_relation import (
     summed,
     variance_of,
 )
-from sweetspot.season.swing_speeds import SwingSpeeds
 from sweetspot.units import INCH, MPH
 
 NOISES = math.log(0.05 * MPH), math.log(40 * MPH)
@@ -68,6 +67,8 @@ class Sample:
     predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
     measured, error : m/s, exit speeds and their measuring errors, shape (n,).
     place, spread, level, noise : what the relation's sums are over, shape (terms, n).
+    told : m from the tip, places that were measured, 0 where none was, shape (n,).
+    sure : 1 / m^2, one over the variance of their errors, 0 where none was, shape (n,).
     """
 
     places: Array
@@ -78,38 +79,41 @@ class Sample:
     spread: Array
     level: Array
     noise: Array
+    told: Array
+    sure: Array
 
 
 def learn_places(
-    known: Circumstances, *, bat_speeds: SwingSpeeds, places: Array, predicted: Array, measured: Array, error: Array,
-    turned: Array,
+    known: Circumstances, *, places: Array, predicted: Array, measured: Array, error: Array, turned: Array,
+    measured_places: Array,
 ) -> PlaceRelation:  # fmt: skip
-    """Return the relation that makes measured exit speeds most likely.
+    """Return the relation that makes measured exit speeds, and places where there are such, most likely.
 
     Parameters
     ----------
     known : of n balls, all with a swing.
-    bat_speeds : how their bat speeds are spread.
     places : m from the tip, even, shape (k,).
     predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
     measured, error : m/s, exit speeds and their measuring errors, shape (n,).
     turned : of the balls, from `turn_term`.
+    measured_places : m from the tip, and 1 / m^2, one over the variance of its error; both 0 where none was measured,
+        shape (2, n).
     """
     good = np.asarray(np.isfinite(predicted).any(axis=1)) & np.isfinite(error)
     if good.sum() < ENOUGH:
-        return replace(UNLEARNT, bat_speeds=bat_speeds)
+        return UNLEARNT
     known, turned = known.some(good), turned[good]
     usual = np.array([1.0, *np.zeros(len(PLACE) - 1)])
     sample = Sample(
         places, np.ascontiguousarray(predicted[good]), measured[good], error[good],
         np.where(known.placed, known.terms(PLACE), usual[:, None]), known.terms(SPREAD), known.terms(LEVEL, turned),
-        known.terms(NOISE, turned),
+        known.terms(NOISE, turned), *measured_places[:, good],
     )  # fmt: skip
     now, evidence = _climbed(START, sample)
     everywhere = summed(sample.place, now.weights)[known.placed if known.placed.any() else slice(None)]
     spread = np.sqrt(np.mean(np.exp(2 * summed(sample.spread, now.spread_weights))))
     return replace(
-        now, bat_speeds=bat_speeds, evidence=evidence, balls=int(good.sum()),
+        now, evidence=evidence, balls=int(good.sum()),
         marginal=(float(everywhere.mean()), float(np.hypot(spread, everywhere.std()))),
     )  # fmt: skip
 
@@ -123,9 +127,10 @@ def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:
     moments = np.zeros((len(sample.measured), 6))
 
     def stepped(now: PlaceRelation) -> PlaceRelation:
-        prior = np.stack(
-            [summed(sample.place, now.weights), np.exp(summed(sample.spread, now.spread_weights))], axis=-1
-        )
+        inverse = np.exp(-2 * summed(sample.spread, now.spread_weights))
+        both = inverse + sample.sure
+        mean = (inverse * summed(sample.place, now.weights) + sample.sure * sample.told) / both
+        prior = np.stack([mean, 1 / np.sqrt(both)], axis=-1)
         scatter = np.hypot(sample.error, np.exp(summed(sample.noise, now.noise_weights)))
         level = summed(sample.level, now.level_weights)
 

@@ -11,7 +11,7 @@ up with what was read; from 80 mph on they do not grow at all. A ball that is on
 squarely, up and down by different amounts, and so does one met by a bat that goes up or down unusually; of balls turned
 by more than `GRAZED` the level is another too, for the bat's table is least right there, and from there on both change
 at a rate of their own. All weights are what makes the measured exit speeds most likely, the places summed over
-(expectation and maximisation).
+(expectation and maximisation); a place that was measured is one more measurement of its ball.
 """
 
 from __future__ import annotations
