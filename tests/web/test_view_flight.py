@@ -141,6 +141,13 @@ def test_every_park_is_judged_as_by_the_paths() -> None:
         assert found["expected_out_in"] == pytest.approx(sum(row["chance"] for row in found["parks"]))
 
 
+def test_no_slider_of_the_swing_goes_where_no_swing_is() -> None:
+    bounds = answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0}))["bat"]["bounds"]
+    assert (bounds["attack_angle_deg"], bounds["tilt_deg"][0]) == ((-20.0, 20.0), 9.0)
+    for ends in ({"attack_angle_deg": 20.0}, {"attack_angle_deg": -20.0}, {"tilt_deg": 9.0}):
+        assert not answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0, **ends}))["missed"]
+
+
 @pytest.mark.parametrize("park", ["tropicana", "coors", "fenway"])
 def test_the_table_says_of_the_chosen_park_what_the_headline_says(park: str) -> None:
     """Also under a roof that never opens, where the ball flies by the law of still air, and in thin air."""

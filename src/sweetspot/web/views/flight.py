@@ -220,9 +220,11 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         contact=contact,
     )
     hit = bool(np.isfinite(done.velocity).all())
+    picture, tilt = bat_picture(state, free_bat), state.tilt_deg
+    plane = {"attack_angle_deg": (-tilt, tilt), "tilt_deg": (abs(state.attack_angle_deg), 90.0)}  # no path is steeper
     return {
         "motion": BallMotion(pitch.position, done.velocity[0], done.spin[0]) if hit else None,
-        "bat": bat_picture(state, free_bat),
+        "bat": {**picture, "bounds": {**picture["bounds"], **plane}},
         "position_m": place,
         "bat_speed_m_s": bat_speed,
         "collision_efficiency": float(done.collision_efficiency[0]),
