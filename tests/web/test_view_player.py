@@ -5,6 +5,7 @@ from __future__ import annotations
 import shlex
 from typing import Any
 
+import httpx
 import pytest
 
 from sweetspot.web.errors import FieldError
@@ -40,6 +41,28 @@ def test_design_takes_the_batter_who_was_chosen() -> None:
         batter(DesignState(swings_csv=TEAM))
     ann, bob = (batter(DesignState(swings_csv=TEAM, swings_of=name)) for name in ("Ann", "Bob"))
     assert ann["bat_speed_mph"] != bob["bat_speed_mph"]
+
+
+def test_a_long_file_keeps_the_columns_that_mean_something(client: httpx.Client) -> None:
+    wide = "shoe size,bat_speed_mph,exit_speed_mph,player,remark\n" + "".join(
+        f"42,{50 + row / 100},{80 + row / 90:.2f},Ann,went well today indeed\n" for row in range(1500)
+    )
+    key = handed_in(client, "wide.csv", wide.encode())
+    found = client.post("/api/v1/player/table", json={"upload": key}).json()["csv"]
+    assert len(found) < 40_000 < len(wide)
+    assert found.startswith("bat_speed_mph,exit_speed_mph,player\n50.0,80.00,Ann\n50.01,80.01,Ann\n")
+    assert answer(PlayerState(swings_csv=found))["batters"] == ("Ann",)
+    for content, words in ((b"milk,eggs\n1,2\n", "wide.csv: no column"), (wide.encode() * 3, "more than fit here")):
+        key = handed_in(client, "wide.csv", content)
+        refused = client.post("/api/v1/player/table", json={"upload": key})
+        assert refused.status_code == 422 and words in refused.json()["error"]["message"]
+
+
+def handed_in(client: httpx.Client, name: str, content: bytes) -> str:
+    key = str(client.post("/api/v1/uploads", json={"name": name, "size": len(content)}).json()["upload"])
+    for offset in range(0, len(content), 50_000):
+        assert client.post(f"/api/v1/uploads/{key}/{offset}", content=content[offset : offset + 50_000]).is_success
+    return key
 
 
 @pytest.mark.parametrize(

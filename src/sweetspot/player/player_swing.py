@@ -143,10 +143,6 @@ def check_speeds(swings: Sequence[PlayerSwing], path: Path) -> None:
         )
 
 
-BY_FORCE = ", or add --force for what is usual for players"
-"""What the command line can do besides."""
-
-
 def check_enough(swings: Sequence[PlayerSwing], path: Path, bad_rows: Sequence[BadRow] = ()) -> None:
     """Refuse so few swings that the answers would be those for anybody, and say why others do not count."""
     if len(swings) < FEWEST and not insisted():
@@ -154,5 +150,5 @@ def check_enough(swings: Sequence[PlayerSwing], path: Path, bad_rows: Sequence[B
         left = f" ({len(bad_rows)} left out; row {bad_rows[0].row}: {bad_rows[0].reason})" if bad_rows else ""
         raise InputError(
             f"{path} has {len(swings)} {noun} that can be used{left}; {FEWEST} are the fewest that tell anything of a "
-            f"player. Swing more{BY_FORCE}"
+            "player. Swing more, or add --force for what is usual for players"
         )

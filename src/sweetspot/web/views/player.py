@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,7 +22,8 @@ from sweetspot.flight.air import Air
 from sweetspot.player.advice import advise
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import bats_of, player_model
-from sweetspot.player.player_swing import BY_FORCE, check_enough
+from sweetspot.player.narrow_table import narrow_csv
+from sweetspot.player.player_swing import check_enough
 from sweetspot.player.posterior import Posterior, fit_player
 from sweetspot.player.swings import MOST_SWINGS, Swings, batters, evenly, read_swings
 from sweetspot.report.bat.json import bat_json
@@ -36,10 +38,17 @@ from sweetspot.web.errors import FieldError, about
 from sweetspot.web.one_system import in_one_system
 from sweetspot.web.recipes import bat_name, bat_text, option
 from sweetspot.web.states import BatState
+from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
 
 LONGEST_TABLE = 40_000
 """Letters of the swings' table, about a thousand rows."""
+LARGEST_FILE = 10_000_000
+"""Bytes of a file of swings that is handed in."""
+BY_FORCE = re.compile(", or add --force [a-z ]+")
+"""What the command line can do besides."""
+NEW_LINE = "\n"
+MORE = "more than fit here; hand in the rows of one batter, or take the command fit-player"
 EXAMPLE_ROWS = 60
 SPEED_FROM_TIP = 6 * INCH
 
@@ -53,6 +62,7 @@ class PlayerState(BatState):
     swings_of: Annotated[str, Field(min_length=1, max_length=80)] | None = Field(
         None, description="whose swings count, where the table has several batters; empty: the first in the alphabet"
     )
+    upload: UploadKey | None = Field(None, description="a file that was handed in, to be made a table of swings")
     goal: Literal["exit-speed", "carry"] = Field("exit-speed", description="what the player wants more of")
     given_pitch_mph: Annotated[float, Field(ge=0, le=110)] = Field(
         55.0, description="at the plate, for rows without one; 0: a tee"
@@ -82,6 +92,22 @@ def answer(state: PlayerState) -> dict[str, Any]:
         "bad_rows": len(swings.bad_rows),
         "csv": _example() if state.swings_csv is None else None,
     }
+
+
+def table(state: PlayerState) -> dict[str, str]:
+    """Return of a file that was handed in only the columns that mean something, short enough for a state."""
+    if state.upload is None:
+        return {}
+    path, name = UPLOADS.path_of(state.upload)
+    if path.stat().st_size > LARGEST_FILE:
+        raise FieldError("swings_csv", f"{name} has {path.stat().st_size / 1e6:.0f} MB, {MORE}")
+    try:
+        text = narrow_csv(path)
+    except SweetspotError as error:
+        raise FieldError("swings_csv", str(error).replace(str(path), name)) from None
+    if len(text) > LONGEST_TABLE:
+        raise FieldError("swings_csv", f"{name} has {text.count(NEW_LINE)} lines, {MORE}")
+    return {"csv": text}
 
 
 def fit(state: PlayerState) -> dict[str, Any]:
@@ -142,7 +168,8 @@ def _swings(state: PlayerState) -> Swings:
             good, _, bad, notes = bats_of(swings.swings, load=listed_bat)
             check_enough(good, path, (*swings.bad_rows, *bad))
         except SweetspotError as error:
-            raise FieldError("swings_csv", str(error).replace(str(path), "the table").replace(BY_FORCE, "")) from None
+            words = BY_FORCE.sub("", str(error)).replace(str(path), "the table")
+            raise FieldError("swings_csv", words) from None
     good, thinned = evenly(good, MOST_SWINGS)
     rows = tuple(sorted((*swings.bad_rows, *bad), key=lambda row: row.row))
     system = "made-up" if state.swings_csv is None else swings.system
@@ -171,4 +198,4 @@ def recipe(state: PlayerState) -> dict[str, str]:
     return {"command": command, "toml": bat_text(state)}
 
 
-VIEW = View("player", "Player", PlayerState, answer, recipe, asides={"fit": fit})
+VIEW = View("player", "Player", PlayerState, answer, recipe, asides={"fit": fit, "table": table})

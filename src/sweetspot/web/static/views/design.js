@@ -126,7 +126,7 @@ export const view = {
       const text = await one.text();
       file.value = "";
       if (text.length > LONGEST) {
-        wrong.textContent = `${one.name} has ${text.length} letters; at most ${LONGEST}. Give the answer of the command fit-player instead.`;
+        wrong.textContent = `${one.name} has ${text.length} letters; at most ${LONGEST}. Bring it to the view Player, which takes longer ones, and come back.`;
         wrong.hidden = false;
       } else read(text);
     });

@@ -5,12 +5,14 @@ import { button, choice, group, reveal, slider } from "../controls.js";
 import { DocumentPlace } from "../document.js";
 import { Numbers } from "../numbers.js";
 import { make } from "../parts.js";
+import { upload } from "../upload.js";
 import { Filter } from "./filter.js";
 import { FONT, Surface, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
 /** @import { Answer, View } from "../main.js" */
 
-const LONGEST = 40000;
+const LONGEST = 40000; // letters that are taken as they are
+const LARGEST = 10e6; // bytes
 const LEFT = 46, FOOT = 34, TOP = 12, RIGHT = 12;
 
 /** @type {View} */
@@ -25,7 +27,7 @@ export const view = {
   mount(root, app) {
     Object.assign(this, { app, answer: null });
     this.bench = new Bench(app, { open: false });
-    const file = make("input", { type: "file", id: "swings-file", accept: ".csv,text/csv,text/plain" });
+    const file = make("input", { type: "file", id: "swings-file", accept: ".csv,.tsv,.txt,.gz,.parquet,text/csv,text/plain" });
     file.addEventListener("change", () => this.read(file));
     this.wrong = make("p", { className: "fault", hidden: true });
     app.control({ field: "swings_csv", sync: () => {}, fault: (message) => {
@@ -36,7 +38,7 @@ export const view = {
     this.whose = new Filter(app, "swings_of", { label: "Whose swings", all: "the first in the alphabet" });
     const side = make("div", { className: "side" },
       group("The swings", [
-        make("p", { className: "own" }, make("label", { htmlFor: "swings-file", textContent: "Table of swings (CSV)" }), file), this.wrong,
+        make("p", { className: "own" }, make("label", { htmlFor: "swings-file", textContent: "Table of swings (CSV, .csv.gz, Parquet)" }), file), this.wrong,
         slider(app, "given_pitch_mph", { label: "Pitch, where a row has none", step: 1 }),
         this.whose.element, button("The example again", () => app.setState({ swings_csv: null, swings_of: null })),
       ]),
@@ -57,13 +59,24 @@ export const view = {
   async read(input) {
     const file = input.files?.[0];
     if (!file) return;
-    const text = await file.text();
     input.value = "";
-    if (text.length > LONGEST) {
-      this.app.controls.get("swings_csv")?.fault?.(`${file.name} has ${text.length} letters; at most ${LONGEST}, about a thousand rows. The command fit-player takes more.`);
+    const { app } = this;
+    const short = file.size <= LONGEST && !/\.(gz|parquet)$/i.test(file.name);
+    if (file.size > LARGEST) {
+      app.controls.get("swings_csv")?.fault?.(`${file.name} has ${(file.size / 1e6).toFixed(0)} MB; at most ${LARGEST / 1e6}. Hand in the rows of one batter, or take the command fit-player.`);
       return;
     }
-    this.app.setState({ swings_csv: text, swings_of: null });
+    app.waits("table");
+    if (!short) this.words.textContent = `Reading ${file.name} …`;
+    try { // of a long file the server keeps the columns that mean something
+      const text = short ? await file.text() : (await app.ask("player/table", { ...app.state, upload: await upload(file, undefined, app.signal) })).csv;
+      app.setState({ swings_csv: text, swings_of: null });
+    } catch (fault) {
+      if (app.signal.aborted) return;
+      app.redraw();
+      app.controls.get("swings_csv")?.fault?.(fault.message);
+    }
+    if (!app.signal.aborted) app.waits("table", false);
   },
 
   update(answer) {
