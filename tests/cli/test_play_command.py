@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -167,3 +168,16 @@ def test_a_softball_flies_by_a_softballs_drag(run_json: Callable[..., Any]) -> N
         flown[law] = played.flight.carry
     assert usual["flight"]["carry_m"] == asked["flight"]["carry_m"] == pytest.approx(flown["softball"], rel=1e-3)
     assert abs(flown["baseball"] / flown["softball"] - 1) > 0.01
+
+
+def test_hit_and_play_are_no_surer_of_the_ball_than_report(run: Run) -> None:
+    """What balls of a kind differ by is in the first sentence of all three; draws have it in their intervals."""
+    told = []
+    for words in (("report", "r161-ash"), ("hit", "r161-ash", "--at", "5.8in-from-tip"),
+                  ("play", "r161-ash", "--at", "5.8in-from-tip", "--offset", "0in")):  # fmt: skip
+        printed = " ".join(run(*words)[1].split())
+        found = re.search(r"(?:give or take|may be) (\d\.\d) mph (?:by the ball alone|more or less)", printed)
+        assert found, printed
+        told.append(float(found[1]))
+    assert max(told) - min(told) <= 0.1
+    assert "By the ball alone" not in run("hit", "r161-ash", "--at", "5.8in-from-tip", "--uncertainty")[1]

@@ -52,9 +52,9 @@ def _kicks(
 ) -> tuple[float, Motion]:
     """Follow one contact; see `coupled.Kicks`."""
     assert isinstance(law, Hysteretic)
-    done = len(course.forces)
+    before = len(course.forces)
     history = np.zeros((4, limit + 1))
-    history[FORCES, :done] = course.forces
+    history[FORCES, :before] = course.forces
     state = np.zeros(11)
     state[BALL_POSITION], state[BALL_SPEED], state[WORK] = motion.ball_position, motion.ball_speed, motion.work
     state[PEAK], state[GREATEST], state[HARDEST] = course.peak, course.greatest, course.hardest
@@ -62,12 +62,12 @@ def _kicks(
     bat = motion.bat.copy()
     shape = struck.kick[len(flow.modes) :].copy()
     place = (struck.lightness, struck.compliance)
-    count = _followed(bat, flow.matrix, shape, place, numbers_of(law.ball), flow.step, state, history, done)
+    count = _followed(bat, flow.matrix, shape, place, numbers_of(law.ball), flow.step, state, history, before)
     for row, values in (
         (APPROACHES, course.approaches), (COMPRESSIONS, course.compressions), (FORCES, course.forces),
         (IMPULSES, course.impulses),
     ):  # fmt: skip
-        values.extend(history[row, done:count].tolist())
+        values.extend(history[row, before:count].tolist())
     course.peak, course.greatest, course.hardest = (float(state[one]) for one in (PEAK, GREATEST, HARDEST))
     course.turned_at = None if math.isnan(state[TURNED_AT]) else float(state[TURNED_AT])
     course.missing = float(state[MISSING])

@@ -91,7 +91,7 @@ def left_out(line: BeamModel, *, shapes: Piecewise, omega: Array, softening: flo
     ends = np.array(line.bat.breakpoints())
     at_ends = section(line, just_inside(ends[:-1], np.diff(ends)).ravel()).bending_stiffness.reshape(2, -1)
     joint = joints(ends[:-1], at_ends, np.zeros(len(ends) - 1, np.int64), beams=1)
-    places, corner = (part[0] for part in asked_places(np.array([line.bat.length]), joint))
+    places, corner = (part[0] for part in sample_places(np.array([line.bat.length]), joint))
     kept = np.asarray(shapes(places)) ** 2 @ omega**-2.0
     return with_corner(places, softening * static_compliance(line, places) - kept, int(corner))
 
@@ -114,14 +114,14 @@ def joints(left: Array, bending_stiffness: Array, owner: IntArray, *, beams: int
     array([0.6])
     """
     jump = np.abs(np.log(bending_stiffness[0, 1:] / bending_stiffness[1, :-1]))
-    found = np.flatnonzero((owner[1:] == owner[:-1]) & (jump > np.log(JOINT)))
+    jumps_at = np.flatnonzero((owner[1:] == owner[:-1]) & (jump > np.log(JOINT)))
     where = np.full(beams, np.nan)
-    for piece in found[np.argsort(jump[found], kind="stable")]:  # the largest last
+    for piece in jumps_at[np.argsort(jump[jumps_at], kind="stable")]:  # the largest last
         where[owner[piece]] = left[piece + 1]
     return where
 
 
-def asked_places(length: Array, joint: Array) -> tuple[Array, IntArray]:
+def sample_places(length: Array, joint: Array) -> tuple[Array, IntArray]:
     """Return the `PLACES` at which beams are asked, m, shape (beams, places), and which of them is a joint's; 0: none.
 
     They are even from end to end, or from either end to the joint.

@@ -94,11 +94,11 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
     if by is None and _density_can(bat):
         return bat
     ways = _as_drawn(bat, bat.shell)
-    asked = [ways[name] for name in ((by,) if by is not None else ORDER)]
-    if (met := first_met(asked, bat.mass, drawn_mass)) is not None:
+    candidates = [ways[name] for name in ((by,) if by is not None else ORDER)]
+    if (met := first_met(candidates, bat.mass, drawn_mass)) is not None:
         changed, how = met
         return changed.replaced(remark=f"The measured weight, {_weighed(bat.mass)}, is met by the drawing where {how}.")
-    tried = [f"{way.name}: {' to '.join(map(_weighed, way.weights(drawn_mass)))}" for way in asked]
+    tried = [f"{way.name}: {' to '.join(map(_weighed, way.weights(drawn_mass)))}" for way in candidates]
     raise InputError(
         f"{bat.name} weighs {_weighed(bat.mass)}, but its drawing can be {'; '.join(tried)}. "
         "Check the weight, the diameters and the wall"

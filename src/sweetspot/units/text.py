@@ -308,6 +308,9 @@ def parse_position(text: str, *, length: float, what: str = "position") -> float
             if from_tip and distance > length * (1 + 1e-9):
                 raise InputError(f"{what} was given as {text.strip()}; that is off the bat, {shown(length)} long")
             return length - distance if from_tip else distance
-    if "-from-" in text:
-        raise InputError(f"{what} was given as {text!r}; places are written 27in, from the knob end, or 6in-from-tip")
+    if "-from-" in text or NUMBER.match(_with_points(text)):
+        missing = "" if "-from-" in text else " without a unit"
+        raise InputError(
+            f"{what} was given as {text!r}{missing}; places are written 27in, from the knob end, or 6in-from-tip"
+        )
     return parse(text, "length", what)

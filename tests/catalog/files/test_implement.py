@@ -88,9 +88,9 @@ def test_an_unknown_rubber_names_the_nearest() -> None:
 
 
 def test_a_racket_is_no_bat(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="is a racket, not a bat"):
+    with pytest.raises(InputError, match="is a racket, not a baseball or softball bat"):
         catalog.load_bat(written(tmp_path, RACKET))
-    with pytest.raises(InputError, match="tennis-racket is a racket, not a bat"):
+    with pytest.raises(InputError, match="tennis-racket is a racket, not a baseball"):
         catalog.load_bat("tennis-racket")
 
 

@@ -83,7 +83,7 @@ def test_a_hit_beside_the_line(run: Run) -> None:
         (("hit", "r161-ash", "--at", "6in-from-tip", "--beside", "1cm"), "is round"),
         (("hit", "tennis-racket", "--at", "99cm"), "from the butt end, off the bat"),
         (("compare", "golf-driver", "--what-if", "cork"), "only bats can be drilled"),
-        (("certify", "golf-driver"), "is a golf club, not a bat"),
+        (("certify", "golf-driver"), "is a golf club, not a baseball"),
         (("schema", "raket"), "racket"),
         (("report", "tenis-racket"), "tennis-racket"),
     ],

@@ -204,7 +204,9 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     table = resolved(table)
     if table.get("kind", "bat") != "bat":
         kind = str(table["kind"]).replace("-", " ")
-        raise InputError(f"{where} is a {kind}, not a bat; `sweetspot report`, `hit` and `compare` take it")
+        raise InputError(
+            f"{where} is a {kind}, not a baseball or softball bat; `sweetspot report`, `hit` and `compare` take it"
+        )
     loose = sorted(set(table) & set(ShellTable.model_fields))
     if loose:
         raise InputError(

@@ -12,7 +12,7 @@ from sweetspot.dynamics.batch.bending_kernel import Elements, Points, bend, give
 from sweetspot.dynamics.batch.mesh import Mesh
 from sweetspot.dynamics.bending import MODES, least_elements, least_parts
 from sweetspot.dynamics.modes import Family, Modes
-from sweetspot.dynamics.residual_flexibility import CELLS, asked_places, extrapolated, joints, just_inside, with_corner
+from sweetspot.dynamics.residual_flexibility import CELLS, extrapolated, joints, just_inside, sample_places, with_corner
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
@@ -39,8 +39,8 @@ class BendingBatch:
     mesh : the elements' ends.
     coefficients : the elastic shapes on every element, of t^4 ... t^0 with t = 0..1, shape (elements, 5, count).
     left_out : m/N that the modes leave out, shape (beams, places).
-    asked, corner : where that is known, m, shape (beams, places), and which of the places is a joint's, shape (beams,);
-        see `asked_places`.
+    sampled_at, corner : where that is known, m, shape (beams, places), and which of the places is a joint's, shape
+        (beams,); see `sample_places`.
     """
 
     length: Array
@@ -53,7 +53,7 @@ class BendingBatch:
     mesh: Mesh
     coefficients: Array
     left_out: Array
-    asked: Array
+    sampled_at: Array
     corner: IntArray
 
     def __len__(self) -> int:
@@ -93,9 +93,9 @@ class BendingBatch:
     def left_out_at(self, position: Array) -> Array:
         """Return what the modes leave out at places (beams, places) in m, m/N; see `left_out`."""
         part = position / self.length[:, None]
-        pieces = self.asked.shape[1] - 1
+        pieces = self.sampled_at.shape[1] - 1
         for beam in np.flatnonzero(self.corner):  # even only up to the joint and after it
-            here, at = self.corner[beam] / pieces, self.asked[beam, self.corner[beam]]
+            here, at = self.corner[beam] / pieces, self.sampled_at[beam, self.corner[beam]]
             part[beam] = np.interp(position[beam], [0.0, at, self.length[beam]], [0.0, here, 1.0])
         return on_even_splines(self._spline, part)
 
@@ -121,7 +121,7 @@ class BendingBatch:
             shapes=Piecewise(coefficients, edges),
             rigid_part=np.eye(2, count + 2),
             dashpots=np.zeros((0, count + 2)),
-            compliances=(with_corner(self.asked[number], self.left_out[number], int(self.corner[number])),),
+            compliances=(with_corner(self.sampled_at[number], self.left_out[number], int(self.corner[number])),),
         )
 
     @cached_property
@@ -177,7 +177,7 @@ def mass_properties(beams: Beams) -> BendingBatch:
     return BendingBatch(
         length=length, mass=mass, balance_point=moment / mass, moi_cm=moi_cm, roll_moi=roll, omega=none,
         damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=np.zeros((len(mesh.left), 5, 0)), left_out=none,
-        asked=none, corner=np.zeros(len(beams), np.int64),
+        sampled_at=none, corner=np.zeros(len(beams), np.int64),
     )  # fmt: skip
 
 
@@ -211,15 +211,15 @@ def _some(beams: Beams, count: int, start: int) -> BendingBatch:
         raise InputError(f"bat {start + failed} has no bending modes; its mass and stiffness must be above zero")
     stiffening = np.where(np.isnan(beams.frequency), 1.0, (2 * np.pi * beams.frequency) ** 2 / squares[:, 0])
     squares *= stiffening[:, None]
-    asked, corner = asked_places(length, joints(whole.left, at_ends, whole.owner, beams=len(beams)))
-    kept = np.empty((*asked.shape, count))
-    shapes_at(first, left, width, coefficients, asked, kept)
-    slow = extrapolated(*(_slowly(beams, one, points, asked) for one in slices)) / stiffening[:, None]
+    sampled_at, corner = sample_places(length, joints(whole.left, at_ends, whole.owner, beams=len(beams)))
+    kept = np.empty((*sampled_at.shape, count))
+    shapes_at(first, left, width, coefficients, sampled_at, kept)
+    slow = extrapolated(*(_slowly(beams, one, points, sampled_at) for one in slices)) / stiffening[:, None]
     left_out = slow - np.einsum("bpm,bm->bp", kept**2, 1 / squares)
     return BendingBatch(
         length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,
         omega=np.sqrt(squares), damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=coefficients,
-        left_out=left_out, asked=asked, corner=corner,
+        left_out=left_out, sampled_at=sampled_at, corner=corner,
     )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import Interval
@@ -23,7 +24,7 @@ from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, 
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader, reader
-from sweetspot.report.sentences import Slot, Words, read, within
+from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, read, with_doubt, within
 from sweetspot.units import INCH
 
 BBCOR_OF_PLAY = (
@@ -68,6 +69,7 @@ def comparison_document(
     )  # fmt: skip
     notes: list[Words] = [
         assumptions(comparison, by_law=by_law),
+        *([PLUS_MINUS] if _has_doubt(comparison.compared) else []),
         *([BBCOR_OF_PLAY.format(where=WITH_RULES if tested else WITHOUT)] if isinstance(reference.bat, Bat) else []),
     ]
     return Document(
@@ -99,22 +101,31 @@ def _effort(comparison: Comparison[Implement]) -> str:
     return f"all at the same {tool} speed" if law is None else f"same effort by the law of {law.name}"
 
 
+def _has_doubt(compared: Sequence[Compared[Implement]]) -> bool:
+    """Return whether a moment of inertia among them was not measured."""
+    every = (one.analysis for one in compared)
+    return any(isinstance(one.bat, Bat) and moi_doubt(one.bat, one.body, STANDARD_AXIS) > 0 for one in every)
+
+
 def _things(compared: Sequence[Compared[Implement]]) -> Table:
     """Return what the implements are; round bats have a BBCOR, others their sport's own swing weight."""
     bat = compared[0].analysis.bat
     tool, convention = sport(bat.sport).words.implement, swing_weight(bat.sport)
     columns = [Column(tool), Column("mass", "mass"), Column("balance", "length")]
-    weighed = Column("MOI", "moi") if isinstance(bat, Bat) else Column(convention.name, right=True)
+    weighed = Column("MOI" if isinstance(bat, Bat) else convention.name, right=True)
     columns += [weighed, Column("f1", "frequency"), Column("q max", "ratio")]
     columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
     rows: list[list[Cell]] = []
     for number, one in enumerate(compared):
         body, at = one.analysis.body, f"bats.{number}."
-        mois = Slot(body.moi(STANDARD_AXIS), "moi", unit=False, of=f"{at}bat.moi_6in_kg_m2")
+        turning: Cell = convention.shown(body)
+        if isinstance(own := one.analysis.bat, Bat):
+            doubt = moi_doubt(own, body, STANDARD_AXIS)
+            turning = with_doubt(body.moi(STANDARD_AXIS), doubt, "moi", of=f"{at}bat.moi_6in_kg_m2")
         row: list[Cell] = [
             one.label, Slot(body.mass, "mass", unit=False, of=f"{at}bat.mass_kg"),
             Slot(body.balance_point, "length", unit=False, of=f"{at}bat.balance_point_m"),
-            mois if isinstance(bat, Bat) else convention.shown(body),
+            turning,
             Slot(first_frequency(one, "bending"), "frequency", unit=False, of=f"{at}bending_1_hz"),
             Slot(one.collision_efficiency, "ratio", of=f"{at}max_collision_efficiency"),
         ]  # fmt: skip
