@@ -29,7 +29,7 @@ class UnwritableError(SweetspotError):
 
 
 class UnusualWarning(UserWarning):
-    """What was given can be computed and is like nothing in its sport; probably a unit is wrong."""
+    """What was given can be computed and is like nothing in its sport, or part of it is not understood."""
 
 
 def first_line(error: BaseException) -> str:

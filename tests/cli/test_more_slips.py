@@ -92,7 +92,7 @@ TABLES = {
         "the columns position_in and diameter_in are swapped",
     ),
     ("report", "FILE"): ("position_in,diameter_in\n0,1.7\n", "`sweetspot outline` makes a bat file"),
-    ("tap", "FILE"): ("", "cannot be read as a sound: Format not recognised; record WAV"),
+    ("tap", "FILE"): ("", "cannot be read as a sound: Invalid data found when processing input; record anew"),
     ("season", "FILE"): ("type,launch_speed,launch_angle\nX,25,95\nX,20,101\nX,,12\n", "2 impossible (an exit speed"),
 }
 

@@ -32,6 +32,22 @@ def test_two_bats(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> Non
     assert "m/s" in out
 
 
+def test_a_column_that_is_not_understood_is_told(run: Run, tmp_path: Path) -> None:
+    """A weight under another heading would be left out in silence, and the bats would seem alike."""
+    table = tmp_path / "bats.csv"
+    table.write_text("name,weight,balance_point_in\nA,31,22.05±0.05\nB,29,22.00±0.05\n", encoding="utf-8")
+    code, _, err = run("rank", str(table), "--like", "r161-ash")
+    assert code == 0
+    assert "not understood and not used: weight; columns may be name, mass_oz" in err
+
+
+def test_intervals_need_no_option(run: Run) -> None:
+    code, _, err = run("rank", "bats.csv", "--like", "r161-ash", "--uncertainty")
+    assert (code, err) == (
+        2, "sweetspot: rank has no --uncertainty: its answer always has its intervals; leave it out\n",
+    )  # fmt: skip
+
+
 def test_a_bat_whose_measurements_contradict_each_other_is_not_ranked(
     run: Run, run_json: Callable[..., Any], tmp_path: Path
 ) -> None:
@@ -44,6 +60,7 @@ def test_a_bat_whose_measurements_contradict_each_other_is_not_ranked(
     warning = words.index("C: pendulum lies ")
     assert warning < words.index("It is not ranked") < words.index("A comes first") < words.index("best of 2; B comes")
     assert "A: " not in words
+    assert "A value without ± counts to one unit of its last digit" in words
     three = run_json("rank", str(table), "--like", "r161-ash")
     pulls = {one["name"]: one["contradictions"] for one in three["bats"]}
     assert (pulls["A"], pulls["B"]) == ({}, {})

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 import re
+import warnings
 from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
@@ -20,7 +21,7 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MOST_BENDING, Measurement
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.written import parse_measured
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
 from sweetspot.units import Kind, check_usual
@@ -64,6 +65,12 @@ def read_bats(path: Path, *, axis: float = STANDARD_AXIS) -> dict[str, list[Meas
     if not rows or not _is_heading(rows[0]):
         raise InputError(f"{path} has no line of headings with a column name; give for example {HINT}")
     heads = [_column(cell) for cell in rows[0]]
+    if unread := [cell.strip() for cell, head in zip(rows[0], heads, strict=True) if head is None and cell.strip()]:
+        warnings.warn(
+            f"{path}: not understood and not used: {', '.join(unread)}; columns may be {HINT}",
+            UnusualWarning,
+            stacklevel=2,
+        )
     if len(rows) - 1 > MOST_BATS:
         raise InputError(f"{path} has {len(rows) - 1} bats; allowed are {MOST_BATS}")
     bats: dict[str, list[Measurement]] = {}

@@ -28,6 +28,10 @@ SOUND_FILES = (".wav", ".flac", ".ogg", ".mp3", ".aiff")
 """Endings of recordings that soundfile reads."""
 OF_PHONES = (".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm")
 """Endings of those that it has no decoder for."""
+UNKNOWN_FORMAT = 1
+"""What libsndfile says of a file that it does not know."""
+LOSSLESS = ("alac", "flac", "pcm")
+"""Beginnings of the names of codings of phones that leave out nothing."""
 AT_REST = 0.05
 """s whose mean a recording began with: an offset of the microphone is no blow."""
 LOSSY = ("VORBIS", "OPUS", "MPEG", "GSM", "NMS_ADPCM", "G72")
@@ -107,9 +111,11 @@ def _of_sound_file(path: Path) -> tuple[Array, float, bool]:
     try:
         with soundfile.SoundFile(_mended(path)) as sound:
             _check_length(path, sound.frames, rate=sound.samplerate, channels=sound.channels)
-            channels = sound.read(dtype="float64", always_2d=True)
+            channels = sound.read(sound.frames, dtype="float64", always_2d=True)  # GSM cannot be sought in
             return channels, float(sound.samplerate), sound.subtype.startswith(LOSSY)
     except (soundfile.SoundFileError, OSError, RuntimeError) as error:
+        if getattr(error, "code", None) == UNKNOWN_FORMAT:  # a phone's file under another name
+            return _of_phone(path)
         reason = str(error).rpartition(": ")[2].rstrip(".")
         raise InputError(f"{path} cannot be read as a sound: {reason}; record WAV, FLAC, OGG, MP3 or M4A") from None
 
@@ -153,9 +159,11 @@ def _of_phone(path: Path) -> tuple[Array, float, bool]:
                     heard += blocks[-1].shape[1]
                     _check_length(path, heard, rate=stream.rate, channels=len(blocks[-1]))
             channels = np.concatenate(blocks, axis=1).T if blocks else np.empty((0, 1))
-            return channels, float(stream.rate), True
+            return channels, float(stream.rate), not stream.codec_context.name.startswith(LOSSLESS)
+    except InputError:
+        raise
     except (av.FFmpegError, OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else str(error)
+        reason = getattr(error, "strerror", None) or str(error)
         raise InputError(
             f"{path} cannot be read as a sound: {reason}; record anew, or convert it to WAV, FLAC, OGG or MP3"
         ) from None

@@ -23,6 +23,8 @@ UNTIDIED = 100_000
 """New objects between two looks for garbage: a command makes a million that stay, and looking takes a tenth of it."""
 FORCE = "--force"
 """Takes every number as it is given, whatever is usual; every command understands it."""
+ALWAYS_SURE = ("calibrate", "fit-player", "rank", "tap")
+"""Commands whose answer has its intervals without --uncertainty."""
 SHORT = {"--json": ("--format", "json"), "--csv": ("--format", "csv"), "-": ("/dev/stdin",)}
 """What other programs have taught people to write, for any command: answers at hand, standard input as the file."""
 
@@ -111,6 +113,9 @@ def _one_line(error: Exception, given: list[str]) -> str:
     short = next((one for one in given if SHORT.get(one, ("",))[0] == "--format"), "")
     if isinstance(error, UnknownOptionError) and error.token.keyword == "--format" and short:
         return f"{' '.join(error.command_chain or ())} has no {short}: its answer has one form"
+    command = " ".join(getattr(error, "command_chain", None) or ())
+    if isinstance(error, UnknownOptionError) and error.token.keyword == "--uncertainty" and command in ALWAYS_SURE:
+        return f"{command} has no --uncertainty: its answer always has its intervals; leave it out"
     if isinstance(error, MissingArgumentError) and error.argument is not None:
         choices = error.argument.get_choices()
         told = f"{' '.join(error.command_chain or ())} needs {error.argument.name}. {error.argument.parameter.help}" + (

@@ -20,6 +20,11 @@ from sweetspot.report.sentences import Sentence, Slot, joined, say
 WORDS = {"mass": "weight", "balance_point": "balance", "moi": "swing weight", "modulus": "stiffness"}
 UNITS = {"mass": "_kg", "balance_point": "_m", "moi": "_kg_m2", "modulus": ""}
 
+LAST_DIGIT = (
+    "A value without ± counts to one unit of its last digit, 1.4545 as 1.4545 ± 0.0001. Write 1.4545±0.003 where it is "
+    "less sure."
+)
+
 
 def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     """Return a ranking as an answer: who is first and how surely, whether they differ at all, what differs."""
@@ -52,6 +57,8 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
             else f"Its measurements agree on an unusual {words.implement}; its place holds if they are right."
         )
         blocks.append(Paragraph(f"{one.name}: {off}. {then}", "warning"))
+    if ranking.unranked:
+        blocks.append(Paragraph(LAST_DIGIT, "note"))
     blocks.append(Paragraph(ranking_words(ranking, of_bats=wooden)))
     blocks.append(Table(f"The {words.implement}s", columns, rows))
     blocks.append(
