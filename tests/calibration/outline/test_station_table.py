@@ -14,6 +14,7 @@ from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.errors import InputError
 from tests.real_data import real_file
 
+INCH = 0.0254
 INCHES = np.arange(0, 34.01, 0.5)
 
 
@@ -71,3 +72,18 @@ def test_refusals(tmp_path: Path) -> None:
         read_outline(table(tmp_path / "bat.csv", "position_in,diameter_mm", rows[:3]))
     with pytest.raises(InputError, match="no such file"):
         read_outline(tmp_path / "none.csv")
+
+
+def test_what_is_no_bat_is_told(tmp_path: Path) -> None:
+    """A cone, a table's leg and a bottle are slender, straight and thicker at one end, as bats are."""
+    things = {
+        "cone": ([0, 34], [24, 64], "Unlike a bat: no knob."),
+        "leg": ([0, 2, 17, 24, 34], [40, 38, 50, 45, 60], "handle 38 mm thick"),
+        "bottle": ([0, 1, 10, 15, 34], [40, 28, 30, 100, 100], "barrel 100 mm thick"),
+    }
+    for name, (places, widths, words) in things.items():
+        everywhere = [(float(inch), float(np.interp(inch, places, widths))) for inch in range(35)]
+        path = table(tmp_path / f"{name}.csv", "position_in,diameter_mm", everywhere)
+        assert any(words in note for note in read_outline(path).notes), name
+    drawn = [(place / INCH, 1e3 * width) for place, width in catalog.bat("r161-ash").profile or ()]
+    assert not read_outline(table(tmp_path / "bat.csv", "position_in,diameter_mm", drawn)).notes

@@ -15,6 +15,11 @@ from sweetspot.units import INCH
 
 NEAR_END = 1.6 * INCH
 """m from an end within which the nearest station must lie."""
+HANDLE, BARREL, KNOB = (0.015, 0.031), (0.040, 0.071), 1.25
+"""m, how thick the handle and the barrel of bats are, and how many times as thick as the handle a knob is at least: the
+catalogue's bats, with room (but for one with an uncommon handle)."""
+HANDLE_FROM, HANDLE_TO, KNOB_TO = 0.06, 0.6, 0.05
+"""Of the length from the knob end: where the handle is thinnest, and as far as a knob reaches."""
 USUAL_LENGTH = (0.3, 1.3)
 """m; a drawing without units whose size is not this long has no scale."""
 
@@ -101,3 +106,23 @@ def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
             kept[middle] = True
             open_pieces += [(first, middle), (middle, last)]
     return tuple(zip(place[kept].tolist(), diameter[kept].tolist(), strict=True))
+
+
+def unlike_bats(profile: Stations) -> tuple[str, ...]:
+    """Return in words what no bat's outline has; nothing of a bat's.
+
+    >>> unlike_bats(((0.0, 0.033), (0.84, 0.064)))
+    ('Unlike a bat: handle 35 mm thick (bats have 15 to 31 mm); no knob.',)
+    """
+    position, diameter = np.array(profile).T
+    place = np.linspace(0, 1, 501)
+    width = np.interp(place * position[-1], position, diameter)
+    handle = float(width[(place >= HANDLE_FROM) & (place <= HANDLE_TO)].min())
+    knob, barrel = float(width[place <= KNOB_TO].max()), float(width.max())
+    told = [
+        f"{what} {1e3 * size:.0f} mm thick (bats have {1e3 * low:.0f} to {1e3 * high:.0f} mm)"
+        for what, size, (low, high) in (("handle", handle, HANDLE), ("barrel", barrel, BARREL))
+        if not low <= size <= high
+    ]
+    told += ["no knob"] * (knob < KNOB * handle)
+    return (f"Unlike a bat: {'; '.join(told)}.",) if told else ()

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from sweetspot.calibration.outline.curves import outline_of_curves
 from sweetspot.calibration.outline.dxf_file import dxf_curves
-from sweetspot.calibration.outline.measured_outline import Outline
+from sweetspot.calibration.outline.measured_outline import Outline, unlike_bats
 from sweetspot.calibration.outline.photo.photo_outline import read_photo
 from sweetspot.calibration.outline.station_table import read_stations
 from sweetspot.calibration.outline.svg_file import svg_curves
@@ -24,6 +25,8 @@ def read_outline(
 ) -> Outline:
     """Return the outline that a file holds: a table of stations (CSV), a drawing (SVG, DXF) or a photograph.
 
+    It notes what is unlike bats.
+
     Parameters
     ----------
     length : m of the bat; needed where places count from the tip, and where a drawing has no units.
@@ -34,6 +37,12 @@ def read_outline(
     InputError
         for another ending, and when the file holds no outline.
     """
+    outline = _read(path, length=length, ruler=ruler, camera_distance=camera_distance)
+    return replace(outline, notes=(*outline.notes, *unlike_bats(outline.profile)))
+
+
+def _read(path: Path, *, length: float | None, ruler: float | None, camera_distance: float | None) -> Outline:
+    """Return what a file of this ending holds; see `read_outline`."""
     ending = path.suffix.lower()
     if ending in PHOTOGRAPHS + HEIF:
         return read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sweetspot.calibration.outline.photo.painted import difference_from_paint
 from sweetspot.calibration.outline.photo.picture import Picture
 from sweetspot.numerics.arrays import Array
 
@@ -27,6 +28,9 @@ def differences(picture: Picture) -> tuple[Array, Array]:
     """Return every pixel's difference from the ground, shadows counted and not counted, shape (rows, columns) each."""
     if picture.opacity is not None:
         return picture.opacity, picture.opacity
+    covered = difference_from_paint(picture) if picture.painted else None
+    if covered is not None:
+        return covered, covered
     logs = np.log(picture.linear + DARKEST)
     off = logs - _ground(logs)
     shade = off.mean(axis=2)

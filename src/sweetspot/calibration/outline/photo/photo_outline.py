@@ -28,6 +28,9 @@ handle, which is 40 % of its stiffness (assumed)."""
 STEEPEST, BODY = 1.5, slice(8, 92)
 """How fast a bat's diameter may change with the place along it, and in which hundredths of its length: made-up bats of
 wood and metal reach 0.5 there, and 5 where a part is lost that is as dark as the ground (`tools/photographs.py`)."""
+TOO_BENT = 0.03
+"""Of what a bat's diameters differ by, the rms of its middle about a straight line: 1.2 mm, more than bats are warped
+and lenses bend (assumed). It is 0.003 of a real bat, and 0.05 of a made-up one of which a flank was not seen."""
 WHOLE = 0.95
 """Of a bat's length, that is to be seen where shadows do not count."""
 RULER_RANGE = (0.05, 2.0)
@@ -154,6 +157,11 @@ def _check_seen(edges: Edges, name: str) -> None:
             f"{name} does not show where the bat ends: its width changes by {unsettled:.1f} pixels with the brightness "
             f"at which its edges are taken, and from end to end by {shape:.0f}. Lay it on a ground of another colour, "
             "in even light, and focus on it"
+        )
+    if edges.bend > TOO_BENT * shape:
+        raise InputError(
+            f"{name} shows a bat whose middle bends by {edges.bend / shape:.0%} (rms) of what its diameters differ by, "
+            "as no bat's does: one of its sides is hardly told from the ground. Lay it on a ground of another colour"
         )
     hundredth = len(edges.width) / 100
     body = edges.width[int(BODY.start * hundredth) : int(BODY.stop * hundredth)]

@@ -68,10 +68,19 @@ class Picture:
         return bool(np.ptp(self.pixels, axis=2).max() == 0)
 
     @property
+    def border(self) -> Array:
+        """Colours of the outermost pixels, shape (n, 3)."""
+        return np.concatenate([self.pixels[[0, -1]].reshape(-1, 3), self.pixels[:, [0, -1]].reshape(-1, 3)])
+
+    @property
+    def ground(self) -> Array:
+        """Usual colour of the border, shape (3,)."""
+        return np.asarray(np.median(self.border, axis=0))
+
+    @property
     def painted(self) -> bool:
         """Whether a program took the ground out or painted it: it has one colour, and nothing casts a shadow on it."""
-        border = np.concatenate([self.pixels[[0, -1]].reshape(-1, 3), self.pixels[:, [0, -1]].reshape(-1, 3)])
-        alike = np.mean(np.abs(border - np.median(border, axis=0)).max(axis=1) < PAINTED) > MOSTLY
+        alike = np.mean(np.abs(self.border - self.ground).max(axis=1) < PAINTED) > MOSTLY
         return self.opacity is not None or bool(alike)
 
     @property
