@@ -137,7 +137,8 @@ def test_from_the_swing(opened: Page, answered: Answered) -> None:
     moved_tilt = opened.locator("[data-field=tilt_deg] input[type=number]")
     moved_tilt.fill("2")
     moved_tilt.press("Enter")
-    expect(opened.locator("[data-field=tilt_deg] .fault")).to_contain_text("no path in a plane")
+    expect(opened.locator("[data-field=tilt_deg] .fault")).to_contain_text("Allowed is 9 to 75")
+    expect(opened.locator("[data-field=tilt_deg]")).to_contain_text("No path in a plane is steeper")
 
 
 def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> None:

@@ -117,3 +117,10 @@ def test_numbers_in_words_are_in_the_readers_units(question: str) -> None:
     assert not re.search(r"\d (m|cm|m/s)\b", told["us"])
     if question == "corking":
         assert "corked 1 in by 10 in" in told["us"] and "corked 2.5 cm by 25.4 cm" in told["si"]
+
+
+def test_no_hole_of_the_question_is_wider_than_the_bat() -> None:
+    bounds = answer(PaperState(question="corking"))["bat"]["bounds"]
+    widest = bounds["hole_diameter_in"][1]
+    assert 1.5 < widest < 2
+    assert answer(PaperState(question="corking", hole_diameter_in=widest))["rows"]

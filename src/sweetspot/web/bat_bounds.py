@@ -20,6 +20,10 @@ STEP = 0.05
 """in; bounds are rounded inwards to it, for a hole must be narrower than the wood."""
 
 
+HOLES = ("bore", "hole")
+"""What a workshop drills, and what a question about drilling does."""
+
+
 def bounds(state: BatState, bat: Bat) -> dict[str, Range]:
     """Return least and most of a state's controls, by field, in the units of the controls.
 
@@ -31,16 +35,23 @@ def bounds(state: BatState, bat: Bat) -> dict[str, Range]:
         limits["impact_from_tip_in"] = (0.0, _inside((bat.length - bat.choke) / INCH - state.hands_in))
     limits["choke_up_in"] = (0.0, _inside(bat.length / 3 / INCH))
     if bat.shell is None and bat.profile is not None:
-        edges = np.asarray(bat.breakpoints())
-        widths = bat.diameter_at(edges) / INCH
-        depth = state.bore_depth_in * INCH
-        reached = widths[edges >= bat.length - depth]
-        limits["bore_diameter_in"] = (0.0, _inside(float(min(reached.min(), _width_at(bat, bat.length - depth)))))
         limits["cup_diameter_in"] = (0.0, _inside(_width_at(bat, bat.length)))
-        if state.bore_diameter_in:
-            narrow = edges[widths <= state.bore_diameter_in]
-            deepest = bat.length - (float(narrow.max()) if len(narrow) else 0.0)
-            limits["bore_depth_in"] = (0.5, _inside(deepest / INCH))
+        for hole in HOLES:
+            if (depth := getattr(state, f"{hole}_depth_in", None)) is not None:
+                limits |= _hole(bat, hole, width=getattr(state, f"{hole}_diameter_in"), depth=depth)
+    return limits
+
+
+def _hole(bat: Bat, name: str, *, width: float, depth: float) -> dict[str, Range]:
+    """Return how wide a hole so deep may be, and how deep one so wide, in."""
+    edges = np.asarray(bat.breakpoints())
+    widths = bat.diameter_at(edges) / INCH
+    end = bat.length - depth * INCH
+    limits = {f"{name}_diameter_in": (0.0, _inside(float(min(widths[edges >= end].min(), _width_at(bat, end)))))}
+    if width:
+        narrow = edges[widths <= width]
+        deepest = bat.length - (float(narrow.max()) if len(narrow) else 0.0)
+        limits[f"{name}_depth_in"] = (0.5, _inside(deepest / INCH))
     return limits
 
 

@@ -287,13 +287,13 @@ export function boundsOf(property) {
   };
 }
 
-// 1, 2 or 5 times a power of ten at or below a step; as it is in the system in which it was written.
+// 1, 2 or 5 times a power of ten at or below a step; as it is in the unit in which it was written.
 /**
  * @param {number} step
- * @param {number} convert
+ * @param {number} written
  */
-function niceStep(step, convert) {
-  if (!convert) return step;
+function niceStep(step, written) {
+  if (Math.abs(step / written - 1) < 1e-6) return written;
   const power = 10 ** Math.floor(Math.log10(step) + 1e-9);
   return power * (step / power >= 5 ? 5 : step / power >= 2 ? 2 : 1);
 }

@@ -263,7 +263,7 @@ function swingControls(app) {
       slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
       slider(app, "attack_angle_deg", { label: "Attack angle, up", step: 0.5 }),
       slider(app, "attack_direction_deg", { label: "Attack direction, − pulled", step: 0.5 }),
-      slider(app, "tilt_deg", { label: "Tilt of the swing's plane", step: 0.5 }),
+      slider(app, "tilt_deg", { label: "Tilt of the swing's plane", step: 0.5, note: "No path in a plane is steeper than the plane." }),
       choice(app, "batter", { label: "Batter", options: [["right", "right-handed"], ["left", "left-handed"]] }),
     ]),
     swingGroup(app),
