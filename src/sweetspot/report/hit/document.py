@@ -56,6 +56,8 @@ def hit_document(hit: BattedHit) -> Document:
     data = hit_json(impact, body=hit.body, conditions=hit.conditions)
     if hit.damage is not None:
         data["damage"] = damage_json(hit.damage)
+    if hit.error is not None:
+        data["exit_speed_half_by_ball_m_s"] = REACH * hit.error
     if impact.unrecovered is not None:
         data["exit_speed_unrecovered_m_s"] = exit_speed_of(impact.unrecovered, hit.conditions)
     return Document(

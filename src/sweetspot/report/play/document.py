@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sweetspot.catalog.sports import sport
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.document import Document, Paragraph, Picture
 from sweetspot.report.flight.words import (
@@ -50,6 +51,7 @@ def play_json(played: PlayedPitch) -> dict[str, Any]:
     struck, ball, impact = played.play.strike, played.play.strike.launched, played.play.strike.impact
     again = {} if impact is None or impact.unrecovered is None else {"unrecovered_gain_m_s": impact.unrecovered_gain}
     alike = {"carry_spread_m": played.spread} if played.spread else {}
+    alike |= {} if played.error is None else {"exit_speed_half_by_ball_m_s": REACH * played.error}
     alike |= {} if played.chance is None else {"home_run_chance": played.chance}
     return again | cleaned(
         {
