@@ -127,6 +127,8 @@ def _given_out(plan: Plan, client: Any, progress: Progress | None) -> bool:
         error = future.exception()
         if error is not None:
             task = waiting[future]
+            if isinstance(error, InputError):
+                raise InputError(str(error)) from None
             raise InputError(
                 f"{plan.tables[task.table].path}: rows {task.start + 1} to {task.start + task.rows} could not be done: "
                 f"{type(error).__name__}: {error}; the others are kept, --resume goes on"

@@ -141,7 +141,8 @@ def few_of_a_kind(players: Standing) -> list[Sentence]:
     if not rare:
         return []
     words = (
-        "Fewer than three of a kind a player: {shares}. Such intervals of 90 % hold 84 to 88 %; the truth may be lower."
+        "Fewer than three of a kind a player: {shares}. Such intervals of 90 % hold about 84 to 88 %, for the truth "
+        "may lie nearer 0 or 100 %."
     )
     return [say(words, shares="; ".join(rare))]
 
