@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 from importlib import import_module
+from importlib.metadata import entry_points
 from pathlib import Path
 
 from distributed.cli import dask_scheduler, dask_worker
@@ -35,6 +36,12 @@ def test_the_manifest_for_kubernetes_is_one_cluster_whose_parts_fit() -> None:
     assert {one["name"] for one in worker["containers"][0]["volumeMounts"]} == {
         one["name"] for one in worker["volumes"]
     }
+    commands = {one.name: one.load() for one in entry_points(group="dask_cli")}
+    for part in ("scheduler", "worker"):
+        program, name, *given = cluster["spec"][part]["spec"]["containers"][0]["args"]
+        assert program == "dask" and name == part
+        known = {option for one in commands[name].params for option in one.opts}
+        assert {word for word in given if word.startswith("--")} <= known
     service = cluster["spec"]["scheduler"]["service"]
     assert service["selector"]["dask.org/cluster-name"] == cluster["metadata"]["name"]
     assert service["ports"][0]["port"] == 8786
