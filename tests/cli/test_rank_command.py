@@ -41,6 +41,14 @@ def test_a_column_that_is_not_understood_is_told(run: Run, tmp_path: Path) -> No
     assert "not understood and not used: weight; columns may be name, mass_oz" in err
 
 
+def test_one_thing_in_two_units_is_refused(run: Run, tmp_path: Path) -> None:
+    table = tmp_path / "bats.csv"
+    table.write_text("name,mass_oz,mass_g,balance_point_in\nA,31,879,22.05\nB,31,890,22.00\n", encoding="utf-8")
+    code, out, err = run("rank", str(table), "--like", "r161-ash")
+    assert (code, out) == (2, "")
+    assert "has more than one column of mass; keep one of each" in err
+
+
 def test_intervals_need_no_option(run: Run) -> None:
     code, _, err = run("rank", "bats.csv", "--like", "r161-ash", "--uncertainty")
     assert (code, err) == (

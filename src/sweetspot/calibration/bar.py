@@ -48,6 +48,8 @@ THICKEST = 0.2
 SPEED, SPEEDS = 4000.0, (1200.0, 12900.0)
 """sqrt(E / rho) in m/s of a bar that nobody has tapped: the middle of lead's and beryllium's, between which solids lie
 (both recalled); steel, aluminium, glass and spruce along its grain have about 5,000."""
+FASTEST_WOOD = 7000.0
+"""m/s of the same along wood: spruce reaches 6,300 (recalled)."""
 SLOW, FAST = 0.6, 3.0
 """Times `SPEED`: between which the first tone is listened for; plastics and lead are slower, and need --band."""
 LIGHTEST, DENSEST = 20.0, 23000.0
@@ -149,7 +151,11 @@ def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
     """
     if bar.is_plate:
         return tuple(NamedTone(tone, None, None) for tone in tones)
-    families = uniform_bar(bar.usual_tones, sideways=bar.sideways_tones, twist=bar.twist_tones)
+    slowest, fastest = SPEEDS[0], FASTEST_WOOD if WOOD[0] <= bar.density <= WOOD[1] else SPEEDS[1]
+    families = uniform_bar(
+        bar.usual_tones, sideways=bar.sideways_tones, twist=bar.twist_tones,
+        farthest=(math.log(slowest / SPEED), math.log(fastest / SPEED)),
+    )  # fmt: skip
     first = named(tones, families)
     usual = dict(zip(families[0].names, families[0].frequency, strict=True))
     scales = [math.log(one.tone.frequency.value / usual[one.name]) for one in first if one.name in usual]

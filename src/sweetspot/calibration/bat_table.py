@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import re
 import warnings
+from collections import Counter
 from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
@@ -65,6 +66,8 @@ def read_bats(path: Path, *, axis: float = STANDARD_AXIS) -> dict[str, list[Meas
     if not rows or not _is_heading(rows[0]):
         raise InputError(f"{path} has no line of headings with a column name; give for example {HINT}")
     heads = [_column(cell) for cell in rows[0]]
+    if twice := [name for name, times in Counter(head[0] for head in heads if head).items() if times > 1]:
+        raise InputError(f"{path} has more than one column of {' and of '.join(twice)}; keep one of each")
     if unread := [cell.strip() for cell, head in zip(rows[0], heads, strict=True) if head is None and cell.strip()]:
         warnings.warn(
             f"{path}: not understood and not used: {', '.join(unread)}; columns may be {HINT}",

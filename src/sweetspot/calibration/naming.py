@@ -63,6 +63,7 @@ class Expected:
     excitation : how strongly the tap moves each, over its greatest; 1 where the place is not known.
     spread : one sigma of the logarithm of the common scale; from `VAGUE` on no frequency is told as expected.
     ratio_spread : one sigma of every frequency's logarithm against the scale.
+    farthest : logarithms between which the common scale lies; None: `FARTHEST` spreads on both sides.
     """
 
     names: tuple[ModeName, ...]
@@ -70,6 +71,7 @@ class Expected:
     excitation: Array
     spread: float
     ratio_spread: float = RATIO_SPREAD
+    farthest: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,11 @@ def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> 
 
 
 def uniform_bar(
-    tones: Sequence[float], *, sideways: Sequence[float] = (), twist: Sequence[float] = ()
+    tones: Sequence[float],
+    *,
+    sideways: Sequence[float] = (),
+    twist: Sequence[float] = (),
+    farthest: tuple[float, float] | None = None,
 ) -> list[Expected]:
     """Return the modes of a uniform bar, of which hardly more than the ratios is known.
 
@@ -109,13 +115,14 @@ def uniform_bar(
     Parameters
     ----------
     tones, sideways, twist : Hz, were it of a usual material.
+    farthest : logarithms between which sound's speed along it lies, over that of the usual material.
     """
     across = [ModeName("bending", number + 1) for number in range(len(tones))]
     beside = [ModeName("sideways", number + 1) for number in range(len(sideways))]
     heard = np.repeat([1.0, 0.0], [len(tones), len(sideways)])
     order = np.argsort(frequency := np.array([*tones, *sideways]))
     names = tuple([*across, *beside][index] for index in order)
-    families = [Expected(names, frequency[order], heard[order], BAR_SPREAD, RATIO_SPREAD)]
+    families = [Expected(names, frequency[order], heard[order], BAR_SPREAD, RATIO_SPREAD, farthest)]
     if len(twist):
         turned = tuple(ModeName("torsion", number + 1) for number in range(len(twist)))
         families.append(Expected(turned, np.array(twist), np.zeros(len(twist)), BAR_SPREAD, RATIO_SPREAD))
@@ -169,8 +176,9 @@ def _least(
         round(math.log(tones[index].frequency.value / frequency), 3) for index in free for frequency in family.frequency
     }
     tried: dict[frozenset[tuple[int, int]], float] = {frozenset(): 0.0}
+    lowest, highest_scale = family.farthest or (-FARTHEST * family.spread, FARTHEST * family.spread)
     for scale in scales:
-        if abs(scale) < FARTHEST * family.spread:
+        if lowest < scale < highest_scale:
             for reach in (FARTHEST, CLOSE):
                 pairs = _pairs(tones, free, family, scale, reach)
                 tried[frozenset(pairs.items())] = _common_scale(tones, family, pairs)
