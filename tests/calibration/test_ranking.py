@@ -18,7 +18,7 @@ from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.ranking import Ranking, rank_bats
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.report.calibration.ranking_report import ranking_words
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import read
@@ -94,7 +94,8 @@ def test_a_table_with_units_errors_and_blanks(tmp_path: Path) -> None:
         "first;880,5;56,0±0,1;1,4545;171,5±0,4;;new;\nsecond;881;;;;;;12\n",
         encoding="utf-8",
     )
-    bats = read_bats(path)
+    with pytest.warns(UnusualWarning, match="not understood and not used: note; columns may be name"):
+        bats = read_bats(path)
     assert [one.name for one in bats["first"]] == ["mass", "balance point", "pendulum", "bending 1"]
     mass, balance = bats["first"][:2]
     assert mass.value == Measured(pytest.approx(0.8805), pytest.approx(1e-4))  # type: ignore[arg-type]
