@@ -107,12 +107,12 @@ export const STEPS = [
       choice(app, "hole_fill", { label: "Filled with", options: FILLED }),
     ],
     live(answer, state, app) {
-      const [[momentum], [plain, corked]] = [rowsOf(answer, "14"), rowsOf(answer, "13")];
+      const [[momentum], [plain, corked]] = [rowsOf(answer, "14"), rowsOf(answer, "13").slice(-2)];
       const show = (/** @type {number} */ thousands) => app.text("f_n", 1e3 * thousands);
       return [`m ( v_2 − v_1 ) = ${app.text("p_n_s", momentum.computed)}`, `F_plain = ${show(plain.full_model)} , F_corked = ${show(corked.full_model)}`];
     },
     truth(answer, state, app) {
-      const [forces, others] = [rowsOf(answer, "13"), rowsOf(answer, "14").slice(-4)]; // each of the plain bat, then of the corked one
+      const [forces, others] = [rowsOf(answer, "13").slice(-2), rowsOf(answer, "14").slice(-4)]; // each of the plain bat, then of the corked one
       const [[before, after], [long, longer, fast, faster]] = [forces, others].map((rows) => rows.map((/** @type {Answer} */ row) => row.full_model));
       const change = (faster - fast) * MPH;
       const grows = after > before + 0.005 ? "grows" : "does not grow";
