@@ -94,7 +94,8 @@ def test_on_a_phone_the_keyboard_reaches_the_picture_first_and_nothing_that_is_c
     page.goto(f"{server}/{view}")
     settled(page)
     page.locator("#view").focus()
-    reached, covered = [], []
+    reached: list[str] = []
+    covered: list[str] = []
     while "Controls" not in "".join(reached):
         page.keyboard.press("Tab")
         page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
