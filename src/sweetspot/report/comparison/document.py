@@ -24,7 +24,7 @@ from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, 
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader, reader
-from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, read, with_doubt, within
+from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, joined, read, with_doubt, within
 from sweetspot.units import INCH
 
 BBCOR_OF_PLAY = (
@@ -68,8 +68,7 @@ def comparison_document(
         sheet=lambda reading: _drawn_sheet(comparison, reaches, reading),
     )  # fmt: skip
     notes: list[Words] = [
-        assumptions(comparison, by_law=by_law),
-        *([PLUS_MINUS] if _has_doubt(comparison.compared) else []),
+        joined([assumptions(comparison, by_law=by_law), *([PLUS_MINUS] if _has_doubt(comparison.compared) else [])]),
         *([BBCOR_OF_PLAY.format(where=WITH_RULES if tested else WITHOUT)] if isinstance(reference.bat, Bat) else []),
     ]
     return Document(
