@@ -128,8 +128,12 @@ def deviated(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) ->
         return implement_deviated(line, by)
     bat = _changed(line.bat, by)
     first, second = line.unplaced
-    if "gyration" in by:  # moves no mass that the beam knows of
-        second += rigid_body(line).moi_cm * math.expm1(2 * by["gyration"])
+    if {"balance_point", "gyration"} & by.keys():  # they move no mass that the beam knows of
+        body = rigid_body(line)
+        balance = body.balance_point * math.exp(by.get("balance_point", 0.0))
+        first += body.mass * (balance - body.balance_point)
+        second += body.mass * (balance**2 - body.balance_point**2)
+        second += body.moi_cm * math.expm1(2 * by.get("gyration", 0.0))
     return replace(
         line,
         bat=bat,

@@ -1,7 +1,7 @@
 """A comparison of many bats that may be meant, all hit by the same balls with the same effort.
 
-What is not known of ball, pitch and swing is the same for all bats of a draw and mostly cancels; each bat has its own
-doubt, and the swing law's exponent is drawn too.
+What is not known of ball, pitch and swing is the same for all bats of a draw and mostly cancels. Each bat has its own
+doubt, but a bat that was changed has that of the bat it was. The swing law's exponent is drawn too.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
+from sweetspot.calibration.draws.sources import DRAWS, Source, Sources, even_normal
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, Interval, SwingLaw
 from sweetspot.numerics.arrays import Array
@@ -39,8 +39,12 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
     sources : of every bat; those that are not a bat's are taken from the first.
     """
     first, law = sources[0], comparison.law
-    shared = Sources((), np.zeros((0, 0)), (*first.others, *_of_law(law))).normal(count)
-    normals = [one.normal(count, seed=index + 2)[:, : len(one.unknowns)] for index, one in enumerate(sources)]
+    bats = _same_bats(comparison, sources)
+    sizes = [len(sources[bat].unknowns) for bat in sorted(set(bats))]
+    together = len(first.others) + len(_of_law(law))
+    normal = even_normal(count, sum(sizes) + together)  # of one sequence: two of them go together, whatever their seeds
+    *parts, shared = np.split(normal, np.cumsum(sizes), axis=1)
+    of_bat = dict(zip(sorted(set(bats)), parts, strict=True))
     power = np.zeros(count + 1)
     if law is not None:
         power[1:] = law.exponent_spread * shared[:, -1]
@@ -49,10 +53,11 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
     values: dict[str, Array] = {}
     reference: Draws | None = None
     longest = max(one.analysis.bat.length for one in comparison.compared)
-    for index, (one, own, normal) in enumerate(zip(comparison.compared, sources, normals, strict=True)):
+    for index, (one, own, bat) in enumerate(zip(comparison.compared, sources, bats, strict=True)):
         joint = Sources(own.unknowns, own.covariance, first.others)
         analysis = one.analysis
-        draws = draws_of(analysis.line, analysis.conditions, joint, count=count, normal=np.hstack([normal, of_others]))
+        drawn = np.hstack([of_bat[bat], of_others])
+        draws = draws_of(analysis.line, analysis.conditions, joint, count=count, normal=drawn)
         if reference is not None and law is not None:
             draws = draws.swung(reference.bat_speed / reference.bat_speed[0] * _ratios(law, draws, reference, power))
         reference = reference or draws
@@ -64,12 +69,20 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
         if index:
             values |= _against_the_first(one, index, values)
             values |= _change_along(comparison, index, values, longest)
-    names = tuple(
-        name for name, one in zip(names_of_bats(comparison), normals, strict=True) for _ in range(one.shape[1])
-    )
+    called = names_of_bats(comparison)
+    names = tuple(called[bat] for bat, part in of_bat.items() for _ in range(part.shape[1]))
     names += tuple(one.name for one in first.others) + tuple(one.name for one in _of_law(law))
-    normal = np.hstack([*normals, shared])
     return DrawnAnswers(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, values)
+
+
+def _same_bats(comparison: Comparison[Implement], sources: list[Sources]) -> list[int]:
+    """Return the number of the first bat that every bat is, or was before it was changed."""
+    measured = [one.analysis.bat.as_measured() for one in comparison.compared]
+    unknown = [[one.name for one in its.unknowns] for its in sources]
+    return [
+        next(other for other in range(len(measured)) if measured[other] == own and unknown[other] == unknown[index])
+        for index, own in enumerate(measured)
+    ]
 
 
 def _against_the_first(one: Compared[Implement], index: int, values: dict[str, Array]) -> dict[str, Array]:

@@ -17,8 +17,10 @@ from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.bats import other_files
 from sweetspot.catalog.implements import implement
 from sweetspot.catalog.sports import sport
-from sweetspot.dynamics.outline_doubt import OF_CENTRE, is_balanced, is_swung
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.outline_doubt import OF_CENTRE, is_balanced, is_swung, moi_doubt
 from sweetspot.dynamics.patch import PATCH_SPREAD
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -26,6 +28,7 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.constants import STANDARD_AXIS
 
 BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
 """Names of the sources that are no property of the ball."""
@@ -100,11 +103,7 @@ class Sources:
         ----------
         count : a power of two.
         """
-        import scipy.special
-        import scipy.stats
-
-        even = scipy.stats.qmc.Sobol(len(self.names), seed=seed).random(count)
-        return np.asarray(scipy.special.ndtri(np.clip(even, 1e-9, 1 - 1e-9)))
+        return even_normal(count, len(self.names), seed=seed)
 
     def deviations(self, normal: Array) -> Array:
         """Return deviations from what was described for standard normal numbers, both of shape (count, n)."""
@@ -128,6 +127,20 @@ class Sources:
         return deviations[:, names.index(name)] if name in names else np.zeros(len(deviations))
 
 
+def even_normal(count: int, columns: int, *, seed: int = 1) -> Array:
+    """Return independent standard normal numbers, shape (count, columns), spread evenly by Sobol's sequence.
+
+    Parameters
+    ----------
+    count : a power of two.
+    """
+    import scipy.special
+    import scipy.stats
+
+    even = scipy.stats.qmc.Sobol(columns, seed=seed).random(count)
+    return np.asarray(scipy.special.ndtri(np.clip(even, 1e-9, 1 - 1e-9)))
+
+
 NOTHING = Sources((), np.zeros((0, 0)), ())
 """Everything is known."""
 
@@ -149,7 +162,7 @@ def sources_of(
         allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
     bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
     """
-    unknowns, covariance = _with_gyration(bat, *(expected_deviations(bat) if known is None else known))
+    unknowns, covariance = _with_outline(bat, *(expected_deviations(bat) if known is None else known))
     of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
     where = f"{of_kind}, after what its file says was measured" if known is None else "its calibration"
     where = where if unknowns else "taken as described: how its plies may differ is not modelled"
@@ -160,16 +173,23 @@ def sources_of(
     )  # fmt: skip
 
 
-def _with_gyration(bat: Implement, unknowns: Sequence[Unknown], covariance: Array) -> tuple[tuple[Unknown, ...], Array]:
-    """Return unknowns and covariance with the radius of gyration of a balanced bat whose moment was not measured.
+def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array) -> tuple[tuple[Unknown, ...], Array]:
+    """Return unknowns and covariance with what a bat's outline leaves open of a moment that was not measured.
 
-    Of what was measured on it nothing tells that radius but its outline; see `moi_doubt`.
+    Nothing but the outline tells the radius of gyration about the balance point, and the balance point itself where
+    that was not measured either: then it is off by so much that both together are the doubt of `moi_doubt`.
     """
     measured = bat.as_measured()
-    if not isinstance(measured, Bat) or not is_balanced(measured) or is_swung(measured) or not unknowns:
+    if not isinstance(measured, Bat) or is_swung(measured) or not unknowns:
         return tuple(unknowns), covariance
-    more = Unknown("gyration", OF_CENTRE / 2)
-    return (*unknowns, more), np.pad(covariance, (0, 1)) + np.diag([*np.zeros(len(unknowns)), more.spread**2])
+    more = [Unknown("gyration", OF_CENTRE / 2)]
+    if not is_balanced(measured):
+        body = rigid_body(beam_model(measured))
+        rest = moi_doubt(measured, body, STANDARD_AXIS) ** 2 - (OF_CENTRE * body.moi_cm) ** 2
+        moved = max(rest, 0.0) ** 0.5 / (2 * body.mass * (body.balance_point - STANDARD_AXIS))  # I_cm + M (x - axis)^2
+        more.append(Unknown("balance_point", moved / body.balance_point))
+    spreads = [one.spread for one in more]
+    return (*unknowns, *more), np.pad(covariance, (0, len(more))) + np.diag([*np.zeros(len(unknowns)), *spreads]) ** 2
 
 
 def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
