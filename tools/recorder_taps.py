@@ -12,6 +12,7 @@ tap or holds nothing but one. Nothing in `sweetspot.calibration` was set on thes
 from __future__ import annotations
 
 import argparse
+import math
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -137,16 +138,27 @@ def _bar(
     generator: np.random.Generator, sizes: tuple[float, float, float], density: float, modulus: float, ratio: float,
     lost: tuple[float, float],
 ) -> Body:  # fmt: skip
-    length, width, thickness = sizes
+    length, _, thickness = sizes
     frequency = beam_frequencies(length, thickness, density, modulus, modulus / ratio)
-    errors = np.array([0.0005, 0.0001, 0.00002])  # one sigma of a tape and of a caliper
-    told = np.array(sizes) + errors * generator.standard_normal(3)
-    weight = density * length * width * thickness
-    measured = [Measured(float(size), float(error)) for size, error in zip(told, errors, strict=True)]
-    mass = Measured(weight + 0.0001 * float(generator.standard_normal()), 0.0001)
+    bar = _measured(generator, sizes, density)
     loud = generator.uniform(0.3, 1.0, len(frequency)) / (1 + np.arange(len(frequency)))
     damping = generator.uniform(*lost, len(frequency))
-    return Body(Bar(measured[0], measured[1], measured[2], mass), modulus, frequency, damping, loud)
+    return Body(bar, modulus, frequency, damping, loud)
+
+
+def _measured(generator: np.random.Generator, sizes: tuple[float, float, float], density: float) -> Bar:
+    """Return length, width, thickness and weight as a tape, a caliper and a scale tell them."""
+    errors = np.array([0.0005, 0.0001, 0.00002])  # one sigma of a tape and of a caliper
+    told = np.array(sizes) + errors * generator.standard_normal(3)
+    length, width, thickness = (Measured(float(size), float(off)) for size, off in zip(told, errors, strict=True))
+    mass = math.prod((density, *sizes)) + 0.0001 * float(generator.standard_normal())
+    return Bar(length, width, thickness, Measured(mass, 0.0001))
+
+
+def _spruce(generator: np.random.Generator) -> Array:
+    """Return what `plate_frequencies` takes: E along and across the grain, G in Pa, and Poisson's ratio."""
+    along = generator.uniform(9e9, 14e9)
+    return np.array([along, along / generator.uniform(10, 20), along / generator.uniform(13, 18), 0.37])
 
 
 def strip(generator: np.random.Generator) -> Body:
@@ -156,18 +168,12 @@ def strip(generator: np.random.Generator) -> Body:
         generator.uniform(0.04, 0.22),
         generator.uniform(0.0025, 0.006),
     )
-    density, along = generator.uniform(380, 480), generator.uniform(9e9, 14e9)
+    density, moduli = generator.uniform(380, 480), _spruce(generator)
     width = part * length
-    moduli = np.array([along, along / generator.uniform(10, 20), along / generator.uniform(13, 18), 0.37])
     frequency = plate_frequencies(length, width, thickness, density, moduli)[:12]
-    errors = np.array([0.0005, 0.0001, 0.00002])
-    told = np.array([length, width, thickness]) + errors * generator.standard_normal(3)
-    sizes = [Measured(float(size), float(error)) for size, error in zip(told, errors, strict=True)]
-    mass = Measured(density * length * width * thickness + 0.0001 * float(generator.standard_normal()), 0.0001)
+    bar = _measured(generator, (length, width, thickness), density)
     damping = generator.uniform(0.004, 0.010, len(frequency))
-    return Body(
-        Bar(sizes[0], sizes[1], sizes[2], mass), along, frequency, damping, generator.uniform(0.1, 1.0, len(frequency))
-    )
+    return Body(bar, float(moduli[0]), frequency, damping, generator.uniform(0.1, 1.0, len(frequency)))
 
 
 def plate(generator: np.random.Generator) -> Body:
@@ -177,11 +183,10 @@ def plate(generator: np.random.Generator) -> Body:
         generator.uniform(0.18, 0.24),
         generator.uniform(0.0025, 0.0045),
     )
-    along = generator.uniform(9e9, 14e9)
-    moduli = np.array([along, along / generator.uniform(10, 20), along / generator.uniform(13, 18), 0.37])
+    moduli = _spruce(generator)
     frequency = plate_frequencies(length, width, thickness, generator.uniform(380, 460), moduli)[:20]
     damping = generator.uniform(0.004, 0.010, len(frequency))
-    return Body(None, along, frequency, damping, generator.uniform(0.1, 1.0, len(frequency)))
+    return Body(None, float(moduli[0]), frequency, damping, generator.uniform(0.1, 1.0, len(frequency)))
 
 
 def sound(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import compress
 
 import numpy as np
 import polars as pl
@@ -148,8 +149,8 @@ def above_expected_parts(parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
     """
     speed, flag = pl.col("bat_speed").cast(pl.Float64) - 32.0, pl.col("league_squared_up").cast(pl.Float64)
     square, along = np.zeros((3, 3)), np.zeros(3)
-    told = [part for part in parts if "league_squared_up" in part.collect_schema().names()]
-    for part in told:
+    flagged = ["league_squared_up" in part.collect_schema().names() for part in parts]
+    for part in compress(parts, flagged):
         known = part.select(speed=speed, flag=flag).drop_nulls().collect()
         powers = np.stack([known["speed"].to_numpy() ** power for power in range(3)])
         square += np.einsum("in,jn->ij", powers, powers)
@@ -158,6 +159,4 @@ def above_expected_parts(parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
         return list(parts)
     a, b, c = np.linalg.lstsq(square, along, rcond=None)[0].tolist()
     fresh = (flag - (a + b * speed + c * speed**2)).cast(pl.Float32).alias(ABOVE)
-    return [
-        part.with_columns(fresh) if "league_squared_up" in part.collect_schema().names() else part for part in parts
-    ]
+    return [part.with_columns(fresh) if has else part for part, has in zip(parts, flagged, strict=True)]

@@ -40,11 +40,12 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
     """
     first, law = sources[0], comparison.law
     bats = _same_bats(comparison, sources)
-    sizes = [len(sources[bat].unknowns) for bat in sorted(set(bats))]
+    different = sorted(set(bats))
+    sizes = [len(sources[bat].unknowns) for bat in different]
     together = len(first.others) + len(_of_law(law))
     normal = even_normal(count, sum(sizes) + together)  # of one sequence: two of them go together, whatever their seeds
     *parts, shared = np.split(normal, np.cumsum(sizes), axis=1)
-    of_bat = dict(zip(sorted(set(bats)), parts, strict=True))
+    of_bat = dict(zip(different, parts, strict=True))
     power = np.zeros(count + 1)
     if law is not None:
         power[1:] = law.exponent_spread * shared[:, -1]
