@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 from sweetspot import catalog
 from sweetspot.calibration.recording import Band, Recording
 from sweetspot.calibration.synthetic import tap_sound
+from sweetspot.calibration.tap_modes import frame_modes, usual_band, usual_held
 from sweetspot.calibration.taps import Tap, find_taps
-from sweetspot.cli.tap_command import frame_modes, usual_band, usual_held
 from sweetspot.dynamics.modes import Modes
 
 Array = NDArray[np.float64]

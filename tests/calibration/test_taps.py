@@ -32,9 +32,9 @@ from sweetspot.calibration.tap_faults import (
     pitch_of,
     step_of,
 )
+from sweetspot.calibration.tap_modes import modes_to_name
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.calibration.written import parse_measured
-from sweetspot.cli.tap_command import modes_to_name
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball

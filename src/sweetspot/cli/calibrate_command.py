@@ -152,7 +152,8 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     from sweetspot.calibration.measurements import of_tones
     from sweetspot.calibration.recording import read_recording
     from sweetspot.calibration.tap_analysis import tap_test
-    from sweetspot.cli.tap_command import modes_to_name, tap_places, usual_band, usual_held
+    from sweetspot.calibration.tap_modes import modes_to_name, telling, usual_band, usual_held
+    from sweetspot.cli.tap_command import tap_places
     from sweetspot.report.tap.document import unlike_words
 
     if not recordings:
@@ -169,16 +170,7 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
         raise InputError(
             "no tone of the recordings is a bending mode of this bat; hang it freely, tap it 1 in from the tip"
         )
-    return _told(of_tones(test.tones), own), pooled(bending)
-
-
-def _told(measurements: list[Measurement], own: Implement) -> list[Measurement]:
-    """Return the tones that tell something: of a racket, club or stick the first, to which its stiffness is scaled."""
-    from sweetspot.calibration.naming import ModeName
-    from sweetspot.equipment.bat import Bat
-
-    first = ModeName("bending", 1)
-    return [one for one in measurements if isinstance(own, Bat) or one.mode == first]
+    return telling(of_tones(test.tones), own), pooled(bending)
 
 
 def _shot(own: Implement, path: Path, ball: str | None) -> tuple[list[Measurement], Unknown]:
@@ -204,6 +196,7 @@ def _tone(text: str, own: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
     from sweetspot.calibration.measurements import MOST_BENDING, Measurement
     from sweetspot.calibration.naming import ModeName
+    from sweetspot.calibration.tap_modes import telling
     from sweetspot.calibration.written import parse_measured
 
     names = {f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)}
@@ -215,7 +208,7 @@ def _tone(text: str, own: Implement) -> Measurement:
     if frequency.value <= 0:
         raise InputError(f"--tone was given as {text!r}; allowed is a frequency of more than 0 Hz")
     given = Measurement("frequency", frequency, mode=names[name.strip()])
-    if not _told([given], own):
+    if not telling([given], own):
         raise InputError(
             f"--tone was given as {text!r}; of {own.name} only the first bending mode counts, to which its "
             "stiffness is scaled: bending-1"

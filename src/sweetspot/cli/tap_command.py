@@ -17,13 +17,8 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.calibration.bar import Bar
     from sweetspot.calibration.recording import Band
-    from sweetspot.dynamics.modes import Modes
     from sweetspot.equipment.implement import Implement
 
-BELOW_FIRST = 0.6
-"""Part of the lowest mode's frequency at which the band of a limp implement begins."""
-TIMES_OWN = 2.0
-"""Times the damping of the described implement's lowest mode, from which on it counts as held (assumed)."""
 PLACE = "1in-from-tip"
 """Where a sound that is made is tapped and heard, unless somebody says."""
 
@@ -96,6 +91,7 @@ def tap(
     from sweetspot import catalog
     from sweetspot.calibration.recording import read_recording
     from sweetspot.calibration.tap_analysis import tap_test
+    from sweetspot.calibration.tap_modes import modes_to_name, usual_band, usual_held
     from sweetspot.cli.output import present
     from sweetspot.report.tap.document import tap_document
 
@@ -126,39 +122,6 @@ def tap(
     )
     title = "A tapped bar" if bar else described.name if described else "A tap"
     return present(tap_document(test, title), output)
-
-
-def modes_to_name(described: Implement) -> Modes:
-    """Return the modes that tones may be, with the ball of the implement's sport."""
-    from sweetspot.catalog.standard_hit import standard_conditions
-    from sweetspot.dynamics.beam import beam_model
-    from sweetspot.dynamics.mode_assembly import all_modes
-
-    return all_modes(beam_model(described), standard_conditions(described).ball)
-
-
-def usual_band(modes: Modes | None) -> Band:
-    """Return the frequencies that are looked at unless somebody says: those of bats, and lower for a golf club."""
-    from sweetspot.calibration.recording import BAT_BAND, Band
-
-    bending = [] if modes is None else modes.of_family("bending")
-    if modes is None or not bending:
-        return BAT_BAND
-    return Band(min(BAT_BAND.low, BELOW_FIRST * float(modes.frequency[bending[0]])), BAT_BAND.high)
-
-
-def frame_modes(described: Implement) -> Modes:
-    """Return the modes that a tap on the frame, the shaft or the blade rings: strings and rubber are held still."""
-    modes = modes_to_name(described)
-    return modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
-
-
-def usual_held(modes: Modes | None) -> float:
-    """Return the damping ratio from which on an implement counts as held: a blade of wood and rubber loses more."""
-    from sweetspot.calibration.tap_faults import HELD
-
-    bending = [] if modes is None else modes.of_family("bending")
-    return HELD if modes is None or not bending else max(HELD, TIMES_OWN * float(modes.damping_ratio[bending[0]]))
 
 
 def tap_places(described: Implement, texts: list[str], what: str = "--at") -> list[float]:
@@ -216,6 +179,7 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     from sweetspot import catalog
     from sweetspot.calibration.recording import recording_bytes
     from sweetspot.calibration.synthetic import synthesised
+    from sweetspot.calibration.tap_modes import frame_modes
     from sweetspot.report.file_set import write_all
     from sweetspot.units import parse
 
