@@ -21,7 +21,7 @@ class AnswerOptions:
     ] = "table"
     units: Annotated[
         Literal["us", "si"] | None,
-        Parameter(help="Units that people are told in; default: those of the sport, without one SI."),
+        Parameter(help="Units that people are told in; default: the sport's own, SI on the bench."),
     ] = None
 
     def into(self, folder: Path | None) -> OutputOptions:

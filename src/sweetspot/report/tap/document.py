@@ -15,7 +15,7 @@ from sweetspot.numerics.confidence import LEVEL
 from sweetspot.report.calibration.intervals import measured_json, measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
-from sweetspot.report.quantities import NOTHING
+from sweetspot.report.quantities import NOTHING, SI
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 LEAST_SHARE = 0.005
@@ -64,7 +64,7 @@ def tap_document(test: TapTest, title: str) -> Document:
         notes.append(Paragraph(ROOMS, "note"))
     picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
     return Document(
-        name="tap", title=title, kind="Tap test", blocks=[*blocks, *notes, picture],
+        name="tap", title=title, kind="Tap test", blocks=[*blocks, *notes, picture], reader=SI,
         data=_data(test), rows=as_columns([cleaned(_tone_data(one)) for one in test.tones]), drawing=picture,
     )  # fmt: skip
 
