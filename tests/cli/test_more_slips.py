@@ -89,7 +89,7 @@ TABLES = {
     ("outline", "FILE"): ("position_in,diameter_in\n", "has 1 line; allowed are a heading"),
     ("outline ", "FILE"): (
         "position_in,diameter_in\n1.8,0\n1,5\n1,10\n1.8,20\n2.6,30\n2.3,33\n",
-        "the columns position_in and diameter_in are swapped",
+        "the columns position_in and diameter_in swapped",
     ),
     ("report", "FILE"): ("position_in,diameter_in\n0,1.7\n", "`sweetspot outline` makes a bat file"),
     ("tap", "FILE"): ("", "cannot be read as a sound: Invalid data found when processing input; record anew"),

@@ -64,7 +64,7 @@ def test_refusals(tmp_path: Path) -> None:
         ("position_in,diameter_mm", [], 1.1, "both ends"),
         ("position_in,diameter_mm", [(30.5, math.nan)], None, "line 37"),
         ("in_from_tip,diameter_mm", [(6.0, 51.0)], 0.8636, r"two stations 0.1524 m \(6 in\) from the tip"),
-        ("position_in,diameter_mm", [(30.5, 200.0)], None, "call the column so"),
+        ("position_in,diameter_mm", [(30.5, 200.0)], None, "taken as circumferences"),
     ):
         with pytest.raises(InputError, match=message):
             read_outline(table(tmp_path / "bat.csv", heading, [*rows, *more]), length=length)
@@ -87,3 +87,100 @@ def test_what_is_no_bat_is_told(tmp_path: Path) -> None:
         assert any(words in note for note in read_outline(path).notes), name
     drawn = [(place / INCH, 1e3 * width) for place, width in catalog.bat("r161-ash").profile or ()]
     assert not read_outline(table(tmp_path / "bat.csv", "position_in,diameter_mm", drawn)).notes
+
+
+PLACES_IN = [min(float(inch), 34.0) for inch in range(35)]
+SIZES_MM = [1e3 * float(catalog.bat("mlb-a").diameter_at(inch * INCH)) for inch in PLACES_IN]
+
+
+def written(path: Path, heading: str, places: list[str], sizes: list[str], separator: str = ",") -> Path:
+    lines = [heading, *(f"{place}{separator}{size}" for place, size in zip(places, sizes, strict=True))]
+    path.write_text("\n".join(lines), encoding="utf-8")
+    return path
+
+
+def sixty_fourths(inches: float) -> str:
+    whole, part = divmod(round(64 * inches), 64)
+    return f"{whole} {part}/64" if part else str(whole)
+
+
+IN, MM = [f"{place:g}" for place in PLACES_IN], [f"{size:.3f}" for size in SIZES_MM]
+
+
+@pytest.mark.parametrize(
+    ("heading", "places", "sizes", "separator", "near"),
+    [
+        ("position_in,diameter_in", IN, [sixty_fourths(size / 25.4) for size in SIZES_MM], ",", 2e-4),
+        ("position,diameter", [f"{place} in" for place in IN], [f"{size} mm" for size in MM], ",", 1e-6),
+        ("position (cm),diameter (mm)", [f'"{2.54 * float(place):.2f}"'.replace(".", ",") for place in IN],
+         [f'"{size[:-1]}"'.replace(".", ",") for size in MM], ",", 1e-5),
+        ('sep=;\nDistance from knob (");Diameter in mm', IN, MM, ";", 1e-6),
+        ("# caliper\nMy bat\nno,Distance from the barrel end (inches),OD [mm],wall thickness mm",
+         [f"1,{34 - float(place):g}" for place in IN], [f"{size},3" for size in MM], ",", 1e-6),
+        ("x (millimetres)\tØ (mm)", [f"{25.4 * float(place):.1f}" for place in IN], MM, "\t", 1e-6),
+        ("position_ft,radius_cm", [f"{float(place) / 12:.7f}" for place in IN],
+         [f"{size / 20:.5f}" for size in SIZES_MM], ",", 2e-6),
+    ],
+)  # fmt: skip
+def test_the_ways_in_which_people_write_tables(
+    tmp_path: Path, heading: str, places: list[str], sizes: list[str], separator: str, near: float
+) -> None:
+    outline = read_outline(written(tmp_path / "bat.csv", heading, places, sizes, separator), length=34 * INCH)
+    found = np.array(outline.profile)
+    np.testing.assert_allclose(found[:, 0], np.array(PLACES_IN) * INCH, atol=1e-6)
+    np.testing.assert_allclose(found[:, 1], 1e-3 * np.array(SIZES_MM), atol=near)
+
+
+def test_half_an_inch_in_one_sign(tmp_path: Path) -> None:
+    halves = [f"{inch}½" for inch in range(34)]
+    path = written(tmp_path / "bat.csv", "position_in,diameter_mm", halves, MM[:34])
+    assert read_outline(path, length=34 * INCH).profile[1][0] == pytest.approx(0.5 * INCH)
+
+
+@pytest.mark.parametrize(
+    ("heading", "places", "sizes", "words"),
+    [
+        ("position_cm,diameter_mm", 1.0, 1.0, r"position_cm counted in in \(0.8636 m \(34 in\) long\)"),
+        ("position_in,diameter_mm", 2.54, 1.0, "position_in counted in cm"),
+        ("position_in,diameter_cm", 1.0, 1 / 25.4, "diameter_cm measured in in"),
+        ("position_in,diameter_mm", 1.0, 0.1, "diameter_mm measured in cm"),
+        ("position_in,diameter_mm", 1.0, 0.5, "diameter_mm taken as radii"),
+        ("position_in,diameter_mm", 1.0, math.pi, "diameter_mm taken as circumferences"),
+        ("position_in,circumference_mm", 1.0, 1.0, "circumference_mm taken as diameters"),
+        ("position_cm,diameter_cm", 1.0, 1 / 25.4, r"both columns in in \(0.8636 m"),
+    ],
+)
+def test_a_slip_of_units_is_told_by_what_would_be_a_bat(
+    tmp_path: Path, heading: str, places: float, sizes: float, words: str
+) -> None:
+    rows = [(places * place, sizes * size) for place, size in zip(PLACES_IN, SIZES_MM, strict=True)]
+    with pytest.raises(InputError, match=words):
+        read_outline(table(tmp_path / "bat.csv", heading, rows))
+
+
+def test_places_from_the_other_end_are_told(tmp_path: Path) -> None:
+    rows = list(zip(PLACES_IN, SIZES_MM, strict=True))
+    with pytest.raises(InputError, match="call the column so, as in in_from_knob"):
+        read_outline(table(tmp_path / "bat.csv", "in_from_tip,diameter_mm", rows), length=34 * INCH)
+    turned = [(34 - place, size) for place, size in rows]
+    with pytest.raises(InputError, match="call the column so, as in in_from_tip"):
+        read_outline(table(tmp_path / "bat.csv", "position_in,diameter_mm", turned))
+
+
+def test_doubtful_stations_are_told(tmp_path: Path) -> None:
+    rows = list(zip(PLACES_IN, SIZES_MM, strict=True))
+    notes = read_outline(table(tmp_path / "bat.csv", "position_in,diameter_mm", rows[:14] + rows[20:])).notes
+    assert any("from 0.3302 m (13 in) to 0.508 m (20 in)" in note for note in notes)
+    slipped = [*rows[:12], (12.0, rows[12][1] + 18), *rows[13:]]
+    notes = read_outline(table(tmp_path / "bat.csv", "position_in,diameter_mm", slipped)).notes
+    assert any("12 in) from the knob" in note and " mm more than the line" in note for note in notes)
+    notes = read_outline(table(tmp_path / "bat.csv", "position_in,diameter_mm", rows[:-1])).notes
+    assert any("33 in), was taken as the tip" in note for note in notes)
+    path = written(tmp_path / "bat.csv", "position_in,diameter_mm", IN, [*MM[:7], "", *MM[8:]])
+    assert len(read_outline(path).profile) == 34
+    three = written(tmp_path / "bat.csv", "position_in,diameter_mm,diameter_in", IN, [f"{size},1" for size in MM])
+    with pytest.raises(InputError, match="2 columns of sizes"):
+        read_outline(three)
+    bare = written(tmp_path / "bat.csv", "position_in,diameter", IN, MM)
+    with pytest.raises(InputError, match="no unit"):
+        read_outline(bare)
