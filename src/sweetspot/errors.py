@@ -8,6 +8,8 @@ ALMOST = 0.75
 """How alike two names are at least, from 0 to 1, where one may be a slip of the other. [Our choice.]"""
 SPELT_LIKE = 0.65
 """The same where several are only listed as what may have been meant. [Our choice.]"""
+FEW = 3
+"""Letters of a name below which only such are listed: two letters are in many words. [Our choice.]"""
 MOST_MEANT, MOST_LISTED, MOST_EXAMPLES = 3, 12, 8
 """Names listed at most: of those spelt alike, of a short list whole, of a long one as examples."""
 
@@ -48,6 +50,8 @@ def nearest_names(name: str, known: Sequence[str]) -> str:
     ('Did you mean r161-ash?', 'Did you mean white-ash?')
     >>> nearest_names("nosuch", ["r161-ash", "youth-30"])
     'Known names: r161-ash, youth-30.'
+    >>> nearest_names("xx", ["aluminium-7xxx", "cork"])
+    'Known names: aluminium-7xxx, cork.'
     """
     import difflib
 
@@ -58,7 +62,8 @@ def nearest_names(name: str, known: Sequence[str]) -> str:
         return max(ratios), ratios[0]
 
     asked = name.lower()
-    enough = ALMOST if asked.isdigit() else SPELT_LIKE  # any two numbers of players share half of their digits
+    # any two numbers of players share half of their digits
+    enough = ALMOST if asked.isdigit() or len(asked) < FEW else SPELT_LIKE
     likely = sorted(((likeness(one), one) for one in known), reverse=True)
     close = [one for how, one in likely if how[0] >= enough][:MOST_MEANT]
     if close:

@@ -222,7 +222,8 @@ def test_a_name_that_is_nobody_s_or_of_several_is_refused(asked: str, words: str
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["none.csv"], "none.csv is not a file"),
+        (["none.csv"], "none.csv is not a file; give CSV"),
+        (["{folder}/tabel.csv"], "tabel.csv is not a file; did you mean {folder}/table.csv? Otherwise give CSV"),
         (["{table}", "--bat", "r162-ash"], "bat 'r162-ash' is not in the catalogue"),
         (["{table}", "--column", "exit_speed"], "give quantity=heading"),
         (["{table}", "--resume"], "--resume needs --out"),
@@ -234,9 +235,9 @@ def test_bad_input_is_one_line(
 ) -> None:
     table = tmp_path / "table.csv"
     made_up(30).write_csv(table)
-    assert run(*(argument.format(table=table) for argument in arguments)) == 2
+    assert run(*(argument.format(table=table, folder=tmp_path) for argument in arguments)) == 2
     said = [line for line in capsys.readouterr().err.splitlines() if line]
-    assert len(said) == 1 and words in said[0]
+    assert len(said) == 1 and words.format(folder=tmp_path) in said[0]
 
 
 def test_columns_are_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -111,7 +111,7 @@ def _one_line(error: Exception, given: list[str]) -> str:
             f"--: see sweetspot {command} --help{several}"
         )
     short = next((one for one in given if SHORT.get(one, ("",))[0] == "--format"), "")
-    if isinstance(error, UnknownOptionError) and error.token.keyword == "--format" and short:
+    if isinstance(error, UnknownOptionError) and "--format" in (error.token.keyword, error.token.value) and short:
         return f"{' '.join(error.command_chain or ())} has no {short}: its answer has one form"
     command = " ".join(getattr(error, "command_chain", None) or ())
     if isinstance(error, UnknownOptionError) and error.token.keyword == "--uncertainty" and command in ALWAYS_SURE:

@@ -12,6 +12,7 @@ import polars as pl
 
 from sweetspot.errors import InputError
 from sweetspot.season.standings import GROUPS, PLAIN
+from sweetspot.season.table_file import no_table
 
 ENDINGS = (".csv", ".parquet")
 PLAINLY = 5
@@ -38,8 +39,10 @@ def tables_of_balls(files: Sequence[Path], *, out: Path | None) -> tuple[list[Pa
     Raises
     ------
     InputError
-        when nothing is left, or answers would be written over one of the tables.
+        when nothing is there or left, or answers would be written over one of the tables.
     """
+    if files and not any(path.exists() for path in files):
+        raise no_table(files[0])  # before kernels are compiled
     own = [path for path in files if _is_own(path)]
     others = [path for path in files if path not in own]
     if own and not others:

@@ -13,6 +13,7 @@ import polars as pl
 from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError, first_line
+from sweetspot.numerics.text_files import near_file
 from sweetspot.season.columns_by_rows import told_by_rows, with_player_name
 from sweetspot.season.csv_copy import BESIDE, copied_csv
 from sweetspot.season.headings import Headings, headings_of
@@ -120,6 +121,13 @@ class TableFile:
         return frame.with_columns(pl.col(name).cast(pl.Float64, strict=False) for name in wanted)
 
 
+def no_table(path: Path) -> InputError:
+    """Return the refusal of a path where nothing lies, with the file beside it that may have been meant."""
+    near = near_file(path)
+    meant = "" if near is None else f"did you mean {near}? Otherwise "
+    return InputError(f"{path} is not a file; {meant}give CSV (also .csv.gz) or Parquet")
+
+
 def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = None) -> TableFile:
     """Return a table that can be read in parts.
 
@@ -139,7 +147,7 @@ def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = N
     if path.is_dir():
         raise InputError(f"{path} is a folder; give the tables in it, for example {path / '*.parquet'}")
     if not path.is_file():
-        raise InputError(f"{path} is not a file; give CSV (also .csv.gz) or Parquet")
+        raise no_table(path)
     if path.stat().st_size == 0:
         raise InputError(f"{path} is empty; a table needs a line of column names and a row per ball")
     if name.endswith(PARQUET_ENDINGS):

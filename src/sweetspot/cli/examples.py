@@ -1,0 +1,52 @@
+"""What people may type first, of each command: shown at the foot of its --help."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+EXAMPLES: Mapping[str, tuple[str, ...]] = {
+    "report": ("report r161-ash", "report my-bat.toml --out report"),
+    "hit": ("hit r161-ash --at 4in-from-tip", "hit tennis-racket --at 16cm-from-tip --units us"),
+    "play": ("play r161-ash --park fenway", "play mlb-a --pitch curve --at 5in-from-tip"),
+    "fly": ("fly --exit-speed 103mph --launch-angle 28deg --park fenway", "fly --launch-angle 10deg:40deg:7"),
+    "compare": ("compare my-bat.toml r161-ash --bat-speed 68mph", "compare r161-ash --what-if cork"),
+    "certify": ("certify r161-ash", "certify my-bat.toml --shots shots.csv"),
+    "optimum": ("optimum --show swing", "optimum --show parks --park all"),
+    "fit-player": ("fit-player swings.csv --bat r161-ash --pitch-speed 60mph",),
+    "design": ("design mlb-a --contact 8in --contact-spread 1.2in --out torpedo",),
+    "season": (
+        "season statcast_2024.csv.gz --show-columns",
+        "season statcast_2024.csv.gz --try mlb-a --out season",
+    ),
+    "outline": (
+        "outline stations.csv --length 34in --out drawing.toml",
+        "outline r161-ash --out bat.dxf --out bat.stl",
+    ),
+    "tap": (
+        "tap --synthesise r161-ash --at 1in-from-tip --out taps.wav",
+        "tap taps.wav --bat r161-ash --at 1in-from-tip",
+    ),
+    "calibrate": ("calibrate r161-ash --mass 31.00oz±0.05oz --tone bending-1:172Hz±0.5Hz --out mine.toml",),
+    "rank": ("rank dozen.csv --like r161-ash",),
+    "drop": ("drop --height 1m --material white-ash --thickness 10cm",),
+    "pendulum": ("pendulum --mass 31oz --balance-point 22in --period 1.45s",),
+    "paper": ("paper", "paper --entry-angle 20deg --fill rubber"),
+    "sports": ("sports", "sports tennis"),
+    "parks": ("parks fenway",),
+    "bats": ("bats", "bats --csv"),
+    "show": ("show r161-ash --out my-bat.toml",),
+    "schema": ("schema racket",),
+    "validate": ("validate", "validate --out validation"),
+    "app": ("app", "app --port 0 --no-browser"),
+    "prepare": ("prepare",),
+}
+"""Words behind ``sweetspot``. Files in them are the reader's own."""
+EVERY_COMMAND = (
+    "Lengths, weights, speeds and angles have units: 33in, 84cm, 31oz, 90mph, 10deg. Every command takes --force: "
+    "numbers as they are given, however unusual. A name with blanks stands in quotes."
+)
+
+
+def foot(command: str) -> str:
+    """Return the last lines of a command's help."""
+    return "\n".join(["Examples:", *(f"  sweetspot {words}" for words in EXAMPLES.get(command, ()))])

@@ -1,0 +1,70 @@
+"""What --help tells: every command's first examples, which run as they stand, and no option that nobody needs."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sweetspot.cli import main
+from sweetspot.cli.app import PATHS, app
+from sweetspot.cli.examples import EVERY_COMMAND, EXAMPLES
+from tests.documented import DOCS, write_files
+
+Run = Callable[..., tuple[int, str, str]]
+WORDS = [words for examples in EXAMPLES.values() for words in examples]
+PARSED_ONLY = ("app", "prepare", "design", "validate", "optimum --show parks")
+"""Beginnings of examples that do not end, or take long; tests of these commands run their like."""
+
+
+def test_every_command_has_examples_of_its_own() -> None:
+    assert set(EXAMPLES) == set(PATHS)
+    assert all(words.split()[0] == command for command, examples in EXAMPLES.items() for words in examples)
+
+
+def test_examples_run_one_after_the_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As a reader would type them, with files of the reader's own."""
+    monkeypatch.chdir(tmp_path)
+    write_files(tmp_path, DOCS / "start.md")
+    for words in WORDS:
+        if words.startswith(PARSED_ONLY):
+            continue
+        if words.startswith("show"):  # writes over nothing
+            (tmp_path / "my-bat.toml").unlink()
+        with pytest.raises(SystemExit) as stopped:
+            main(shlex.split(words))
+        captured = capsys.readouterr()
+        assert not stopped.value.code, (words, captured.err)
+        assert captured.out or "wrote" in captured.err, words
+
+
+@pytest.mark.parametrize("words", [one for one in WORDS if one.startswith(PARSED_ONLY)])
+def test_examples_that_are_not_run_are_understood(words: str) -> None:
+    command, *_ = app.parse_args(shlex.split(words), exit_on_error=False, print_error=False)
+    assert command.__name__.replace("_", "-") == words.split(maxsplit=1)[0]
+
+
+@pytest.mark.parametrize("command", PATHS)
+def test_help_of_a_command(run: Run, command: str) -> None:
+    code, out, _ = run(command, "--help")
+    text = " ".join(out.split())
+    assert code == 0 and all(f"sweetspot {words}" in text for words in EXAMPLES[command])
+    assert "--empty-" not in out  # of lists that may be given again: leaving them out is enough
+    assert not [
+        noise for noise in ("[default: None]", "[default: False]", '[default: ""]', "[default: ()]") if noise in text
+    ]
+
+
+def test_help_of_all_says_what_holds_for_every_command(run: Run) -> None:
+    code, out, _ = run("--help")
+    assert code == 0 and EVERY_COMMAND in " ".join(out.split())
+
+
+def test_an_answer_of_one_form_says_so(run: Run) -> None:
+    for command in ("prepare", "schema", "show"):
+        code, _, err = run(command, *(["r161-ash"] if command == "show" else []), "--json")
+        assert code == 2 and f"{command} has no --json: its answer has one form" in err
