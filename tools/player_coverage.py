@@ -16,9 +16,10 @@ from sweetspot import catalog
 from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.model import SPEED_FROM_TIP, player_model
+from sweetspot.player.model import player_model
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.posterior import fit_player
 from sweetspot.player.prior import NAMES, fixed, natural, prior_draws

@@ -39,7 +39,7 @@ from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.section import poisson_of, shear_coefficient
+from sweetspot.equipment.section import shear_coefficient
 from sweetspot.errors import InputError
 from tests.real_data import real_file
 from tools.recorder_taps import beam_frequencies, plate_frequencies
@@ -472,7 +472,7 @@ def test_goens_against_the_finite_elements() -> None:
     found = bending_modes(beam_model(rod), elements=64).frequency[2:6]
     diameter = float(rod.diameter_at(rod.length / 2))
     material = rod.material
-    shear = 1 / float(shear_coefficient(np.array(0.0), poisson_of(material)))
+    shear = 1 / float(shear_coefficient(np.array(0.0), material.poisson))
     same_inertia = np.sqrt(3) / 2 * diameter  # of a rectangle: t^2 / 12 = d^2 / 16
     for mode, frequency in enumerate(found):
         factor = frequency_factor(

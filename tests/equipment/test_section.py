@@ -34,7 +34,7 @@ def test_a_bored_section_is_ring_and_fill(fill: object) -> None:
     stiff = ASH.longitudinal_modulus * (second - hole_second) + modulus * hole_second
     assert found.bending_stiffness[0] == pytest.approx(stiff)
     ratio = 0.0 if filled else INNER / OUTER
-    kappa = float(shear_coefficient(np.array(ratio), ASH.poisson_ratio or 0.3))
+    kappa = float(shear_coefficient(np.array(ratio), ASH.poisson))
     assert found.shear_stiffness[0] == pytest.approx(kappa * (ASH.shear * (area - hole) + shear * hole))
 
 

@@ -12,9 +12,10 @@ import pytest
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError
+from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
 from sweetspot.player.columns import columns_of, simplified
 from sweetspot.player.player_swing import PlayerSwing, check_enough
-from sweetspot.player.swings import PLATE_OVER_RELEASE, Swings, evenly, read_swings
+from sweetspot.player.swings import Swings, evenly, read_swings
 from sweetspot.units import INCH, MPH, insisting
 from tests.real_data import real_file
 

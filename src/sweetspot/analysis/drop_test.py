@@ -18,7 +18,7 @@ from sweetspot.collision.impact import Impact, Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.block import Block, Give, block_modes, expected_patch
 from sweetspot.dynamics.modes import Modes
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 
@@ -185,7 +185,7 @@ def bounce(block: Block, *, ball: Ball, height: float) -> tuple[float, float]:
 
 def _step(modes: Modes, ball: Ball, speed: float) -> float:
     """Return a time step in s that keeps h^2 F' / (12 mu) small for the lightest face and the steepest force."""
-    peak = ((ball.exponent + 1) * ball.mass * speed**2 / 2 / ball.stiffness) ** (1 / (ball.exponent + 1))
+    peak = peak_compression(ball, speed)
     slope = unloading_exponent(ball, peak) * loading_force(ball, peak) / peak
     inverse_mass = 1 / ball.mass + float(np.sum(modes.shape_at(0.0) ** 2))
     return min(STEP, max(SHORTEST_STEP, math.sqrt(12 * STEP_ERROR / (slope * inverse_mass))))
@@ -208,7 +208,5 @@ def static_share(ball: Ball, *, speed: float, compliance: float) -> float:
     >>> round(static_share(ball, speed=30.0, compliance=1 / 49e6), 12)  # k_b / (k_b + k_s)
     0.02
     """
-    energy = ball.mass * speed**2 / 2
-    peak = ((ball.exponent + 1) * energy / ball.stiffness) ** (1 / (ball.exponent + 1))
-    held = compliance * loading_force(ball, peak) ** 2 / 2
-    return held / (held + energy)
+    held = compliance * loading_force(ball, peak_compression(ball, speed)) ** 2 / 2
+    return held / (held + ball.mass * speed**2 / 2)

@@ -159,7 +159,7 @@ def linear_limit(material: Material, *, across: bool = False) -> float | None:
     """
     if material.strength is None:
         return None
-    modulus = material.transverse_modulus if across and material.transverse_modulus else material.longitudinal_modulus
+    modulus = material.across if across else material.longitudinal_modulus
     return material.strength / modulus
 
 

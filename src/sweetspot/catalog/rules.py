@@ -7,10 +7,15 @@ from typing import Any
 
 from sweetspot.analysis.certification.rules import QUANTITIES, League, Rule
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.equipment.implement import Implement
 from sweetspot.units import Kind
 
 FILE = "rules.toml"
-DEFAULT_LEAGUE = "ncaa"
+DEFAULT_LEAGUE, WOODEN_LEAGUE = "ncaa", "mlb"
+"""Whose rules bats keep whose sport names none, and turned ones of a sport under the first."""
 KINDS: dict[str, Kind] = {"m": "length", "m/s": "speed", "kg m^2": "moi"}
 """Kind of a limit's text by the unit of its quantity; every other limit is a ratio."""
 
@@ -30,6 +35,22 @@ def league(name: str = DEFAULT_LEAGUE) -> League:
     key, described = entry(read_table(FILE), name, "league")
     rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in described["rule"])
     return League(canonical(key), described["name"], described["ball"], rules, described.get("superseded", ""))
+
+
+def usual_league(implement: Implement) -> str | None:
+    """Return the key of the league whose rules implements like one usually keep; None: no rule on them is known.
+
+    >>> from sweetspot.catalog import load_implement
+    >>> [usual_league(load_implement(name)) for name in ("r161-ash", "russell-b5", "cricket-bat", "golf-driver")]
+    ['mlb', 'ncaa', 'cricket', None]
+    """
+    if isinstance(implement, CricketBat):
+        return "cricket"
+    if not isinstance(implement, Bat):
+        return None
+    own = sport(implement.sport).rules
+    turned = implement.material.family == "wood" and implement.shell is None
+    return WOODEN_LEAGUE if own == DEFAULT_LEAGUE and turned else own
 
 
 def _rule(table: dict[str, Any], what: str) -> Rule:

@@ -11,10 +11,6 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
-from sweetspot.units import INCH
-
-SPEED_FROM_TIP = 6 * INCH
-"""m: where people measure the speed of a bat."""
 
 
 def standard_conditions(

@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from sweetspot.report.document import Document
 
 ALL = "all"
-DEFAULT_LEAGUE = "ncaa"
 
 
 @Parameter(name="*")
@@ -60,6 +59,7 @@ def certify(
     """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when one fails or none can be decided."""
     from sweetspot import catalog
     from sweetspot.analysis.certification.rules import check_rules, construction_findings
+    from sweetspot.catalog.rules import DEFAULT_LEAGUE
     from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body

@@ -23,8 +23,6 @@ if TYPE_CHECKING:
     from sweetspot.report.certification.tested_bat import TestedBat
     from sweetspot.report.document import Document
 
-DEFAULT_LEAGUE, WOODEN = "ncaa", "mlb"
-
 
 @Parameter(name="*")
 @dataclass(frozen=True)
@@ -127,11 +125,11 @@ def compare(
 def _tested(bat: Bat) -> TestedBat:
     """Return a bat held against the rules of its sport; a wooden one of baseball also against those of the majors."""
     from sweetspot import catalog
-    from sweetspot.catalog.rules import league
+    from sweetspot.catalog.rules import DEFAULT_LEAGUE, WOODEN_LEAGUE, league
     from sweetspot.report.certification.tested_bat import tested_by_model
 
     own = catalog.sport(bat.sport).rules or DEFAULT_LEAGUE
-    names = [own, WOODEN] if own == DEFAULT_LEAGUE and bat.material.family == "wood" else [own]
+    names = [own, WOODEN_LEAGUE] if own == DEFAULT_LEAGUE and bat.material.family == "wood" else [own]
     leagues = [league(name) for name in names]
     return tested_by_model(bat, leagues, ball=catalog.ball(leagues[0].ball))
 

@@ -174,17 +174,18 @@ def _sure(
     backspin: float,
 ) -> Document:
     """Return the answer with an interval beside what follows from the best contact, launch angle and park."""
-    from sweetspot.analysis.optimum.launch import CONTACT
     from sweetspot.calibration.draws.drawn_optima import AskedPark, drawn_optimum
     from sweetspot.calibration.draws.drawn_plays import drag_source
     from sweetspot.calibration.draws.sources import NOTHING
     from sweetspot.catalog.aerodynamic_laws import drag_spread
-    from sweetspot.motion.ball_motion import launched
+    from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
     known = (sources or NOTHING).with_source(drag_source(drag_spread(flying.aerodynamics)))
     left = [
-        launched(speed=one.exit_speed, launch_angle=one.best.launch_angle, backspin=one.backspin, position=CONTACT)
+        launched(
+            speed=one.exit_speed, launch_angle=one.best.launch_angle, backspin=one.backspin, position=USUAL_CONTACT
+        )
         for one in launches
     ]
     answers = drawn_optimum(

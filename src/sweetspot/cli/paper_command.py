@@ -41,13 +41,12 @@ class PaperOptions:
 
 DEFAULT_OPTIONS = PaperOptions()
 LENGTHS = ("rod_hands", "hands_moved", "bore_diameter", "bore_depth", "drop_height", "block_thickness")
-RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_share", "metal_share")
 
 
 def choices_for(options: PaperOptions) -> Choices:
     """Return the choices that the options describe."""
     from sweetspot.catalog.materials import material
-    from sweetspot.paper.choices import Choices
+    from sweetspot.paper.choices import RATIOS, Choices
     from sweetspot.units import parse
 
     def read(name: str, kind: Literal["length", "ratio", "angle"]) -> float:

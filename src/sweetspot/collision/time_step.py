@@ -8,12 +8,11 @@ from functools import lru_cache
 import numpy as np
 
 from sweetspot.collision.contact_law import loading_force, unloading_exponent
+from sweetspot.dynamics.mode_assembly import WALL_SPEED
 from sweetspot.dynamics.modes import Modes
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.numerics.arrays import Array
 
-SPEED = 30.0
-"""m/s on a rigid wall, where the ball's steepness is taken; it changes little with speed."""
 PHASE = 0.48
 """Largest step times the contact's angular frequency; q is then within 1e-4 on every face of the catalogue."""
 TERMS, HALVINGS = 10, 48
@@ -29,7 +28,7 @@ def contact_step(modes: Modes, ball: Ball, *, longest: float) -> float:
     """
     lightness, give = modes.liveliest
     inverse_mass = 1 / ball.mass + lightness
-    peak = ((ball.exponent + 1) * ball.mass * SPEED**2 / 2 / ball.stiffness) ** (1 / (ball.exponent + 1))
+    peak = peak_compression(ball, WALL_SPEED)
     slope = unloading_exponent(ball, peak) * loading_force(ball, peak) / peak
     slope /= 1 + give * slope
     return min(longest, PHASE / math.sqrt(slope * inverse_mass))

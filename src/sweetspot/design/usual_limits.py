@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from sweetspot.analysis.certification.rules import League
-from sweetspot.catalog.sports import sport
 from sweetspot.design.gain import present_measured
 from sweetspot.design.hollow import hollow_space
 from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
@@ -72,16 +71,6 @@ def space_of(
         f"{bat.name} has nothing here that could be changed; designed are bats, cricket bats, strung rackets and golf "
         "clubs"
     )
-
-
-def usual_league(bat: Implement) -> str | None:
-    """Return the key of the league whose rules bats like one usually have to keep; None: no rule on them is known."""
-    if isinstance(bat, CricketBat):
-        return "cricket"
-    if not isinstance(bat, Bat):
-        return None
-    own = sport(bat.sport).rules
-    return "mlb" if own == "ncaa" and bat.material.family == "wood" and bat.shell is None else own
 
 
 def kept_limits(

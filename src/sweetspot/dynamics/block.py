@@ -20,9 +20,10 @@ from numpy.polynomial import legendre
 from pydantic import model_validator
 
 from sweetspot.dynamics.modes import Family, Modes
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.equipment.base import Positive, Validated
 from sweetspot.equipment.material import Material
+from sweetspot.equipment.section import FLAT_SHEAR
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.eigen import eigenpairs
@@ -35,14 +36,11 @@ FLOOR_MODULUS, FLOOR_POISSON = 30e9, 0.2
 """Pa; a concrete floor (assumed: 25 to 40 GPa are usual [recalled])."""
 ROLLING_SHEAR = 0.32
 """Shear modulus across the grain over the one along it: 79 666 / 249 797 psi [umass2022, appendix A]."""
-SHEAR_CORRECTION = 5 / 6
-"""Of a plate's rectangular section."""
 STIFF_FREQUENCY = 30e3
 """Hz. Anything faster follows the force without delay; it is kept as a spring: this frequency, its own compliance."""
 FUNCTIONS = 8
 """Polynomials per direction of the plate; two more change the rebound of a 3 mm plate by less than 0.3 %."""
 PLATE_MODES, THICKNESS_MODES = 24, 4
-DEFAULT_POISSON = 0.3
 
 
 class Block(Validated):
@@ -103,9 +101,7 @@ def expected_patch(ball: Ball, speed: float) -> float:
     F w (n - 1/2) / (2 n - 1/2), w the dent, and the patch is enlarged until the linear F w / 2 is the same.
     """
     exponent = ball.exponent
-    energy = ball.mass * speed**2 / 2
-    compression = ((exponent + 1) * energy / ball.stiffness) ** (1 / (exponent + 1))
-    return math.sqrt(ball.radius * compression) * (2 * exponent - 0.5) / (2 * exponent - 1)
+    return math.sqrt(ball.radius * peak_compression(ball, speed)) * (2 * exponent - 0.5) / (2 * exponent - 1)
 
 
 def block_modes(block: Block, *, patch: float) -> Modes:
@@ -176,8 +172,8 @@ def dent(block: Block, *, patch: float, depth: float) -> Give:
     compliance above; the first alone gives the exact static dent.
     """
     material = block.material
-    modulus = material.transverse_modulus or material.longitudinal_modulus
-    poisson = DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
+    modulus = material.across
+    poisson = material.poisson
     apex = math.pi * patch * (1 - poisson**2) / 2
     area, section = math.pi * patch**2, block.length * block.width
     reach = apex * (math.sqrt(section / area) - 1)  # depth at which the cone fills the block
@@ -212,12 +208,10 @@ def plate(block: Block, *, patch: float) -> Give:
     orthotropic for wood. The translation of a free plate is left out here.
     """
     material, thickness = block.material, block.thickness
-    along = material.longitudinal_modulus
-    across = material.transverse_modulus or along
-    poisson = DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
+    along, across, poisson = material.longitudinal_modulus, material.across, material.poisson
     bending = thickness**3 / 12 / (1 - poisson**2 * across / along)
     rolling = ROLLING_SHEAR if material.family == "wood" else 1.0
-    shear = SHEAR_CORRECTION * material.shear * thickness
+    shear = FLAT_SHEAR * material.shear * thickness
     twist = material.shear * thickness**3 / 12
     half_x, half_y = block.length / 2, block.width / 2
     nodes, weights = legendre.leggauss(2 * FUNCTIONS + 4)

@@ -26,7 +26,6 @@ from sweetspot.dynamics.dent_kernel import MOTIONS, surface_compliance
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.laminate_theory import DEFAULT_POISSON
 from sweetspot.equipment.material import Material
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import cubic_spline
@@ -103,7 +102,7 @@ def round_compliance(material: Material, patch_ratio: Array, *, void: float) -> 
     void : radius of a hole along its axis over its own, 0 to 0.9.
     """
     along, shear = material.longitudinal_modulus, material.shear
-    poisson = DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
+    poisson = material.poisson
     wood = material.family == "wood"
     across = material.transverse_modulus or (ACROSS_RATIO * along if wood else along)
     across_poisson = ACROSS_POISSON if wood else poisson

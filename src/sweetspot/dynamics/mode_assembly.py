@@ -12,7 +12,7 @@ from sweetspot.dynamics.bending import MODES, bending_modes
 from sweetspot.dynamics.dent import blade_dent, dent_compliance
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.dynamics.patch import patch_law
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 
@@ -20,7 +20,7 @@ AHEAD = 2.0
 """Highest bending mode over the frequency at which ball and face swing against each other: q is then within 2e-4 of
 that with eighty modes on a badminton racket, the slowest to converge."""
 MOST_MODES = 48
-SPEED = 30.0
+WALL_SPEED = 30.0
 """m/s on a rigid wall, where the ball's steepness is taken; it changes little with speed."""
 PLACES = np.linspace(0.4, 1.0, 25)
 """Parts of the length at which the surface is asked how light it is."""
@@ -91,6 +91,6 @@ def excited_frequency(bending: Modes, face: Modes, ball: Ball) -> float:
 
 
 def _steepness(ball: Ball) -> float:
-    """Return dF/du in N/m where the ball turns, on a rigid wall at `SPEED`: n k U^(n-1), k U^(n+1)/(n+1) = m v^2/2."""
-    peak = ((ball.exponent + 1) * ball.mass * SPEED**2 / 2 / ball.stiffness) ** (1 / (ball.exponent + 1))
+    """Return dF/du in N/m where the ball turns, on a rigid wall at `WALL_SPEED`: n k U^(n-1)."""
+    peak = peak_compression(ball, WALL_SPEED)
     return float(ball.exponent * ball.stiffness * peak ** (ball.exponent - 1))

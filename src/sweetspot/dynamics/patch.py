@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise
 
@@ -47,9 +47,7 @@ def contact_patch(ball: Ball, closing_speed: float | None = None) -> float:
         that presses the ball as hard. None: on such a wall at `PATCH_SPEED`.
     """
     speed = PATCH_SPEED if closing_speed is None else closing_speed / math.sqrt(1 + RECOIL)
-    energy = ball.mass * speed**2 / 2
-    peak = ((ball.exponent + 1) * energy / ball.stiffness) ** (1 / (ball.exponent + 1))
-    return float(np.sqrt(ball.radius * PATCH_COMPRESSION * peak))
+    return float(np.sqrt(ball.radius * PATCH_COMPRESSION * peak_compression(ball, speed)))
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.polynomial import legendre
 
-from sweetspot.equipment.laminate_theory import DEFAULT_POISSON
 from sweetspot.equipment.material import Material
 from sweetspot.numerics.arrays import Array
 
@@ -44,7 +43,7 @@ def ring_at_edge(material: Material, *, harmonic: int, outer: float, hole: float
         np.concatenate([values, harmonic * values]) / radius,
         np.concatenate([-harmonic * values / radius, slopes - values / radius]),
     ])  # fmt: skip
-    poisson = DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
+    poisson = material.poisson
     modulus = material.longitudinal_modulus / (1 - poisson**2)
     law = modulus * np.array([[1, poisson, 0], [poisson, 1, 0], [0, 0, (1 - poisson) / 2]])
     area = np.pi * weights * half * radius

@@ -106,6 +106,20 @@ class Ball(Validated):
         return warmer.replaced(reference_humidity=humidity, reference_temperature=temperature)
 
 
+def peak_compression(ball: Ball, speed: float) -> float:
+    """Return the depth U in m to which a rigid wall presses one side of a ball that meets it at ``speed`` (m/s).
+
+    The kinetic energy is stored there: k U^(n+1) / (n+1) = m v^2 / 2.
+
+    >>> law = RestitutionLaw(reference=0.5, reference_speed=25.0)
+    >>> ball = Ball(name="spring", mass=0.1, radius=0.04, restitution=law, stiffness=1e5, exponent=1.0)
+    >>> round(peak_compression(ball, 10.0), 6)  # v sqrt(m / k)
+    0.01
+    """
+    energy = ball.mass * speed**2 / 2
+    return float(((ball.exponent + 1) * energy / ball.stiffness) ** (1 / (ball.exponent + 1)))
+
+
 def stiffness_from_peak_force(peak_force: float, *, speed: float, mass: float, exponent: float) -> float:
     """Return k of F = k u^n from the peak force (N) of a ball of ``mass`` on a rigid wall.
 

@@ -16,13 +16,11 @@ from sweetspot.equipment.base import NonNegative, Positive
 from sweetspot.equipment.face import Face, Outline
 from sweetspot.equipment.implement import OfMaterial
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.section import Section, poisson_of, shear_coefficient
+from sweetspot.equipment.section import FLAT_SHEAR, Section, shear_coefficient
 from sweetspot.equipment.shell import Stations, between, check_along, check_order
 from sweetspot.numerics.arrays import Array
 
 LENGTH_RANGE = (0.5, 1.0)
-FLAT_SHEAR = 5 / 6
-"""Shear coefficient of a rectangle, taken for the blade [cowper1966]."""
 ACROSS = np.polynomial.legendre.leggauss(12)
 SLOPE_PIECES = 4
 """Pieces of the splice, whose share of cane falls along it."""
@@ -132,7 +130,7 @@ class CricketBat(OfMaterial):
         area, second, cane = math.pi * radius**2, math.pi * radius**4 / 4, self.handle_material
         grip = self.grip_mass / self.shoulder
         rotary = cane.density * second + grip * radius**2 / 2
-        stiff = float(shear_coefficient(np.array(0.0), poisson_of(cane)))
+        stiff = float(shear_coefficient(np.array(0.0), cane.poisson))
         return Section(
             cane.density * area + grip,
             rotary,

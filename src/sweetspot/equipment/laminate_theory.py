@@ -17,9 +17,6 @@ from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.material import Material
 from sweetspot.numerics.arrays import Array
 
-DEFAULT_POISSON = 0.3
-"""Used when a material states no Poisson ratio."""
-
 
 @dataclass(frozen=True)
 class Plate:
@@ -80,9 +77,7 @@ def ply_stiffness(material: Material) -> Array:
     >>> bool(np.allclose(ply_stiffness(metal), [[0.8, 0.2, 0.0], [0.2, 0.8, 0.0], [0.0, 0.0, 0.3]]))
     True
     """
-    along = material.longitudinal_modulus
-    across = material.transverse_modulus or along
-    poisson = DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
+    along, across, poisson = material.longitudinal_modulus, material.across, material.poisson
     rest = 1 - poisson**2 * across / along  # > 0: Material refuses anything else
     both = poisson * across / rest
     return np.array([[along / rest, both, 0.0], [both, across / rest, 0.0], [0.0, 0.0, material.shear]])

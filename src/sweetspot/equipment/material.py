@@ -11,6 +11,8 @@ from sweetspot.equipment.base import Positive, Validated
 
 TRANSVERSE_LIMIT = 50.0
 """No known material is this many times stiffer across than along; axes or units are mixed up (assumed)."""
+DEFAULT_POISSON = 0.3
+"""Of a material that states no Poisson ratio (assumed)."""
 
 
 class Material(Validated):
@@ -77,6 +79,16 @@ class Material(Validated):
             return self.shear_modulus
         assert self.poisson_ratio is not None  # guaranteed at construction
         return self.longitudinal_modulus / (2 * (1 + self.poisson_ratio))
+
+    @property
+    def poisson(self) -> float:
+        """Poisson's ratio: the given one, or the usual one."""
+        return DEFAULT_POISSON if self.poisson_ratio is None else self.poisson_ratio
+
+    @property
+    def across(self) -> float:
+        """Young's modulus across the bat in Pa: the given one, or that along it."""
+        return self.transverse_modulus or self.longitudinal_modulus
 
     def of_density(self, density: float) -> Material:
         """Return the material as a piece of it that has this density in kg/m^3, its range widened to it if need be."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.equipment.laminate_theory import DEFAULT_POISSON, effective_moduli
+from sweetspot.equipment.laminate_theory import effective_moduli
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import WallPart
 from sweetspot.numerics.arrays import Array
@@ -32,6 +32,10 @@ class Section:
     bending_stiffness: Array
     shear_stiffness: Array
     roll_inertia: Array
+
+
+FLAT_SHEAR = 5 / 6
+"""Timoshenko's shear coefficient of a rectangular section [cowper1966]."""
 
 
 def shear_coefficient(radius_ratio: Array, poisson_ratio: float) -> Array:
@@ -78,7 +82,7 @@ def of_solid(
         bending = bending + ((fill.longitudinal_modulus if fill else 0.0) - material.longitudinal_modulus) * second
         shear = shear + ((fill.shear if fill else 0.0) - material.shear) * area
         void = np.maximum(void, inside) if fill is None else void
-    return Section(mass, rotary, bending, shear_coefficient(void / outer, poisson_of(material)) * shear, 2 * rotary)
+    return Section(mass, rotary, bending, shear_coefficient(void / outer, material.poisson) * shear, 2 * rotary)
 
 
 def of_walls(parts: list[WallPart], outer: Array, scale: Array) -> Section:
@@ -99,17 +103,12 @@ def of_walls(parts: list[WallPart], outer: Array, scale: Array) -> Section:
     return Section(mass, rotary, bending, shear, 2 * rotary)
 
 
-def poisson_of(material: Material) -> float:
-    """Return a material's Poisson ratio, or the usual one where it states none."""
-    return DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
-
-
 def _moduli(part: WallPart) -> tuple[float, float, float]:
     """Return Young's modulus along the line, shear modulus (Pa) and Poisson ratio of a wall."""
     if part.laminate is not None:
         moduli = effective_moduli(part.laminate)
         return moduli.axial, moduli.shear, min(max(moduli.poisson_ratio, 0.0), 0.5)  # Cowper's range
-    return part.material.longitudinal_modulus, part.material.shear, poisson_of(part.material)
+    return part.material.longitudinal_modulus, part.material.shear, part.material.poisson
 
 
 def of_oval_tube(material: Material, *, width: Array, depth: Array, wall: Array, scale: Array) -> Section:
@@ -129,7 +128,7 @@ def of_oval_tube(material: Material, *, width: Array, depth: Array, wall: Array,
     second = math.pi * (a * b**3 - inner_a * inner_b**3) / 4
     sideways = math.pi * (a**3 * b - inner_a**3 * inner_b) / 4
     density = material.density * scale
-    shear = shear_coefficient(inner_b / b, poisson_of(material)) * material.shear * area
+    shear = shear_coefficient(inner_b / b, material.poisson) * material.shear * area
     bending = material.longitudinal_modulus * second
     return Section(density * area, density * second, bending, shear, density * (second + sideways))
 

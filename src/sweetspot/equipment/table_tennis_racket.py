@@ -19,15 +19,13 @@ from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.laminate_theory import effective_moduli, laminate_stiffness
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.rubber import Rubber
-from sweetspot.equipment.section import Section
+from sweetspot.equipment.section import FLAT_SHEAR, Section
 from sweetspot.numerics.arrays import Array
 
 LENGTH_RANGE = (0.2, 0.35)
 NARROWEST = 0.02
 """m: the rounded tip is cut off where it is this narrow, so that sections do not vanish (drawing, not physics)."""
 PIECES = 16
-FLAT_SHEAR = 5 / 6
-"""Shear coefficient of a rectangle [cowper1966]."""
 
 
 class TableTennisRacket(Implement):

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.motion.ball_motion import BallMotions, spin_axes
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
 
 ROUNDS = 30
@@ -49,7 +49,7 @@ def launched_to(
     conditions: FlightConditions,
     bats: Literal["right", "left"] | ArrayLike = "right",
     spins: SpinLine | tuple[ArrayLike | None, ArrayLike | None] = TRACKED,
-    position: ArrayLike = (0.0, 0.6096, 0.9144),
+    position: ArrayLike = USUAL_CONTACT,
 ) -> tuple[Array, Flights]:
     """Return the launch directions of balls that come down in given directions, and their flights.
 

@@ -19,12 +19,10 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.batted_spin import USUAL_ANGLES, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
-from sweetspot.motion.ball_motion import BallMotions, spin_axes
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import DEGREE, FOOT, MPH, RPM
+from sweetspot.units import DEGREE, MPH, RPM
 
-START = (0.0, 2 * FOOT, 3 * FOOT)
-"""m, where balls leave the bat."""
 SPEEDS: Array = np.arange(30.0, 131.0, 10.0) * MPH
 ANGLES: Array = np.arange(-30.0, 76.0, 2.5) * DEGREE
 """Nodes of the table; beyond them the nearest counts."""
@@ -168,7 +166,7 @@ def usual_launch(
     usual = np.clip(angle, USUAL_ANGLES[0] * DEGREE, USUAL_ANGLES[1] * DEGREE)
     back, side = batted_ball_spin(usual, spray, bats=np.where(left, "left", "right"))
     spin = (back + more_spin)[:, None] * axes[0] + side[:, None] * axes[1]
-    return BallMotions(velocity=speed[:, None] * axes[2], spin=spin, position=START)
+    return BallMotions(velocity=speed[:, None] * axes[2], spin=spin, position=USUAL_CONTACT)
 
 
 def braked(law: Aerodynamics) -> Aerodynamics:

@@ -17,7 +17,7 @@ from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin, ch
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
 from sweetspot.numerics.arrays import Array
 
 Variation = Literal[
@@ -56,8 +56,8 @@ class BattedBall:
     backspin: float | None = None
     sidespin: float | None = None
     gyrospin: float = 0.0
-    height: float = 0.9144
-    forward: float = 0.6096
+    height: float = USUAL_CONTACT[2]
+    forward: float = USUAL_CONTACT[1]
     bats: Literal["right", "left"] = "right"
     temperature: float = 21.0
     humidity: float = 0.5

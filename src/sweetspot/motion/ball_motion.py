@@ -17,7 +17,10 @@ from numpy.typing import ArrayLike
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import check_angles
+from sweetspot.units import FOOT, check_angles
+
+USUAL_CONTACT = (0.0, 2 * FOOT, 3 * FOOT)
+"""m, where a ball is met unless said otherwise: 2 ft in front of the plate's tip, 3 ft high. [Our choice.]"""
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,12 @@ from pydantic import Field, model_validator
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.base import NonNegative, Validated
-from sweetspot.units import MPH, check_place, shown
+from sweetspot.units import INCH, MPH, check_place, shown
 
 MAX_SPEED = 70.0
 """m/s (157 mph): half as fast again as any recorded pitch or swing."""
+SPEED_FROM_TIP = 6 * INCH
+"""m from the tip where the speed of a bat is measured, as Statcast does [statcast]."""
 LIGHTEST_HAND = 0.01
 """kg."""
 

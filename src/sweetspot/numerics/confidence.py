@@ -14,6 +14,8 @@ REACH = 1.6448536269514722
 """Half width of a normal distribution's interval of that level in standard deviations."""
 ENDS = (0.05, 0.95)
 """Parts of a distribution that lie below the interval's two ends."""
+ROBUST_SCALE = 1.4826
+"""Standard deviation of a normal distribution over its median absolute deviation, one over its upper quartile."""
 NO_SPEED = 0.05 * MPH
 """m/s that is told as 0.0 mph: no gain, no loss; an interval that begins there leaves the sign open."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from sweetspot.units import INCH
+from sweetspot.units.sizes import INCH, STANDARD_GRAVITY
 
-STANDARD_GRAVITY = 9.80665
-"""m/s^2, by definition."""
+__all__ = ["STANDARD_AXIS", "STANDARD_GRAVITY"]
+
 STANDARD_AXIS = 6 * INCH
 """m from the knob end: where laboratories hang and clamp a bat, and about which swing weight is quoted
 [wsu_glossary]."""

@@ -15,6 +15,9 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.paper import formulas as paper
 from sweetspot.units import INCH
 
+RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_share", "metal_share")
+"""Those of `Choices` that are bare numbers: what the formula for W takes."""
+
 
 @dataclass(frozen=True)
 class Choices:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from sweetspot.collision.contact_law import loading_force
 from sweetspot.dynamics.rigid import RigidBody
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_GRAVITY
@@ -153,8 +153,8 @@ def block_share(ball: Ball, *, material: Material, compression: float) -> float:
     ----------
     compression : m, of the ball.
     """
-    modulus = material.transverse_modulus or material.longitudinal_modulus
-    poisson = material.poisson_ratio or 0.3
+    modulus = material.across
+    poisson = material.poisson
     patch = math.sqrt(ball.radius * compression)
     block = 2 * modulus * patch / (1 - poisson**2)
     own = loading_force(ball, compression) / compression
@@ -189,7 +189,6 @@ def drop_test(ball: Ball, *, height: float, material: Material, block_restitutio
         raise InputError(f"height is {height:g} m; allowed is a number above zero")
     speed = math.sqrt(2 * STANDARD_GRAVITY * height)
     energy = ball.mass * speed**2 / 2
-    compression = ((ball.exponent + 1) * energy / ball.stiffness) ** (1 / (ball.exponent + 1))
-    share = block_share(ball, material=material, compression=compression)
+    share = block_share(ball, material=material, compression=peak_compression(ball, speed))
     back = energy_returned(bat_restitution=block_restitution, ball_restitution=ball.restitution.at(speed), share=share)
     return Drop(speed, share, math.sqrt(back), back * height, (1 - back) * energy)

@@ -13,6 +13,7 @@ from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError, maybe_meant
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
@@ -29,10 +30,7 @@ from sweetspot.player.off_centre import (
 )
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import ANYBODY, NAMES, Population, fixed, log_prior, natural, priors
-from sweetspot.units import INCH
 
-SPEED_FROM_TIP = 6 * INCH
-"""m from the tip where bat speed is measured, as Statcast does [statcast]."""
 PLACES_TAKEN = 2
 """Of the tabled places every second is summed over: half an inch is well below what the scatter can be told to."""
 THREADS, WORTH_A_THREAD = 2, 2000

@@ -10,6 +10,7 @@ from statistics import median
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.player.columns import NEEDED
 from sweetspot.units import INCH, MPH, check_usual, insisted, is_usual, shown
 
@@ -21,8 +22,6 @@ FULL_SWING = 0.6
 """Part of the median bat speed below which a swing is a bunt or was checked. Our choice."""
 FEWEST = 5
 """Swings below which there is nothing of a player to be told. Our choice."""
-FROM_TIP = 6 * INCH
-"""m from the tip where bat speeds are measured, near enough to tell whether a ball can have been met at a place."""
 LEVEL = math.radians(1.6)
 """rad; five balls or more that all leave flatter than this were written in radians: 1.6 is straight up. Our choice."""
 SWAPPED = 1.1
@@ -88,8 +87,8 @@ def fault_of(swing: PlayerSwing, length: float) -> str:
         met = f"against {mph(pitch)}" if pitch else "off a tee"
         return f"exit speed {mph(ball)} is more than any bat gives at {mph(bat)} {met} ({mph(fastest)})"
     if swing.position is not None and not insisted():
-        there = bat * (length - swing.position) / (length - FROM_TIP)
-        if ball > max(LIVELIEST * pitch + (1 + LIVELIEST) * there, 0.0) and swing.position > FROM_TIP:
+        there = bat * (length - swing.position) / (length - SPEED_FROM_TIP)  # near enough
+        if ball > max(LIVELIEST * pitch + (1 + LIVELIEST) * there, 0.0) and swing.position > SPEED_FROM_TIP:
             return (
                 f"a ball met {swing.position / INCH:.1f} in from the tip cannot leave at {mph(ball)}; does the "
                 "position count from the other end?"

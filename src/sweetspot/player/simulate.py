@@ -10,9 +10,10 @@ import numpy as np
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import ContactTable, contact_table
-from sweetspot.player.model import SPEED_FROM_TIP, arm_ratio, speed_ratio
+from sweetspot.player.model import arm_ratio, speed_ratio
 from sweetspot.player.off_centre import STEEPEST_LAUNCH, at_swings, deflection_noise
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import NAMES, fixed, priors

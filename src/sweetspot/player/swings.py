@@ -10,6 +10,7 @@ from pathlib import Path
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
+from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
 from sweetspot.player.columns import (
     TEXTS,
     Column,
@@ -23,8 +24,6 @@ from sweetspot.player.player_swing import PlayerSwing, check_speeds, fault_of, f
 from sweetspot.player.swing_table import Lines, SwingTable, open_swings
 from sweetspot.units import shown, shown_speed
 
-PLATE_OVER_RELEASE = 0.920
-"""Speed of a pitch at the plate over that at release, 0.920 +- 0.007 over 2507 pitches [statcast]."""
 FEW = 20
 """Swings below which the intervals are said to be wide."""
 MOST_SWINGS = 400

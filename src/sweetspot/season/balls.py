@@ -13,14 +13,12 @@ from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.catalog.balls import ball
 from sweetspot.flight.air import Air
 from sweetspot.flight.bearing import bearing_of_place
-from sweetspot.flight.pitch.home_plate import PLATE, REFERENCE
+from sweetspot.flight.pitch.home_plate import PLATE, PLATE_OVER_RELEASE, REFERENCE
 from sweetspot.flight.pitch.spin import spin_from_movement
 from sweetspot.flight.pitch.tracked import NineParameters, nine_parameters
 from sweetspot.numerics.arrays import Array, vectors
 from sweetspot.units import INCH
 
-PLATE_OVER_RELEASE = 0.920
-"""Speed of a pitch at the plate over that at release, 0.920 +- 0.007 over 2507 pitches [savant_2020day]."""
 MIDDLE_OF_PLATE = 8.5 * INCH
 """m in front of the plate's tip, where the league's plate_x and plate_z are given from 2026 on."""
 FIRST_MIDDLE_SEASON = 2026

@@ -25,6 +25,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import fingerprint, kernel_folder
@@ -32,8 +33,6 @@ from sweetspot.numerics.whole_files import written_whole
 from sweetspot.season.surface_kernel import fill_ceilings, look_up
 from sweetspot.units import INCH, MPH, RPM
 
-SPEED_FROM_TIP = 6 * INCH
-"""m from the tip where bat speed is measured, as Statcast does [statcast]."""
 AXES = (
     np.linspace(35.0, 75.0, 5),
     np.linspace(-0.2, 0.2, 9),
@@ -200,7 +199,7 @@ def _along(model: ReducedBat[Bat], ball: Ball) -> tuple[float, float]:
 
     def leaving(along: float) -> float:
         struck = _hit(model, ball, there=30 * one, pitch=(along * one, -38 * one, -4 * one), spin=0 * one,
-                      place=6 * INCH * one, offset=0 * one)  # fmt: skip
+                      place=SPEED_FROM_TIP * one, offset=0 * one)  # fmt: skip
         return float(struck.velocity[0, 0])
 
     return (leaving(3.0) - leaving(0.0)) / 3.0, leaving(0.0) / 30.0

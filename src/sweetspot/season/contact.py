@@ -14,13 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.equipment.ball import Ball
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.threads import in_parts
 from sweetspot.season import contact_kernel as kernel
 from sweetspot.season.balls import Balls, taken
-from sweetspot.season.bat_surface import SPEED_FROM_TIP, BatSurface
+from sweetspot.season.bat_surface import BatSurface
 from sweetspot.season.place_learning import learn_places
 from sweetspot.season.place_relation import UNLEARNT, Circumstances, PlaceRelation, circumstances, turn_term
 from sweetspot.season.swing_speeds import likeliest_speeds

@@ -24,10 +24,10 @@ from sweetspot.flight.bearing import HOME_X, HOME_Y
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
-from sweetspot.motion.ball_motion import BallMotions, launch_angles
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, launch_angles
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
-from sweetspot.season.bat_surface import SPEED_FROM_TIP
 from sweetspot.season.swings import USUAL_ERRORS, Errors
 from sweetspot.units import DEGREE, FOOT, INCH, MPH
 
@@ -199,7 +199,7 @@ def _flown(
     air = Air(temperature=22.2)
     density = air_density(air.temperature, pressure=air.pressure, humidity=air.humidity, elevation=elevation)
     flown = flights(
-        BallMotions(velocity=np.nan_to_num(velocity), spin=np.nan_to_num(spin), position=(0.0, 2 * FOOT, 3 * FOOT)),
+        BallMotions(velocity=np.nan_to_num(velocity), spin=np.nan_to_num(spin), position=USUAL_CONTACT),
         FlightConditions(ball=catalogue_ball(), aerodynamics=changed, air=density),
     )
     carry = flown.carry + rng.normal(0, 3.0, len(elevation)) * (flown.hang_time > 1)

@@ -9,6 +9,8 @@ from itertools import pairwise
 import numpy as np
 import polars as pl
 
+from sweetspot.numerics.confidence import ROBUST_SCALE
+
 FEWEST = 20
 """Fly balls below which nothing is said."""
 CLIP = 3.0
@@ -67,7 +69,7 @@ def _drag(rows: pl.DataFrame, month: str) -> DragOfMonth:
     above = rows["carry_above"].cast(pl.Float64).to_numpy()
     slope = rows["carry_per_drag"].cast(pl.Float64).to_numpy()
     middle = np.median(above)
-    spread = 1.4826 * np.median(np.abs(above - middle))
+    spread = ROBUST_SCALE * np.median(np.abs(above - middle))
     above = np.clip(above, middle - CLIP * spread, middle + CLIP * spread)
     change = float(np.sum(above * slope) / np.sum(slope**2))
     _, game = np.unique(rows["game"].to_numpy(), return_inverse=True)

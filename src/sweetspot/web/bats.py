@@ -14,7 +14,7 @@ from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table, table_of_text
 from sweetspot.catalog.files.implement import implement_from_table
 from sweetspot.catalog.records import entry
-from sweetspot.catalog.standard_hit import SPEED_FROM_TIP, standard_conditions
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.batch.reduction import fast_reduced_bat
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
@@ -23,7 +23,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
-from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
+from sweetspot.motion.swing import SPEED_FROM_TIP, Conditions, Hands, Pitch, Swing
 from sweetspot.units import INCH, MPH, OUNCE
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.states import BatState, SwungState

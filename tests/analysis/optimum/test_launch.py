@@ -9,17 +9,16 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.optimum import best_launch, easiest_home_run, own_air
-from sweetspot.analysis.optimum.launch import CONTACT
 from sweetspot.errors import InputError
 from sweetspot.flight.air import VACUUM, Air, Wind
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
 from sweetspot.units import DEGREE, MPH, RPM
 
-_, FORWARD, HEIGHT = CONTACT
+_, FORWARD, HEIGHT = USUAL_CONTACT
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics(), Air()
 SPIN = 2200 * RPM
 

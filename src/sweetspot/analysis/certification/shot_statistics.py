@@ -24,7 +24,7 @@ from sweetspot.dynamics.rigid import RigidBody, effective_mass
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import ENDS, REACH
+from sweetspot.numerics.confidence import ENDS, REACH, ROBUST_SCALE
 from sweetspot.units import INCH, MPH, USUAL, is_usual
 
 VALID_HITS = 6
@@ -35,8 +35,6 @@ SPEED_TOLERANCE = 0.05
 """Part by which the speed of a shot may differ from the test's; our choice, for the standard's was not read."""
 OUTLIER = 3.5
 """Robust standard deviations beyond which a hit is named."""
-ROBUST_SCALE = 1.4826
-"""Standard deviation over median absolute deviation of a normal distribution."""
 FINEST = 0.001
 """Least robust standard deviation of BBCOR; smaller ones are rounding."""
 COR_SPEED = 60 * MPH

@@ -15,14 +15,12 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import Park, fence_at
-from sweetspot.motion.ball_motion import BallMotions, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, launched
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import top
-from sweetspot.units import DEGREE, FOOT, MPH
+from sweetspot.units import DEGREE, MPH
 
 LAUNCH_ANGLES = (5 * DEGREE, 60 * DEGREE)
-CONTACT = (0.0, 2 * FOOT, 3 * FOOT)
-"""m, where the flights start: in front of the plate's tip and above the ground."""
 SPEEDS = np.arange(60.0, 131.0, 2.0) * MPH
 ANGLES = np.arange(16.0, 56.1, 1.0) * DEGREE
 DIRECTIONS = np.arange(-45.0, 45.1, 0.5) * DEGREE
@@ -69,7 +67,12 @@ def best_launch(
 
     def carries(angles: Array) -> Array:
         balls_left = launched(
-            speed=exit_speed, launch_angle=angles, spray=spray, backspin=backspin, sidespin=sidespin, position=CONTACT
+            speed=exit_speed,
+            launch_angle=angles,
+            spray=spray,
+            backspin=backspin,
+            sidespin=sidespin,
+            position=USUAL_CONTACT,
         )
         return flights(balls_left, conditions).carry
 
@@ -173,7 +176,7 @@ def _heights(speed: Array, angle: Array, distance: Array, *, backspin: float, co
     """Return the heights of flights at some distances, shape (flights, distances); negative where they fell short."""
     nothing = np.zeros_like(speed)
     leaving = np.stack([nothing, speed * np.cos(angle), speed * np.sin(angle)], axis=-1)
-    motions = BallMotions(velocity=leaving, spin=[backspin, 0.0, 0.0], position=CONTACT)
+    motions = BallMotions(velocity=leaving, spin=[backspin, 0.0, 0.0], position=USUAL_CONTACT)
     flown = flights(motions, conditions, path_points=PATH_POINTS)
     out, up = flown.positions[..., 1], flown.positions[..., 2]
     reached = np.array([np.interp(distance, way, rise) for way, rise in zip(out, up, strict=True)])

@@ -116,8 +116,7 @@ def _range_of(name: str, text: str) -> tuple[float, float]:
 
 def league_of(bat: Implement, options: LimitOptions) -> League | None:
     """Return the league whose rules are kept, if any."""
-    from sweetspot.catalog.rules import league
-    from sweetspot.design.usual_limits import usual_league
+    from sweetspot.catalog.rules import league, usual_league
 
     if options.league == "nobody":
         return None

@@ -15,12 +15,11 @@ from sweetspot.collision.oblique_contact import SPHERE
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.ball_motion import BallMotion, BallMotions, launch_angles
-from sweetspot.motion.swing import Swing
+from sweetspot.motion.swing import SPEED_FROM_TIP, Swing
 from sweetspot.motion.swing_path import SwingPath, Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
-FROM_TIP = 6 * INCH
 STILL = BallMotion(np.zeros(3), np.zeros(3), np.zeros(3))
 
 
@@ -32,7 +31,7 @@ def _model(bat: str) -> ReducedBat[Bat]:
 def tangential_recoil(*, bat: str) -> float:
     """Return r_x = (m alpha / (1 + alpha)) (1/M + b^2/I_cm + R^2/I_roll) of a rigid bat 6 in from the tip."""
     model = _model(bat)
-    place = model.bat.length - FROM_TIP
+    place = model.bat.length - SPEED_FROM_TIP
     radius = float(model.bat.diameter_at(np.array(place))) / 2
     body = model.body
     give = 1 / body.mass + (place - body.balance_point) ** 2 / body.moi_cm + radius**2 / body.roll_moi
@@ -44,7 +43,7 @@ def tee_spin(*, bat: str, bat_speed: float, launch_angle: float) -> float:
     from scipy.optimize import brentq
 
     model = _model(bat)
-    place = model.bat.length - FROM_TIP
+    place = model.bat.length - SPEED_FROM_TIP
     swing = Swing(bat_speed=bat_speed, measured_at=place)
 
     def hit(offset: float) -> BallMotion:
@@ -109,7 +108,7 @@ def _ceiling(bat: str, bat_speed: Array) -> Array:
     """Return the exit speed of the best head-on hit at an 82 mph pitch for bat speeds 6 in from the tip, m/s."""
     model, from_tip = _model(bat), np.linspace(2 * INCH, 10 * INCH, 33)
     places, swings = model.bat.length - from_tip, np.linspace(40, 110, 15) * MPH
-    speed = swings[:, None] * places / (model.bat.length - FROM_TIP)
+    speed = swings[:, None] * places / (model.bat.length - SPEED_FROM_TIP)
     closing = (speed + 82 * MPH).ravel()
     done = hits(
         model.modes, ball=catalog.ball(), position=np.tile(places, len(swings)), closing_speed=closing
@@ -165,7 +164,7 @@ def _along(bat: str) -> tuple[Array, Array]:
     """Return places from the tip, m, and head-on exit speeds of a 71.5 mph swing at an 82 mph pitch."""
     model, from_tip = _model(bat), np.linspace(0, 18 * INCH, 181)
     places = model.bat.length - from_tip
-    swung = 71.5 * MPH * places / (model.bat.length - FROM_TIP)
+    swung = 71.5 * MPH * places / (model.bat.length - SPEED_FROM_TIP)
     done = hits(model.modes, ball=catalog.ball(), position=places, closing_speed=swung + 82 * MPH)
     return from_tip, exit_speed(done.collision_efficiency, ball_speed=82 * MPH, bat_speed=swung)
 
@@ -230,7 +229,7 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     done = strikes(
         model,
         ball=catalog.ball(),
-        swings=Swings(speed * place / (model.bat.length - FROM_TIP), axes),
+        swings=Swings(speed * place / (model.bat.length - SPEED_FROM_TIP), axes),
         pitches=BallMotions(
             velocity=np.stack([0 * pitch, -pitch * np.cos(fall), -pitch * np.sin(fall)], axis=-1),
             spin=np.stack([draw.normal(-1000, 1200, count), 0 * pitch, draw.normal(0, 900, count)], axis=-1) * RPM,

@@ -12,7 +12,7 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot.analysis.certification.rules import League
-from sweetspot.catalog.rules import league
+from sweetspot.catalog.rules import league, usual_league
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.design.batter import Batter
 from sweetspot.design.contacts import normal_contact
@@ -21,7 +21,7 @@ from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit
 from sweetspot.design.locks import locked
 from sweetspot.design.measures import Bench, Measured, bench_of
-from sweetspot.design.usual_limits import kept_limits, space_of, usual_league
+from sweetspot.design.usual_limits import kept_limits, space_of
 from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array

@@ -23,7 +23,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
@@ -36,7 +36,7 @@ from sweetspot.web.views.flight_parks import carries, in_parks, outlines, park_j
 from sweetspot.web.views.flight_recipe import flight_lines
 from sweetspot.web.views.flight_state import FlightState
 
-FORWARD = 2 * FOOT
+FORWARD = USUAL_CONTACT[1]
 """m in front of the plate's tip where ball and bat meet."""
 SHOWN = 2
 """Every how many points of a path are handed out."""

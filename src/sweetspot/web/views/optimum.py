@@ -16,7 +16,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.park import Park
 from sweetspot.flight.pitch import PitchFlight, aimed
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
 from sweetspot.motion.swing_path import SwingPlane
 from sweetspot.report.optimum.answers import AskedLaunch, Optimum
 from sweetspot.report.optimum.document import optimum_document
@@ -29,9 +29,6 @@ from sweetspot.web.recipes import bat_name, bat_text, stroke_options
 from sweetspot.web.states import Name, SwungState
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import carries, parks_of
-
-START = (0.0, 0.6096, 0.9144)
-"""m, where the balls of the map leave the bat: 2 ft in front of the plate and 3 ft high."""
 
 
 class OptimumState(SwungState):
@@ -56,7 +53,7 @@ def answer(state: OptimumState) -> dict[str, Any]:
     best = best_launch(speed, through, backspin=spin)
     with about("park"):
         park = catalog.park(state.park or "")
-    ball = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=START)
+    ball = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=USUAL_CONTACT)
     reduced_bat = reduced(state, ball_of(state))
     return {
         "bat": bat_picture(state, reduced_bat),

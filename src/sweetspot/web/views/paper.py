@@ -20,7 +20,7 @@ from sweetspot.dynamics.rigid import centre_of_percussion, hand_impulse_ratio
 from sweetspot.equipment.ball import Ball
 from sweetspot.paper import formulas as paper
 from sweetspot.paper.chain import PARTS
-from sweetspot.paper.choices import Choices, can_be_drilled, corked_analysis
+from sweetspot.paper.choices import RATIOS, Choices, can_be_drilled, corked_analysis
 from sweetspot.paper.formulas import Row
 from sweetspot.paper.metal_wall import metal_wall_point
 from sweetspot.paper.words import Number, Words
@@ -38,7 +38,6 @@ from sweetspot.web.view import View
 
 Question = Literal["end", "percussion", "corking", "drop", "energy", "verdict"]
 PLACES = 121
-RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_share", "metal_share")
 MATERIALS = {"wood": "white-ash", "metal": "aluminium-7xxx"}
 THICKNESSES = (0.002, 0.003, 0.005, 0.008, 0.015, 0.03, 0.1)
 """m, of the blocks in the picture of the drop experiment."""

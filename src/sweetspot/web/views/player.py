@@ -19,6 +19,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import SweetspotError, nearest_names
 from sweetspot.flight.air import Air
+from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.player.advice import advise
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import bats_of, player_model
@@ -29,7 +30,7 @@ from sweetspot.player.swings import MOST_SWINGS, Swings, batters, evenly, read_s
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.player.document import player_document
 from sweetspot.report.quantities import SYSTEMS
-from sweetspot.units import INCH, MPH
+from sweetspot.units import MPH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described, listed_bat
 from sweetspot.web.documents import told
@@ -50,7 +51,6 @@ BY_FORCE = re.compile(", or add --force [a-z ]+")
 NEW_LINE = "\n"
 MORE = "more than fit here; hand in the rows of one batter, or take the command fit-player"
 EXAMPLE_ROWS = 60
-SPEED_FROM_TIP = 6 * INCH
 
 
 class PlayerState(BatState):
