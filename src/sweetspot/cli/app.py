@@ -2,18 +2,61 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from cyclopts import App, Parameter
 
 from sweetspot import __version__
-from sweetspot.cli.examples import EVERY_COMMAND, foot
 
-COMMANDS = (
-    "report", "hit", "play", "fly", "compare", "certify", "optimum", "fit_player", "design", "season", "outline", "tap",
-    "calibrate", "rank", "drop", "pendulum", "paper", "sports", "parks", "bats", "show", "schema", "validate",
-)  # fmt: skip
-"""Functions, each in the module of its name and ``_command``."""
+COMMANDS: Mapping[str, tuple[str, ...]] = {
+    "report": ("report r161-ash", "report my-bat.toml --out report"),
+    "hit": ("hit r161-ash --at 4in-from-tip", "hit tennis-racket --at 16cm-from-tip --units us"),
+    "play": ("play r161-ash --park fenway", "play mlb-a --pitch curve --at 5in-from-tip"),
+    "fly": ("fly --exit-speed 103mph --launch-angle 28deg --park fenway", "fly --launch-angle 10deg:40deg:7"),
+    "compare": ("compare my-bat.toml r161-ash --bat-speed 68mph", "compare r161-ash --what-if cork"),
+    "certify": ("certify r161-ash", "certify my-bat.toml --shots shots.csv"),
+    "optimum": ("optimum --show swing", "optimum --show parks --park all"),
+    "fit-player": ("fit-player swings.csv --bat r161-ash --pitch-speed 60mph",),
+    "design": ("design mlb-a --contact 8in --contact-spread 1.2in --out torpedo",),
+    "season": (
+        "season statcast_2024.csv.gz --show-columns",
+        "season statcast_2024.csv.gz --try mlb-a --out season",
+    ),
+    "outline": (
+        "outline stations.csv --length 34in --out drawing.toml",
+        "outline r161-ash --out bat.dxf --out bat.stl",
+    ),
+    "tap": (
+        "tap --synthesise r161-ash --at 1in-from-tip --out taps.wav",
+        "tap taps.wav --bat r161-ash --at 1in-from-tip",
+    ),
+    "calibrate": ("calibrate r161-ash --mass 31.00oz±0.05oz --tone bending-1:172Hz±0.5Hz --out mine.toml",),
+    "rank": ("rank dozen.csv --like r161-ash",),
+    "drop": ("drop --height 1m --material white-ash --thickness 10cm",),
+    "pendulum": ("pendulum --mass 31oz --balance-point 22in --period 1.45s",),
+    "paper": ("paper", "paper --entry-angle 20deg --fill rubber"),
+    "sports": ("sports", "sports tennis"),
+    "parks": ("parks fenway",),
+    "bats": ("bats", "bats --csv"),
+    "show": ("show r161-ash --out my-bat.toml",),
+    "schema": ("schema racket",),
+    "validate": ("validate", "validate --out validation"),
+}
+"""Functions, each in the module of its name and ``_command``, with what people may type first: words behind
+``sweetspot``, shown at the foot of its help. Files in them are the reader's own."""
+PAGE: Mapping[str, tuple[str, ...]] = {"app": ("app", "app --port 0 --no-browser"), "prepare": ("prepare",)}
+"""The same of those that share a module."""
+EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **PAGE}
+EVERY_COMMAND = (
+    "Lengths, weights, speeds and angles have units: 33in, 84cm, 31oz, 90mph, 10deg. Every command takes --force: "
+    "numbers as they are given, however unusual. A name with blanks stands in quotes."
+)
+
+
+def _foot(command: str) -> str:
+    """Return the last lines of a command's help."""
+    return "\n".join(["Examples:", *(f"  sweetspot {words}" for words in EXAMPLES[command])])
 
 
 def _told(default: Any) -> str | None:
@@ -30,12 +73,12 @@ app = App(
     default_parameter=Parameter(negative_iterable=(), show_default=_told),
     suppress_keyboard_interrupt=False,  # `main` says that nothing was written
 )
-PATHS = {command.replace("_", "-"): f"sweetspot.cli.{command}_command:{command}" for command in COMMANDS} | {
-    "app": "sweetspot.cli.page_command:app",
-    "prepare": "sweetspot.cli.page_command:prepare",
-}
+MODULES = {command: f"{command.replace('-', '_')}_command" for command in COMMANDS} | dict.fromkeys(
+    PAGE, "page_command"
+)
+PATHS = {name: f"sweetspot.cli.{module}:{name.replace('-', '_')}" for name, module in MODULES.items()}
 for name, path in PATHS.items():
-    app.command(path, name=name, help_epilogue=foot(name))
+    app.command(path, name=name, help_epilogue=_foot(name))
 
 
 def load_all() -> None:
