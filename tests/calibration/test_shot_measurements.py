@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
+from sweetspot.analysis.certification.shot_statistics import COR_SPEED
 from sweetspot.analysis.certification.shots import Shot
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, Shooting, predicted
 from sweetspot.calibration.posterior import OF_BALL, calibrate
 from sweetspot.calibration.shot_measurements import MEASURED_BALLS, of_shots, shot_ball_unknown
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.catalog.balls import ball_spreads
+from sweetspot.numerics.confidence import REACH
 from sweetspot.units import INCH, MPH
 
 BALL = catalog.ball("baseball")
@@ -38,12 +41,32 @@ def test_places_are_grouped_and_averaged() -> None:
 
 
 def test_measured_balls_leave_less_doubt() -> None:
-    lively = BALL.restitution.at(SPEED) + 0.02
+    """Their restitution is that of the test at 60 mph, by which `certify` reads the same column."""
+    lively = BALL.restitution.at(COR_SPEED) + 0.02
     (one,) = of_shots([shot(0.7, 0.2, lively)], BALL)
     assert one.shooting is not None
-    assert one.shooting.ball.restitution.at(SPEED) == pytest.approx(lively)
-    assert shot_ball_unknown([shot(0.7, 0.2, lively)], BALL).spread == MEASURED_BALLS
-    assert shot_ball_unknown([shot(0.7, 0.2)], BALL).spread > 2 * MEASURED_BALLS
+    law = one.shooting.ball.restitution
+    assert law.at(COR_SPEED) == pytest.approx(lively)
+    assert law.at(SPEED) == pytest.approx(BALL.restitution.at(SPEED) + 0.02)
+    slope = ball_spreads(BALL)["restitution_slope"] / REACH * (SPEED - COR_SPEED) / law.reference
+    known, unknown = (shot_ball_unknown([shot(0.7, 0.2, cor)], BALL).spread for cor in (lively, None))
+    assert known == pytest.approx(np.hypot(MEASURED_BALLS, slope), rel=0.05)
+    assert unknown > 1.3 * known
+
+
+def test_a_table_of_shots_means_the_same_to_certify_and_calibrate() -> None:
+    """Ordinary balls, measured at 60 mph, at an ordinary bat contradict nothing."""
+    bat = catalog.bat("mlb-c")
+    line, unknowns = described(bat), unknowns_of(bat)
+    places = [bat.length - inch * INCH for inch in (4, 6, 8)]
+    asked = [Measurement("efficiency", Measured(0, 1), shooting=Shooting(place, SPEED, BALL)) for place in places]
+    cor = BALL.restitution.at(COR_SPEED)
+    shots = [
+        shot(place, float(q), cor) for place, q in zip(places, predicted(line, asked), strict=True) for _ in range(6)
+    ]
+    found = calibrate(line, (*unknowns, shot_ball_unknown(shots, BALL)), of_shots(shots, BALL))
+    assert not found.contradictions
+    assert found.deviation(OF_BALL).value == pytest.approx(0, abs=1e-3)
 
 
 def test_shots_narrow_what_scale_and_balance_left() -> None:

@@ -2,7 +2,8 @@
 
 A wrong modulus, wall or weight moves q differently along the bat; a livelier ball moves it everywhere. The ball's
 restitution is therefore one more unknown, as wide as the catalogue allows for its kind, or as the shots tell where
-every ball was measured on a rigid wall.
+every ball was measured on a rigid wall. That is done at 60 mph, as `certify` reads it; what a ball loses from there to
+the speed of the shots stays as little known as the catalogue has it.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from sweetspot.analysis.certification.shot_statistics import COR_SPEED
 from sweetspot.analysis.certification.shots import Shot
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, Shooting
@@ -26,7 +28,7 @@ ONE_PLACE = 0.0064
 ONE_SHOT = 0.01
 """One sigma of q of a single shot at least (assumed): each speed to half a per cent."""
 MEASURED_BALLS = 0.01
-"""One sigma of the restitution's logarithm where every ball was measured (assumed)."""
+"""One sigma of the restitution's logarithm at 60 mph where every ball was measured (assumed)."""
 
 
 def of_shots(shots: Sequence[Shot], ball: Ball) -> list[Measurement]:
@@ -53,17 +55,17 @@ def _mean(group: Sequence[Shot], ball: Ball) -> Measurement:
     place = float(np.mean([shot.position for shot in group]))
     return Measurement(
         "efficiency", Measured(float(values.mean()), scatter / math.sqrt(len(group))),
-        shooting=Shooting(place, closing, _as_measured(ball, group, closing)),
+        shooting=Shooting(place, closing, _as_measured(ball, group)),
     )  # fmt: skip
 
 
-def _as_measured(ball: Ball, group: Sequence[Shot], closing: float) -> Ball:
+def _as_measured(ball: Ball, group: Sequence[Shot]) -> Ball:
     """Return the ball with the mean restitution and mass of those that were shot, as far as they were measured."""
     cors = [shot.ball_cor for shot in group if shot.ball_cor is not None]
     masses = [shot.ball_mass for shot in group if shot.ball_mass is not None]
     if len(cors) == len(group):
         law = ball.restitution
-        off = float(np.mean(cors)) - law.at(closing)
+        off = float(np.mean(cors)) - law.at(COR_SPEED)
         ball = ball.replaced(restitution=law.replaced(reference=law.reference + off))
     if len(masses) == len(group):
         ball = ball.replaced(mass=float(np.mean(masses)))
@@ -72,7 +74,10 @@ def _as_measured(ball: Ball, group: Sequence[Shot], closing: float) -> Ball:
 
 def shot_ball_unknown(shots: Sequence[Shot], ball: Ball) -> Unknown:
     """Return how much livelier than their law the shot balls may be: the logarithm of their restitution."""
-    if all(shot.ball_cor is not None for shot in shots):
-        return Unknown(OF_BALL, MEASURED_BALLS)
-    half = ball_spreads(ball).get("restitution", 0.05)
-    return Unknown(OF_BALL, half / REACH / ball.restitution.reference)
+    spreads, law = ball_spreads(ball), ball.restitution
+    measured = all(shot.ball_cor is not None for shot in shots)
+    known_at = COR_SPEED if measured else law.reference_speed
+    known = MEASURED_BALLS if measured else spreads.get("restitution", 0.05) / REACH / law.reference
+    faster = float(np.mean([shot.closing_speed for shot in shots])) - known_at
+    by_slope = spreads.get("restitution_slope", 0.0) / REACH * faster / law.reference
+    return Unknown(OF_BALL, math.hypot(known, by_slope))
