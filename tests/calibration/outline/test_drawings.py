@@ -15,6 +15,7 @@ from sweetspot import catalog
 from sweetspot.calibration.outline.curves import outline_of_curves
 from sweetspot.calibration.outline.measured_outline import Outline
 from sweetspot.calibration.outline.outline_file import read_outline
+from sweetspot.catalog.files.bat import checked_drawing
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.drawing.contour import side_view
@@ -211,3 +212,107 @@ def test_a_dxf_without_units_takes_the_length_and_a_drawing_no_ruler(tmp_path: P
     assert worst(read_outline(path, length=BAT.length)) < 3e-5
     with pytest.raises(InputError, match="are for photographs"):
         read_outline(path, ruler=0.3)
+
+
+def path_of(points: Array, *, closed: bool = True) -> str:
+    return "M" + " L".join(f"{x:.5f},{y:.5f}" for x, y in points) + ("Z" if closed else "")
+
+
+TO_THE_AXIS = np.vstack([[0, 0], FLANK, [1e3 * BAT.length, 0]]) + np.array([10, 100])
+WHOLE = path_of(CONTOUR + np.array([10, 100]))
+
+
+@pytest.mark.parametrize(
+    ("size", "body"),
+    [
+        # Inkscape turns what it saves by a group; 5 deg are askew and no way to draw
+        ('width="900mm" height="200mm" viewBox="0 0 900 200"',
+         f'<g transform="rotate(5 450 100)"><path d="{WHOLE}"/></g>'),
+        # the page is wider than the view: its height tells the scale
+        ('width="1800mm" height="200mm" viewBox="0 0 900 200"', f'<path d="{WHOLE}"/>'),
+        ('width="90 CM" height="20 CM" viewBox="0 0 900 200"', f'<path d="{WHOLE}"/>'),
+        # one flank over a dashed axis, and one flank whose ends go down to its axis
+        ('width="900mm" height="200mm" viewBox="0 0 900 200"',
+         f'<path d="{path_of(FLANK + np.array([10, 100]), closed=False)}"/><path d="M5 100H890"/>'),
+        ('width="900mm" height="200mm" viewBox="0 0 900 200"',
+         f'<path d="{path_of(TO_THE_AXIS, closed=False)}"/>'),
+    ],
+)  # fmt: skip
+def test_ways_in_which_programs_write_svg(tmp_path: Path, size: str, body: str) -> None:
+    path = tmp_path / "bat.svg"
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{body}</svg>', encoding="utf-8")
+    assert worst(read_outline(path)) < 3e-5
+
+
+def test_a_round_tip_goes_down_to_the_axis(tmp_path: Path) -> None:
+    """Drawn with two bulges, or as lines and an arc, in a file of R12 as text: an allowed bat, and the ball's size."""
+    half, lathe = (
+        np.tan(np.pi / 8),
+        np.array([(0, 12), (400, 12.5), (830, 32), (862, 0), (830, -32), (400, -12.5), (0, -12)]),
+    )
+    bulged = new(units=units.MM)
+    bulged.modelspace().add_lwpolyline(
+        [(x, y, bulge) for (x, y), bulge in zip(lathe.tolist(), [0, 0, -half, -half, 0, 0, 0], strict=True)],
+        format="xyb", close=True,
+    )  # fmt: skip
+    bulged.saveas(tmp_path / "bulged.dxf")
+    lines = [(lathe[at], lathe[at + 1]) for at in (0, 1, 4, 5)] + [(lathe[-1], lathe[0])]
+    numbers: list[object] = ["0", "SECTION", "2", "HEADER", "9", "$ACADVER", "1", "AC1009", "9", "$INSUNITS", "70", 4]
+    numbers += ["0", "ENDSEC", "0", "SECTION", "2", "ENTITIES"]
+    for (x, y), (u, v) in lines:
+        numbers += ["0", "LINE", "8", "0", "10", x, "20", y, "11", u, "21", v]
+    numbers += [
+        "0",
+        "ARC",
+        "8",
+        "0",
+        "10",
+        830.0,
+        "20",
+        0.0,
+        "40",
+        32.0,
+        "50",
+        -90.0,
+        "51",
+        90.0,
+        "0",
+        "ENDSEC",
+        "0",
+        "EOF",
+    ]
+    (tmp_path / "r12.dxf").write_text("\r\n".join(map(str, numbers)) + "\r\n")
+    for name in ("bulged", "r12"):
+        profile = np.array(read_outline(tmp_path / f"{name}.dxf").profile)
+        assert profile[-1] == pytest.approx([0.862, 0.005])
+        assert np.interp(0.846, *profile.T) == pytest.approx(2e-3 * np.sqrt(32**2 - 16**2), abs=3e-5)
+        bat = BAT.replaced(length=0.862, profile=tuple(map(tuple, profile.tolist())))
+        assert checked_drawing(bat) is bat
+
+
+STICK = np.array([(0, 13), (600, 15), (850, 20), (930, 60), (925, 95), (905, 95), (830, 0), (600, -15), (0, -13.0)])
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (f'<path d="{path_of(STICK + np.array([10, 50]))}"/>', "not alike on both sides"),
+        (f'<path d="{WHOLE}"/><path d="{path_of(CONTOUR + np.array([10, 190]))}"/>', "two bats"),
+        (f'<defs><path id="b" d="{WHOLE}"/></defs><use href="#b"/>', "only copies"),
+    ],
+)
+def test_what_is_not_one_round_bat_is_refused(tmp_path: Path, body: str, message: str) -> None:
+    path = tmp_path / "bat.svg"
+    path.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="950mm" height="300mm" viewBox="0 0 950 300">{body}</svg>',
+        encoding="utf-8",
+    )
+    with pytest.raises(InputError, match=message):
+        read_outline(path)
+
+
+def test_a_dxf_that_its_library_stumbles_over(tmp_path: Path) -> None:
+    words = "0 SECTION 2 HEADER 9 $ACADVER 1 AC1015 0 ENDSEC 0 SECTION 2 ENTITIES 0 3DSOLID 8 0 0 ENDSEC 0 EOF"
+    (tmp_path / "bat.dxf").write_text(words.replace(" ", "\n") + "\n")
+    with pytest.raises(InputError, match="damaged DXF"):
+        read_outline(tmp_path / "bat.dxf")

@@ -77,7 +77,7 @@ def test_refusals(tmp_path: Path) -> None:
 def test_what_is_no_bat_is_told(tmp_path: Path) -> None:
     """A cone, a table's leg and a bottle are slender, straight and thicker at one end, as bats are."""
     things = {
-        "cone": ([0, 34], [24, 64], "Unlike a bat: no knob."),
+        "cone": ([0, 34], [24, 64], "Unlike a bat: no knob. It was taken as round"),
         "leg": ([0, 2, 17, 24, 34], [40, 38, 50, 45, 60], "handle 38 mm thick"),
         "bottle": ([0, 1, 10, 15, 34], [40, 28, 30, 100, 100], "barrel 100 mm thick"),
     }

@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from sweetspot.calibration.outline.measured_outline import USUAL_LENGTH, Outline, knob_first, simplified
+from sweetspot.equipment.bat import DIAMETER_RANGE
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -24,6 +25,14 @@ SLENDER = 6.0
 PLACES = 1001
 TOLERANCE = 1e-5
 """m of diameter, by which fewer stations may differ from the curves."""
+ROUND = 0.05
+"""Of the length at either end, where a round tip or knob goes down to the axis: it is blunt there by what a bat file
+allows at least."""
+TOO_BENT = 0.03
+"""Of what its widths differ by, the rms of the middle about a straight line: what is turned has none, tracing by hand a
+little (assumed)."""
+APART = 0.1
+"""Of the height of a closed curve, by which another one lies beside it and is another bat."""
 INSIDE = 1e-9
 """Of the length, by which the first and last place lie inside a flat end."""
 
@@ -48,7 +57,8 @@ def outline_of_curves(
     InputError
         when no curve looks like a bat, or nothing says how large it is.
     """
-    flanks = _flanks(joined_curves(curves), what)
+    chains = joined_curves(curves)
+    flanks, lines = _flanks(chains, what)
     if unit is None and length is None:
         raise InputError(f"{what} has no units; say how long the bat is with --length")
     size = float(np.ptp(np.vstack(flanks)[:, 0]))
@@ -60,8 +70,10 @@ def outline_of_curves(
             "Say how long it is with --length"
         )
     place, low, high = _envelopes(flanks, what)
-    thickness = _thickness(low, high, axis, what)
+    thickness = _thickness(flanks, lines, (low, high), axis, what)
     along, diameter = knob_first(scale * (place - place[0]), scale * thickness)
+    round_end = np.minimum(along, along[-1] - along) < ROUND * along[-1]
+    diameter = np.where(round_end, np.maximum(diameter, DIAMETER_RANGE[0]), diameter)
     notes = []
     if length is not None and unit is not None and abs(unit * size / length - 1) > STRAIGHT:
         notes.append(f"The drawing's own units make it {1e3 * unit * size:.1f} mm long; it was scaled to --length.")
@@ -100,8 +112,8 @@ def _joined(chain: Array, other: Array, near: float) -> Array | None:
     return None
 
 
-def _flanks(chains: list[Array], what: str) -> list[Array]:
-    """Return the curves that are the bat, turned along x."""
+def _flanks(chains: list[Array], what: str) -> tuple[list[Array], list[Array]]:
+    """Return the curves that are the bat, and the straight lines beside them, turned so that the bat lies along x."""
     curved = [chain for chain in chains if not _is_straight(chain)]
     bodies = [chain for chain in curved if not _is_frame(chain)] or [chain for chain in curved if _is_slender(chain)]
     if not bodies:
@@ -115,15 +127,41 @@ def _flanks(chains: list[Array], what: str) -> list[Array]:
     for x, y in (np.mean(chain @ axes, axis=0) for chain in short):
         if abs(y - (low[1] + high[1]) / 2) < high[1] - low[1] and not low[0] <= x <= high[0]:
             raise InputError(f"{what}: the bat's outline has gaps; join its curves from the knob to the tip")
-    return flanks
+    _check_one(flanks, what)
+    return flanks, [chain @ axes for chain in chains if _is_straight(chain)]
+
+
+def _check_one(flanks: Sequence[Array], what: str) -> None:
+    """Refuse closed curves that lie apart, across the bat: they are two."""
+    sides = sorted((float(chain[:, 1].min()), float(chain[:, 1].max())) for chain in flanks if _is_closed(chain))
+    for (low, high), (following, _) in pairwise(sides):
+        if following - high > APART * (high - low):
+            raise InputError(f"{what} shows two bats; draw each alone, or call one of them outline (its id or layer)")
+
+
+def _is_closed(chain: Array) -> bool:
+    return bool(np.hypot(*(chain[0] - chain[-1])) < STRAIGHT * float(np.ptp(chain, axis=0).max()))
 
 
 def _axes(chains: Sequence[Array]) -> Array:
     """Return the directions, columns, along and across a bat: those of the paper, or its own where it lies askew."""
     width, height = np.ptp(np.vstack(chains), axis=0)
-    if max(width, height) < SLENDER * min(width, height):
-        return _principal_axes(chains)
-    return np.eye(2) if width >= height else np.array([[0.0, 1.0], [1.0, 0.0]])
+    paper = np.eye(2) if width >= height else np.array([[0.0, 1.0], [1.0, 0.0]])
+    own = _principal_axes(chains)
+    askew = float(np.abs(own[:, 0] @ paper[:, 1]))
+    if max(width, height) < SLENDER * min(width, height) or (askew > STRAIGHT and _is_alike(chains, own)):
+        return own
+    return paper
+
+
+def _is_alike(chains: Sequence[Array], axes: Array) -> bool:
+    """Return whether curves are alike on both sides of their middle, in some directions along and across."""
+    turned = [chain @ axes for chain in chains]
+    try:
+        _, low, high = _envelopes(turned, "")
+    except InputError:
+        return False
+    return bool(np.ptp(low + high) < EVEN * np.ptp(np.concatenate([low, high])))
 
 
 def _is_straight(chain: Array) -> bool:
@@ -179,8 +217,18 @@ def _envelopes(flanks: Sequence[Array], what: str) -> tuple[Array, Array, Array]
     return place[crossed_at_all], low[crossed_at_all], high[crossed_at_all]
 
 
-def _thickness(low: Array, high: Array, axis: bool, what: str) -> Array:
-    """Return the diameters between two envelopes, one of which may be the axis, or which may be one flank."""
+def _thickness(
+    flanks: Sequence[Array], lines: Sequence[Array], sides: tuple[Array, Array], axis: bool, what: str
+) -> Array:
+    """Return the diameters between two envelopes, one of which may be the axis, or which may be one flank.
+
+    Parameters
+    ----------
+    lines : straight lines that are drawn beside the flanks.
+    sides : lowest and highest crossing at every place.
+    axis : whether y = 0 is the axis of a single flank.
+    """
+    low, high = sides
     size = float(np.ptp(np.concatenate([low, high])))
     inner = slice(len(low) // 50, -max(1, len(low) // 50))
     if np.ptp(low[inner]) < EVEN * size and np.ptp(high[inner]) > EVEN * size and np.all(high[inner] > low[inner]):
@@ -188,10 +236,40 @@ def _thickness(low: Array, high: Array, axis: bool, what: str) -> Array:
     if np.ptp(high[inner]) < EVEN * size and np.ptp(low[inner]) > EVEN * size and np.all(high[inner] > low[inner]):
         return np.asarray(2 * (high[inner].mean() - low))
     if np.max(high[inner] - low[inner]) > EVEN * size:
+        middle = (low + high)[inner] / 2
+        bent = float(np.std(middle))
+        if bent > TOO_BENT * float(np.ptp(high - low)):
+            raise InputError(
+                f"{what} shows something that is not alike on both sides of a straight axis, as what is turned is: its "
+                f"middle bends by {bent / float(np.ptp(high - low)):.0%} (rms) of what its widths differ by. Draw the "
+                "side view of a round bat"
+            )
         return np.asarray(high - low)
-    ends = min(low[0], low[-1]), max(high[0], high[-1])
-    if abs(low[0] - low[-1]) < EVEN * size and ends[0] <= low.min() + EVEN * size:  # both ends lie on the axis
-        return np.asarray(2 * (high - low[0]))
-    if axis and (low.min() >= 0 or high.max() <= 0):
-        return 2 * np.maximum(np.abs(low), np.abs(high))
-    raise InputError(f"{what} shows one flank and not its axis; draw both flanks, or close it along the axis")
+    at = _axis_of_one_flank(flanks, lines, (low, high), axis)
+    if at is None:
+        raise InputError(f"{what} shows one flank and not its axis; draw both flanks, or close it along the axis")
+    return np.asarray(2 * np.maximum(np.abs(low - at), np.abs(high - at)))
+
+
+def _axis_of_one_flank(
+    flanks: Sequence[Array], lines: Sequence[Array], sides: tuple[Array, Array], zero: bool
+) -> float | None:
+    """Return at which y the axis of a single flank lies; None: nothing tells.
+
+    The flank's own ends lie on it, or a line is drawn along it, or it is at 0 as in a lathe's drawing.
+    """
+    bottom, top = float(sides[0].min()), float(sides[1].max())
+    near = EVEN * max(top - bottom, abs(top), abs(bottom))
+    ends = [y for chain in flanks for y in (float(chain[0, 1]), float(chain[-1, 1]))]
+    if len(flanks) == 1 and abs(ends[0] - ends[1]) < near and (ends[0] < bottom + near or ends[0] > top - near):
+        return ends[0]
+    start, end = (float(np.vstack(flanks)[:, 0].min()), float(np.vstack(flanks)[:, 0].max()))
+    along = [
+        float(line[:, 1].mean()) for line in lines
+        if np.ptp(line[:, 1]) < near and line[:, 0].min() < start + LONG * (end - start) / 10
+        and line[:, 0].max() > end - LONG * (end - start) / 10
+    ]  # fmt: skip
+    beside = [y for y in along if y < bottom or y > top]
+    if len(beside) == 1:
+        return beside[0]
+    return 0.0 if zero and (bottom >= 0 or top <= 0) else None

@@ -42,6 +42,8 @@ def dxf_curves(path: Path) -> tuple[list[Array], float | None]:
         raise InputError(f"{path} cannot be read: {error.strerror.lower()}") from None
     except (DXFError, UnicodeDecodeError, ValueError) as error:
         raise InputError(f"{path} is not a DXF drawing: {error}") from None
+    except (IndexError, KeyError, TypeError, AttributeError):  # what ezdxf stumbles over in damaged solids and the like
+        raise InputError(f"{path} is a damaged DXF drawing; keep only the bat's outline and save it as R2000") from None
     entities = [one for one in disassemble.recursive_decompose(drawing.modelspace()) if one.dxftype() in DRAWN]
     outline = [one for one in entities if one.dxf.layer.upper() in LAYERS]
     chosen = [paths.make_path(one) for one in outline or entities]

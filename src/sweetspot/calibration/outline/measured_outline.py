@@ -112,7 +112,7 @@ def unlike_bats(profile: Stations) -> tuple[str, ...]:
     """Return in words what no bat's outline has; nothing of a bat's.
 
     >>> unlike_bats(((0.0, 0.033), (0.84, 0.064)))
-    ('Unlike a bat: handle 35 mm thick (bats have 15 to 31 mm); no knob.',)
+    ('Unlike a bat: handle 35 mm thick (bats have 15 to 31 mm); no knob. It was taken as round, turned and whole.',)
     """
     position, diameter = np.array(profile).T
     place = np.linspace(0, 1, 501)
@@ -125,4 +125,4 @@ def unlike_bats(profile: Stations) -> tuple[str, ...]:
         if not low <= size <= high
     ]
     told += ["no knob"] * (knob < KNOB * handle)
-    return (f"Unlike a bat: {'; '.join(told)}.",) if told else ()
+    return (f"Unlike a bat: {'; '.join(told)}. It was taken as round, turned and whole.",) if told else ()

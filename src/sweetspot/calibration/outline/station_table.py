@@ -132,8 +132,8 @@ def read_stations(path: Path, *, length: float | None = None) -> Outline:
 
 def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, across: _Column, path: Path) -> None:
     """Refuse what is no bat by its headings, but by others: a slip of units, of kinds, of columns."""
-    reach, sizes = stations[-1][0], [size for _, size in stations]
-    thin, thick = min(sizes), max(sizes)
+    reach, thick = stations[-1][0], max(size for _, size in stations)
+    thin = min([size for place, size in stations if 0.05 * reach < place < 0.95 * reach], default=thick)  # round ends
     if insisted() or _like_a_bat(reach, thin, thick):
         return
     places, widths = METRES.get(where.unit or ""), METRES.get(across.unit or "")
@@ -149,8 +149,8 @@ def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, a
         if _like_a_bat(reach, thin / across.size * size, thick / across.size * size):
             meant.append(f"{across.heading} taken as {kind} (up to {shown(thick / across.size * size)} thick)")
     if places and widths and across.size == 1:
-        swapped = [place * widths / places for place, _ in stations]
-        if _like_a_bat(thick * places / widths, min(swapped), max(swapped)):
+        swapped = sorted(place * widths / places for place, _ in stations)
+        if _like_a_bat(thick * places / widths, swapped[len(swapped) // 4], swapped[-1]):
             meant.append(f"the columns {where.heading} and {across.heading} swapped")
     meant = meant or in_both
     if meant:
@@ -161,7 +161,7 @@ def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, a
 
 
 def _like_a_bat(reach: float, thin: float, thick: float) -> bool:
-    """Return whether a bat has these sizes in m, ends left out or not."""
+    """Return whether a bat has these sizes in m, that of its thinnest part without the ends."""
     named = ("bat_length", reach), ("smallest_diameter", thin), ("greatest_diameter", thick)
     usual = all(
         USUAL[name].low * USUAL[name].size <= size <= USUAL[name].high * USUAL[name].size for name, size in named

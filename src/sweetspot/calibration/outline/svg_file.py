@@ -51,6 +51,11 @@ def svg_curves(path: Path) -> tuple[list[Array], float | None]:
     try:
         elements = list(_shapes(root, IDENTITY))
         chosen = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED] or elements
+        if not chosen and any(_tag(one) == "use" for one in root.iter()):
+            raise InputError(
+                f"{path} shows only copies of something (clones, symbols); make curves of them (Inkscape: Edit, Clone, "
+                "Unlink; Illustrator: Object, Expand) and save it again"
+            )
         letters = sum(len(element.get("d", "")) + len(element.get("points", "")) for element, _ in chosen)
         if letters > LONGEST_CURVES:
             raise InputError(f"{path} has {grouped(letters)} letters of curves; keep only the bat's outline")
@@ -70,12 +75,15 @@ def _tag(element: ElementTree.Element) -> str:
 
 def _unit(root: ElementTree.Element) -> float | None:
     """Return m per user unit; None without a width that has a unit of length."""
-    size = SIZE.match(root.get("width", ""))
-    if size is None or size[2] not in UNITS or size[2] in ("", "px"):
+    sizes = [SIZE.match(root.get(name, "").lower()) for name in ("width", "height")]
+    known = [None if one is None or one[2] not in UNITS else float(one[1]) * UNITS[one[2]] for one in sizes]
+    if known[0] is None or sizes[0] is None or sizes[0][2] in ("", "px"):
         return None
-    width = float(size[1]) * UNITS[size[2]]
-    box = NUMBERS.findall(root.get("viewBox", ""))
-    return width / float(box[2]) if len(box) == 4 and float(box[2]) > 0 else UNITS["px"]
+    box = [float(number) for number in NUMBERS.findall(root.get("viewBox", ""))][2:]
+    if len(box) != 2 or box[0] <= 0:
+        return UNITS["px"]
+    fits = [one / user for one, user in zip(known, box, strict=True) if one and user > 0]
+    return fits[0] if root.get("preserveAspectRatio") == "none" else min(fits)
 
 
 def _shapes(element: ElementTree.Element, matrix: Array) -> Iterator[tuple[ElementTree.Element, Array]]:
