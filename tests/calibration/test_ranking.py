@@ -77,7 +77,7 @@ def test_what_is_said_agrees_in_every_case() -> None:
         (1.2, 1.0, 0.5, "the order may be chance", "means something"),
         (1.2, 0.5, 2.0, "no more than wood does by itself", "may be chance"),
     ):
-        words = read(ranking_words(replace(apart, scatter=scatter, not_known=not_known, wood=wood), of_bats=True), US)
+        words = read(ranking_words(replace(apart, scatter=scatter, not_known=not_known, wood=wood), model=MODEL), US)
         assert said in words
         assert unsaid not in words.replace("that is not known", "")
 
@@ -91,7 +91,7 @@ def test_a_table_with_units_errors_and_blanks(tmp_path: Path) -> None:
     path = tmp_path / "bats.csv"
     path.write_text(
         "Name;mass_g;balance_point_cm;pendulum_s;bending_1_hz;hoop_hz;note;moisture_percent\n"
-        "first;880,5;56,0±0,1;1,4545;171,5±0,4;;new;\nsecond;881;;;;;;12\n",
+        "first;880,5;56,0±0,1;1,4545;171,5±0,4;;new;\nsecond;881;;;;;;\n",
         encoding="utf-8",
     )
     with pytest.warns(UnusualWarning, match="not understood and not used: note; columns may be name"):
@@ -100,7 +100,7 @@ def test_a_table_with_units_errors_and_blanks(tmp_path: Path) -> None:
     mass, balance = bats["first"][:2]
     assert mass.value == Measured(pytest.approx(0.8805), pytest.approx(1e-4))  # type: ignore[arg-type]
     assert balance.value == Measured(pytest.approx(0.56), pytest.approx(1e-3))  # type: ignore[arg-type]
-    assert bats["second"][0].value.value == pytest.approx(0.881)  # at 12 % nothing changes
+    assert bats["second"][0].value.value == pytest.approx(0.881)
 
 
 def test_wet_wood_is_heavier_and_limper() -> None:
@@ -113,6 +113,53 @@ def test_wet_wood_is_heavier_and_limper() -> None:
     assert tone.value.value == pytest.approx(170 * math.sqrt(1.16 / 1.12 * math.exp(STIFFER * 0.04)))
     still = at_usual_moisture(Measurement("balance_point", Measured(0.56, 0.001)), wet)
     assert still.value == Measured(0.56, 0.001)
+
+
+def test_headings_and_cells_as_people_write_them(tmp_path: Path) -> None:
+    path = tmp_path / "bats.csv"
+    path.write_text(
+        "Bat;Weight (oz);Balance point [in];Period, s;Swing weight kg cm²\nOld N° 1;31,0;22,05;-;1870\nb;31,2;n/a;;\n",
+        encoding="utf-8",
+    )
+    bats = read_bats(path)
+    assert [one.name for one in bats["Old N° 1"]] == ["mass", "balance point", "moment of inertia"]
+    assert bats["Old N° 1"][2].value.value == pytest.approx(0.187)
+    assert [one.name for one in bats["b"]] == ["mass"]
+
+
+def test_a_bat_of_unknown_moisture_among_others(tmp_path: Path) -> None:
+    """It is brought to 12 % as the others are, from their mean, and its weight is known the less."""
+    path = tmp_path / "bats.csv"
+    path.write_text(
+        "name,mass_oz,moisture_percent\na,31.0±0.05,9±0.5\nb,31.0±0.05,11±0.5\nc,31.0±0.05,\n", encoding="utf-8"
+    )
+    with pytest.warns(UnusualWarning, match="no moisture was given of c; taken is the mean of the others, 10.0%"):
+        (a,), (b,), (c,) = read_bats(path).values()
+    assert a.value.value > c.value.value > b.value.value
+    assert c.value.value == pytest.approx(31 * 0.028349523 * 1.12 / 1.10)
+    assert c.value.error > 2 * a.value.error
+
+
+def test_few_bats_scatter_by_chance_more_than_many() -> None:
+    """Bats that are alike seem to differ in one table of twenty, however many they are (chi squared)."""
+    generator = np.random.default_rng(3)
+    one = ranked({"a": {}, "b": {}})
+    for count in (2, 12):
+        many = replace(one, bats=one.bats[:1] * count, not_known=1.0)
+        scatters = generator.standard_normal((20_000, count)).std(axis=1, ddof=1)
+        assert np.mean(scatters > many.by_chance) == pytest.approx(0.05, abs=0.005)
+
+
+def test_no_property_of_alike_bats_differs() -> None:
+    ranking = ranked({str(number): {} for number in range(12)}, noise=True)
+    assert not any(one.differs for one in ranking.bats)
+
+
+def test_metal_is_no_billet() -> None:
+    model = catalog.bat("single-wall")
+    one = ranked({"a": {}, "b": {}})
+    words = read(ranking_words(one, model=model), US)
+    assert "billet" not in words and "wood" not in words and "wall" in words
 
 
 @pytest.mark.parametrize(

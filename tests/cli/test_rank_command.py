@@ -33,12 +33,12 @@ def test_two_bats(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> Non
 
 
 def test_a_column_that_is_not_understood_is_told(run: Run, tmp_path: Path) -> None:
-    """A weight under another heading would be left out in silence, and the bats would seem alike."""
+    """Under another heading a weight would be left out in silence, and the bats would seem alike."""
     table = tmp_path / "bats.csv"
-    table.write_text("name,weight,balance_point_in\nA,31,22.05±0.05\nB,29,22.00±0.05\n", encoding="utf-8")
+    table.write_text("name,heft,balance_point_in\nA,31,22.05±0.05\nB,29,22.00±0.05\n", encoding="utf-8")
     code, _, err = run("rank", str(table), "--like", "r161-ash")
     assert code == 0
-    assert "not understood and not used: weight; columns may be name, mass_oz" in err
+    assert "not understood and not used: heft; columns may be name, mass_oz" in err
 
 
 def test_one_thing_in_two_units_is_refused(run: Run, tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ def test_an_order_of_bats(tell: Tell, tmp_path: Path, tone: float) -> None:
     check_sentences(document, READERS, [bats[0]["exit_speed_m_s"] - bats[-1]["exit_speed_m_s"], STANDARD_AXIS])
     text = text_of(document, US)
     assert text.startswith(f"{bats[0]['name']} comes first") and f"{bats[-1]['name']} comes last" in text
-    found = re.search(r"differ by ([\d.]+) mph \(one sigma\), (no more|more) than the ([\d.]+) mph that chance", text)
+    found = re.search(r"differ by ([\d.]+) mph \(one sigma\), (no more|more) than the ([\d.]+) mph that bats", text)
     assert found is not None
     assert (found[2] == "more") == (float(found[1]) > float(found[3]))
     assert ("may be chance" in text) == (found[2] == "no more")

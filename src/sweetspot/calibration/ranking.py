@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.stats import chi2, norm
 
 from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.measured import Measured
@@ -33,8 +34,8 @@ REACHED = (0.08, 0.26)
 """m from the tip: the part of the barrel that is looked at."""
 ON_FACE = 0.1
 """Of a face's length at either end that is not looked at."""
-DIFFERS = 2.0
-"""Standard deviations from the mean of the bats at which a property is said to differ."""
+BY_CHANCE = 0.05
+"""Probability with which bats that are all alike are told to differ: by their scatter, and in any property at all."""
 PROPERTIES = ("mass", "balance_point", "moi")
 
 
@@ -50,7 +51,7 @@ class RankedBat:
     place : m from the knob end, where it hits best.
     properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and modulus over the described one;
         of rackets, clubs and sticks the swing weight, and the square of the first frequency over the described one's.
-    differs : properties that differ from the mean of all bats by more than twice what is not known of them.
+    differs : properties that lie off the mean of the other bats by more than what is not known makes of alike bats.
     contradictions : measurements of it that contradict the others, and expectations of its kind that contradict these,
         with how many sigma.
     """
@@ -85,13 +86,23 @@ class Ranking:
 
     @property
     def by_chance(self) -> float:
-        """How much bats that are all alike would seem to differ at most by what is not known of each, m/s."""
-        return math.sqrt(2.0) * self.not_known
+        """How much bats that are all alike would seem to differ by what is not known of each, 19 times of 20, m/s."""
+        return _greatest_scatter(len(self.bats)) * self.not_known
+
+    @property
+    def wood_by_chance(self) -> float:
+        """How much so many bats of this wood would differ, 19 times of 20, m/s."""
+        return _greatest_scatter(len(self.bats)) * self.wood
 
     @property
     def beyond_doubt(self) -> bool:
-        """Whether the bats differ by more than what is not known of them leaves (twice, in variance)."""
+        """Whether the bats differ by more than what is not known of them leaves."""
         return self.scatter > self.by_chance
+
+
+def _greatest_scatter(count: int) -> float:
+    """Return the standard deviation that so few normal values reach by chance, over their true one: chi squared's."""
+    return math.sqrt(float(chi2.isf(BY_CHANCE, count - 1)) / (count - 1))
 
 
 def rank_bats(
@@ -120,11 +131,14 @@ def rank_bats(
             for name, one in posteriors.items()
             for which, pull in _disagreeing(one).items()
         )
-        raise InputError(f"a ranking needs two bats or more whose measurements agree ({off}); measure these again")
+        raise InputError(
+            f"a ranking needs two bats or more whose measurements agree ({off}). "
+            "Measure these again, or write how sure each value is, as in 1.4545±0.003; without ± the last digit counts"
+        )
     first = next(iter(posteriors.values()))
     line, unknowns = first.prior, first.unknowns
     spreads = np.array([one.spread for one in unknowns])
-    places = _places(line.bat)
+    places = barrel_places(line.bat)
     response = response_of_efficiency(line, conditions, unknowns=unknowns, positions=places)
     turning = _Turning.of(line, unknowns, axis=0.0 if law is None else law.axis)
     generator = np.random.default_rng(seed)
@@ -168,7 +182,7 @@ def _disagreeing(posterior: Posterior) -> dict[str, float]:
     return {name: pull for name, pull in posterior.contradictions.items() if name in given}
 
 
-def _places(implement: Implement) -> Array:
+def barrel_places(implement: Implement) -> Array:
     """Return the places in m from the knob end that are looked at: of the barrel, or of the face."""
     face, length = implement.outline, implement.length
     if face is None:
@@ -223,10 +237,16 @@ def _properties(posterior: Posterior) -> dict[str, Measured]:
 
 
 def _differing(properties: dict[str, dict[str, Measured]], name: str) -> tuple[str, ...]:
-    """Return the properties of a bat that lie surely off the mean of the other bats."""
+    """Return the properties of a bat that lie surely off the mean of the other bats.
+
+    So far off that of alike bats any property of any bat is named in one table of twenty (Bonferroni).
+    """
+    reach = float(norm.isf(BY_CHANCE / (2 * len(properties) * len(properties[name]))))
     names = []
     for which, own in properties[name].items():
-        others = np.array([values[which].value for other, values in properties.items() if other != name])
-        if abs(own.value - others.mean()) > DIFFERS * max(own.error, 1e-12):
+        others = [values[which] for other, values in properties.items() if other != name]
+        mean = float(np.mean([one.value for one in others]))
+        of_mean = float(np.linalg.norm([one.error for one in others])) / len(others)
+        if abs(own.value - mean) > reach * max(math.hypot(own.error, of_mean), 1e-12):
             names.append(which)
     return tuple(names)

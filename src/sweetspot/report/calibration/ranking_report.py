@@ -37,13 +37,13 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         )
         for one in (*ranking.bats, *ranking.unranked)
     ]  # fmt: skip
-    wooden = isinstance(model, Bat)
+    of_bats = isinstance(model, Bat)
     words = sport(model.sport).words
     columns = [
         Column(words.implement), Column("exit speed", "speed"), Column("±", "speed", digits=2),
         Column("best of all", "share"),
-        Column("weight", "mass"), Column("MOI" if wooden else "swing weight", "moi"),
-        Column("E off" if wooden else "stiffness off", "share", digits=1, sign=True),
+        Column("weight", "mass"), Column("MOI" if of_bats else "swing weight", "moi"),
+        Column("E off" if of_bats else "stiffness off", "share", digits=1, sign=True),
         Column("differs in"),
     ]  # fmt: skip
     blocks: list[Block] = []
@@ -59,24 +59,24 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         blocks.append(Paragraph(f"{one.name}: {off}. {then}", "warning"))
     if ranking.unranked:
         blocks.append(Paragraph(LAST_DIGIT, "note"))
-    blocks.append(Paragraph(ranking_words(ranking, of_bats=wooden)))
+    blocks.append(Paragraph(ranking_words(ranking, model=model)))
     blocks.append(Table(f"The {words.implement}s", columns, rows))
     blocks.append(
         Paragraph(
             say(
                 "{level} intervals: of the bat alone, hit by the same ball. MOI: about {axis}. E off: "
                 "modulus against the drawing's. Where a moisture was given, all is told at 12 %."
-                if wooden
+                if of_bats
                 else "{level} intervals: of the {thing} alone, hit by the same ball. Swing weight: about {axis}. "
                 "Stiffness off: the first frequency squared, against the description's.",
                 level=Slot(LEVEL, "share"),
                 thing=words.implement,
-                axis=axis_words(STANDARD_AXIS if wooden else model.moi_axis, words.butt),
+                axis=axis_words(STANDARD_AXIS if of_bats else model.moi_axis, words.butt),
             ),
             "note",
         )
     )
-    data = ranking_json(ranking, axis=None if wooden else model.moi_axis)
+    data = ranking_json(ranking, axis=None if of_bats else model.moi_axis)
     flat = [{key: value for key, value in one.items() if not isinstance(value, (dict, list))} for one in data["bats"]]
     return Document(
         name="rank", title=f"{len(rows)} {words.implement}s like {model.name}", blocks=blocks, data=data,
@@ -84,13 +84,8 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     )  # fmt: skip
 
 
-def ranking_words(ranking: Ranking, *, of_bats: bool) -> Sentence:
-    """Return in words who is first, how surely, and whether bats differ by more than wood does.
-
-    Parameters
-    ----------
-    of_bats : whether they are of one wood, whose own scatter is known.
-    """
+def ranking_words(ranking: Ranking, *, model: Implement) -> Sentence:
+    """Return in words who is first, how surely, and whether bats differ by more than wood or making does."""
     first, last = ranking.bats[0], ranking.bats[-1]
     words = [
         say(
@@ -104,31 +99,34 @@ def ranking_words(ranking: Ranking, *, of_bats: bool) -> Sentence:
              "doubt": Slot(ranking.not_known, "speed_change", 2),
              "wood": Slot(ranking.wood, "speed_change", 2)}  # fmt: skip
     verdict = (
-        "They differ by {scatter} (one sigma), more than the {chance} that chance alone could make of the {doubt} "
+        "They differ by {scatter} (one sigma), more than the {chance} that bats all alike would seem to by the {doubt} "
         "that is not known of each: the order as a whole means something, neighbours in it may be alike."
         if ranking.beyond_doubt
-        else "They differ by {scatter} (one sigma), no more than the {chance} that chance alone could make of the "
+        else "They differ by {scatter} (one sigma), no more than the {chance} that bats all alike may seem to by the "
         "{doubt} that is not known of each: the order may be chance."
     )
     words.append(say(verdict, **sizes))
-    if not of_bats:
+    if not isinstance(model, Bat):
         return joined(words)
-    words.append(
-        say(
-            "Bats of this outline in any billet of this wood would differ by {wood}; these differ by {more}.",
-            more=_beside_wood(ranking), **sizes,
-        )
-    )  # fmt: skip
+    apart = (
+        "Bats of this outline in any billet of this wood would differ by {wood}; these differ by {more}."
+        if model.shell is None
+        else "Bats of this drawing whose metal, wall and fittings differ as is supposed would differ by {wood}; these "
+        "differ by {more}."
+    )
+    reason = "wood" if model.shell is None else "making"
+    words.append(say(apart, more=_beside_making(ranking, reason), **sizes))
     return joined(words)
 
 
-def _beside_wood(ranking: Ranking) -> str:
+def _beside_making(ranking: Ranking, reason: str) -> str:
     if ranking.scatter <= ranking.wood:
-        return "no more than wood does by itself"
+        return f"no more than {reason} does by itself"
     if not ranking.beyond_doubt:
         return "more, which what is not known of each may do by itself"
-    much = ranking.scatter > 1.5 * ranking.wood
-    return "much more: look for another reason" if much else "little more, which wood may do by itself"
+    if ranking.scatter <= ranking.wood_by_chance:
+        return f"little more, which {reason} may do by itself"
+    return "much more: look for another reason"
 
 
 def ranking_json(ranking: Ranking, *, axis: float | None = None) -> dict[str, Any]:
