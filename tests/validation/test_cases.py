@@ -92,7 +92,7 @@ def test_nothing_misses_without_an_explanation(found: tuple[Result, ...]) -> Non
 
 def test_explained_misses_are_shown_and_few(found: tuple[Result, ...]) -> None:
     explained = [result for result in found if result.status == "MISS (explained)"]
-    assert 0 < len(explained) <= 23  # two of them since a sheet without errors is held to what it prints
+    assert 0 < len(explained) <= 27  # the last four came with rows of their own: lift, q inwards, 4 in, a racket's node
     assert all(len(result.expected_miss) > 60 for result in explained)
 
 

@@ -32,7 +32,9 @@ INPUT_KINDS: dict[str, Kind] = {
     "spray": "angle", "sidespin": "angular speed", "temperature": "temperature", "humidity": "ratio",
     "elevation": "length", "wind_speed": "speed", "wind_direction": "angle", "height": "length", "time": "time",
     "diameter": "length", "thinner": "length", "wall": "length",
-    "modulus": "pressure", "density": "density", "poisson_ratio": "ratio",
+    "modulus": "pressure", "frequency": "frequency", "bar_length": "length", "bar_width": "length",
+    "bar_thickness": "length", "bar_mass": "mass",
+    "inward": "length", "outward": "length", "density": "density", "poisson_ratio": "ratio",
 }  # fmt: skip
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
 

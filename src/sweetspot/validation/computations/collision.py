@@ -160,6 +160,26 @@ def best_efficiency_from_tip(*, bat: str) -> float:
     return shared.length(bat) - shared.standard(bat).sweet_spots.max_collision_efficiency
 
 
+def efficiency_fall(*, bat: str, outward: float) -> float:
+    """Return how far q is below its greatest value ``outward`` m nearer the tip; negative: nearer the hands."""
+    analysis = shared.standard(bat)
+    place = analysis.sweet_spots.max_collision_efficiency + outward
+    efficiency = analysis.scan.collision_efficiency
+    return float(efficiency.max() - np.interp(place, analysis.scan.position, efficiency))
+
+
+def squared_up_from_tip(*, bat: str, side: str) -> float:
+    """Return where the ball leaves at 0.8 of 1.23 bat speed + 0.23 pitch speed, on the tip's or the hands' side.
+
+    At the standard speeds, whose ratio is that of games; the pitch's is taken at the plate.
+    """
+    analysis = shared.standard(bat)
+    conditions, scan = analysis.conditions, analysis.scan
+    ceiling = 1.23 * conditions.swing.bat_speed + 0.23 * conditions.pitch.speed
+    squared = scan.position[np.nan_to_num(scan.exit_speed) >= 0.8 * ceiling]
+    return shared.length(bat) - float(squared.max() if side == "tip" else squared.min())
+
+
 def best_restitution_from_tip(*, bat: str) -> float:
     """Return how far from the tip the ball-bat restitution e = q (1 + r) + r is greatest, barrel half of the bat."""
     analysis = shared.standard(bat)
@@ -244,6 +264,8 @@ COMPUTATIONS = (
     flexible_over_rigid,
     best_from_tip,
     best_efficiency_from_tip,
+    efficiency_fall,
+    squared_up_from_tip,
     best_restitution_from_tip,
     rigid_best_place_from_tip,
     best_to_node,

@@ -70,6 +70,20 @@ def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -
     return _flown(replace(known, **moved), law).carry - _flown(known, law).carry
 
 
+def carry_gain_of_drag(*, less: float, law: str = "baseball", **changes: Any) -> float:
+    """Return how much farther a fly ball carries when its drag coefficient is smaller by ``less`` all the way."""
+    hit, usual = _hit(changes, law), catalog.aerodynamics(law)
+    slick = FlightConditions(
+        ball=catalog.ball(), aerodynamics=usual.replaced(drag=usual.drag - less), air=hit.air, wind=hit.wind
+    )
+    return fly(hit.motion, slick).carry - _flown(hit, law).carry
+
+
+def lift_at(*, spin_factor: float, law: str = "baseball") -> float:
+    """Return the lift coefficient at a spin factor S = R omega / v."""
+    return catalog.aerodynamics(law).lift_coefficient(spin_factor)
+
+
 def wind_asymmetry(*, wind_speed: float, law: str = "baseball") -> float:
     """Return what a wind out gives less what the same wind in takes."""
     still = _flown(_hit({}, law), law).carry
@@ -124,6 +138,8 @@ def flight_place(*, time: float, along: str, law: str = "baseball", **changes: A
 COMPUTATIONS = (
     fly_ball,
     carry_gain,
+    carry_gain_of_drag,
+    lift_at,
     wind_asymmetry,
     air_density_of,
     air_density_ratio,

@@ -43,6 +43,30 @@ def metal_place(*, metal: str, wood: str) -> float:
     return places[0] - places[1]
 
 
+def hoop_place(*, bat: str) -> float:
+    """Return how much nearer the tip than the place of the greatest exit speed the lowest hoop mode swings most."""
+    analysis = shared.standard(bat)
+    lowest = analysis.modes.of_family("hoop")[0]
+    places = analysis.scan.position
+    swing = np.abs(analysis.modes.shape_at(places)[:, lowest])
+    return float(places[int(np.argmax(swing))] - analysis.sweet_spots.max_exit_speed)
+
+
+def gain_inside(*, metal: str, wood: str, inward: float) -> float:
+    """Return how much more a metal bat gains over wood ``inward`` m nearer the hands than at the wood's best place.
+
+    Places count from the tip; both bats are swung at the same speed.
+    """
+    best = shared.length(wood) - shared.standard(wood).sweet_spots.max_exit_speed
+    there, at_best = (_exit(metal, place) - _exit(wood, place) for place in (best + inward, best))
+    return there - at_best
+
+
+def _exit(bat: str, from_tip: float) -> float:
+    scan = shared.standard(bat).scan
+    return float(np.interp(shared.length(bat) - from_tip, scan.position, scan.exit_speed))
+
+
 def bbcor_slope_with_hoop(*, bat: str) -> float:
     """Return the least rise of BBCOR per 100 Hz of lower hoop frequency when the wall is thinned step by step."""
     points = _walls(bat)
@@ -67,6 +91,8 @@ def _walls(bat: str) -> list[WallPoint]:
 COMPUTATIONS = (
     tube_hoop_frequency,
     metal_place,
+    hoop_place,
+    gain_inside,
     bbcor_slope_with_hoop,
     restitution_of_share,
 )

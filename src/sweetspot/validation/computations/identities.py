@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from sweetspot.calibration.bar import Bar
+from sweetspot.calibration.measured import Measured
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, pendulum_period
 from sweetspot.numerics.constants import STANDARD_GRAVITY
@@ -80,6 +82,15 @@ def _exit(efficiency: float, ball_speed: float, bat_speed: float) -> float:
     return exit_speed(efficiency, ball_speed=ball_speed, bat_speed=bat_speed)
 
 
+def modulus_of_bar(
+    *, bar_length: float, bar_width: float, bar_thickness: float, bar_mass: float, frequency: float
+) -> float:
+    """Return Young's modulus of a uniform bar of metal from its first bending tone."""
+    bar = Bar(*(Measured(size, 0.0) for size in (bar_length, bar_width, bar_thickness, bar_mass)))
+    of_unit_speed = bar.tones_at(1.0, math.exp(bar.usual_ratio.value))[0]  # sqrt(E / rho) = 1 m/s
+    return bar.density * (frequency / of_unit_speed) ** 2
+
+
 COMPUTATIONS = (
     efficiency_from_speeds,
     besr_from_speeds,
@@ -92,4 +103,5 @@ COMPUTATIONS = (
     rod_percussion_ratio,
     recoil_mismatch_at_percussion,
     pendulum_percussion_ratio,
+    modulus_of_bar,
 )

@@ -20,6 +20,7 @@ from sweetspot.validation.computations import (
     space,
     sports,
     torpedo,
+    whole_play,
 )
 
 COMPUTATIONS: dict[str, Callable[..., float]] = {
@@ -39,6 +40,7 @@ COMPUTATIONS: dict[str, Callable[..., float]] = {
         optimum,
         flight,
         torpedo,
+        whole_play,
     )
     for function in module.COMPUTATIONS
 }

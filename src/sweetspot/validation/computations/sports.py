@@ -116,6 +116,13 @@ def best_bounce_from_throat(*, implement: str) -> float:
     return analysis.sweet_spots.max_collision_efficiency - analysis.bat.outline.start
 
 
+def node_from_middle(*, implement: str) -> float:
+    """Return how much nearer the tip than the middle of its face the head's node of an implement's first mode lies."""
+    analysis = _usual(implement)
+    assert analysis.bat.outline is not None, "only rackets are asked"
+    return analysis.sweet_spots.node_1 - analysis.bat.outline.middle
+
+
 def dead_spot_from_tip(*, implement: str) -> float:
     """Return the place near the tip where a ball is left with no speed, from the tip."""
     analysis = _usual(implement)
@@ -232,6 +239,7 @@ COMPUTATIONS = (
     percussion_towards_hands,
     faster_ball,
     best_bounce_from_throat,
+    node_from_middle,
     dead_spot_from_tip,
     usual_smash_factor,
     usual_exit_speed,
