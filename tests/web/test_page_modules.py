@@ -166,6 +166,10 @@ def test_words_numbers_and_files_that_the_page_makes(run: Callable[[str], Any]) 
     assert "no HTMLElement at .it" in run(
         "(() => { try { m.parts.partOf(document, '.it', HTMLElement); } catch (error) { return error.message; } })()"
     )
+    assert run("m.address.stateIn('?pendulum_ms=1e999&weighed_oz=31', { pendulum_ms: {}, weighed_oz: {} }, {})") == {
+        "pendulum_ms": "1e999",
+        "weighed_oz": 31,
+    }
     sound = run("""(async () => {
       const file = m.listening.wavOf([Float32Array.of(0, 0.5), Float32Array.of(-1)], 8000);
       const heard = await new OfflineAudioContext(1, 3, 8000).decodeAudioData(file);
@@ -173,6 +177,29 @@ def test_words_numbers_and_files_that_the_page_makes(run: Callable[[str], Any]) 
     })()""")
     assert sound == [8000, 0, 0.5, -1]
     assert run("m.film.Film.prototype.where.call({ times: [0, 1, 3] }, 2)") == [1, 0.5]
+
+
+@pytest.mark.parametrize(
+    ("loudness", "said"),
+    [
+        ("() => 0", ["nothing but silence"]),
+        ("() => 0.5", ["too loud here"]),
+        ("(i) => (i === 40 ? 0.01 : 0.0005)", ["too quiet"]),
+        ("(i) => (i === 40 ? 0.01 : i === 80 ? 0.5 : 0.0005)", ["too quiet", ""]),
+        ("(i) => (i < 200 ? 0 : 0.0005)", ["nothing but silence", ""]),
+        ("(i) => (i === 40 ? 0.5 : 0.0005)", []),
+    ],
+)
+def test_a_microphone_says_why_it_finds_no_tap(run: Callable[[str], Any], loudness: str, said: list[str]) -> None:
+    heard = run(f"""(() => {{
+      const words = [], loudness = {loudness};
+      const onDoubt = (one) => words.push(one);
+      const ear = new m.listening.Listening({{ onLevel() {{}}, onTap() {{}}, onEnd() {{}}, onDoubt }});
+      ear.audio = {{ sampleRate: 48000 }};
+      for (let i = 0; i < 300; i += 1) ear.take(new Float32Array(1024).fill(loudness(i)));
+      return words;
+    }})()""")
+    assert len(heard) == len(said) and all(part in words for part, words in zip(said, heard, strict=True)), heard
 
 
 def test_a_drag_ends_once(run: Callable[[str], Any]) -> None:

@@ -8,6 +8,10 @@ from pathlib import Path
 import soundfile
 from playwright.sync_api import Browser, Page, expect
 
+from sweetspot import catalog
+from sweetspot.calibration.recording import recording_bytes
+from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.tap_modes import modes_to_name
 from tests import browsers
 
 Answered = Callable[..., int]
@@ -84,6 +88,71 @@ def test_a_contradiction_stands_in_words_and_is_left_out(page: Page, server: str
     expect(page.locator(".against")).to_be_hidden()
     expect(page.locator("#verdict")).to_contain_text("The measurements agree")
     expect(page.get_by_role("columnheader", name="the fitted bat")).to_be_visible()
+
+
+def test_what_is_wrong_stands_beside_its_field(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/own?weighed_oz=31&balanced_in=23.05&pendulum_ms=1454.5")
+    count = answered(page)
+    beside = page.locator(".side .fault:visible")
+    expect(beside).to_have_count(1)
+    expect(beside).to_contain_text("5.1 sigma from all the others; by them it should be 21.89 in")
+    page.get_by_label("Bat", exact=True).select_option("mlb-a")
+    answered(page, count)
+    page.goto(f'{server}/own?weighed_oz=31&balanced_in=22.05&tones=[["bending-2",171.3,0.4]]')
+    answered(page)
+    page.get_by_role("button", name="It is bending 1").click()
+    expect(page.locator(".against")).to_be_hidden()
+    expect(page.get_by_role("row", name="bending 1").first).to_contain_text("171.3 Hz")
+    page.goto(f"{server}/own?pendulum_ms=1e999")
+    answered(page)
+    expect(page.locator("[data-field=pendulum_ms] .fault")).to_be_visible()
+
+
+def test_a_racket_goes_the_same_way_and_is_hit_with(page: Page, server: str, answered: Answered, taps: Path) -> None:
+    page.goto(f"{server}/own?weighed_oz=31&units=si")
+    count = answered(page)
+    page.locator("#tap-file").set_input_files(taps)
+    expect(page.get_by_text("1 recording.")).to_be_visible()
+    count = answered(page, count)
+    page.get_by_label("It is").select_option("tennis-racket")
+    expect(page.locator("#verdict")).to_contain_text("As described, not measured: 318 g")
+    expect(page.get_by_text("1 recording.")).to_have_count(0)  # it was of the bat
+    expect(page.get_by_label("Bat", exact=True)).to_be_hidden()
+    expect(page.locator("#bench-chip")).to_contain_text("Tennis racket")
+    for field, value in (("weighed_oz", "322"), ("swing_weight_oz_in2", "316")):
+        count = int(page.locator("#view").get_attribute("data-answered") or 0)
+        number = page.locator(f"[data-field={field}] input[type=number]")
+        number.fill(value)
+        number.press("Tab")
+        answered(page, count)
+    expect(page.locator("#verdict")).to_contain_text("The measurements agree. 322.0 ± 2.3 g")
+    expect(page.get_by_role("row", name="swing weight about 10 cm from the butt end")).to_be_visible()
+    page.get_by_role("button", name="Hit with it in Every sport").click()
+    expect(page.locator("#verdict")).to_contain_text("calibrated hits best")
+    page.get_by_role("button", name="Weigh, balance and tap it").click()
+    expect(page.locator("#verdict")).to_contain_text("As described, not measured: 322 g")
+
+
+def test_taps_get_the_names_that_a_better_description_has(
+    page: Page, server: str, answered: Answered, tmp_path: Path
+) -> None:
+    """Whoever taps first and then says what was tapped need not tap again."""
+    alloy = catalog.bat("college-alloy")
+    place = alloy.length - 0.0254
+    path = tmp_path / "alloy.wav"
+    path.write_bytes(recording_bytes(synthesised(modes_to_name(alloy), position=place, listened=place), path))
+    page.goto(f"{server}/own")
+    answered(page)
+    page.locator("#tap-file").set_input_files(path)
+    expect(page.locator("#view .fault:visible")).to_contain_text("Neither of the two lowest bending modes")
+    assert "tones" not in page.url
+    page.get_by_label("Bat", exact=True).select_option("college-alloy")
+    expect(page.get_by_role("button", name="Leave out: bending 1")).to_be_visible()
+    expect(page.locator("#verdict")).to_contain_text("The measurements agree")
+    page.keyboard.press("Control+z")
+    expect(page.get_by_text("These tones do not count now")).to_be_visible()
+    page.get_by_role("button", name="Count them").click()
+    expect(page.get_by_role("button", name="Leave out: bending 1")).to_be_visible()
 
 
 def test_what_was_measured_stays_with_the_bat_in_hand_and_the_page_says_so(

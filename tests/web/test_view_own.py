@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+import json
+import shlex
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
+
+from sweetspot import catalog
+from sweetspot.calibration.recording import recording_bytes
+from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.tap_modes import modes_to_name
 
 WEIGHED: dict[str, Any] = {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5}
 
@@ -66,6 +75,56 @@ def test_a_contradiction_is_named_and_keeps_the_file_back_until_it_is_left_out(c
     assert [one["counts"] for one in without["measurements"]] == [True, False, True]
 
 
+def test_who_contradicts_the_others_is_told_beside_its_control(client: httpx.Client) -> None:
+    wrong = asked(client, **{**WEIGHED, "balanced_in": 23.05})["measurements"]
+    [suspect] = [one for one in wrong if one["should"] is not None]
+    assert suspect["field"] == "balanced_in" and suspect["should"] == pytest.approx(21.9 * 0.0254, abs=2e-3)
+    renamed = asked(client, weighed_oz=31.0, balanced_in=22.05, tones=[["bending-2", 171.3, 0.4]])["measurements"]
+    assert [one["right_tone"] for one in renamed if one["tone"] == "bending-2"] == ["bending-1"]
+    outline = asked(client, bat="mlb-a", **WEIGHED, tones=[["bending-1", 171.3, 0.4], ["bending-2", 572.4, 1.0]])
+    assert outline["contradictions"]["us"] and {one["should"] for one in outline["measurements"]} == {None}
+
+
+def test_what_is_left_out_must_be_something_that_can_be_measured(client: httpx.Client) -> None:
+    refused = client.post("/api/v1/own", json={"weighed_oz": 31, "left_out": ["weight"]})
+    assert refused.status_code == 422 and refused.json()["error"]["field"] == "left_out"
+    assert "'weight'" in refused.text and "mass, balance point" in refused.text
+    command = asked(client, "/recipe", weighed_oz=31, left_out=["pendulum"])["command"]
+    assert "--leave-out" not in command  # of what was not measured the command line knows nothing
+
+
+@pytest.mark.parametrize(
+    ("implement", "axis_m", "tone_hz"),
+    [("tennis-racket", 0.1, 140), ("cricket-bat", 0, 134), ("golf-driver", 0, 41.8), ("hockey-stick", 0, 139)],
+)
+def test_other_sports_go_the_same_way(
+    client: httpx.Client, tmp_path: Path, implement: str, axis_m: float, tone_hz: float
+) -> None:
+    """The numbers are the command's own: what is copied from the page gives them again."""
+    described = asked(client, implement=implement)
+    guesses = described["guesses"]
+    assert guesses["pivot_in"] * 0.0254 == pytest.approx(axis_m)
+    expected = described["expected"][0]
+    assert expected["name"] == "bending 1" and expected["frequency_hz"] == pytest.approx(tone_hz, rel=0.01)
+    measured = {name: guesses[name] for name in ("weighed_oz", "balanced_in", "swing_weight_oz_in2")}
+    tones = [["bending-1", 1.05 * expected["frequency_hz"], 0.2]]
+    answer = asked(client, implement=implement, **measured, tones=tones)
+    assert answer["contradictions"]["us"] == [] and len(answer["measurements"]) == 4
+    values = {one["name"]: one for one in answer["values"]}
+    assert values["first_frequency"]["value"] == pytest.approx(1.05 * expected["frequency_hz"], rel=1e-3)
+    command = asked(client, "/recipe", implement=implement, **measured, tones=tones)["command"]
+    ran = subprocess.run(
+        [sys.executable, "-m", "sweetspot", *shlex.split(command)[1:], "--format", "json"],
+        cwd=tmp_path, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    told = json.loads(ran.stdout)["bat"]
+    assert told["mass"]["mass_kg"] == pytest.approx(values["mass"]["value"], rel=1e-9)
+    assert (tmp_path / "mine.toml").exists()
+    toml = asked(client, "/file", implement=implement, **measured, tones=tones)["toml"]
+    again = asked(client, implement=implement, implement_toml=toml)
+    assert again["bat"]["mass_kg"] == pytest.approx(values["mass"]["value"], rel=1e-6)
+
+
 def test_taps_are_averaged_bad_ones_told_and_the_tones_named(client: httpx.Client, taps: Path) -> None:
     found = asked(client, "/tap", recordings=[handed_in(client, taps)])
     assert [one["good"] for one in found["taps"][:3]] == [True, True, False]
@@ -84,12 +143,37 @@ def test_taps_are_averaged_bad_ones_told_and_the_tones_named(client: httpx.Clien
         ({"tones": [["bending-9", 100, 1]]}, "tones"),
         ({"pendulum_ms": 1500, "pivot_in": 20, "bat": "youth-30", "weighed_oz": 20}, "pivot_in"),
         ({"league": "moon"}, "league"),
+        ({"implement": "table-tennis-racket"}, "implement"),
+        ({"implement": "/etc/passwd"}, "implement"),
         ({"weighed_oz": 500}, "weighed_oz"),
     ],
 )
 def test_what_cannot_be_is_told_beside_its_control(client: httpx.Client, fields: dict[str, Any], control: str) -> None:
     response = client.post("/api/v1/own", json=fields)
     assert response.status_code == 422 and response.json()["error"]["field"] == control
+
+
+def test_a_bat_that_is_held_and_one_that_is_another_count_for_nothing(
+    client: httpx.Client, taps: Path, tmp_path: Path
+) -> None:
+    import numpy as np
+    import soundfile
+
+    samples, rate = soundfile.read(taps)
+    time = np.arange(len(samples)) / rate
+    since = time - 0.3 - np.floor(time - 0.3)  # a tap every second
+    held = tmp_path / "held.wav"
+    soundfile.write(held, samples * np.exp(-55 * since), rate, subtype="PCM_16")
+    found = asked(client, "/tap", recordings=[handed_in(client, held)])
+    assert "no tap can be used" in found["fault"] and "measured" not in found
+    assert "not free" in found["taps"][0]["fault"] and "--" not in found["taps"][0]["fault"]
+    alloy = catalog.bat("college-alloy")
+    sound = synthesised(modes_to_name(alloy), position=alloy.length - 0.025, listened=alloy.length - 0.025)
+    other = tmp_path / "other.wav"
+    other.write_bytes(recording_bytes(sound, other))
+    unlike = asked(client, "/tap", recordings=[handed_in(client, other)])
+    assert unlike["damping"] is None and "Neither of the two lowest bending modes" in unlike["fault"]
+    assert asked(client, "/tap", bat="college-alloy", recordings=[handed_in(client, other)])["fault"] is None
 
 
 def test_a_sound_that_is_none_is_told_in_a_line_and_the_others_are_heard(

@@ -13,6 +13,7 @@ from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table, table_of_text
 from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import entry
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.batch.reduction import fast_reduced_bat
@@ -125,6 +126,19 @@ def bat_from_text(text: str) -> Bat:
 def implement_from_text(text: str) -> Implement:
     """Return the bat, racket, club or stick of an uploaded TOML text; see `bat_from_text`."""
     return implement_from_table(_table(text), "the file")
+
+
+def implement_of(name: str, text: str | None) -> Implement:
+    """Return a bat, racket, club or stick: of a file's text where there is one, or the catalogue's of that name.
+
+    What a browser sends must open no file, so that a name is one of the catalogue's alone.
+    """
+    if text is not None:
+        with about("implement_toml"):
+            return implement_from_text(text)
+    with about("implement"):
+        key, _ = entry(implement_tables(), name, "implement")
+    return catalog.implement(key)
 
 
 def _table(text: str) -> dict[str, Any]:

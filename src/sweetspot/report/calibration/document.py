@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import chain
 from typing import Any
 
@@ -81,7 +82,7 @@ def calibration_document(posterior: Posterior, damping: Measured | None) -> Docu
 def _values(posterior: Posterior, damping: Measured | None) -> Table:
     values = {**properties(posterior), **material_values(posterior)}
     rows: list[tuple[Cell, ...]] = [
-        (_called(name, posterior), measured_words(one.value, VALUES[name][1]), one.kind) for name, one in values.items()
+        (called(name, posterior), measured_words(one.value, VALUES[name][1]), one.kind) for name, one in values.items()
     ]
     if damping is not None:
         rows.append(("damping", measured_words(damping, "share"), "measured"))
@@ -94,7 +95,7 @@ def _kind(posterior: Posterior, which: str = "") -> str:
     return f"the {which} {noun}" if which else f"the {noun}"
 
 
-def _called(name: str, posterior: Posterior) -> str | Sentence:
+def called(name: str, posterior: Posterior) -> str | Sentence:
     """Return what a value of the calibrated bat, or of an implement of another sport, is called."""
     own = posterior.line.bat
     if isinstance(own, Bat) or name not in ("balance_point", "moi"):
@@ -114,7 +115,7 @@ def axis_words(axis: float, butt: str) -> Sentence:
 def _unknowns(posterior: Posterior) -> Table:
     rows = [
         (
-            _unknown_words(one.name, posterior.line.bat),
+            unknown_words(one.name, posterior.line.bat),
             say("± {spread}", spread=Slot(REACH * one.spread, "share", 1)),
             _percent(posterior.deviation(one.name)),
         )
@@ -124,7 +125,7 @@ def _unknowns(posterior: Posterior) -> Table:
     return Table("What the measurements changed", columns, rows)
 
 
-def _unknown_words(name: str, implement: Implement) -> str:
+def unknown_words(name: str, implement: Implement) -> str:
     """Return what something that was not known is called of this implement."""
     of_club = OF_CLUB if isinstance(implement, GolfClub) else {}
     return of_club.get(name, WORDS[name])
@@ -152,12 +153,17 @@ def _measured(posterior: Posterior) -> Table:
     return Table("The measurements", columns, rows)
 
 
-def contradictions(posterior: Posterior) -> list[Sentence]:
-    """Return in words which measurement contradicts the others, by how much, and what it should have been."""
+def contradictions(posterior: Posterior, alone: Mapping[str, Posterior] | None = None) -> list[Sentence]:
+    """Return in words which measurement contradicts the others, by how much, and what it should have been.
+
+    Parameters
+    ----------
+    alone : its suspects, where they are known already.
+    """
     if not posterior.contradictions:
         return []
     name, pull = next(iter(posterior.contradictions.items()))
-    alone = suspects(posterior)
+    alone = suspects(posterior) if alone is None else alone
     by = (
         say(": {name} lies {pull} sigma from what all the others say together",
             name=source_words(name, posterior.line.bat), pull=f"{abs(pull):.1f}")
@@ -282,7 +288,7 @@ def source_words(name: str, implement: Implement) -> str:
     if not name.startswith("expected "):
         return name
     unknown = name.removeprefix("expected ")
-    words = _unknown_words(unknown, implement)
+    words = unknown_words(unknown, implement)
     return words if unknown in ("handle", "barrel") else f"{words} as expected"
 
 

@@ -96,7 +96,8 @@ function isText(property) {
 /** @param {string} text */
 function parsed(text) {
   try {
-    return JSON.parse(text);
+    const value = JSON.parse(text);
+    return Math.abs(value) === Infinity ? text : value; // which no JSON holds
   } catch {
     return text; // the server says what is wrong with it
   }

@@ -61,8 +61,8 @@ export class Chip {
     if (key === now && !this.other) this.show(name, changes);
   }
 
-  // Whether the view has an implement of its own, of any sport.
-  get other() { return this.app.schema.implement !== undefined; }
+  // Whether the view shows an implement of its own, of any sport.
+  get other() { return Boolean(this.app.state.implement); }
 
   /**
    * @param {string} name

@@ -1,21 +1,30 @@
 // Listening for taps: the microphone until a sudden sound, which freezes it; the tap with its ringing as a sound file.
 //
-//   const ear = new Listening({ onLevel(part) {}, onTap(file) {}, onEnd() {} });
+//   const ear = new Listening({ onLevel(part) {}, onTap(file) {}, onDoubt(words) {}, onEnd() {} });
 //   await ear.start();     // a refusal of the browser is thrown as { message }
+//   ear.spectrum(most)     what is heard now up to so many Hz: { frequency_hz, level_db } below its loudest; null: nothing
 //   ear.stop();
+//
+// onDoubt hears why taps are not found: "" once nothing stands in their way.
 
 const BEFORE = 0.3, AFTER = 1.2; // s around the sudden sound
 const LEAST = 0.02; // of full scale, below which nothing is a tap
 const SUDDEN = 6; // times the loudness of the last while
 const FORGETS = 0.95; // of that loudness per piece
+const FAINT = LEAST / 10; // of full scale, from which on a sudden sound was a tap that was too quiet
+const WHILE = 3; // s of silence or of noise after which it is said
+const BINS = 16384; // samples of what is heard now
 
 export class Listening {
-  /** @param {{ onLevel: (level: number) => void, onTap: (tap: File) => void, onEnd: (words?: string) => void }} given */
-  constructor({ onLevel, onTap, onEnd }) {
+  /** @param {{ onLevel: (level: number) => void, onTap: (tap: File) => void, onDoubt: (words: string) => void, onEnd: (words?: string) => void }} given */
+  constructor({ onLevel, onTap, onDoubt, onEnd }) {
     this.onLevel = onLevel;
     this.onTap = onTap;
+    this.onDoubt = onDoubt;
     this.onEnd = onEnd;
     this.audio = null;
+    /** @type {AnalyserNode | null} */
+    this.now = null; // what is heard at this moment
     this.stream = null;
     /** @type {Float32Array[]} */
     this.pieces = [];
@@ -23,6 +32,9 @@ export class Listening {
     this.floor = null; // loudness of the last while
     this.left = 0; // samples until the ringing is whole
     this.taps = 0;
+    this.silent = 0; // s without any sound, and with noise above which no tap would stand out
+    this.noisy = 0;
+    this.doubt = "";
   }
 
   get on() { return this.audio !== null; }
@@ -39,8 +51,11 @@ export class Listening {
     await audio.audioWorklet.addModule("/static/recorder.js");
     if (this.audio !== audio) return; // stopped meanwhile
     const node = new AudioWorkletNode(audio, "recorder");
-    audio.createMediaStreamSource(this.stream).connect(node).connect(audio.destination); // silence: only so that it runs
-    Object.assign(this, { pieces: [], floor: null, left: 0 });
+    const sound = audio.createMediaStreamSource(this.stream);
+    sound.connect(node).connect(audio.destination); // silence: only so that it runs
+    this.now = new AnalyserNode(audio, { fftSize: BINS, smoothingTimeConstant: 0.5 });
+    sound.connect(this.now);
+    Object.assign(this, { pieces: [], floor: null, left: 0, silent: 0, noisy: 0, doubt: "" });
     node.port.onmessage = ({ data }) => this.take(data);
     this.stream.getTracks()[0].addEventListener("ended", () => this.stop());
   }
@@ -49,7 +64,7 @@ export class Listening {
     for (const track of this.stream?.getTracks() ?? []) track.stop();
     this.audio?.close();
     const was = this.on;
-    Object.assign(this, { audio: null, stream: null, pieces: [] });
+    Object.assign(this, { audio: null, stream: null, now: null, pieces: [] });
     if (was) this.onEnd();
   }
 
@@ -67,9 +82,42 @@ export class Listening {
       return;
     }
     while (this.pieces.length * piece.length > (BEFORE + 0.05) * rate) this.pieces.shift();
-    const sudden = this.floor !== null && most > Math.max(LEAST, SUDDEN * this.floor);
+    const stands = this.floor !== null && most > SUDDEN * this.floor;
+    this.judge(most, stands, piece.length / rate);
     this.floor = this.floor === null ? most : FORGETS * this.floor + (1 - FORGETS) * most;
-    if (sudden) this.left = AFTER * rate;
+    if (stands && most > LEAST) this.left = AFTER * rate;
+  }
+
+  // Whether something stands in the way of taps: silence, noise, or that they are too quiet.
+  /** @param {number} most @param {boolean} stands @param {number} lasts */
+  judge(most, stands, lasts) {
+    this.silent = most === 0 ? this.silent + lasts : 0;
+    this.noisy = SUDDEN * (this.floor ?? 0) > 1 ? this.noisy + lasts : 0;
+    if (this.silent > WHILE) this.doubts("The microphone gives nothing but silence. Is it muted, or is another one chosen?");
+    else if (this.noisy > WHILE) this.doubts("It is too loud here: no tap would stand out. Find a quieter place, or lower the microphone's level.");
+    else if (stands && most > LEAST) this.doubts("");
+    else if (stands && most > FAINT) this.doubts("Something like a tap was heard, but too quiet. Tap harder, or nearer the microphone.");
+    else if ((this.silent === 0 && this.doubt.startsWith("The")) || (this.noisy === 0 && this.doubt.startsWith("It"))) this.doubts("");
+  }
+
+  /** @param {string} words */
+  doubts(words) {
+    if (words === this.doubt) return;
+    this.doubt = words;
+    this.onDoubt(words);
+  }
+
+  /** @param {number} most */
+  spectrum(most) {
+    const { now, audio } = this;
+    if (!now || !audio) return null;
+    const levels = new Float32Array(now.frequencyBinCount);
+    now.getFloatFrequencyData(levels);
+    const step = audio.sampleRate / now.fftSize;
+    const shown = levels.subarray(0, Math.min(levels.length, Math.ceil(most / step)));
+    const loudest = shown.reduce((best, one) => Math.max(best, one), -Infinity);
+    if (!Number.isFinite(loudest)) return null;
+    return { frequency_hz: Array.from(shown, (_, i) => i * step), level_db: Array.from(shown, (one) => one - loudest) };
   }
 
   /** @param {number} rate */

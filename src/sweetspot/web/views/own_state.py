@@ -1,4 +1,4 @@
-"""Own bat: what was measured on it, and from that to the bat that the measurements allow."""
+"""Own bat: what was measured on it, or on a racket, club or stick, and from that to the bat that it allows."""
 
 from __future__ import annotations
 
@@ -8,40 +8,56 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.measurements import MOST_BENDING, Measurement
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import Unknown, unknowns_of
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
-from sweetspot.units import INCH, OUNCE
-from sweetspot.web.bats import described
+from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.web.bats import described, implement_of
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.states import BatState, Name
+from sweetspot.web.states import BatState, Name, Toml
 from sweetspot.web.uploads import UploadKey
 
 FARTHEST_PIVOT = 0.9
 """Part of the balance point's place beyond which a bat is not hung."""
 ToneName = Literal["bending-1", "bending-2", "bending-3", "bending-4", "bending-5", "hoop"]
+MEASURED = (
+    "mass", "balance point", "pendulum", "moment of inertia",
+    *(str(ModeName("bending", number)) for number in range(1, MOST_BENDING + 1)), str(ModeName("hoop", 2)),
+)  # fmt: skip
+"""Names of all that can be measured here."""
 Tone = tuple[ToneName, Annotated[float, Field(gt=20, le=20000)], Annotated[float, Field(gt=0, le=1000)]]
 """Mode, Hz, and one sigma."""
-Weight = Annotated[float, Field(ge=10, le=60)]
+Weight = Annotated[float, Field(ge=2, le=60)]
 Place = Annotated[float, Field(ge=5, le=40)]
 Period = Annotated[float, Field(ge=800, le=2500)]
+SwingWeight = Annotated[float, Field(ge=50, le=40000)]
 Ratio = Annotated[float, Field(gt=0, le=0.1)]
 
 
 class OwnState(BatState):
     """The bat as described, and what scale, balance, pendulum and tap say of it; what is empty was not measured."""
 
+    implement: Name | None = Field(
+        None, description="what was measured, where it is not the bat: name in the catalogue"
+    )
+    implement_toml: Toml | None = Field(None, description="the text of its own file, where implement is given")
     weighed_oz: Weight | None = Field(None, description="on a scale")
     weighed_error_oz: float = Field(0.05, ge=0.005, le=2, description="one sigma of that")
     balanced_in: Place | None = Field(None, description="balance point from the knob end")
     balanced_error_in: float = Field(0.1, ge=0.01, le=2, description="one sigma of that")
     pendulum_ms: Period | None = Field(None, description="of one full swing about the pivot")
     pendulum_error_ms: float = Field(3.0, ge=0.1, le=100, description="one sigma of that")
-    pivot_in: float = Field(6.0, ge=0, le=20, description="where it hangs, from the knob end")
+    swing_weight_oz_in2: SwingWeight | None = Field(None, description="moment of inertia about where it hangs")
+    swing_weight_error_oz_in2: float = Field(10.0, ge=1, le=1000, description="one sigma of that")
+    pivot_in: Annotated[float, Field(ge=0, le=20)] | None = Field(
+        None, description="where it hangs, from the grip's end; empty: as its sport has it"
+    )
     tones: Annotated[tuple[Tone, ...], Field(max_length=6)] = Field(
         (), description="modes that were heard: name, frequency in Hz, one sigma in Hz"
     )
@@ -56,17 +72,30 @@ class OwnState(BatState):
     )
 
 
+def own_of(state: OwnState) -> Implement:
+    """Return what was measured, as it is described: the bat, or what is named in its place."""
+    return described(state) if state.implement is None else implement_of(state.implement, state.implement_toml)
+
+
 @lru_cache(maxsize=64)
-def bat_of(state: OwnState) -> tuple[Bat, tuple[Unknown, ...]]:
-    """Return the bat as it is described, and what is not known of it."""
-    bat = described(state)
-    with about("bat"):
-        return bat, unknowns_of(bat, diameter_spread=state.diameter_error)
+def unknown_of(state: OwnState) -> tuple[Implement, tuple[Unknown, ...]]:
+    """Return what was measured, as it is described, and what is not known of it."""
+    own = own_of(state)
+    with about("bat" if state.implement is None else "implement"):
+        return own, unknowns_of(own, diameter_spread=state.diameter_error)
+
+
+def pivot_of(state: OwnState, own: Implement) -> float:
+    """Return where it hangs, and what its swing weight is about, in m from the grip's end."""
+    if state.pivot_in is not None:
+        return state.pivot_in * INCH
+    return STANDARD_AXIS if isinstance(own, Bat) else own.moi_axis
 
 
 def measurements_of(state: OwnState) -> list[Measurement]:
     """Return what was measured, all of it."""
     measurements = []
+    axis = pivot_of(state, own_of(state))
     if state.weighed_oz is not None:
         measurements.append(Measurement("mass", Measured(state.weighed_oz * OUNCE, state.weighed_error_oz * OUNCE)))
     if state.balanced_in is not None:
@@ -75,7 +104,11 @@ def measurements_of(state: OwnState) -> list[Measurement]:
         )
     if state.pendulum_ms is not None:
         period = Measured(1e-3 * state.pendulum_ms, 1e-3 * state.pendulum_error_ms)
-        measurements.append(Measurement("period", period, axis=state.pivot_in * INCH))
+        measurements.append(Measurement("period", period, axis=axis))
+    if state.swing_weight_oz_in2 is not None:
+        value, error = state.swing_weight_oz_in2, state.swing_weight_error_oz_in2
+        moi = Measured(value * OUNCE_INCH_SQUARED, error * OUNCE_INCH_SQUARED)
+        measurements.append(Measurement("moi", moi, axis=axis))
     for name, frequency, error in state.tones:
         measurements.append(Measurement("frequency", Measured(frequency, error), mode=mode_of(name)))
     return measurements
@@ -94,18 +127,21 @@ def name_of(mode: ModeName) -> str:
 @lru_cache(maxsize=64)
 def posterior_of(state: OwnState) -> Posterior | None:
     """Return the bat that the measurements that count allow; None: nothing was measured."""
+    for name in state.left_out:
+        if name not in MEASURED:
+            raise FieldError("left_out", f"there is no measurement {name!r}; there are {', '.join(MEASURED)}")
     measured = [one for one in measurements_of(state) if one.name not in state.left_out]
     if not measured:
         return None
-    bat, unknowns = bat_of(state)
-    described_beam = beam_of(bat)
+    own, unknowns = unknown_of(state)
+    described_beam = beam_of(own)
     balance = rigid_body(described_beam).balance_point
-    if state.pendulum_ms is not None and state.pivot_in * INCH > FARTHEST_PIVOT * balance:
+    if state.pendulum_ms is not None and pivot_of(state, own) > FARTHEST_PIVOT * balance:
         raise FieldError(
-            "pivot_in", f"a bat that balances {balance / INCH:.4g} in from its knob hardly swings from there; hang it "
-            "from the handle"
+            "pivot_in", f"what balances {balance / INCH:.4g} in from its {own.grip_end} hardly swings from there; hang "
+            "it from the handle"
         )  # fmt: skip
-    with about("bat"):
+    with about("bat" if state.implement is None else "implement"):
         return calibrate(described_beam, unknowns, measured)
 
 

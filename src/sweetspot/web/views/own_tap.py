@@ -11,40 +11,41 @@ import numpy as np
 from sweetspot.calibration.measured import pooled
 from sweetspot.calibration.measurements import of_tones
 from sweetspot.calibration.naming import expected_of
-from sweetspot.calibration.recording import BAT_BAND, Recording, read_recording
-from sweetspot.calibration.tap_analysis import FAMILIES, told_taps
+from sweetspot.calibration.recording import Band, Recording, read_recording
+from sweetspot.calibration.tap_analysis import FAMILIES, TapTest, told_taps
 from sweetspot.calibration.tap_curves import spectrum, waveform
+from sweetspot.calibration.tap_modes import modes_to_name, telling, usual_band, usual_held
 from sweetspot.calibration.taps import Tap, find_taps
-from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
-from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH
+from sweetspot.report.tap.document import unlike_words
 from sweetspot.units import INCH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.uploads import UPLOADS
-from sweetspot.web.views.own_state import OwnState, bat_of, name_of
+from sweetspot.web.views.own_state import OwnState, name_of, unknown_of
 
 DRAWN = 500
 """Points of a waveform on the page."""
+OF_COMMAND = ", or set --most-damping"
+"""Advice about a held bat that only the command line can follow."""
 HIGHEST = 1.3
 """Times the highest expected tone, up to where the spectrum is drawn."""
 
 
 def expected_tones(state: OwnState) -> list[dict[str, Any]]:
     """Return the tones that a free bat as described would have, and how strongly the tap excites each."""
-    bat, _ = bat_of(state)
-    modes, place = _modes(bat), _place(state, bat)
-    tones = []
+    own, _ = unknown_of(state)
+    modes, place = _modes(own), _place(state, own)
+    tones, highest = [], usual_band(modes).high
     for family in FAMILIES:
         if modes.of_family(family):
             told = expected_of(modes, family, positions=[place])
             tones += [
                 {"name": str(name), "frequency_hz": float(hertz), "excitation": float(part)}
                 for name, hertz, part in zip(told.names, told.frequency, told.excitation, strict=True)
-                if hertz < BAT_BAND.high
+                if hertz < highest
             ]
     return sorted(tones, key=lambda one: float(one["frequency_hz"]))
 
@@ -64,21 +65,26 @@ def tap(state: OwnState) -> dict[str, Any]:
             refused.append({"recording": key, "fault": str(error).replace(str(path), name)})
     if not sounds:
         return {"refused": refused, "taps": [], "tones": [], "spectrum": None, "fault": None}
-    bat, _ = bat_of(state)
-    taps = [one for sound in sounds for one in _taps(sound)]
+    own, _ = unknown_of(state)
+    modes = _modes(own)
+    band, held = usual_band(modes), usual_held(modes)
+    taps = [one for sound in sounds for one in _taps(sound, band, held)]
     head: dict[str, Any] = {"refused": refused, "taps": [_told(one) for one in taps],
-                            "waveforms": [_wave(one) for one in sounds],
+                            "waveform": _wave(sounds[-1]),
                             "tones": [], "spectrum": None, "fault": None}  # fmt: skip
+    good = [one for one in taps if one.good and one.fit is not None]
+    if not good:
+        return head | {"fault": "no tap can be used: the list says what is wrong with each" if taps else
+                                "there is no tap in it"}  # fmt: skip
     try:
-        test = told_taps([sound.recording for sound in sounds], taps, modes=_modes(bat), positions=[_place(state, bat)])
+        test = told_taps([sound.recording for sound in sounds], taps, modes=modes, positions=[_place(state, own)])
     except InputError as error:
         return head | {"fault": str(error)}
-    named = of_tones(test.tones)
+    named = telling(of_tones(test.tones), own)
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
-    damping = pooled(bending) if bending else None
-    first = next(one for one in test.taps if one.good)
-    assert first.fit is not None
-    frequency, level = spectrum(first.fit)
+    damping = pooled(bending) if bending and not test.unheard else None
+    assert good[-1].fit is not None
+    frequency, level = spectrum(good[-1].fit)
     shown = frequency < HIGHEST * max(one.tone.frequency.value for one in test.tones)
     return head | {
         "tones": [
@@ -89,10 +95,18 @@ def tap(state: OwnState) -> dict[str, Any]:
         ],
         "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in named if one.mode is not None],
         "damping": None if damping is None else [damping.value, damping.error],
-        "fault": None if bending else "no tone is a bending mode of this bat; hang it freely and tap it 1 in from the "
-                                      "tip, or describe the bat better",
+        "fault": _fault(test, bool(bending)),
         "spectrum": {"frequency_hz": np.round(frequency[shown], 2), "level_db": np.round(level[shown], 2)},
     }  # fmt: skip
+
+
+def _fault(test: TapTest, bending: bool) -> str | None:
+    """Return why nothing of a tap test counts; None: its tones do."""
+    if test.unheard:
+        return f"{unlike_words(test)} Nothing of it counts: describe what was tapped better"
+    if not bending:
+        return "no tone is a bending mode of what is described; hang it freely, tap it near the tip, describe it better"
+    return None
 
 
 class _Sound:
@@ -109,12 +123,13 @@ def _recording(key: str) -> _Sound:
 
 
 @lru_cache(maxsize=128)
-def _taps(sound: _Sound) -> tuple[Tap, ...]:
-    return find_taps(sound.recording, band=BAT_BAND)
+def _taps(sound: _Sound, band: Band, held: float) -> tuple[Tap, ...]:
+    return find_taps(sound.recording, band=band, held=held)
 
 
 def _told(one: Tap) -> dict[str, Any]:
-    return {"recording": one.recording, "time_s": one.start, "good": one.good, "fault": one.fault}
+    fault = None if one.fault is None else one.fault.removesuffix(OF_COMMAND)
+    return {"recording": one.recording, "time_s": one.start, "good": one.good, "fault": fault}
 
 
 def _wave(sound: _Sound) -> dict[str, Any]:
@@ -124,12 +139,12 @@ def _wave(sound: _Sound) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=32)
-def _modes(bat: Bat) -> Modes:
-    return all_modes(beam_model(bat), standard_conditions(bat).ball)
+def _modes(own: Implement) -> Modes:
+    return modes_to_name(own)
 
 
-def _place(state: OwnState, bat: Bat) -> float:
-    place = bat.length - state.tap_from_tip_in * INCH
+def _place(state: OwnState, own: Implement) -> float:
+    place = own.length - state.tap_from_tip_in * INCH
     if place < 0:
-        raise FieldError("tap_from_tip_in", f"the bat is {bat.length / INCH:.4g} in long; tap it nearer the tip")
+        raise FieldError("tap_from_tip_in", f"{own.name} is {own.length / INCH:.4g} in long; tap it nearer the tip")
     return place

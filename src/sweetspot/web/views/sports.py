@@ -14,8 +14,6 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.face_maps import face_map
 from sweetspot.analysis.position_scan import sting
-from sweetspot.catalog.implements import implement_tables
-from sweetspot.catalog.records import entry
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.impact import Outcome
@@ -28,7 +26,7 @@ from sweetspot.report.bat.words import answer as words_about
 from sweetspot.report.hit.second_touch import touched_again_at, touched_again_between
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, MPH
-from sweetspot.web.bats import implement_from_text
+from sweetspot.web.bats import implement_of
 from sweetspot.web.documents import in_both_systems
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.states import Name, Toml, ViewState
@@ -103,14 +101,9 @@ def _played(state: SportsState) -> Analysis[Implement]:
 @lru_cache(maxsize=32)
 def _reduced(name: str, text: str | None) -> ReducedBat[Implement]:
     """Return an implement with its modes under its usual ball."""
-    if text is not None:
-        with about("implement_toml"):
-            tool = implement_from_text(text)
-            return reduced_bat(tool, ball=standard_conditions(tool).ball)
-    with about("implement"):
-        key, _ = entry(implement_tables(), name, "implement")  # by its name alone: a path must open no file
-    tool = catalog.implement(key)
-    return reduced_bat(tool, ball=standard_conditions(tool).ball)
+    tool = implement_of(name, text)
+    with about("implement" if text is None else "implement_toml"):
+        return reduced_bat(tool, ball=standard_conditions(tool).ball)
 
 
 @lru_cache(maxsize=64)

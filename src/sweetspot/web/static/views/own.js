@@ -1,4 +1,5 @@
-// Own bat: from a scale, a balance point, a pendulum and a tap to the bat that one has in hand, and how sure each value is.
+// Own bat: from a scale, a balance point, a pendulum and a tap to the bat that one has in hand, and how sure each value is;
+// to a racket, cricket bat, club or stick as well.
 
 import { BatView } from "../batview.js";
 import { Bench, unchanged } from "../bench.js";
@@ -8,18 +9,19 @@ import { Lights, showRules } from "../lights.js";
 import { make, paragraphs, tableOf, tell, withDoubt } from "../parts.js";
 import table from "../quantities.js";
 import { takeDrops } from "../upload.js";
+import { FORGOTTEN } from "./own_measured.js";
 import { SOUNDS, TapPlace } from "./own_tap.js";
 /** @import { Answer, App, View } from "../main.js" */
 
-/** @type {Record<string, number>} */
-const DIGITS = { mass: 2, density: 0, share: 2 };
+const ROUND = ""; // a bat of the bench, in the list of what there is to measure
+const OWN = "own file";
 const SOUND = new RegExp(`(${SOUNDS.join("|").replaceAll(".", "\\.")})$`, "i");
 
 /** @type {View} */
 export const view = {
   name: "own",
   guide: [
-    ["Describe it, then measure it", "Begin with a bat like yours: of the list, by questions, or by its outline. Then weigh it, balance it on an edge, let it swing, tap it."],
+    ["Describe it, then measure it", "Begin with a bat like yours: of the list, by questions, or by its outline. Then weigh it, balance it on an edge, let it swing, tap it. A racket, cricket bat, club or stick goes the same way."],
     ["How sure", "Each measurement has its error. The table says what is known, from what, and how far each measurement lies from all the others."],
     ["Tap", "Hang the bat freely, press Listen, tap. Each tap freezes the picture; bad ones are left out and told why. Nothing leaves this machine."],
   ],
@@ -50,23 +52,43 @@ export const view = {
   /** @param {App} app */
   side(app) {
     const guess = (/** @type {string} */ field) => () => app.answer?.guesses[field] ?? null;
-    /** @type {{ field: string, given: HTMLElement[], lacks: HTMLElement }[]} */
+    const butt = () => app.answer?.grip_end ?? "knob end";
+    /** @type {{ field: string, given: HTMLElement[], lacks: HTMLElement, off: HTMLElement }[]} */
     this.steps = [];
     // What somebody measures; its error, and the way back, are there once it is measured. Errors are told as all intervals.
-    const measured = (/** @type {string} */ field, /** @type {string} */ label, /** @type {number} */ step, /** @type {string} */ error, /** @type {number} */ fine, /** @type {string} */ note) => {
+    const measured = (/** @type {string} */ field, /** @type {string | (() => string)} */ label, /** @type {number} */ step, /** @type {string} */ error, /** @type {number} */ fine, /** @type {string} */ note) => {
       const lacks = make("p", { className: "note", textContent: `Not measured. ${note}` });
+      const off = make("p", { className: "fault", hidden: true });
       const given = [slider(app, error, { label: "Give or take (90 %)", step: fine, times: table.reach }), make("div", { className: "row tight" }, button("Not measured", () => app.setState({ [field]: null })))];
-      this.steps.push({ field, given, lacks });
-      return [slider(app, field, { label, step, empty: guess(field), absent: "not measured" }), lacks, ...given];
+      this.steps.push({ field, given, lacks, off });
+      return [slider(app, field, { label, step, empty: guess(field), absent: "not measured" }), off, lacks, ...given];
     };
     const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ...all.map(({ key, name }) => [key, name])]);
-    return make("div", { className: "side" }, this.bench.element,
+    const kinds = app.lists("implements", "bats").then(({ implements: all, bats }) => {
+      const round = new Set(bats.map(({ key }) => key));
+      return [[ROUND, "a bat"], ...all.filter(({ key }) => !round.has(key)).map(({ key, name, sport }) => [key, name, sport])];
+    });
+    this.league = choice(app, "league", { label: "Rules of", options: leagues });
+    this.ofBat = slider(app, "diameter_error", { label: "Diameters, give or take (90 %), in %", step: 0.0005, times: 100 * table.reach });
+    this.unlike = make("p", { className: "fault", hidden: true, textContent: "No single measurement explains the contradiction. Look here first: is this its outline, and its wood?" });
+    return make("div", { className: "side" },
+      group("What is measured", [choice(app, "implement", { label: "It is", options: kinds,
+        shown: (state) => (state.implement && state.implement_toml ? OWN : state.implement ?? ROUND), take: (kind) => kind !== OWN && this.other(kind) }),
+      make("p", { className: "note", textContent: "A racket, club or stick of your own: bring its file to Every sport, and measure it from there." })]),
+      this.unlike, this.bench.element,
       group("Scale", measured("weighed_oz", "It weighs", 0.05, "weighed_error_oz", 0.01, "Move the slider, or type what the scale says.")),
-      group("Balance", measured("balanced_in", "Balances, from the knob's end", 0.05, "balanced_error_in", 0.01, "Lay the bat across an edge.")),
-      group("Pendulum", [...measured("pendulum_ms", "One full swing takes", 0.5, "pendulum_error_ms", 0.1, "Time ten small swings, there and back; a tenth of that."),
-        slider(app, "pivot_in", { label: "Hung, from the knob's end", step: 0.05 })]),
-      group("Tap, diameters and rules", [slider(app, "tap_from_tip_in", { label: "Tapped, from the tip", step: 0.25 }),
-        slider(app, "diameter_error", { label: "Diameters, give or take (90 %), in %", step: 0.0005, times: 100 * table.reach }), choice(app, "league", { label: "Rules of", options: leagues })], { open: false }));
+      group("Balance", measured("balanced_in", () => `Balances, from the ${butt()}`, 0.05, "balanced_error_in", 0.01, "Lay it across an edge.")),
+      group("Pendulum or swing weight", [...measured("pendulum_ms", "One full swing takes", 0.5, "pendulum_error_ms", 0.1, "Time ten small swings, there and back; a tenth of that."),
+        ...measured("swing_weight_oz_in2", "Swing weight, if a machine told it", 1, "swing_weight_error_oz_in2", 1, "A pendulum does as well."),
+        slider(app, "pivot_in", { label: () => `Both about an axis, from the ${butt()}`, step: 0.05, empty: guess("pivot_in") })]),
+      group("Tap, diameters and rules", [slider(app, "tap_from_tip_in", { label: () => `Tapped, from the ${app.answer?.words.tip ?? "tip"}`, step: 0.25 }), this.ofBat, this.league], { open: false }));
+  },
+
+  // Something else is measured: what was measured so far was not it.
+  /** @param {string} kind */
+  other(kind) {
+    this.tap.empty();
+    this.app.setState({ ...FORGOTTEN, implement: kind || null, implement_toml: null, pivot_in: null });
   },
 
   /** @param {App} app */
@@ -81,30 +103,35 @@ export const view = {
         this.said.textContent = fault.message;
       }
     };
-    this.bringers = [
-      button("Put it on the bench", () => file((toml) => {
-        app.setState({ ...unchanged(app), bat_toml: toml, weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] });
-        this.said.textContent = "It lies on the bench now, for every view. Measuring it again begins anew.";
-      }), { primary: true, title: "From now on it is the bat of every view" }),
-      button("Bat file, with intervals", () => file((toml) => download("my-bat.toml", "application/toml", toml))),
-    ];
-    this.forget = button("Forget what was measured", () => app.setState({ weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] }));
+    this.onward = button("Put it on the bench", () => file((toml) => {
+      if (app.state.implement) {
+        app.visitWith("sports", { implement: app.state.implement, implement_toml: toml });
+        return;
+      }
+      app.setState({ ...unchanged(app), ...FORGOTTEN, bat_toml: toml });
+      this.said.textContent = "It lies on the bench now, for every view. Measuring it again begins anew.";
+    }), { primary: true });
+    this.bringers = [this.onward, button("Its file, with intervals", () => file((toml) => download(`my-${app.answer?.words.implement ?? "bat"}.toml`, "application/toml", toml)))];
+    this.forget = button("Forget what was measured", () => app.setState(FORGOTTEN));
     return make("div", { className: "row" }, ...this.bringers, this.forget);
   },
 
   update(answer) {
     this.answer = answer;
     const { app } = this;
-    this.bench.update(answer);
-    this.picture.draw({ bat: { ...answer.bat, balance_point_m: answer.fitted.balance_point_m } });
+    const round = answer.bat.outline !== null;
+    this.bench.element.hidden = this.picture.element.hidden = this.league.hidden = this.ofBat.hidden = !round;
+    if (round) {
+      this.bench.update(answer);
+      this.picture.draw({ bat: { ...answer.bat, balance_point_m: answer.fitted.balance_point_m } });
+    }
+    this.onward.textContent = round ? "Put it on the bench" : "Hit with it in Every sport";
+    this.onward.title = round ? "From now on it is the bat of every view" : "";
     this.tap.draw(answer);
     const off = answer.contradictions[app.units];
     this.against.hidden = off.length === 0;
     paragraphs(this.against, off.map((/** @type {string} */ words) => words.replace(/, or --leave-out '[^']*'/, ", or leave it out")));
-    for (const { field, given, lacks } of this.steps) {
-      for (const one of given) one.hidden = app.state[field] === null;
-      lacks.hidden = app.state[field] !== null;
-    }
+    this.besideFields(answer);
     this.measurements(answer.measurements);
     this.otherBat(answer);
     app.afterwards(this.values, () => {
@@ -114,6 +141,20 @@ export const view = {
     for (const one of this.bringers) one.disabled = !answer.values.length || off.length > 0;
     this.forget.disabled = !answer.measurements.length;
     this.say(answer);
+  },
+
+  // Beside what was measured what is wrong with it; where no single measurement is, beside what it was described by.
+  /** @param {Answer} given */
+  besideFields({ measurements, contradictions, bat }) {
+    const { app } = this;
+    for (const { field, given, lacks, off } of this.steps) {
+      for (const one of given) one.hidden = app.state[field] === null;
+      lacks.hidden = app.state[field] !== null;
+      const wrong = measurements.find((/** @type {Answer} */ one) => one.field === field && one.should !== null);
+      off.hidden = !wrong;
+      if (wrong) off.textContent = `${Math.abs(wrong.sigma).toFixed(1)} sigma from all the others; by them it should be ${app.text(wrong.scale, wrong.should, wrong.digits)}.`;
+    }
+    this.unlike.hidden = bat.outline === null || !contradictions.us.length || measurements.some((/** @type {Answer} */ { should }) => should !== null);
   },
 
   // Measurements are of the bat in hand, whatever it is described by; when that changes, it is said and they can go.
@@ -134,27 +175,34 @@ export const view = {
       return;
     }
     const show = (/** @type {Answer} */ one, /** @type {number} */ value) => app.text(one.scale, value, one.digits);
-    const agree = rows.every(({ fitted }) => fitted !== null);
-    const [title, heads] = agree ? ["What was measured, and what the bat that fits all of it says", ["the fitted bat"]] : ["What was measured; no bat fits all of it", []];
+    const agree = rows.every(({ fitted }) => fitted !== null), [what, fit] = this.names();
+    const [title, heads] = agree ? [`What was measured, and what the ${what} that fits all of it says`, [fit]] : [`What was measured; no ${what} fits all of it`, []];
     const box = tableOf(title, ["Measured", "value (90 %)", ...heads, "off by", ""], rows.map((one) => [
       one.name, `${show(one, one.value)} ± ${show(one, one.half)}`, ...(agree ? [show(one, one.fitted)] : []),
       one.counts ? { text: `${one.sigma >= 0 ? "+" : "−"}${Math.abs(one.sigma).toFixed(1)} sigma`, className: Math.abs(one.sigma) > 3 ? "bad" : "" } : "left out", ""]));
     box.querySelectorAll("tbody tr").forEach((row, i) => {
-      const { name, counts } = rows[i];
+      const { name, counts, tone, right_tone: right } = rows[i];
       const act = button(counts ? "Leave out" : "Count it", () => app.setState({ left_out: counts ? [...left, name] : left.filter((/** @type {Answer} */ one) => one !== name) }));
       act.setAttribute("aria-label", `${counts ? "Leave out" : "Count"}: ${name}`);
-      row.lastElementChild?.replaceChildren(act);
+      const renamed = app.state.tones.map((/** @type {[string, number, number]} */ [mode, ...heard]) => [mode === tone ? right : mode, ...heard]);
+      row.lastElementChild?.replaceChildren(...(right ? [button(`It is ${right.replace("-", " ")}`, () => app.setState({ tones: renamed })), " "] : []), act);
     });
     this.residuals.replaceChildren(box);
+  },
+
+  // What people call what is measured, and what was fitted to it.
+  names() {
+    const what = this.answer?.words.implement ?? "bat";
+    return [what, `the fitted ${what}`];
   },
 
   // What is known now, and beside it how the intervals have shrunk.
   /** @param {Answer} given */
   sure({ values, unknowns, budget, contradictions }) {
     const { app } = this;
-    const told = values.length ? [tableOf("The bat, with 90 % intervals", ["", "value", "known from"], values.map((/** @type {{ label: string, scale: string, value: number, half: number, known_from: string }} */ { label, scale, value, half, known_from: from }) => (
-      [label, `${app.text(scale, value, DIGITS[scale])} ± ${app.text(scale, half, DIGITS[scale])}`, from])))] : [make("p", { className: "note", textContent: contradictions.us.length ? "Nothing is told of the bat while its measurements contradict each other; the rules below are held against it as described."
-      : "What the catalogue knows of such wood or metal is all that is known so far." })];
+    const told = values.length ? [tableOf(`The ${this.names()[0]}, with 90 % intervals`, ["", "value", "known from"], values.map((/** @type {{ label: Answer, scale: string, value: number, half: number, known_from: string }} */ { label, scale, value, half, known_from: from }) => (
+      [label[app.units], withDoubt(scale, value, half, app), from])))] : [make("p", { className: "note", textContent: contradictions.us.length ? `Nothing is told of the ${this.names()[0]} while its measurements contradict each other; rules are held against it as described.`
+      : "What the catalogue knows of it is all that is known so far." })];
     if (unknowns.length) {
       const share = (/** @type {Answer} */ part) => app.text("share", part, 1);
       const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((/** @type {Answer} */ one) => [
@@ -172,19 +220,20 @@ export const view = {
   },
 
   /** @param {Answer} given */
-  say({ fitted, values, contradictions, measurements }) {
+  say({ fitted, values, contradictions, measurements, words: { implement, butt } }) {
     const { app } = this;
-    const moi = values.find((/** @type {{ name: string }} */ { name }) => name === "moi");
-    const swing = withDoubt("moi_kg_m2", fitted.moi_6in_kg_m2, moi?.half ?? fitted.moi_6in_half_kg_m2, app);
-    const state = contradictions.us.length ? "The measurements contradict each other. As described: " : ["As described, not measured: ", "By one measurement and what is usual of such bats: "][measurements.filter((/** @type {Answer} */ { counts }) => counts).length] ?? "The measurements agree. ";
-    const words = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
+    const half = (/** @type {string} */ of) => values.find((/** @type {{ name: string }} */ { name }) => name === of)?.half ?? null;
+    const at = half("balance_point") ? withDoubt("balance_point_m", fitted.balance_point_m, half("balance_point"), app) : app.text("balance_point_m", fitted.balance_point_m, 1);
+    const swing = withDoubt("moi_kg_m2", fitted.swing_weight_kg_m2, half("moi") ?? fitted.swing_weight_half_kg_m2, app);
+    const state = contradictions.us.length ? "The measurements contradict each other. As described: " : ["As described, not measured: ", `By one measurement and what is usual of such ${implement}s: `][measurements.filter((/** @type {Answer} */ { counts }) => counts).length] ?? "The measurements agree. ";
+    const words = `${state}${withDoubt("mass_kg", fitted.mass_kg, half("mass"), app)}, balance ${at} from the ${butt}, swing weight ${swing}.`;
     tell(this.words, words);
     app.announce(words);
     this.picture.label(`The bat and its balance point. ${words}`);
   },
 
   unmount() { this.answer = null; },
-  figures() { return [this.picture.figure("bat"), this.tap.chart.figure("spectrum")]; },
+  figures() { return [...(this.picture.element.hidden ? [] : [this.picture.figure("bat")]), this.tap.chart.figure("spectrum")]; },
   table() {
     const rows = this.app.answer.unknowns;
     return { before: rows.map((/** @type {{ before: string }} */ { before }) => before), now: rows.map((/** @type {{ after: string }} */ { after }) => after), off: rows.map((/** @type {{ off: number }} */ { off }) => off) };

@@ -11,11 +11,14 @@ import { upload, whereTo } from "../upload.js";
 
 export const SOUNDS = [".wav", ".flac", ".ogg", ".mp3", ".aiff", ".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm"];
 const TAPS = "taps";
+const GONE = "The recordings are not on the server any more; what was heard in them still counts. Tap again for more.";
 const LARGEST = 60e6; // bytes of a sound
-const PANELS = [{ title: "What rings, dB below the loudest", kind: "count", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
+const LIVE = 100; // ms between two pictures of what is heard now
+const SPECTRUM = [{ title: "What rings, dB below the loudest", kind: "count", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the last good tap", color: "blue", width: 1.4 }] }];
+const WAVE = [{ title: "The last recording, full scale 1", kind: "ratio", height: 70, empty: [-1, 1], lines: [{ key: "high", label: "", color: "blue", width: 1 }, { key: "low", label: "", color: "blue", width: 1, silent: true }] }];
 const ROOM = "room’s?: a tone that the room may have added, or the same mode in another plane. Such a tone holds less energy than another within 10 % of it, or less than a thousandth of the greatest.";
-/** @type {{ recordings: string[], found: any }} */
-const heard = { recordings: kept(TAPS, []), found: null }; // as long as the page is open; where sounds lie, as long as the tab
+/** @type {{ recordings: string[], found: any, of: string | null, expected: string }} of: which implement; expected: its tones when they were named */
+const heard = { recordings: kept(TAPS, []), found: null, of: null, expected: "" }; // as long as the page is open; where sounds lie, as long as the tab
 
 export class TapPlace {
   /** @param {App} app */
@@ -30,6 +33,7 @@ export class TapPlace {
     this.ear = new Listening({
       onLevel: (part) => (this.level.value = Math.min(1, part)),
       onTap: (file) => this.add([file]),
+      onDoubt: (words) => this.say(words),
       onEnd: () => this.heard(),
     });
     app.signal.addEventListener("abort", () => this.ear.stop());
@@ -47,10 +51,13 @@ export class TapPlace {
     this.fault.setAttribute("role", "alert");
     this.lights = new Lights("The taps");
     this.tones = make("div");
-    this.chart = new Chart(app, { label: "Spectrum of the tap", panels: PANELS, axis: { kind: "frequency_hz", label: "" } });
+    this.chart = new Chart(app, { label: "Spectrum of the tap", panels: SPECTRUM, axis: { kind: "frequency_hz", label: "" } });
+    this.wave = new Chart(app, { label: "The sound of the last recording", panels: WAVE, axis: { kind: "time_s", label: "" } });
+    this.progress = make("progress", { hidden: true, ariaLabel: "Recordings heard" });
+    this.again = make("p", { className: "note", hidden: true }, "These tones do not count now. ", button("Count them", () => this.count(heard.found)));
     this.element = make("div", {}, make("div", { className: "row" }, this.listen, this.level, this.clear),
       make("p", { className: "own" }, make("label", { htmlFor: "tap-file", textContent: "Or sound files of taps; drop them anywhere" }), this.file),
-      this.words, this.fault, this.chart.element, this.lights.element, this.tones);
+      this.words, this.progress, this.fault, this.chart.element, this.wave.element, this.lights.element, this.again, this.tones);
     this.heard();
   }
 
@@ -62,10 +69,25 @@ export class TapPlace {
     }
     try {
       await this.ear.start();
+      this.live();
     } catch (fault) {
       this.say(fault.message);
     }
     this.heard();
+  }
+
+  // Until a tap freezes the picture, it shows what is heard now.
+  live() {
+    let last = 0;
+    const taps = this.ear.taps;
+    const end = this.app.onFrame((now) => {
+      if (!this.ear.on || this.ear.taps > taps || this.ear.left > 0) end();
+      else if (now - last > LIVE && this.app.answer) {
+        last = now;
+        const spectrum = this.ear.spectrum(this.most(this.app.answer, null));
+        if (spectrum) this.picture(this.app.answer, spectrum, "heard now");
+      }
+    });
   }
 
   heard() {
@@ -75,8 +97,8 @@ export class TapPlace {
     const count = heard.recordings.length;
     keep(TAPS, count ? heard.recordings : null);
     this.clear.disabled = count === 0;
-    this.words.textContent = `${this.ear.on ? "Listening: hang the bat from rubber bands, tap it on the tip with something small and hard, let it ring. " : ""}` +
-      `${count ? `${count} recording${count > 1 ? "s" : ""}. ` : ""}The dashed lines are where a bat like the one described rings. ${whereTo("The sound")}`;
+    this.words.textContent = `${this.ear.on ? "Listening: hang it from rubber bands, tap it near the tip with something small and hard, let it ring. " : ""}` +
+      `${count ? `${count} recording${count > 1 ? "s" : ""}. ` : ""}The dashed lines are where it rings as described. ${whereTo("The sound")}`;
   }
 
   /** @param {string} words */
@@ -132,15 +154,24 @@ export class TapPlace {
    */
   async ask(recordings, again) {
     if (!recordings.length) return;
-    this.words.textContent = "Listening to what was recorded …";
+    const [expected, of] = [tonesOf(this.app.answer), this.app.state.implement];
     let found;
+    const busy = this.works(recordings.length);
     try {
+      for (const [i, one] of recordings.slice(0, -1).entries()) { // each alone first, which the server remembers: so that it can be told how far it is
+        busy.at(i);
+        await this.answerTo({ ...this.app.state, recordings: [one] });
+      }
+      busy.at(recordings.length - 1);
       found = await this.answerTo({ ...this.app.state, recordings });
     } catch (fault) {
-      if (fault?.field === "upload") heard.recordings = [];
+      const gone = fault?.field === "upload"; // the server began anew
+      if (gone) heard.recordings = [];
       this.heard();
-      this.say([...this.refused, fault.message].join(" "));
+      this.say([...this.refused, gone ? GONE : fault.message].join(" "));
       return;
+    } finally {
+      busy.end();
     }
     this.refused.push(...found.refused.map((/** @type {{ fault: string }} */ { fault }) => sentence(fault)));
     const bad = found.refused.map((/** @type {{ recording: string }} */ { recording }) => recording);
@@ -148,11 +179,45 @@ export class TapPlace {
     this.heard();
     this.say(this.refused.join(" "));
     if (!heard.recordings.length || this.signal.aborted) return; // none of them, forgotten, or gone elsewhere, meanwhile
-    heard.found = found;
+    Object.assign(heard, { found, expected, of });
     this.say([...this.refused, ...(found.fault ? [sentence(found.fault)] : [])].join(" "));
     this.draw(this.app.answer);
-    if (found.damping && !again) this.app.setState({ tones: found.measured.map((/** @type {[string, number, number]} */ [name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
+    if (!again) this.count(found);
     this.app.announce(`${found.taps.filter((/** @type {Answer} */ one) => one.good).length} of ${found.taps.length} taps used.`);
+  }
+
+  // Tones among the measurements; none where the taps hold none that counts.
+  /** @param {Answer} found */
+  count({ damping, measured }) {
+    if (damping) this.app.setState({ tones: measured.map((/** @type {[string, number, number]} */ [name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(damping[0]), damping_error: tidy(damping[1]) });
+    else if (this.app.state.tones.length) this.app.setState({ tones: [], damping: null });
+  }
+
+  // How far the hearing is: of several recordings how many, and for how long it has gone on.
+  /** @param {number} count */
+  works(count) {
+    const began = performance.now();
+    const { progress, words } = this;
+    let now = 0;
+    const tell = () => {
+      const seconds = Math.floor((performance.now() - began) / 1000);
+      words.textContent = `Hearing ${count > 1 ? `recording ${now + 1} of ${count}` : "what was recorded"}${seconds > 1 ? `, ${seconds} s` : ""} …`;
+      if (count > 1) Object.assign(progress, { max: count, value: now });
+      else progress.removeAttribute("value");
+    };
+    progress.hidden = false;
+    const timer = setInterval(tell, 1000);
+    return {
+      /** @param {number} number */
+      at(number) {
+        now = number;
+        tell();
+      },
+      end() {
+        clearInterval(timer);
+        progress.hidden = true;
+      },
+    };
   }
 
   // The same question until it is answered: with the taps that came meanwhile it would be another, begun from the start.
@@ -169,11 +234,41 @@ export class TapPlace {
   }
 
   forget() {
-    Object.assign(heard, { recordings: [], found: null });
+    this.empty();
+    this.app.setState({ tones: [], damping: null });
+  }
+
+  // The recordings go; what of them counts stays.
+  empty() {
+    Object.assign(heard, { recordings: [], found: null, expected: "" });
     this.refused = [];
     this.say("");
     this.heard();
-    this.app.setState({ tones: [], damping: null });
+  }
+
+  // How far up the spectrum is drawn, Hz.
+  /** @param {Answer} answer @param {Answer} spectrum */
+  most(answer, spectrum) {
+    return spectrum ? spectrum.frequency_hz.at(-1) : Math.min(2600, 1.1 * answer.expected.at(-1).frequency_hz);
+  }
+
+  /** @param {Answer} answer @param {{ frequency_hz: number[], level_db: number[] } | null} spectrum @param {string} of */
+  picture(answer, spectrum, of) {
+    const { app } = this;
+    const most = this.most(answer, spectrum);
+    if (SPECTRUM[0].lines[0].label !== of) SPECTRUM[0].lines = [{ ...SPECTRUM[0].lines[0], label: of }];
+    this.chart.draw({ x: spectrum?.frequency_hz ?? [0, most], lines: { level: spectrum?.level_db ?? [null, null] }, range: [0, most],
+      marks: answer.expected.filter((/** @type {{ frequency_hz: number }} */ { frequency_hz: at }) => at < most).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => ({ at, color: "muted", label: name })) });
+    const said = answer.expected.slice(0, 4).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => `${name} ${app.text("frequency_hz", at)}`).join(", ");
+    this.chart.label(`Spectrum of the tap; expected: ${said}.`);
+  }
+
+  // The same taps of something that is described otherwise now: its modes may have other names.
+  /** @param {Answer} answer */
+  rename(answer) {
+    if (this.asking || heard.expected === tonesOf(answer) || tonesOf(answer) !== tonesOf(this.app.answer)) return;
+    heard.expected = tonesOf(answer);
+    this.hear({ again: Boolean(heard.found.damping) && !this.app.state.tones.length }); // what was undone stays so
   }
 
   /** @param {Answer} answer */
@@ -183,14 +278,18 @@ export class TapPlace {
       this.reloaded = false;
       this.hear({ again: true });
     }
+    if (heard.found && heard.of !== this.app.state.implement) this.empty(); // of something else
+    if (heard.found && heard.expected !== tonesOf(answer)) this.app.afterwards(this, () => this.rename(answer));
     const { found } = heard;
     const { app } = this;
-    const spectrum = found?.spectrum;
-    const most = spectrum ? spectrum.frequency_hz.at(-1) : Math.min(2600, 1.1 * answer.expected.at(-1).frequency_hz);
-    this.chart.draw({ x: spectrum?.frequency_hz ?? [0, most], lines: { level: spectrum?.level_db ?? [null, null] }, range: [0, most],
-      marks: answer.expected.filter((/** @type {{ frequency_hz: number }} */ { frequency_hz: at }) => at < most).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => ({ at, color: "muted", label: name })) });
-    const said = answer.expected.slice(0, 4).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => `${name} ${app.text("frequency_hz", at)}`).join(", ");
-    this.chart.label(`Spectrum of the tap; expected: ${said}.`);
+    this.wave.element.hidden = !found?.waveform;
+    if (found?.waveform) {
+      const { time_s: time, low, high } = found.waveform;
+      this.wave.draw({ x: time, lines: { high, low }, range: [time[0], time.at(-1)] });
+      this.wave.label("The sound of the last recording over time.");
+    }
+    this.again.hidden = !found?.damping || app.state.tones.length > 0;
+    this.picture(answer, found?.spectrum ?? null, "the last good tap");
     this.lights.show((found?.taps ?? []).map((/** @type {{ recording: number, time_s: number, good: boolean, fault: string | null }} */ { recording, time_s: time, good, fault }) => ({
       state: good ? "pass" : "fail", name: `${recording}, ${time.toFixed(2)} s`, words: good ? "used" : fault })));
     this.tones.replaceChildren(...(found?.tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps", "whose"], found.tones.map((/** @type {Answer} */ one) => [
@@ -199,6 +298,7 @@ export class TapPlace {
   }
 }
 
+const tonesOf = (/** @type {Answer} */ answer) => JSON.stringify(answer?.expected ?? null);
 const tidy = (/** @type {number} */ value) => Number(value.toPrecision(7));
 // Words of the library as a sentence of several.
 const sentence = (/** @type {string} */ words) => (/[.!?]$/.test(words) ? words : `${words}.`);

@@ -8,6 +8,7 @@ import { HeatMap } from "../heatmap.js";
 import { factList, make, paragraphs, partOf, tell } from "../parts.js";
 import { INCH } from "../units.js";
 import { takeDrops } from "../upload.js";
+import { FORGOTTEN } from "./own_measured.js";
 /** @import { Fact } from "../parts.js" */
 /** @import { App, State, View } from "../main.js" */
 
@@ -44,7 +45,9 @@ export const view = {
       group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
         shown: (state) => (state.implement_toml === null ? state.implement : OWN),
         take: (implement) => implement !== OWN && app.setState({ ...app.defaults, implement }) }),
-      button("Describe yours by questions\u00a0…", () => describeOwn(app)), this.ownFile(app)]),
+      button("Describe yours by questions\u00a0…", () => describeOwn(app)), this.ownFile(app),
+      button("Weigh, balance and tap it", () => app.visitWith("own", { ...FORGOTTEN, pivot_in: null, implement: app.state.implement, implement_toml: app.state.implement_toml }),
+        { title: "In Own bat: from what you measure to this very one" })]),
       group("Stroke", [
         slider(app, "swing_mph", { label: () => `Speed of the ${this.ownWords().implement}`, step: 1, empty: usual("swing_mph") }),
         slider(app, "incoming_mph", { label: () => `Speed of the ${this.ownWords().ball} before`, step: 1, empty: usual("incoming_mph") }),
