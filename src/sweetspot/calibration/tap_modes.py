@@ -21,9 +21,9 @@ TIMES_OWN = 2.0
 """Times the damping of the described implement's lowest mode, from which on it counts as held (assumed)."""
 
 
-def modes_to_name(described: Implement) -> Modes:
+def modes_to_name(implement: Implement) -> Modes:
     """Return the modes that tones may be, with the ball of the implement's sport."""
-    return all_modes(beam_model(described), standard_conditions(described).ball)
+    return all_modes(beam_model(implement), standard_conditions(implement).ball)
 
 
 def usual_band(modes: Modes | None) -> Band:
@@ -34,9 +34,9 @@ def usual_band(modes: Modes | None) -> Band:
     return Band(min(BAT_BAND.low, BELOW_FIRST * float(modes.frequency[bending[0]])), BAT_BAND.high)
 
 
-def frame_modes(described: Implement) -> Modes:
+def frame_modes(implement: Implement) -> Modes:
     """Return the modes that a tap on the frame, the shaft or the blade rings: strings and rubber are held still."""
-    modes = modes_to_name(described)
+    modes = modes_to_name(implement)
     return modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
 
 

@@ -17,8 +17,7 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, predicted
 from sweetspot.calibration.posterior import Posterior, right_mode, suspects
 from sweetspot.calibration.unknowns import described as beam_of
-from sweetspot.catalog.rules import league
-from sweetspot.design.usual_limits import usual_league
+from sweetspot.catalog.rules import league, usual_league
 from sweetspot.design.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
