@@ -49,11 +49,15 @@ def test_one_thing_in_two_units_is_refused(run: Run, tmp_path: Path) -> None:
     assert "has more than one column of mass; keep one of each" in err
 
 
-def test_intervals_need_no_option(run: Run) -> None:
-    code, _, err = run("rank", "bats.csv", "--like", "r161-ash", "--uncertainty")
-    assert (code, err) == (
-        2, "sweetspot: rank has no --uncertainty: its answer always has its intervals; leave it out\n",
-    )  # fmt: skip
+def test_intervals_need_no_option(run: Run, tmp_path: Path) -> None:
+    """What always has its intervals may be asked for them; what quotes numbers has none."""
+    table = tmp_path / "bats.csv"
+    table.write_text(HEAD + "A,31.0,22.05,1.454,160,\nB,31.4,22.1,1.456,165,\n", encoding="utf-8")
+    unasked = run("rank", str(table), "--like", "r161-ash")
+    assert run("rank", str(table), "--like", "r161-ash", "--uncertainty")[:2] == unasked[:2]
+    assert unasked[0] == 0
+    code, _, err = run("parks", "--uncertainty")
+    assert code == 2 and err.startswith("sweetspot: parks has no --uncertainty: it tells nothing that is computed")
 
 
 def test_a_bat_whose_measurements_contradict_each_other_is_not_ranked(

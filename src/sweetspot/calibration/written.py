@@ -10,6 +10,8 @@ from sweetspot.units import NUMBER, Kind, parse
 
 SEPARATOR = re.compile(r"\s*(?:±|\+/-|\+-)\s*")
 DECIMALS = re.compile(r"^\s*[-+]?\d*(?:\.(\d+))?\s*(.*)$")
+FRACTION = re.compile(r"\d*/\d")
+"""What a fraction leaves behind its first number, 33 1/2 in: it has no last digit; m/s is none."""
 
 
 def parse_measured(text: str, kind: Kind, what: str = "value") -> Measured:
@@ -22,6 +24,8 @@ def parse_measured(text: str, kind: Kind, what: str = "value") -> Measured:
     Measured(value=31.0, error=0.5)
     >>> parse_measured("2.5kg", "mass"), parse_measured("2.5 kg ± 20g", "mass"), parse_measured("2.5kg+-0.2", "mass")
     (Measured(value=2.5, error=0.1), Measured(value=2.5, error=0.02), Measured(value=2.5, error=0.2))
+    >>> parse_measured("28m/s", "speed")
+    Measured(value=28.0, error=1.0)
     """
     parts = SEPARATOR.split(text.strip(), maxsplit=1)
     if len(parts) == 2 and NUMBER.match(parts[0]) and (end := DECIMALS.match(parts[1])):
@@ -32,7 +36,7 @@ def parse_measured(text: str, kind: Kind, what: str = "value") -> Measured:
     if len(parts) == 2:
         written = f"{parts[1]} {unit}" if NUMBER.match(parts[1]) and kind != "ratio" else parts[1]
         error = parse(written, kind, f"the error of {what}")
-    elif match is None or "/" in unit.split(" ")[0]:
+    elif match is None or FRACTION.match(unit):
         raise InputError(f"{what} was given as {text!r}; say how sure it is, as in '33.5in ± 0.1in'")
     else:
         error = parse(f"{10.0 ** -len(match[1] or '')!r} {unit}", kind, f"the error of {what}")

@@ -87,13 +87,17 @@ def load_bat(name_or_path: str) -> Bat:
 
 
 def refuse_slip(name_or_path: str, known: Container[str]) -> None:
-    """Refuse what is neither a file nor in the catalogue where a file's name is spelled almost so, and name that."""
+    """Refuse a file's name that no file has and no bat of the catalogue; name the file that is spelled almost so."""
     if is_file(name_or_path) or canonical(name_or_path) in known:
         return
-    near = near_file(Path(name_or_path))
+    path = Path(name_or_path)
+    near = near_file(path)
+    neither = f"{name_or_path[:LONGEST_NAME]!r} is neither a file nor in the catalogue"
     if near is not None and near.suffix.lower() == ".toml":
+        raise InputError(f"{neither}. Did you mean the file {near}?")
+    if path.suffix[1:].isalpha():  # no name of the catalogue ends like a file's
         raise InputError(
-            f"{name_or_path[:LONGEST_NAME]!r} is neither a file nor in the catalogue. Did you mean the file {near}?"
+            f"{neither}: there is no such file here. Bat files end in .toml; `sweetspot bats` lists the catalogue"
         )
 
 

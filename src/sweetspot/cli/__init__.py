@@ -23,8 +23,9 @@ UNTIDIED = 100_000
 """New objects between two looks for garbage: a command makes a million that stay, and looking takes a tenth of it."""
 FORCE = "--force"
 """Takes every number as it is given, whatever is usual; every command understands it."""
-ALWAYS_SURE = ("calibrate", "fit-player", "rank", "tap")
-"""Commands whose answer has its intervals without --uncertainty."""
+SURE = "--uncertainty"
+ALWAYS_SURE = ("calibrate", "design", "fit-player", "rank", "season", "tap")
+"""Commands whose answer has its intervals unasked: they may be asked for them as well, and answer as ever."""
 SHORT = {"--json": ("--format", "json"), "--csv": ("--format", "csv"), "-": ("/dev/stdin",)}
 """What other programs have taught people to write, for any command: answers at hand, standard input as the file."""
 
@@ -47,7 +48,8 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         beating = nullcontext() if given[:1] == [SERVER] else heartbeat()
         with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), beating:
-            words = _understood([one for one in given if one != FORCE])
+            unasked = (FORCE, SURE) if given[:1] and given[0] in ALWAYS_SURE else (FORCE,)
+            words = _understood([one for one in given if one not in unasked])
             ASKED.set(tuple(given))
             if not words or words[0].startswith("-"):
                 load_all()
@@ -113,9 +115,9 @@ def _one_line(error: Exception, given: list[str]) -> str:
     short = next((one for one in given if SHORT.get(one, ("",))[0] == "--format"), "")
     if isinstance(error, UnknownOptionError) and "--format" in (error.token.keyword, error.token.value) and short:
         return f"{' '.join(error.command_chain or ())} has no {short}: its answer has one form"
-    command = " ".join(getattr(error, "command_chain", None) or ())
-    if isinstance(error, UnknownOptionError) and error.token.keyword == "--uncertainty" and command in ALWAYS_SURE:
-        return f"{command} has no --uncertainty: its answer always has its intervals; leave it out"
+    if isinstance(error, UnknownOptionError) and SURE in given:
+        command = " ".join(error.command_chain or ())
+        return f"{command} has no {SURE}: it tells nothing that is computed from what is not known; leave it out"
     if isinstance(error, MissingArgumentError) and error.argument is not None:
         choices = error.argument.get_choices()
         told = f"{' '.join(error.command_chain or ())} needs {error.argument.name}. {error.argument.parameter.help}" + (

@@ -66,7 +66,10 @@ def design(
     swing: SwingOptions = DEFAULT_SWING,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
-    """Shape a bat for a batter: where the wood should go, what that gains beside wood that differs, and who pays."""
+    """Shape a bat for a batter: where the wood should go, what that gains beside wood that differs, and who pays.
+
+    Every gain is told with its interval; --uncertainty is understood and changes nothing.
+    """
     from sweetspot import catalog
     from sweetspot.cli.options.batter import batter_of
     from sweetspot.cli.options.swing import conditions_for

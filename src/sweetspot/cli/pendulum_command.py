@@ -7,6 +7,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.written_errors import error_behind, error_of, without_error
 from sweetspot.errors import InputError
 
 USUAL_GYRATIONS = (0.04, 0.4)
@@ -22,6 +23,14 @@ def pendulum(
     period: Annotated[str | None, Parameter(help="Time of one full swing to and fro, for example 1.57s.")] = None,
     moi: Annotated[str | None, Parameter(help="Moment of inertia about --pivot; gives the period instead.")] = None,
     pivot: Annotated[str, Parameter(help="Where the bat hangs, from the knob end.")] = "6in",
+    uncertainty: Annotated[
+        bool,
+        Parameter(
+            negative="",
+            help="Put intervals beside the numbers, and say what they come from: of every error that was written, "
+            "30.5oz±0.1oz, else of one unit of the last digit; --pivot is exact without one.",
+        ),
+    ] = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Turn the period of a hanging bat into its moment of inertia, or back, as laboratories measure it."""
@@ -33,25 +42,26 @@ def pendulum(
 
     if (period is None) == (moi is None):
         raise InputError("give either --period or --moi, and only one of them")
-    weight, balance = parse(mass, "mass", "--mass"), parse(balance_point, "length", "--balance-point")
-    axis = parse(pivot, "length", "--pivot")
+    alone = without_error if uncertainty else str  # what no --uncertainty asks for is refused, not dropped
+    weight, balance = parse(alone(mass), "mass", "--mass"), parse(alone(balance_point), "length", "--balance-point")
+    axis = parse(alone(pivot), "length", "--pivot")
     if not weight > 0:
         raise InputError(f"--mass was given as {mass}; allowed is a weight above zero")
     if moi is not None:
-        inertia = parse(moi, "moi", "--moi")
+        inertia = parse(alone(moi), "moi", "--moi")
         seconds = rigid.pendulum_period(inertia, mass=weight, balance_point=balance, pivot=axis)
     else:
         assert period is not None  # one of the two was given
-        seconds = parse(period, "time", "--period")
+        seconds = parse(alone(period), "time", "--period")
         inertia = rigid.moi_from_pendulum(seconds, mass=weight, balance_point=balance, pivot=axis)
     given = f"--moi was given as {moi}" if period is None else f"--period was given as {period}"
     _check_body(inertia, weight, balance, axis, given=given, balance_given=balance_point)
     percussion = axis + inertia / (weight * (balance - axis))
     about = say("moment of inertia about {pivot}", pivot=Slot(axis, "place", round=True))
     rows: list[tuple[Cell, Cell]] = [
-        ("period", Slot(seconds, "time", 4)),
-        (about, Slot(inertia, "moi")),
-        ("centre of percussion, from the knob end", Slot(percussion, "length")),
+        ("period", Slot(seconds, "time", 4, of="period_s")),
+        (about, Slot(inertia, "moi", of="moi_kg_m2")),
+        ("centre of percussion, from the knob end", Slot(percussion, "length", of="center_of_percussion_m")),
     ]
     data = {
         "period_s": seconds, "moi_kg_m2": inertia, "moi_oz_in2": inertia / OUNCE_INCH_SQUARED, "pivot_m": axis,
@@ -61,6 +71,22 @@ def pendulum(
         name="pendulum", title="Pendulum", blocks=[Table("", [Column(""), Column("value", right=True)], rows)],
         data=data, rows={name: [value] for name, value in data.items()},
     )  # fmt: skip
+    if uncertainty:
+        from sweetspot.calibration.draws.drawn_pendulums import Hung, drawn_pendulum, pendulum_sources
+        from sweetspot.calibration.measured import Measured
+        from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+        timed = moi is None
+        swung = error_of(period, "time", "--period") if timed else error_of(moi, "moi", "--moi")
+        hung = Hung(
+            mass=Measured(weight, error_of(mass, "mass", "--mass")),
+            balance_point=Measured(balance, error_of(balance_point, "length", "--balance-point")),
+            pivot=Measured(axis, error_behind(pivot, "length", "--pivot")),
+            swung=Measured(seconds if timed else inertia, swung), timed=timed,
+        )  # fmt: skip
+        main, named = ("moi_kg_m2", "moment of inertia") if timed else ("period_s", "period")
+        where = pendulum_sources(hung).described
+        document = uncertain(document, drawn_pendulum(hung), main=main, named=named, where=where)
     return present(document, output)
 
 

@@ -43,14 +43,14 @@ def report(
             check_swing(implement, conditions)
             return present(unhit_document(reduced, conditions), output, long=appendix)
         analysis = analyse_reduced(reduced, conditions)
+        sources = sources_for(bat, implement, analysis.conditions, swing)
         if not uncertainty:
-            document = report_document(analysis)
+            document = report_document(analysis, sources=sources)
         else:
             from sweetspot.calibration.draws.drawn_reports import drawn_report
             from sweetspot.report.bat.words import misses_of
             from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
-            sources = sources_for(bat, implement, analysis.conditions, swing)
             misses = misses_of(analysis)
             answers = drawn_report(analysis, sources, misses=misses)
             document = uncertain(

@@ -13,9 +13,12 @@ import numpy as np
 import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
+from sweetspot.calibration.draws.linear_doubt import speed_doubt
+from sweetspot.calibration.draws.sources import sources_of as unknown_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
+from sweetspot.numerics.confidence import REACH
 from sweetspot.references import keys
 from sweetspot.report import file_set
 from sweetspot.report.bat.beside_published import _predicts, chosen
@@ -117,7 +120,11 @@ def test_all_files_are_there_and_nothing_else(written: dict[str, Path]) -> None:
 
 
 def test_json_is_the_border_contract(written: dict[str, Path], analysis: Analysis) -> None:
-    assert json.loads(written["report.json"].read_text()) == json.loads(json.dumps(report_json(analysis)))
+    told = json.loads(written["report.json"].read_text())
+    half = told["best_hit"].pop("exit_speed_half_m_s")
+    assert told == json.loads(json.dumps(report_json(analysis)))
+    doubt = speed_doubt(analysis, unknown_of(analysis.bat, analysis.conditions))
+    assert doubt is not None and half == pytest.approx(REACH * doubt.error)
 
 
 def test_the_page_loads_nothing(html: str, read: Page) -> None:

@@ -1,12 +1,14 @@
 """Shots measured in a laboratory, from a CSV file: one row per shot, the unit in every column's name.
 
 ``ball_in_mph, ball_out_mph, position_in_from_tip`` and, if measured, ``bat_speed_mph, ball_cor,
-ball_stiffness_lbf_in, ball_mass_oz``. Faulty rows are listed with the reason; the others are used.
+ball_stiffness_lbf_in, ball_mass_oz``, or the same in words, ``Position from the tip (in)``. In a column ``position``
+every cell says it itself, 6in-from-tip. Faulty rows are listed with the reason; the others are used.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +16,7 @@ from pathlib import Path
 from sweetspot.errors import InputError, maybe_meant_heading
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
-from sweetspot.units import FOOT, INCH, MPH, OUNCE, POUND_FORCE, shown
+from sweetspot.units import FOOT, INCH, MPH, OUNCE, POUND_FORCE, parse_position, shown
 
 SPEEDS = {"mph": MPH, "m_s": 1.0, "km_h": 1 / 3.6, "ft_s": FOOT}
 UNITS: dict[str, dict[str, float]] = {
@@ -24,8 +26,9 @@ UNITS: dict[str, dict[str, float]] = {
     "position": {
         f"{unit}_from_{end}": factor
         for unit, factor in {"in": INCH, "m": 1.0, "cm": 0.01, "mm": 0.001}.items()
-        for end in ("knob", "tip")
-    },
+        for end in ("tip", "knob")
+    }
+    | {"": 1.0},
     "ball_cor": {"": 1.0},
     "ball_stiffness": {"n_m": 1.0, "lbf_in": POUND_FORCE / INCH, "lb_in": POUND_FORCE / INCH},
     "ball_mass": {"oz": OUNCE, "kg": 1.0, "g": 0.001},
@@ -97,13 +100,14 @@ class Shots:
 
 @dataclass(frozen=True)
 class _Column:
-    """A column's place, quantity and unit."""
+    """A column's place, quantity and unit; ``plain``: its cells are numbers, in that unit."""
 
     index: int
     heading: str
     quantity: str
     factor: float
     from_tip: bool
+    plain: bool
 
 
 def read_shots(path: Path, *, length: float) -> Shots:
@@ -145,7 +149,7 @@ def _rows(path: Path) -> Iterator[tuple[int, list[str]]]:
 
 
 def _is_heading(cells: Sequence[str]) -> bool:
-    names = [cell.strip().lower() for cell in cells]
+    names = [_name(cell) for cell in cells]
     return all(any(name.startswith(needed) for name in names) for needed in NEEDED)
 
 
@@ -154,14 +158,13 @@ def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple
     columns: dict[str, _Column] = {}
     ignored = []
     for index, heading in enumerate(headings):
-        name = heading.strip().lower()
-        column = _column(index, name)
+        column = _column(index, _name(heading))
         if column is None:
             ignored.append(heading.strip())
             continue
         if column.quantity in columns:
             raise InputError(
-                f"{path}: columns {columns[column.quantity].heading} and {name} both give {column.quantity}; "
+                f"{path}: columns {columns[column.quantity].heading} and {column.heading} both give {column.quantity}; "
                 "keep one of them, in one unit"
             )
         columns[column.quantity] = column
@@ -175,6 +178,16 @@ def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple
     return columns, tuple(ignored)
 
 
+def _name(heading: str) -> str:
+    """Return a heading as our names are written, the unit of a position before the end it counts from.
+
+    >>> _name(" Position from the tip (in)"), _name("position_from_knob_cm"), _name("Ball in [mph]")
+    ('position_in_from_tip', 'position_cm_from_knob', 'ball_in_mph')
+    """
+    name = re.sub(r"[^a-z0-9]+", "_", heading.lower()).strip("_").replace("_the_", "_")
+    return re.sub(r"_(from_(?:tip|knob))_([a-z]+)$", r"_\2_\1", name)
+
+
 def _column(index: int, name: str) -> _Column | None:
     """Return what a column means, None for a name that is not ours; a known name with no known unit is refused."""
     quantity = next((known for known in UNITS if name == known or name.startswith(f"{known}_")), None)
@@ -184,15 +197,18 @@ def _column(index: int, name: str) -> _Column | None:
     if unit not in UNITS[quantity]:
         allowed = ", ".join(f"{quantity}_{unit}".rstrip("_") for unit in UNITS[quantity])
         raise InputError(f"column {name} has {'an unknown' if unit else 'no'} unit; allowed: {allowed}")
-    return _Column(index, name, quantity, UNITS[quantity][unit], unit.endswith("_from_tip"))
+    plain = quantity != "position" or unit != ""
+    return _Column(index, name, quantity, UNITS[quantity][unit], unit.endswith("_from_tip"), plain)
 
 
 def _shot(line: int, cells: list[str], columns: dict[str, _Column], *, width: int, length: float) -> Shot:
     """Return one row as a shot; raises ValueError with the reason when it cannot be used."""
     if len(cells) != width:
         raise ValueError(f"{len(cells)} cells under {width} column names")
-    value = {quantity: _number(cells[column.index], column) for quantity, column in columns.items()}
-    position = length - value["position"] if columns["position"].from_tip else value["position"]
+    value = {quantity: _number(cells[column.index], column) for quantity, column in columns.items() if column.plain}
+    where = columns["position"]
+    position = value["position"] if where.plain else _written_place(cells[where.index], length)
+    position = length - position if where.from_tip else position
     shot = Shot(
         row=line,
         ball_speed=value["ball_in"],
@@ -206,6 +222,14 @@ def _shot(line: int, cells: list[str], columns: dict[str, _Column], *, width: in
     if fault := _fault(shot, length):
         raise ValueError(fault)
     return shot
+
+
+def _written_place(cell: str, length: float) -> float:
+    """Return a place that is written with its unit and end, m from the knob end; raises ValueError with the reason."""
+    try:
+        return parse_position(cell, length=length, what="position")
+    except InputError as fault:
+        raise ValueError(str(fault)) from None
 
 
 def _number(cell: str, column: _Column) -> float:

@@ -8,6 +8,9 @@ from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.calibration.draws.intervals import Reaches
+from sweetspot.calibration.draws.linear_doubt import speed_doubt
+from sweetspot.calibration.draws.sources import Sources as Unknown
+from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
@@ -15,6 +18,7 @@ from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json, report_json
 from sweetspot.report.bat.made_of import made_of_words
@@ -49,7 +53,11 @@ COLUMNS, ROWS = 120, 90
 
 
 def report_document(
-    analysis: Analysis[Implement], *, misses: Sequence[Miss] | None = None, reaches: Reaches | None = None
+    analysis: Analysis[Implement],
+    *,
+    misses: Sequence[Miss] | None = None,
+    reaches: Reaches | None = None,
+    sources: Unknown | None = None,
 ) -> Document:
     """Return the report of an analysis as a document.
 
@@ -57,16 +65,22 @@ def report_document(
     ----------
     misses : what they cost; None: worked out.
     reaches : how far the intervals of draws go, which are put beside all numbers and into the picture; None: there are
-        none, and what is known of doubt without draws is said.
+        none, and the doubt of the best hit's exit speed is said as it is known without draws.
+    sources : what is not known; None: what is not for a bat of this description, hit so.
     """
     bat, data = analysis.bat, report_json(analysis)
+    doubt = None
+    if reaches is None:
+        doubt = speed_doubt(analysis, sources_of(bat, analysis.conditions) if sources is None else sources)
+        if doubt is not None:
+            data["best_hit"]["exit_speed_half_m_s"] = REACH * doubt.error
     misses = misses_of(analysis) if misses is None else misses
     overview = _overview(analysis, reaches)
     return Document(
         name="report", title=bat.name, subtitle=_sizes(analysis), kind=f"{sport(bat.sport).name}: sweet spot report",
         blocks=[
             _cards(analysis, misses, drawn=reaches is not None),
-            *(Paragraph(words) for words in answer(analysis, misses, drawn=reaches is not None)),
+            *(Paragraph(words) for words in answer(analysis, misses, doubt=doubt, drawn=reaches is not None)),
             *(Paragraph(words) for words in remarks(bat)),
             overview,
         ],

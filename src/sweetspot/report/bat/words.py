@@ -11,12 +11,14 @@ from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.miss_cost import Loss, miss_costs
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.calibration.ball_doubt import speed_by_ball
+from sweetspot.calibration.draws.linear_doubt import SpeedDoubt
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
 from sweetspot.motion.swing_law import Interval
 from sweetspot.paper.sports import dead_spot
 from sweetspot.report.bat.assumed_values import soft_defaults
+from sweetspot.report.bat.sure_words import doubt_words
 from sweetspot.report.hit.second_touch import best_in_doubt
 from sweetspot.report.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.report.sport_words import arriving, in_words, weight, words_of
@@ -60,16 +62,21 @@ def misses_of(analysis: Analysis[Implement]) -> list[Miss]:
     return [Miss(distance, *both) for distance, both in zip(distances, costs, strict=True)]
 
 
-def answer(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool = False) -> list[Sentence]:
+def answer(
+    analysis: Analysis[Implement], misses: Sequence[Miss], *, doubt: SpeedDoubt | None = None, drawn: bool = False
+) -> list[Sentence]:
     """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so.
 
     Parameters
     ----------
-    drawn : whether intervals of draws take the place of how far the exit speed may be off by the ball alone.
+    doubt : how sure the exit speed is, and by what; None: it is told how far it may be off by the ball alone, which is
+        the quickest.
+    drawn : whether intervals of draws take the place of that.
     """
     words = words_of(analysis.bat)
+    sure = say("") if drawn else _by_ball(analysis) if doubt is None else doubt_words(doubt, words)
     paragraphs = (
-        _where(analysis, words, by_ball=not drawn), *best_in_doubt(analysis.best, words), _bounce(analysis, words),
+        _where(analysis, words, sure), *best_in_doubt(analysis.best, words), _bounce(analysis, words),
         _why_not_the_end(analysis, words), _miss(misses, words, drawn=drawn), _hands(analysis, words), _wall(analysis),
         soft_defaults(analysis.bat, analysis.conditions.ball, analysis.conditions),
     )  # fmt: skip
@@ -100,13 +107,13 @@ def _by_ball(analysis: Analysis[Implement]) -> Sentence:
     return in_words(", give or take {half} by the {ball} alone", words, half=Slot(speed.high - speed.value, "speed"))
 
 
-def _where(analysis: Analysis[Implement], words: Words, *, by_ball: bool) -> Sentence:
+def _where(analysis: Analysis[Implement], words: Words, sure: Sentence) -> Sentence:
     spots, best, conditions = analysis.sweet_spots, analysis.best, analysis.conditions
     leaves, swung = exit_speed_of(best, conditions), conditions.swing.speed_at(best.position)
     text = in_words(
         "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}{doubt}.", words,
         place=from_tip(analysis, spots.max_exit_speed, BEST_PLACE), coming=arriving(words, conditions.pitch.speed),
-        speed=Slot(leaves, "speed", of=BEST_SPEED), doubt=_by_ball(analysis) if by_ball else say(""),
+        speed=Slot(leaves, "speed", of=BEST_SPEED), doubt=sure,
     )  # fmt: skip
     if words.smash_factor and swung:
         text += in_words(

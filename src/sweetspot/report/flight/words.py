@@ -9,6 +9,7 @@ from sweetspot.flight.fence import Landing
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import Flight, FlightOutcome
 from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, say
 from sweetspot.units import DEGREE
@@ -105,16 +106,16 @@ def landing_words(landing: Landing, park: Park) -> Sentence:
 
 
 def alike_words(spread: float, *, spin_known: bool) -> Sentence:
-    """Return by how much the carries of balls hit alike differ.
+    """Return by how much the carries of balls hit alike differ, at the level of every interval.
 
     Parameters
     ----------
     spread : m, standard deviation.
     """
     return say(
-        "{what} differ: two in three that leave like it come down within {spread} of that.",
+        "{what} differ: nine in ten that leave like it come down within {reach} of that.",
         what="Balls and weather" if spin_known else "Balls, spin and weather",
-        spread=Slot(spread, "distance", digits=0),
+        reach=Slot(REACH * spread, "distance", digits=0),
     )
 
 

@@ -1,0 +1,78 @@
+"""The doubt of the first sentence against draws of the same sources, and its words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.calibration.draws.drawn_reports import drawn_hit
+from sweetspot.calibration.draws.linear_doubt import SpeedDoubt, speed_doubt
+from sweetspot.calibration.draws.sources import Sources, sources_of
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.sport import Words
+from sweetspot.numerics.confidence import REACH
+from sweetspot.report.bat.sure_words import doubt_words
+
+
+def half_of_draws(analysis: Analysis[Implement], sources: Sources) -> float:
+    drawn = drawn_hit(analysis.line, analysis.conditions, sources, analysis.sweet_spots.max_exit_speed)
+    return float(np.mean(np.diff(np.array(drawn.ends("exit_speed_m_s")), axis=0))) / 2
+
+
+@pytest.mark.parametrize(
+    "name", ["r161-ash", "russell-b1", "double-wall", "composite", "youth-30", "slow-pitch", "cricket-bat",
+             "tennis-racket", "golf-driver"],
+)  # fmt: skip
+def test_the_first_sentence_is_that_of_draws(name: str) -> None:
+    """Straight lines instead of bends, for wood, walls, plies and other sports."""
+    implement = catalog.load_implement(name)
+    analysis = analyse(implement, standard_conditions(implement))
+    sources = sources_of(implement, analysis.conditions)
+    doubt = speed_doubt(analysis, sources)
+    assert doubt is not None
+    assert REACH * doubt.error == pytest.approx(half_of_draws(analysis, sources), rel=0.1)
+    assert sum(doubt.shares.values()) == pytest.approx(1.0)
+
+
+def test_a_speed_that_was_written_with_an_error_counts(analysis: Analysis[Bat]) -> None:
+    """Exact: of the bat speed at the best place the ball keeps 1 + q, and independent variances add up."""
+    known = sources_of(analysis.bat, analysis.conditions)
+    swung = sources_of(analysis.bat, analysis.conditions, bat_speed_error=2.0)
+    place, swing = analysis.sweet_spots.max_exit_speed, analysis.conditions.swing
+    alone, both = speed_doubt(analysis, known), speed_doubt(analysis, swung)
+    assert alone is not None and both is not None
+    faster = 2.0 * swing.speed_at(place) / swing.bat_speed
+    assert both.error**2 - alone.error**2 == pytest.approx(both.error**2 * both.shares["swing"], rel=0.01)
+    # a faster hit also meets a ball that gives back less
+    assert (both.error**2 * both.shares["swing"]) ** 0.5 == pytest.approx(
+        faster * (1 + analysis.best.collision_efficiency), rel=0.1
+    )
+
+
+@pytest.mark.parametrize(
+    ("shares", "told"),
+    [
+        ({"ball restitution": 0.7, "patch of the ball": 0.3}, "give or take 3.7 mph by the ball alone"),
+        ({"ball restitution": 0.7, "bat": 0.3}, "give or take 3.7 mph, mostly by the ball"),
+        ({"ball mass": 0.45, "bat": 0.55}, "give or take 3.7 mph, by the bat and the ball"),
+        (
+            {"ball mass": 0.3, "bat": 0.25, "swing": 0.4, "pitch": 0.05},
+            "give or take 3.7 mph, by the speeds as they were written, the ball and the bat",
+        ),
+    ],
+)
+def test_what_it_comes_from_in_words(shares: dict[str, float], told: str) -> None:
+    assert str(doubt_words(SpeedDoubt(1.0, shares), Words())) == f", {told}"
+
+
+def test_the_default_report_says_it(run: Callable[..., tuple[int, str, str]]) -> None:
+    """As the plain answer says so do draws: within a tenth, in the first sentence of both."""
+    said = [" ".join(run("report", "tennis-racket", *more)[1].split()) for more in ((), ("--uncertainty",))]
+    assert "leaves at 48.3 m/s, give or take 2.9 m/s, mostly by the racket." in said[0]
+    assert "leaves at 48.3 ± 2.9 m/s." in said[1]
