@@ -6,9 +6,11 @@ import doctest
 import re
 import tomllib
 from pathlib import Path
+from pkgutil import resolve_name
 
 import pytest
 
+import sweetspot
 from sweetspot import references
 from sweetspot.catalog.files.implement import implement_from_table
 from sweetspot.cli import main
@@ -105,6 +107,19 @@ def test_every_reason_not_to_run_a_command_is_used() -> None:
 def test_python_blocks_are_examples_that_run() -> None:
     """A block without ``>>>`` would be run by nobody."""
     assert not [(name_of(page), text) for page in PAGES for text in blocks(page, "python") if ">>>" not in text]
+
+
+PACKAGE = Path(sweetspot.__file__).parent
+DOTTED = re.compile(r"`([a-z]\w*(?:\.\w+)+)(?:\([^`]*\))?`")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=str)
+def test_names_of_the_package_exist(page: Path) -> None:
+    """A dotted name in running text that begins with one of our folders is a module, or something in one."""
+    folders = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
+    for name in DOTTED.findall(page.read_text(encoding="utf-8")):
+        if name.split(".")[0] in folders and Path(name).suffix not in (".toml", ".py", ".json"):
+            resolve_name(f"sweetspot.{name}")  # raises for a module that is not there, or does not have it
 
 
 def test_every_page_is_reached_from_the_contents() -> None:
