@@ -200,7 +200,11 @@ BAD_CALLS = {
     ("pendulum", "--mass", "31oz", "--balance-point", "22in"): "either --period or --moi",
     ("pendulum", "--mass", "31oz", "--balance-point", "22in", "--period", "0s"): "above zero",
     ("pendulum", "--mass", "31oz", "--balance-point", "4in", "--period", "1s"): "hang it from the handle",
-    ("nonsense",): "Unknown command",
+    ("nonsense",): "there is no command 'nonsense'. There are 25, for example report",
+    ("reprot", "r161-ash"): "there is no command 'reprot'. Did you mean report?",
+    ("--json",): "there is no command '--json'",
+    ("fly", "--exit-speed", "100", "mph"): "a number and its unit are one word, 100mph, or stand in quotes",
+    ("hit", "r161-ash", "--at", "6", "in"): "a number and its unit are one word, 6in, or stand in quotes",
 }
 
 

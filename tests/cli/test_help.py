@@ -67,3 +67,9 @@ def test_an_answer_of_one_form_says_so(run: Run) -> None:
     for command in ("prepare", "schema", "show"):
         code, _, err = run(command, *(["r161-ash"] if command == "show" else []), "--json")
         assert code == 2 and f"{command} has no --json: its answer has one form" in err
+
+
+def test_help_and_version_are_commands_to_those_who_type_them_so(run: Run) -> None:
+    whole, of_hit = run("--help")[1], run("hit", "--help")[1]
+    assert run("help") == (0, whole, "") and run("help", "hit") == (0, of_hit, "")
+    assert run("version")[1] == run("-V")[1] == run("--version")[1]

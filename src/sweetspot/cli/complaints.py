@@ -1,0 +1,84 @@
+"""What the command line says of words that it does not understand: one line each."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from itertools import pairwise
+
+from cyclopts.exceptions import (
+    MissingArgumentError,
+    UnknownCommandError,
+    UnknownOptionError,
+    UnusedCliTokensError,
+)
+
+from sweetspot.cli.app import PATHS
+from sweetspot.cli.shorthand import FORMATS, SURE
+from sweetspot.errors import nearest_names
+from sweetspot.units.usual_units import TEMPERATURES, WRITTEN
+
+BARE = re.compile(r"[-+]?[\d.,]+")
+"""A number that waits for its unit."""
+UNITS = {unit for sizes in (*WRITTEN.values(), TEMPERATURES) for unit in sizes}
+
+
+def one_line(error: Exception, given: Sequence[str]) -> str:
+    """Return what is wrong with the words of a command line, in one line.
+
+    Parameters
+    ----------
+    given : the words as they were typed.
+    """
+    if isinstance(error, UnknownCommandError):
+        hint = nearest_names(given[0], list(PATHS))
+        listed = "" if hint.endswith("?") else " `sweetspot --help` tells of all."
+        return f"there is no command {given[0]!r}. {hint}{listed}"
+    if isinstance(error, UnusedCliTokensError):
+        return _left_over(error, given)
+    if isinstance(error, UnknownOptionError):
+        return _unknown_option(error, given)
+    if isinstance(error, MissingArgumentError) and error.argument is not None:
+        return _missing(error)
+    return _as_it_is(error)
+
+
+def _as_it_is(error: Exception) -> str:
+    return " ".join(str(error).split())
+
+
+def _command(error: MissingArgumentError | UnknownOptionError | UnusedCliTokensError) -> str:
+    return " ".join(error.command_chain or ())
+
+
+def _left_over(error: UnusedCliTokensError, given: Sequence[str]) -> str:
+    left, command = list(map(str, error.unused_tokens or ())), _command(error) or "the command"
+    for number, unit in pairwise(given):
+        if unit in left and unit in UNITS and BARE.fullmatch(number):
+            return f"a number and its unit are one word, {number}{unit}, or stand in quotes, '{number} {unit}'"
+    several = "; several bats side by side: sweetspot compare A B" if command in ("report", "hit", "certify") else ""
+    return (
+        f"{' '.join(left)!r} is more than {command} takes; a name with blanks is written in quotes, and options begin "
+        f"with --: see sweetspot {command} --help{several}"
+    )
+
+
+def _unknown_option(error: UnknownOptionError, given: Sequence[str]) -> str:
+    short = next((word for word in given if word in FORMATS), "")
+    if short and "--format" in (error.token.keyword, error.token.value):
+        return f"{_command(error)} has no {short}: its answer has one form"
+    if SURE in given:
+        return (
+            f"{_command(error)} has no {SURE}: it tells nothing that is computed from what is not known; leave it out"
+        )
+    return _as_it_is(error)
+
+
+def _missing(error: MissingArgumentError) -> str:
+    assert error.argument is not None
+    choices = error.argument.get_choices()
+    told = f"{_command(error)} needs {error.argument.name}. {error.argument.parameter.help}" + (
+        f" Choices: {', '.join(choices)}." if choices else ""
+    )
+    negative = any(word[:1] == "-" and word[1:2].isdigit() for word in error.root_input_tokens or ())
+    return f"{told} A negative number is written with =, as in --at=-3in." if negative else told
