@@ -14,6 +14,11 @@ from tests.season.conftest import made_up
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"_build", "_generated"} & set(path.relative_to(DOCS).parts))
+TUTORIALS = Path(__file__).parent / "tutorials"
+"""A folder of files for each page of docs/users with a tutorial; `tools/tutorial_files.py` made them."""
+TUTORIAL = re.compile(r"^## From beginning to end$.*?(?=^## )", re.MULTILINE | re.DOTALL)
+LEFT_OUT = "..."
+"""Line of a printed answer in whose place others stand."""
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -46,12 +51,22 @@ def name_of(page: Path) -> str:
 
 
 def blocks(page: Path, language: str) -> list[str]:
-    """Return the blocks of a page in one language."""
-    return [found[2] for found in BLOCK.finditer(page.read_text(encoding="utf-8")) if found[1] == language]
+    """Return the blocks of a page in one language, but for those of its tutorial."""
+    text = TUTORIAL.sub("", page.read_text(encoding="utf-8"))
+    return [found[2] for found in BLOCK.finditer(text) if found[1] == language]
+
+
+def tutorial(name: str) -> list[tuple[str, list[str]]]:
+    """Return the command lines of a page's tutorial, each with the parts of its answer that are printed below it."""
+    found = TUTORIAL.search((DOCS / "users" / f"{name}.md").read_text(encoding="utf-8"))
+    assert found is not None, name
+    consoles = "".join(block[2] for block in BLOCK.finditer(found[0]) if block[1] == "console")
+    steps = [step.partition("\n") for step in consoles.split("$ ") if step.startswith("sweetspot ")]
+    return [(line, answer.split(f"\n{LEFT_OUT}\n")) for line, _, answer in steps]
 
 
 def command_lines(page: Path) -> list[str]:
-    """Return the command lines of a page as they are written, without the prompt."""
+    """Return the command lines of a page as they are written, without the prompt; but for those of its tutorial."""
     lines = (line for text in blocks(page, "console") for line in text.splitlines())
     return [line.removeprefix("$ ") for line in lines if line.startswith("$ sweetspot ")]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import re
+import shutil
 import tomllib
 from pathlib import Path
 from pkgutil import resolve_name
@@ -23,11 +24,13 @@ from tests.documented import (
     LONG,
     NEEDS_ONE_S_OWN,
     PAGES,
+    TUTORIALS,
     arguments,
     blocks,
     command_lines,
     is_parsed_only,
     name_of,
+    tutorial,
     write_files,
 )
 from tests.golden.commands import commands as golden_commands
@@ -83,6 +86,42 @@ def test_commands_of_a_page_run(
         captured = capsys.readouterr()
         assert (stopped.value.code or 0) == EXIT_CODES.get(line.removeprefix("sweetspot "), 0), captured.err
         assert captured.out or "wrote" in captured.err, line
+
+
+TUTORIAL_CODES = {
+    "certify tested.toml --shots shots.csv": 1,
+    "certify tested.toml --uncertainty": 1,
+}
+"""Of lines of tutorials that end otherwise than with 0: the laboratory's bat breaks a rule."""
+
+
+@pytest.mark.parametrize("name", ["coach", "maker", "laboratory"])
+def test_a_tutorial_from_beginning_to_end(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """With the files that it names and no others, line after line; every answer is the one that the page prints."""
+    monkeypatch.chdir(shutil.copytree(TUTORIALS / name, tmp_path / name))
+    monkeypatch.setenv("COLUMNS", "112")
+    steps = tutorial(name)
+    assert len(steps) > 3
+    for line, parts in steps:
+        with pytest.raises(SystemExit) as stopped:
+            main(arguments(line))
+        captured = capsys.readouterr()
+        assert (stopped.value.code or 0) == TUTORIAL_CODES.get(line.removeprefix("sweetspot "), 0), captured.err
+        answer, place = " ".join(captured.out.split()), 0
+        for part in parts:
+            words = " ".join(part.split())
+            assert words in answer[place:], line
+            place = answer.index(words, place) + len(words)
+
+
+@pytest.mark.parametrize("name", ["coach", "maker", "laboratory"])
+def test_a_tutorial_shows_its_tables_as_they_are(name: str) -> None:
+    text = (DOCS / "users" / f"{name}.md").read_text(encoding="utf-8")
+    shown = re.findall(r"^```text\n(.*?)```", text, re.MULTILINE | re.DOTALL)
+    tables = [path.read_text(encoding="utf-8") for path in TUTORIALS.joinpath(name).glob("*.csv")]
+    assert name == "maker" or any(table.startswith(rows) for rows in shown for table in tables)
 
 
 @pytest.mark.parametrize("line", sorted({one for page in PAGES for one in command_lines(page) if is_parsed_only(one)}))

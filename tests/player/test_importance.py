@@ -41,6 +41,16 @@ def test_a_slanted_normal_comes_back() -> None:
     assert highest(density, np.zeros(3)) == pytest.approx(mean, abs=0.05)
 
 
+def test_a_density_that_ends_beside_its_peak_comes_back() -> None:
+    """Exact: the mean of half a standard normal is -sqrt(2 / pi); what is not allowed beside it warns of nothing."""
+
+    def density(rows: Array) -> Array:
+        return np.where(rows[:, 2] > 0.001, -np.inf, -0.5 * np.sum(rows**2, axis=1))
+
+    found = importance_draws(density, along=0, skewed=1, size=3, seed=5)
+    assert found.weights @ found.draws[:, 2] == pytest.approx(-np.sqrt(2 / np.pi), abs=0.1)
+
+
 def test_both_of_two_hills_are_found() -> None:
     """Exact: two normals at -2 and 2 in one direction, with shares 0.7 and 0.3."""
 

@@ -49,8 +49,9 @@ class RankedBat:
     exit_speed : m/s at its best place, for this player and the mean ball; the ball's doubt is not in it.
     best_chance : probability of being the best of all ranked; None: it is not ranked.
     place : m from the knob end, where it hits best.
-    properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and modulus over the described one;
-        of rackets, clubs and sticks the swing weight, and the square of the first frequency over the described one's.
+    properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and, where it was tapped, modulus
+        over the described one; of rackets, clubs and sticks the swing weight, and the square of the first frequency
+        over the described one's.
     differs : properties that lie off the mean of the other bats by more than what is not known makes of alike bats.
     contradictions : measurements of it that contradict the others, and expectations of its kind that contradict these,
         with how many sigma.
@@ -225,10 +226,12 @@ def _exit_speeds(
 
 
 def _properties(posterior: Posterior) -> dict[str, Measured]:
-    """Return mass, balance point, moment of inertia and modulus of a bat with their errors."""
+    """Return mass, balance point, moment of inertia and, of a tapped bat, modulus with their errors."""
     from sweetspot.calibration.calibrated_file import properties
 
     known = {name: one.value for name, one in properties(posterior).items() if name in PROPERTIES}
+    if not any(one.mode for one in posterior.measurements):
+        return known
     own = posterior.line.bat
     off = posterior.deviation("modulus" if isinstance(own, Bat) else "first_frequency")
     power = 1 if isinstance(own, Bat) else 2  # stiffness goes as the frequency squared
@@ -244,7 +247,9 @@ def _differing(properties: dict[str, dict[str, Measured]], name: str) -> tuple[s
     reach = float(norm.isf(BY_CHANCE / (2 * len(properties) * len(properties[name]))))
     names = []
     for which, own in properties[name].items():
-        others = [values[which] for other, values in properties.items() if other != name]
+        others = [values[which] for other, values in properties.items() if other != name and which in values]
+        if not others:
+            continue
         mean = float(np.mean([one.value for one in others]))
         of_mean = float(np.linalg.norm([one.error for one in others])) / len(others)
         if abs(own.value - mean) > reach * max(math.hypot(own.error, of_mean), 1e-12):

@@ -163,9 +163,10 @@ def _precision(log_density: Density, place: Array) -> Array:
     rows = [place[None], place + steps, place - steps, place + steps[first] + steps[second]]
     values = -log_density(np.concatenate(rows))
     middle, ahead, behind = values[0], values[1 : size + 1], values[size + 1 : 2 * size + 1]
-    curvature = np.diag(ahead + behind - 2 * middle)
-    both = values[2 * size + 1 :] + middle
-    curvature[first, second] = curvature[second, first] = both - ahead[first] - ahead[second]
+    with np.errstate(invalid="ignore"):  # infinite where not allowed: there nothing is known, as of the prior
+        curvature = np.diag(ahead + behind - 2 * middle)
+        both = values[2 * size + 1 :] + middle
+        curvature[first, second] = curvature[second, first] = both - ahead[first] - ahead[second]
     scale, axes = np.linalg.eigh(np.nan_to_num(curvature / CURVATURE_STEP**2, posinf=1.0, neginf=1.0))
     return np.asarray((axes * np.clip(scale, FLATTEST, None)) @ axes.T)
 

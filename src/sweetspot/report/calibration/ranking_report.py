@@ -31,7 +31,7 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     rows = [
         (
             one.name, one.exit_speed.value, half_width(one.exit_speed), one.best_chance, one.properties["mass"].value,
-            one.properties["moi"].value, one.properties["modulus"].value - 1,
+            one.properties["moi"].value, _stiffer(one),
             "not ranked" if one in ranking.unranked else ", ".join(WORDS[name] for name in one.differs)
             or "nothing surely",
         )
@@ -82,6 +82,12 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         name="rank", title=f"{len(rows)} {words.implement}s like {model.name}", blocks=blocks, data=data,
         rows={key: [one[key] for one in flat] for key in flat[0]}, reader=reader(None, words),
     )  # fmt: skip
+
+
+def _stiffer(one: RankedBat) -> float | None:
+    """Return by which part a bat is stiffer than described; None: it was not tapped."""
+    known = one.properties.get("modulus")
+    return None if known is None else known.value - 1
 
 
 def ranking_words(ranking: Ranking, *, model: Implement) -> Sentence:
