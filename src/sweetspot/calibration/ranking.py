@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import chi2, norm
 
 from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.measured import Measured
@@ -103,7 +102,9 @@ class Ranking:
 
 def _greatest_scatter(count: int) -> float:
     """Return the standard deviation that so few normal values reach by chance, over their true one: chi squared's."""
-    return math.sqrt(float(chi2.isf(BY_CHANCE, count - 1)) / (count - 1))
+    from scipy.special import chdtri
+
+    return math.sqrt(float(chdtri(count - 1, BY_CHANCE)) / (count - 1))
 
 
 def rank_bats(
@@ -244,7 +245,9 @@ def _differing(properties: dict[str, dict[str, Measured]], name: str) -> tuple[s
 
     So far off that of alike bats any property of any bat is named in one table of twenty (Bonferroni).
     """
-    reach = float(norm.isf(BY_CHANCE / (2 * len(properties) * len(properties[name]))))
+    from scipy.special import ndtri
+
+    reach = -float(ndtri(BY_CHANCE / (2 * len(properties) * len(properties[name]))))
     names = []
     for which, own in properties[name].items():
         others = [values[which] for other, values in properties.items() if other != name and which in values]
