@@ -14,7 +14,7 @@ from sweetspot import catalog
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones, predicted
 from sweetspot.calibration.naming import ModeName, NamedTone
-from sweetspot.calibration.posterior import Posterior, calibrate, residuals, right_mode, suspects
+from sweetspot.calibration.posterior import Posterior, calibrate, residuals
 from sweetspot.calibration.ring import Tone
 from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
 from sweetspot.dynamics.beam import BeamModel
@@ -147,38 +147,6 @@ def test_the_sampler_agrees(maple: Bat, line: BeamModel) -> None:
     errors = np.sqrt(np.diag(one.covariance))
     np.testing.assert_allclose((draws.mean(axis=0) - one.deviations) / errors, 0, atol=0.5)
     np.testing.assert_allclose(draws.std(axis=0) / errors, 1, atol=0.4)
-
-
-def test_a_mislabelled_mode_is_named(maple: Bat, line: BeamModel) -> None:
-    measurements = measured(line, bending=(1, 2, 3, 4), seed=2)
-    second = next(one for one in measurements if one.name == "bending 2")
-    third = next(one for one in measurements if one.name == "bending 3")
-    wrong = [one for one in measurements if one is not third]
-    wrong[wrong.index(second)] = replace(third, mode=ModeName("bending", 2))
-    one = calibrate(line, unknowns_of(maple), wrong)
-    assert abs(one.contradictions["bending 2"]) > 10
-    assert set(suspects(one)) == {"bending 2"}
-
-
-def test_a_lone_mislabelled_mode_is_named_and_its_right_name_is_told(maple: Bat, line: BeamModel) -> None:
-    """The bat's stiffness could meet it, and pulls at what was expected of that; the tone is named all the same."""
-    *of_body, second = measured(line, bending=(2,), seed=2)
-    first = measured(line, bending=(1,), seed=2)[-1]
-    wrong = replace(first, mode=second.mode)
-    one = calibrate(line, unknowns_of(maple), [*of_body, wrong])
-    alone = suspects(one)
-    assert set(alone) == {"bending 2"}
-    assert right_mode(wrong, alone["bending 2"]) == ModeName("bending", 1)
-    far = replace(wrong, value=Measured(40.0, 0.1))
-    assert right_mode(far, alone["bending 2"]) is None
-
-
-def test_a_wrong_balance_point_is_named_and_not_averaged_in(maple: Bat, line: BeamModel) -> None:
-    measurements = measured(line, bending=(1, 2, 3))
-    moved = replace(measurements[1], value=Measured(measurements[1].value.value + 0.03, 0.0015))
-    one = calibrate(line, unknowns_of(maple), [measurements[0], moved, *measurements[2:]])
-    without = suspects(one)["balance point"]
-    assert predicted(without.line, [moved])[0] == pytest.approx(measurements[1].value.value, abs=0.004)
 
 
 def test_a_wrong_outline_is_caught(line: BeamModel, maple: Bat) -> None:

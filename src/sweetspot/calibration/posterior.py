@@ -10,14 +10,13 @@ r_i / sqrt(1 - J_i C J_i^T) sigma, its studentised residual r.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from sweetspot.calibration.deviation_batch import deviated_bodies
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import MOST_BENDING, OF_BODY, Measurement, predicted, said_of_body
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.measurements import OF_BODY, Measurement, predicted, said_of_body
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
@@ -35,8 +34,6 @@ STEP = 0.02
 """Of a spread, in the differences."""
 ARRIVED = 1e-3
 """Of a spread; after a smaller one of Gauss's and Newton's steps comes the last one, by differences to both sides."""
-FARTHEST_NAME = 0.3
-"""Logarithm of a tone's frequency over a mode's from which on it is not tried as it; 25 % of the modulus are 0.12."""
 HARDLY = 0.02
 """Part of a source's own variance that the others must leave it, for it to be able to contradict them. The bat meets
 one that has less, unless contradictions elsewhere draw it away: then it is off by its own errors."""
@@ -177,50 +174,6 @@ def _said(
     """Return what the bat and ball with these deviations say to measurements, SI."""
     livelier = sum(float(off) for one, off in zip(unknowns, deviations, strict=True) if one.name == OF_BALL)
     return predicted(deviated(line, unknowns, deviations), measurements, livelier=livelier)
-
-
-def suspects(posterior: Posterior) -> dict[str, Posterior]:
-    """Return the measurements that alone explain a contradiction, each with the bat that all the others agree on.
-
-    All are tried: one that the unknowns can always meet pulls at what is expected of them, not at itself.
-    """
-    if not posterior.contradictions or len(posterior.measurements) == 1:
-        return {}
-    without = {
-        one.name: _agreement(posterior, [other for other in posterior.measurements if other is not one])
-        for one in posterior.measurements
-    }
-    return {name: others for name, others in without.items() if others}
-
-
-def right_mode(suspect: Measurement, others: Posterior) -> ModeName | None:
-    """Return the mode by whose name a tone would agree with all other measurements; None where there is none.
-
-    Parameters
-    ----------
-    suspect : a frequency that contradicts them by the name it has.
-    others : what is known of the bat without it.
-    """
-    known = [one.mode for one in others.measurements]
-    named = [
-        replace(suspect, mode=mode)
-        for number in range(1, MOST_BENDING + 1)
-        if (mode := ModeName("bending", number)) != suspect.mode and mode not in known
-    ]
-    ratios = np.abs(np.log(predicted(others.line, named) / suspect.value.value)) if named else np.empty(0)
-    if not ratios.size or ratios.min() > FARTHEST_NAME:
-        return None
-    nearest = named[int(ratios.argmin())]
-    return nearest.mode if _agreement(others, [*others.measurements, nearest]) else None
-
-
-def _agreement(posterior: Posterior, measurements: Sequence[Measurement]) -> Posterior | None:
-    """Return the same bat by other measurements, None where these contradict each other too."""
-    try:
-        one = calibrate(posterior.prior, posterior.unknowns, measurements)
-    except InputError:
-        return None
-    return None if one.contradictions else one
 
 
 def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]) -> Posterior:

@@ -7,9 +7,10 @@ from itertools import chain
 from typing import Any
 
 from sweetspot.calibration.calibrated_file import Value, material_values, properties
+from sweetspot.calibration.contradictions import Meant, meant, renamed, suspects
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
-from sweetspot.calibration.posterior import CONTRADICTION, Posterior, right_mode, suspects
+from sweetspot.calibration.posterior import CONTRADICTION, Posterior
 from sweetspot.catalog.materials import keys_by_name, material
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
@@ -164,37 +165,57 @@ def contradictions(posterior: Posterior, alone: Mapping[str, Posterior] | None =
         return []
     name, pull = next(iter(posterior.contradictions.items()))
     alone = suspects(posterior) if alone is None else alone
+    lone = len(posterior.measurements) == 1
     by = (
         say(": {name} lies {pull} sigma from what all the others say together",
             name=source_words(name, posterior.line.bat), pull=f"{abs(pull):.1f}")
-        if name in alone or not alone
+        if (name in alone or not alone) and not lone
         else say(", by {pull} sigma", pull=f"{abs(pull):.1f}")
     )  # fmt: skip
+    who = "measurement and description" if lone else "measurements"
     words = [
-        say("The measurements contradict each other{by}; allowed is {most}.", by=by, most=f"{CONTRADICTION:g}")
+        say("The {who} contradict each other{by}; allowed is {most}.", who=who, by=by, most=f"{CONTRADICTION:g}")
     ]  # fmt: skip
     for suspect, without in alone.items():
         one = next(one for one in posterior.measurements if one.name == suspect)
-        should = float(predicted(without.line, [one], livelier=without.livelier)[0])
+        said = float(predicted(without.line, [one], livelier=without.livelier)[0])
+        should, given = (Slot(value, *SCALE_OF[one.kind]) for value in (said, one.value.value))
         words.append(
-            say(
+            say("By the description the {name} should be about {should} and not {given}.", name=suspect, should=should,
+                given=given)
+            if lone
+            else say(
                 "Without {name} all others agree; by them it should be {should} and not {given}. Measure it again, or "
-                "--leave-out '{name}'.", name=suspect, should=Slot(should, *SCALE_OF[one.kind]),
-                given=Slot(one.value.value, *SCALE_OF[one.kind]),
+                "--leave-out '{name}'.", name=suspect, should=should, given=given,
             )
         )  # fmt: skip
-        mode = right_mode(one, without) if one.mode and isinstance(posterior.line.bat, Bat) else None
-        if mode:
-            words.append(say("As {mode} it would agree with all others.", mode=str(mode)))
+        if as_meant := meant(one, without):
+            how = joined((_meant_words(slip, posterior) for slip in as_meant), " or ")
+            words.append(say("As {how} it would agree{others}.", how=how, others="" if lone else " with all others"))
     if len(words) == 1:
-        words.append(
-            say(
-                "No single measurement explains it: look for a wrong {drawing}, or a {bat} that was not free.",
-                drawing="outline, another wood" if isinstance(posterior.line.bat, Bat) else "unit or axis",
-                bat=sport(posterior.line.bat.sport).words.implement,
-            )
-        )
+        words.append(_unexplained(posterior))
     return [*words, *supposed_words(posterior)]
+
+
+def _meant_words(slip: Meant, posterior: Posterior) -> Sentence:
+    """Return as what a measurement was probably meant."""
+    if slip.words:
+        return say("{words}", words=slip.words)
+    about = "swung about" if slip.measurement.kind == "period" else "taken about"
+    return say("{about} {axis}", about=about, axis=axis_words(slip.measurement.axis, posterior.line.bat.grip_end))
+
+
+def _unexplained(posterior: Posterior) -> Sentence:
+    """Return in words what else may be wrong where no single measurement explains a contradiction."""
+    if names := renamed(posterior):
+        told = (say("{value} {name}", value=Slot(one.value.value, "frequency", 1), name=one.name) for one in names)
+        return say("All would agree were the tones named otherwise: {names}.", names=joined(told, ", "))
+    own = posterior.line.bat
+    return say(
+        "No single measurement explains it: look for a wrong {drawing}, or a {bat} that was not free.",
+        drawing="outline, another wood" if isinstance(own, Bat) else "unit or axis",
+        bat=sport(own.sport).words.implement,
+    )
 
 
 def _rows(posterior: Posterior) -> list[tuple[Measurement, float, float]]:

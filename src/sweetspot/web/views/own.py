@@ -13,9 +13,10 @@ import tomli_w
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
 from sweetspot.calibration.calibrated_file import Value, calibrated_bat, calibrated_table, material_values, properties
+from sweetspot.calibration.contradictions import meant, suspects
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, predicted
-from sweetspot.calibration.posterior import Posterior, right_mode, suspects
+from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.design.variables import sizes_of
@@ -172,7 +173,8 @@ def _residuals(state: OwnState, posterior: Posterior | None, alone: Mapping[str,
     for one in measurements_of(state):
         counts, others = one.name in pulls, alone.get(one.name)
         scale, digits = SCALE_OF[one.kind]
-        mode = right_mode(one, others) if others is not None and one.mode and isinstance(own, Bat) else None
+        as_meant = meant(one, others) if others is not None and one.mode else []
+        mode = as_meant[0].measurement.mode if as_meant else None
         rows.append({
             "name": one.name, "scale": scale, "digits": digits, "value": one.value.value,
             "half": REACH * one.value.error, "counts": counts, "field": FIELDS.get(one.kind),

@@ -1,0 +1,132 @@
+"""A measurement that contradicts the others is named, and so is what was probably meant by it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import pytest
+
+from sweetspot import catalog
+from sweetspot.calibration.contradictions import meant, renamed, suspects
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.unknowns import described, unknowns_of
+from sweetspot.equipment.bat import Bat
+from sweetspot.units import INCH, OUNCE
+from tests.calibration.test_posterior import measured
+
+FIRST, SECOND, THIRD = (ModeName("bending", number) for number in (1, 2, 3))
+Change = Callable[[Measurement], Measurement]
+
+
+@pytest.fixture(scope="module")
+def maple() -> Bat:
+    return catalog.bat("mlb-c")
+
+
+def fitted(bat: Bat, measurements: Sequence[Measurement]) -> Posterior:
+    return calibrate(described(bat), unknowns_of(bat), measurements)
+
+
+def times(factor: float) -> Change:
+    return lambda one: replace(one, value=Measured(factor * one.value.value, factor * one.value.error))
+
+
+def about(axis: float) -> Change:
+    return lambda one: replace(one, axis=axis)
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "words"),
+    [
+        ("balance point", times(0.01 / INCH), "inches and not centimetres"),
+        ("balance point", lambda one: replace(one, value=Measured(34 * INCH - one.value.value, 0.0015)),
+         "from the other end"),
+        ("pendulum", times(2.0), "the time of two swings"),
+        ("pendulum", times(0.5), "the time of half a swing"),
+        ("pendulum", times(0.95), "19 swings counted for 20"),
+        ("pendulum", about(0.0), ""),
+        ("mass", times(1 / (16 * OUNCE)), "pounds and not kilograms"),
+        ("bending 1", lambda one: replace(one, value=Measured(570.0, 1.0)), "bending 2"),
+    ],
+)  # fmt: skip
+def test_what_was_meant_is_told(maple: Bat, name: str, change: Change, words: str) -> None:
+    """Exact: the very measurement is given in another unit, from another end, or about another axis."""
+    line = described(maple)
+    right = measured(line, bending=(1,))
+    given = [change(one) if one.name == name else one for one in right]
+    alone = suspects(fitted(maple, given))
+    assert name in alone
+    wrong = next(one for one in given if one.name == name)
+    slips = meant(wrong, alone[name])
+    assert words in {one.words for one in slips}
+    if name != "bending 1":
+        own = next(one for one in right if one.name == name)
+        nearest = slips[0].measurement
+        assert predicted(line, [nearest])[0] / nearest.value.value == pytest.approx(1.0, rel=5e-3)
+        assert words or nearest.axis == pytest.approx(own.axis)
+
+
+def test_a_tone_far_from_every_mode_has_no_name(maple: Bat) -> None:
+    *of_body, first = measured(described(maple), bending=(1,))
+    far = replace(first, value=Measured(40.0, 0.1))
+    assert meant(far, fitted(maple, of_body)) == []
+
+
+def test_a_mislabelled_mode_is_named(maple: Bat) -> None:
+    measurements = measured(described(maple), bending=(1, 2, 3, 4), seed=2)
+    third = next(one for one in measurements if one.name == "bending 3")
+    others = [one for one in measurements if one.name not in ("bending 2", "bending 3")]
+    one = fitted(maple, [*others, replace(third, mode=SECOND)])
+    assert abs(one.contradictions["bending 2"]) > 10
+    assert set(suspects(one)) == {"bending 2"}
+
+
+def test_a_hoop_tone_of_a_hollow_bat_is_named() -> None:
+    """Tapped at the barrel it is the loudest, and easily taken for a bending mode."""
+    hollow = catalog.bat("single-wall")
+    *others, hoop = measured(described(hollow), bending=(1, 2), hoop=True)
+    one = fitted(hollow, [*others, replace(hoop, mode=THIRD)])
+    alone = suspects(one)
+    assert set(alone) == {"bending 3"}
+    assert [slip.words for slip in meant(replace(hoop, mode=THIRD), alone["bending 3"])] == ["hoop n = 2"]
+
+
+@pytest.mark.parametrize("given", [(SECOND, FIRST), (FIRST, SECOND)], ids=["exchanged", "one too low"])
+def test_tones_that_are_all_named_wrong_are_named_again(maple: Bat, given: tuple[ModeName, ModeName]) -> None:
+    """No single one explains it: two were exchanged, or the first was not heard and the others were counted from it."""
+    right = (FIRST, SECOND) if given[0] == SECOND else (SECOND, THIRD)
+    *of_body, low, high = measured(described(maple), bending=[one.harmonic for one in right])
+    wrong = fitted(maple, [*of_body, replace(low, mode=given[0]), replace(high, mode=given[1])])
+    assert suspects(wrong) == {}
+    assert renamed(wrong) == [low, high]
+
+
+def test_a_wrong_balance_point_is_named_and_not_averaged_in(maple: Bat) -> None:
+    measurements = measured(described(maple), bending=(1, 2, 3))
+    moved = replace(measurements[1], value=Measured(measurements[1].value.value + 0.03, 0.0015))
+    without = suspects(fitted(maple, [measurements[0], moved, *measurements[2:]]))["balance point"]
+    assert predicted(without.line, [moved])[0] == pytest.approx(measurements[1].value.value, abs=0.004)
+
+
+def test_the_command_tells_what_was_meant(run: Callable[..., tuple[int, str, str]]) -> None:
+    """With one measurement only the description can contradict it."""
+
+    def findings(*arguments: str) -> list[str]:
+        code, out, _ = run("calibrate", "r161-ash", *arguments, "--format", "json")
+        assert code == 1
+        return list(json.loads(out)["findings"])
+
+    found = findings("--balance-point", "22.05cm")
+    assert found[0].startswith("The measurement and description contradict each other")
+    assert found[1].startswith("By the description the balance point should be about 21.9")
+    assert found[2] == "As inches and not centimetres it would agree."
+    given = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in")
+    hung = findings(*given, "--pendulum", "1.4545s±0.003s", "--pivot", "6cm")
+    assert "As swung about 6 in from the knob end it would agree with all others." in hung
+    renamed_tones = findings(*given, "--tone", "bending-1:572Hz", "--tone", "bending-2:171.8Hz")
+    assert "All would agree were the tones named otherwise: 572.0 Hz bending 2, 171.8 Hz bending 1." in renamed_tones
