@@ -60,6 +60,16 @@ def test_the_first_picture_says_where_the_bat_hits_best(opened: Page, settled: C
     assert min(drawn) > 50  # shades on every canvas: something is drawn on it
 
 
+def test_a_swing_weight_says_how_sure_it_is(opened: Page, answered: Answered) -> None:
+    """That of the R161 follows from its outline, that of B6 was measured."""
+    fact = opened.locator(".facts div:has(:text-is('Swing weight')) dd")
+    expect(fact).to_have_text(re.compile(r"^10,300\s±\s1000\soz\sin²$"))
+    count = answered(opened)
+    opened.locator("[data-field=bat] select").first.select_option("russell-b6")
+    answered(opened, count)
+    expect(fact).to_have_text(re.compile(r"^9590\soz\sin²$"))
+
+
 CONTROLS = {
     "pitch_speed_mph": (60, "Exit speed"),
     "bat_speed_mph": (80, "Exit speed"),

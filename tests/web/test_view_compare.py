@@ -14,6 +14,8 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.comparison import compare
 from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.outline_doubt import OF_SWING
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.comparison.words import verdict
 from sweetspot.units import MPH
 from sweetspot.web.errors import FieldError
@@ -33,6 +35,12 @@ def test_it_is_the_librarys_comparison() -> None:
         for end in ("value", "low", "high"):
             assert row["exit_speed_m_s"][end] == pytest.approx(getattr(one.exit_speed, end), rel=1e-12)
             assert row["change_m_s"][end] == pytest.approx(getattr(one.change, end), abs=1e-12)
+
+
+def test_a_moment_of_inertia_that_was_not_measured_has_its_interval() -> None:
+    ash, metal = (row["bat"] for row in asked(others=[{"bat": "russell-b6"}])["bats"])
+    assert ash["moi_6in_half_kg_m2"] == pytest.approx(REACH * OF_SWING * ash["moi_6in_kg_m2"])
+    assert metal["moi_6in_half_kg_m2"] == 0
 
 
 def test_corking_is_answered_in_both_systems() -> None:

@@ -7,9 +7,13 @@ from typing import Any
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import swung, usual
@@ -24,11 +28,17 @@ def bat_picture(state: BatState, reduced: ReducedBat) -> dict[str, Any]:
     """Return a state's bat: its facts, its outline, how far its controls may go, and what is usual in its sport."""
     return {
         **bat_json(reduced.bat.name, reduced.bat.length, reduced.body),
+        "moi_6in_half_kg_m2": moi_half(reduced.bat, reduced.body),
         **outline(reduced.bat),
         "bounds": bounds(state, reduced.bat),
         "sport": reduced.bat.sport,
         "usual": usual(reduced.bat)._asdict(),
     }
+
+
+def moi_half(bat: Bat, body: RigidBody) -> float:
+    """Return half the 90 % interval of a bat's swing weight in kg m^2; 0: it was measured."""
+    return REACH * moi_doubt(bat, body, STANDARD_AXIS)
 
 
 def ball_picture(state: SwungState, ball: Ball) -> dict[str, float]:

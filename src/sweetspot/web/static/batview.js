@@ -321,8 +321,9 @@ export class BatView {
       context.fill();
       context.stroke();
     });
+    const fontOf = (/** @type {(typeof found)[number]} */ one) => `${one.color === "red" ? "600 " : ""}12px ${FONT}`;
     found.forEach((one, row) => { // over all lines, which may run behind them where there is little room
-      context.font = `${one.color === "red" ? "600 " : ""}12px ${FONT}`;
+      context.font = fontOf(one);
       context.textAlign = right ? "left" : "right";
       const [words, x, y] = [wordsOf(one), column + (right ? 5 : -5), 12 + row * ROW];
       const wide = context.measureText(words).width;
@@ -330,12 +331,11 @@ export class BatView {
       context.fillRect(right ? x : x - wide, y - 7, wide, 14);
       haloText(context, words, x, y, colors.ink, colors.panel);
     });
-    context.font = `11px ${FONT}`;
-    context.fillStyle = colors.muted;
-    context.textAlign = "right";
     if (right || !found.length) return;
     const beside = "from the tip:"; // of all numbers, left of the first name, where there is room
-    context.font = `12px ${FONT}`;
+    context.fillStyle = colors.muted;
+    context.textAlign = "right";
+    context.font = fontOf(found[0]);
     const end = column - context.measureText(wordsOf(found[0])).width - 20;
     context.font = `11px ${FONT}`;
     if (end - context.measureText(beside).width > LEFT) context.fillText(beside, end, 12);

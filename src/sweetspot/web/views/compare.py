@@ -31,7 +31,7 @@ from sweetspot.report.sentences import Sentence, say
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
 from sweetspot.web.documents import in_both_systems, told
-from sweetspot.web.drawings import ball_picture, bat_picture, outline
+from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
 from sweetspot.web.states import BatState, Name, SwungState
@@ -74,6 +74,7 @@ def answer(state: CompareState) -> dict[str, Any]:
     table = comparison_json(comparison, verdicts["us"])
     for row, one in zip(table["bats"], comparison.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
+        row["bat"]["moi_6in_half_kg_m2"] = moi_half(one.analysis.bat, one.analysis.body)
         row["scan"] |= {
             "collision_efficiency": one.analysis.scan.collision_efficiency,
             "bbcor": one.analysis.scan.bbcor,

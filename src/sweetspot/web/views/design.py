@@ -23,13 +23,11 @@ from sweetspot.design.measures import MEASURES, Measured
 from sweetspot.design.outline_curve import HANDLES
 from sweetspot.design.turned import TurnedSpace
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.design.document import compared
@@ -39,7 +37,7 @@ from sweetspot.report.quantities import SCALES, SYSTEMS
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, reduced
 from sweetspot.web.documents import in_both_systems
-from sweetspot.web.drawings import ball_picture, bat_picture, outline
+from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import ENOUGH, bat_name, bat_text, swing_options
@@ -88,7 +86,7 @@ def answer(state: DesignState) -> dict[str, Any]:
         ],
         "design": {
             **bat_json(bat.name, bat.length, body), **outline(bat),
-            "moi_6in_half_kg_m2": REACH * moi_doubt(bat, body, STANDARD_AXIS),
+            "moi_6in_half_kg_m2": moi_half(bat, body),
             "stations": _handles(request, numbers),
         },
         "measures": [_beside(name, measured, request.now) for name in compared(space, measured)],

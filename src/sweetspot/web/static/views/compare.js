@@ -5,7 +5,7 @@ import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
 import { HowSure } from "../howsure.js";
 import { isUnsure } from "../lights.js";
-import { make, paragraphs, tableOf, tell } from "../parts.js";
+import { make, paragraphs, tableOf, tell, withDoubt } from "../parts.js";
 import { INCH } from "../units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
@@ -145,7 +145,7 @@ export const view = {
       "Bat", "Weight", "Balance", "Swing weight", "Bat speed", "Exit speed", "Change", "Breaks even at", "BBCOR in play",
     ], bats.map((one, i) => [
       one.label, show("mass_kg", one.bat.mass_kg), show("balance_point_m", one.bat.balance_point_m, 1),
-      show("moi_6in_kg_m2", one.bat.moi_6in_kg_m2), range("bat_speed_m_s", one.bat_speed_m_s),
+      withDoubt("moi_6in_kg_m2", one.bat.moi_6in_kg_m2, one.bat.moi_6in_half_kg_m2, this.app), range("bat_speed_m_s", one.bat_speed_m_s),
       range("exit_speed_m_s", one.exit_speed_m_s), i ? range("speed_change", one.change_m_s, "+") : "reference",
       i ? show("bat_speed_m_s", one.break_even_bat_speed_m_s) : "reference", one.max_bbcor.toFixed(3),
     ]));

@@ -8,7 +8,7 @@ import { gripsOf } from "../grips.js";
 import { HeatMap } from "../heatmap.js";
 import { HowSure } from "../howsure.js";
 import { PARTS } from "../ledger.js";
-import { factList, make, paragraphs, tell } from "../parts.js";
+import { factList, make, paragraphs, tell, withDoubt } from "../parts.js";
 import { INCH } from "../units.js";
 import { Zoom } from "../zoom.js";
 /** @import { Curve, Panel } from "../chart.js" */
@@ -43,7 +43,7 @@ const FACTS = [
   ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
   ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
   ["Weight", (a) => ["mass_kg", a.bat.mass_kg]],
-  ["Swing weight", (a) => ["moi_6in_kg_m2", a.bat.moi_6in_kg_m2]],
+  ["Swing weight", (a, app) => withDoubt("moi_6in_kg_m2", a.bat.moi_6in_kg_m2, a.bat.moi_6in_half_kg_m2, app)],
 ];
 
 /** @type {View} */
