@@ -109,6 +109,18 @@ def test_no_column_is_narrower_than_its_words(
     assert "baseball          " in printed
 
 
+def test_sentences_keep_to_a_narrow_screen_that_tables_need_more_than(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "40")
+    with pytest.raises(SystemExit):
+        main(["report", "r161-ash"])
+    printed = capsys.readouterr().out
+    sentences, tables = printed.split("Every sweet spot")
+    assert max(len(line.rstrip()) for line in sentences.splitlines()) <= 40
+    assert max(len(line.rstrip()) for line in tables.splitlines()) > 40
+
+
 def test_a_command_that_fails_prints_nothing_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         main(["pendulum", "--mass", "31oz", "--balance-point", "2in", "--period", "1.5s"])

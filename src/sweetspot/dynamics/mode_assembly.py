@@ -26,7 +26,7 @@ PLACES = np.linspace(0.4, 1.0, 25)
 """Parts of the length at which the surface is asked how light it is."""
 
 
-def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Modes:
+def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: int | None = None) -> Modes:
     """Return rigid motions and bending modes of a bat, and what its striking face or hollow barrel adds.
 
     A face adds roll and its own mode, damped as it damps this ball; a hollow barrel its hoop modes, which are felt
@@ -38,6 +38,7 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Mode
     line : from `beam_model`.
     ball : that will hit the bat: hoop modes are felt through its patch, a face is damped by it.
     patch_factor : on the radius of the ball's contact patch, > 0; 1 unless its doubt is asked for (`PATCH_SPREAD`).
+    count : of the bending modes beside a face; None: as many as a contact excites, see `excited_bending`.
 
     >>> from sweetspot import all_modes, beam_model, catalog
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
@@ -48,7 +49,7 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Mode
         from sweetspot.dynamics.face_vibration import face_modes
 
         face = face_modes(line, ball)
-        bending = excited_bending(line, face, ball)
+        bending = excited_bending(line, face, ball) if count is None else bending_modes(line, count=count)
         if isinstance(line.bat, CricketBat):
             dent = blade_dent(line, law=patch_law(ball, factor=patch_factor))
             bending = replace(bending, compliances=(*bending.compliances, dent))

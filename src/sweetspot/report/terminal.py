@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from textwrap import fill
 
 from rich.console import Group, RenderableType
+from rich.constrain import Constrain
 from rich.padding import Padding
 from rich.table import Table as RichTable
 from rich.text import Text
@@ -43,7 +44,7 @@ def to_terminal(document: parts.Document, reader: Reader, *, encoding: str = "ut
         title.append(f"  {subtitle}", style="dim")
     if document.made_for:
         title.append(f"  for {document.made_for}")
-    heading = [title, Text()] if title.plain else []
+    heading: list[RenderableType] = [screen.as_lines(title), Text()] if title.plain else []
     return Group(*heading, *_rendered([*document.blocks, *document.details], screen))
 
 
@@ -54,6 +55,10 @@ class Screen:
     reader: Reader
     encoding: str = "utf-8"
     room: int = ROOM
+
+    def as_lines(self, words: RenderableType) -> Constrain:
+        """Return words in lines as long as the screen is wide, however much room a table beside them takes."""
+        return Constrain(words, self.room)
 
     def read(self, words: Words) -> str:
         return spelled_for(self.encoding, read(words, self.reader))
@@ -70,20 +75,22 @@ def _rendered(blocks: Sequence[parts.Block], screen: Screen) -> Iterator[Rendera
         match block:
             case parts.Paragraph():
                 if words := screen.read(block.words):
-                    yield Padding(Text(words, style=STYLES[block.kind]), (0, 0, 1, 0))
+                    yield screen.as_lines(Padding(Text(words, style=STYLES[block.kind]), (0, 0, 1, 0)))
             case parts.Bullets():
-                yield from (Text(f"- {screen.read(item)}") for item in block.items)
+                yield from (screen.as_lines(Text(f"- {screen.read(item)}")) for item in block.items)
                 yield Text()
             case parts.Question():
-                yield Text(screen.read(block.question), style="bold")
-                yield Padding(Text(screen.read(block.answer)), (0, 0, 1, 2))
+                yield screen.as_lines(Text(screen.read(block.question), style="bold"))
+                yield screen.as_lines(Padding(Text(screen.read(block.answer)), (0, 0, 1, 2)))
             case parts.Table():
                 if title := screen.read(block.title):
                     yield Text(title, style="bold")
                 yield table(block, screen)
                 yield Text()
             case parts.Sources():
-                yield from (Text(f"[{key}] {screen.read(cite(key))}", style="dim") for key in block.keys)
+                yield from (
+                    screen.as_lines(Text(f"[{key}] {screen.read(cite(key))}", style="dim")) for key in block.keys
+                )
             case parts.Section():
                 yield Text(screen.read(block.title), style="bold")
                 yield from _rendered(block.blocks, screen)

@@ -103,3 +103,18 @@ def test_sources_can_be_left_out_and_put_in() -> None:
     assert f"{OF_BALL}restitution" not in sources.without(f"{OF_BALL}restitution").names
     nothing = Sources((), np.zeros((0, 0)), ())
     assert nothing.of("swing", np.zeros((3, 0))).tolist() == [0.0, 0.0, 0.0]
+
+
+def test_a_racket_that_may_be_a_fifth_stiffer_is_followed() -> None:
+    """As tuned: f goes as the exponential. A stiffer racket needs fewer modes, and must not be taken as described."""
+    racket = catalog.load_implement("badminton-racket")
+    conditions = standard_conditions(racket)
+    sources = sources_of(racket, conditions)
+    stiffer = [one.name for one in sources.unknowns].index("first_frequency")
+    normal = np.zeros((5, len(sources.names)))
+    normal[:, stiffer] = (-2.5, -1.0, 0.5, 1.0, 2.5)
+    draws = draws_of(beam_model(racket), conditions, sources, count=5, normal=normal)
+    first = draws.bats.angular_frequency[:, 2]
+    off = sources.deviations(normal)[:, stiffer]
+    assert np.max(np.abs(off)) > 0.4
+    assert first[1:] / first[0] == pytest.approx(np.exp(off), rel=0.03)

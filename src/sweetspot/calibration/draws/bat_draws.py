@@ -196,12 +196,10 @@ def _drawn_implements(
     own = as_described(line.bat)
     ends = [deviated(own, unknowns, sign * step) for step in np.diag(sizes) for sign in (1.0, -1.0)]
     whole = all_modes(line, ball)
-    wholes = [all_modes(one, ball) for one in ends]
+    count = whole.families.count("bending")  # of all: one mode is followed only where every end has it
+    wholes = tuple(all_modes(one, ball, count=count) for one in ends)
     same = joined_batches([bending_batch(BeamRow([line]), threads=1)] * len(deviations))
-    drawn = DrawnBats(
-        same, (), deviations / sizes, whole,
-        tuple(one if one.families == whole.families else whole for one in wholes),  # another number of modes
-    )  # fmt: skip
+    drawn = DrawnBats(same, (), deviations / sizes, whole, wholes)
     bodies = [rigid_body(one) for one in (line, *ends)]
     mass, balance, moi = (
         drawn.followed([np.array([getattr(body, name)]) for body in bodies])[:, 0]

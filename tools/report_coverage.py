@@ -1,0 +1,92 @@
+"""How often the intervals of `report` hold the truth: made-up bats and balls, each solved anew.
+
+A truth is drawn at random from what the report says is not known. Its beam, walls, face and ball are solved exactly,
+where the report's draws follow them by slope and bend from the bat as described. Counted is how often the 90 % interval
+of the draws, and that of the first sentence, hold it.
+
+Run: .venv/bin/python tools/report_coverage.py [--count 200] [NAME ...]. Exit 1 when a share of all truths of an
+implement is not within 85 to 95 %.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only get in each other's way
+
+import numpy as np
+
+from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.analysis.position_scan import scan
+from sweetspot.calibration.ball_doubt import ball_off
+from sweetspot.calibration.draws.drawn_reports import drawn_hit
+from sweetspot.calibration.draws.linear_doubt import speed_doubt
+from sweetspot.calibration.draws.sources import OF_BALL, PATCH, Sources, sources_of
+from sweetspot.calibration.implement_unknowns import as_described
+from sweetspot.calibration.unknowns import deviated
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.constants import STANDARD_AXIS
+
+NAMES = (
+    "r161-ash", "russell-b1", "youth-30", "college-alloy", "single-wall", "youth-alloy", "composite", "slow-pitch",
+    "cricket-bat", "tennis-racket", "badminton-racket", "golf-driver", "hockey-stick",
+)  # fmt: skip
+TOLD = ("exit_speed_m_s", "collision_efficiency", "bbcor", "bat.moi_6in_kg_m2")
+LEAST, MOST = 0.85, 0.95
+
+
+def truths(analysis: Analysis[Implement], sources: Sources, count: int, seed: int) -> dict[str, np.ndarray]:
+    """Return what is true of bats and balls drawn from what is not known, each solved by itself."""
+    line, conditions = analysis.line, analysis.conditions
+    own = line if isinstance(line.bat, Bat) else as_described(line.bat)
+    place = np.array([analysis.sweet_spots.max_exit_speed])
+    off = sources.deviations(np.random.default_rng(seed).standard_normal((count, len(sources.names))))
+    of_bat, rows = len(sources.unknowns), []
+    for row in off:
+        bat = deviated(own, sources.unknowns, row[:of_bat]) if of_bat else line
+        by = dict(zip(sources.names[of_bat:], row[of_bat:].tolist(), strict=True))
+        of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): value for name, value in by.items() if OF_BALL in name}
+        ball = ball_off(conditions.ball, of_ball)
+        modes, body = all_modes(bat, ball, patch_factor=float(np.exp(by.get(PATCH, 0.0)))), rigid_body(bat)
+        hit = scan(bat.bat, body=body, modes=modes, conditions=conditions.replaced(ball=ball), positions=place)
+        rows.append((hit.exit_speed[0], hit.collision_efficiency[0], hit.bbcor[0], body.moi(STANDARD_AXIS)))
+    return dict(zip(TOLD, np.array(rows).T, strict=True))
+
+
+def main() -> int:
+    """Print a row for every implement."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--count", type=int, default=200, help="truths of every implement")
+    parser.add_argument("--seed", type=int, default=11)
+    parser.add_argument("names", nargs="*", default=NAMES)
+    options = parser.parse_args()
+    outside = 0
+    print("| implement | " + " | ".join((*TOLD, "first sentence")) + " |")
+    for name in options.names:
+        implement = catalog.load_implement(name)
+        analysis = analyse(implement, standard_conditions(implement))
+        sources = sources_of(implement, analysis.conditions)
+        answers = drawn_hit(analysis.line, analysis.conditions, sources, analysis.sweet_spots.max_exit_speed)
+        true = truths(analysis, sources, options.count, options.seed)
+        held = {told: np.mean((low <= true[told]) & (true[told] <= high)) for told in TOLD if told in answers.values
+                for low, high in [answers.ends(told)] if high > low}  # fmt: skip
+        doubt = speed_doubt(analysis, sources)
+        assert doubt is not None
+        first = np.abs(true[TOLD[0]] - answers.values[TOLD[0]][0]) <= REACH * doubt.error
+        held["first sentence"] = np.mean(first)
+        outside += sum(not LEAST <= share <= MOST for share in held.values())
+        cells = [f"{100 * held[told]:.1f} %" if told in held else "" for told in (*TOLD, "first sentence")]
+        print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
+    return 1 if outside else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
