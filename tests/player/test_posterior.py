@@ -112,7 +112,7 @@ def test_a_made_up_player_comes_back(seed: int) -> None:
 def test_one_bat_leaves_the_exponent_at_its_prior_and_two_bats_find_it(typical: Posterior) -> None:
     two = fitted(modelled(TYPICAL, count=40, seed=4, several=True))
     assert not typical.learned["exponent"].told
-    assert not typical.model.several_bats and two.model.several_bats
+    assert len(typical.model.bats) == 1 and len(two.model.bats) > 1
     learned = two.learned["exponent"]
     assert learned.width_ratio < 0.6
     assert learned.interval.low < natural(TYPICAL)[NAMES.index("exponent")] < learned.interval.high

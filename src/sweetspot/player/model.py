@@ -62,12 +62,6 @@ class PlayerModel:
     speed_from_tip: float
     table: Table
 
-    @property
-    def several_bats(self) -> bool:
-        """Whether bat speeds were measured with bats of different moments of inertia."""
-        used = {index for swing, index in zip(self.swings, self.bat_of, strict=True) if swing.bat_speed is not None}
-        return len({round(self.bats[index].moi, 6) for index in used}) > 1
-
     def bat_speeds(self, parameters: Array) -> Array:
         """Return the mean bat speed in m/s with every bat, shape (rows, bats).
 

@@ -121,11 +121,6 @@ class PitchFlight:
         """Direction at the plate in rad above the level; negative: down."""
         return float(approach_angles(self.plate.velocity)[0])
 
-    @property
-    def horizontal_approach_angle(self) -> float:
-        """Direction at the plate in rad, positive: moving to the right as the catcher sees it."""
-        return float(approach_angles(self.plate.velocity)[1])
-
 
 def thrown(
     delivery: Delivery, *, ball: Ball, aerodynamics: Aerodynamics, air: Air, wind: Wind = CALM
