@@ -203,6 +203,8 @@ BAD_CALLS = {
     ("nonsense",): "there is no command 'nonsense'. There are 25, for example report",
     ("reprot", "r161-ash"): "there is no command 'reprot'. Did you mean report?",
     ("--json",): "there is no command '--json'",
+    ("app", "--port", "80x"): "--port was given as '80x'; allowed is a whole number",
+    ("design", "mlb-a", "--exponent", "half"): "--exponent was given as 'half'; allowed is a number",
     ("fly", "--exit-speed", "100", "mph"): "a number and its unit are one word, 100mph, or stand in quotes",
     ("hit", "r161-ash", "--at", "6", "in"): "a number and its unit are one word, 6in, or stand in quotes",
 }

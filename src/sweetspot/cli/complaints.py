@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from cyclopts.exceptions import (
+    CoercionError,
     MissingArgumentError,
     UnknownCommandError,
     UnknownOptionError,
@@ -20,6 +21,7 @@ from sweetspot.units.usual_units import TEMPERATURES, WRITTEN
 
 BARE = re.compile(r"[-+]?[\d.,]+")
 """A number that waits for its unit."""
+NUMBERS: dict[type | None, str] = {int: "a whole number", float: "a number"}
 UNITS = {unit for sizes in (*WRITTEN.values(), TEMPERATURES) for unit in sizes}
 
 
@@ -40,6 +42,8 @@ def one_line(error: Exception, given: Sequence[str]) -> str:
         return _unknown_option(error, given)
     if isinstance(error, MissingArgumentError) and error.argument is not None:
         return _missing(error)
+    if isinstance(error, CoercionError) and error.token is not None and error.target_type in NUMBERS:
+        return f"{error.token.keyword} was given as {error.token.value!r}; allowed is {NUMBERS[error.target_type]}"
     return _as_it_is(error)
 
 
