@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREY, RED, new_figure
 from sweetspot import catalog
+from sweetspot.calibration.calibrated_file import calibrated_bat
 from sweetspot.calibration.draws.drawn_reports import drawn_hit
-from sweetspot.calibration.draws.sources import Sources
+from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
@@ -41,11 +44,13 @@ def worth_figure() -> Figure:
             Measurement(one.kind, Measured(value, one.value.error), mode=one.mode)
             for one, value in zip(new, values, strict=True)
         ]
-        prior = np.diag([one.spread**2 for one in unknowns])
-        covariance = calibrate(line, unknowns, so_far).covariance if so_far else prior
-        low, high = drawn_hit(line, conditions, Sources(unknowns, covariance, ()), place, count=256).ends(
-            "exit_speed_m_s"
-        )
+        covariance = np.diag([one.spread**2 for one in unknowns])
+        known = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
+        if so_far:
+            posterior = calibrate(line, unknowns, so_far)
+            covariance, known = posterior.covariance, calibrated_bat(posterior, None)
+        open_yet = sources_of(known, conditions, known=(unknowns, covariance))  # with what the outline leaves open
+        low, high = drawn_hit(line, conditions, replace(open_yet, others=()), place, count=256).ends("exit_speed_m_s")
         speed.append(float(high - low) / 2 / MPH)
         moduli.append(100 * REACH * np.sqrt(covariance[0, 0]))
     figure, (left, right) = new_figure(7.5, 4.6, rows=2, sharex=True)
@@ -53,7 +58,7 @@ def worth_figure() -> Figure:
     left.set(ylabel="exit speed, ± mph", title="doubt of the bat alone, 90 %")
     right.bar(list(STEPS), moduli, color=BLUE, width=0.55)
     right.set(ylabel="modulus E, ± %")
-    for axes, values, digits in ((left, speed, 1), (right, moduli, 1)):
+    for axes, values, digits in ((left, speed, 2), (right, moduli, 1)):
         axes.margins(y=0.15)
         for index, value in enumerate(values):
             axes.annotate(f"{value:.{digits}f}", (index, value), ha="center", va="bottom", color=GREY)

@@ -63,6 +63,26 @@ def test_what_was_not_measured_has_no_budget_and_a_club_has_head_and_grip(run: R
     assert "end cap" not in club
 
 
+def test_a_swing_weight_as_its_sport_tells_it(run: Run, tmp_path: Path) -> None:
+    """D2 of 310 g is a balance point of 33.845 in: (161 + 32 x 1.75) in oz / 10.935 oz + 14 in (exact)."""
+    club = run("calibrate", "golf-driver", "--mass", "310g±0.5g", "--swing-weight", "D2±0.2")[1]
+    assert "balance point  33.845 ± " in club
+    racket = run("calibrate", "tennis-racket", "--mass", "322g", "--swing-weight", "316kg*cm^2±1kg*cm^2")[1]
+    assert "swing weight about 10 cm from the butt end  316.0 ± 1.6 kg cm²  measured" in racket
+    for words, message in (
+        (("golf-driver", "--swing-weight", "D2"), "give the mass too"),
+        (("golf-driver", "--mass", "310g", "--swing-weight", "Z2"), "letter from A to G"),
+        (("golf-driver", "--mass", "310g", "--balance-point", "87cm", "--swing-weight", "D2"), "give one of them"),
+        (("tennis-racket", "--swing-weight", "D2"), "unit is not known"),
+    ):
+        code, out, error = run("calibrate", *words)
+        assert (code, out) == (2, "") and message in error
+    table = tmp_path / "clubs.csv"
+    table.write_text("club,weight (g),swing weight\nA,310±0.5,D2±0.3\nB,315±0.5,D4.5\n", encoding="utf-8")
+    code, out, _ = run("rank", str(table), "--like", "golf-driver")
+    assert code == 0 and "D2.0" in out and "D4.5" in out
+
+
 def test_a_moment_that_was_not_measured_is_said_to_rest_on_the_outline(run: Run) -> None:
     """Derived: 14 % of the moment about the balance point is one sigma, 2250 oz in^2 of which 90 % are +-518."""
     told = " ".join(run("calibrate", "r161-ash", "--mass", "30.5oz", "--balance-point", "22.3in")[1].split())

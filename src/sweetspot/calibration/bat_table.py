@@ -25,7 +25,9 @@ import numpy as np
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MOST_BENDING, Measurement
 from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.swing_weighed import of_swing_weight
 from sweetspot.calibration.written import parse_measured
+from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -53,6 +55,8 @@ UNIT_NAMES = {"%": "percent", "ounces": "oz", "grams": "g", "inches": "in", "sec
 BLANKS = ("", "-", "--", "\N{EN DASH}", "\N{EM DASH}", "?", "na", "n/a", "nan", "none", "null")
 """Words of a cell in which nothing was measured."""
 HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent"
+SWING_WEIGHT = ("swing_weight", "")
+"""Column of a sport's letters with points; it has no unit."""
 THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
 MISSPELT = 0.8
 """Likeness of a heading to one of ours from which it counts as a slip of the pen."""
@@ -66,12 +70,13 @@ MOISTURE_UNKNOWN = 0.015
 MOST_BATS = 200
 
 
-def read_bats(path: Path, *, axis: float = STANDARD_AXIS) -> dict[str, list[Measurement]]:
+def read_bats(path: Path, *, axis: float = STANDARD_AXIS, sport: str = "baseball") -> dict[str, list[Measurement]]:
     """Return what was measured on each bat of a CSV file, by name.
 
     Parameters
     ----------
     axis : m from the knob end, of its moments of inertia and pendulums.
+    sport : whose swing weight a column of that name without a unit holds, as D2.
 
     Raises
     ------
@@ -82,7 +87,8 @@ def read_bats(path: Path, *, axis: float = STANDARD_AXIS) -> dict[str, list[Meas
     rows = [cells for _, cells in table_rows(text, path, is_heading=_is_heading)]
     if not rows or not _is_heading(rows[0]):
         raise InputError(f"{path} has no line of headings with a column name; give for example {HINT}")
-    heads = [_column(cell) for cell in rows[0]]
+    lettered = swing_weight(sport).zero is not None
+    heads = [SWING_WEIGHT if lettered and _plain(cell) == "moi" else _column(cell) for cell in rows[0]]
     if twice := [name for name, times in Counter(head[0] for head in heads if head).items() if times > 1]:
         raise InputError(f"{path} has more than one column of {' and of '.join(twice)}; keep one of each")
     if unread := [cell.strip() for cell, head in zip(rows[0], heads, strict=True) if head is None and cell.strip()]:
@@ -99,7 +105,13 @@ def read_bats(path: Path, *, axis: float = STANDARD_AXIS) -> dict[str, list[Meas
         name = given.pop(("name", ""), f"bat {line - 1}")
         if name in bats:
             raise InputError(f"{path}, line {line}: there are two bats of the name {name!r}; give each its own")
+        swung = given.pop(SWING_WEIGHT, None)
         bats[name] = _values(given, f"{path}, line {line}")
+        if swung is not None:
+            what = f"{path}, line {line}, swing weight"
+            told = of_swing_weight(swung, sport, mass=bats[name].get("mass"), what=what)
+            if bats[name].setdefault(told.kind, told.value) is not told.value:
+                raise InputError(f"{what} tells the {told.name}, which was given too; give one of them")
         if not bats[name].keys() - {"moisture"}:
             raise InputError(f"{path}, line {line}: nothing was measured on {name}; its columns may be {HINT}")
     usual = _usual_moisture(bats, path)

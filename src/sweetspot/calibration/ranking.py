@@ -45,7 +45,8 @@ class RankedBat:
     Parameters
     ----------
     name : what people call it.
-    exit_speed : m/s at its best place, for this player and the mean ball; the ball's doubt is not in it.
+    exit_speed : m/s at its best place, for this player and the mean ball; the median, and the ball's doubt is not in
+        it.
     best_chance : probability of being the best of all ranked; None: it is not ranked.
     place : m from the knob end, where it hits best.
     properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and, where it was tapped, modulus
@@ -162,10 +163,11 @@ def rank_bats(
     of_sound = {name: properties[name] for name in sound}
     told = [
         RankedBat(
-            name, Measured(float(drawn.mean()), float(drawn.std())), chances.get(name), best[name], properties[name],
+            name, Measured(float(np.median(drawn)), float(drawn.std())), chances.get(name), best[name],
+            properties[name],
             _differing(of_sound, name) if name in of_sound else (), posteriors[name].contradictions,
         )
-        for name, drawn in sorted(centre.items(), key=lambda one: -float(one[1].mean()))
+        for name, drawn in sorted(centre.items(), key=lambda one: -float(np.median(one[1])))
     ]  # fmt: skip
     ranked, unranked = (tuple(one for one in told if (one.name in sound) == sure) for sure in (True, False))
     values = np.array([one.exit_speed.value for one in ranked])

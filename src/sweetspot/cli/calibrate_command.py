@@ -29,6 +29,10 @@ class WeighedOptions:
     balance_point: Annotated[str | None, Parameter(help="From the knob end: 22.4in±0.1in.")] = None
     pendulum: Annotated[str | None, Parameter(help="Period of one full swing about --pivot: 1.572s±0.003s.")] = None
     moi: Annotated[str | None, Parameter(help="Moment of inertia about --pivot: 11200oz*in^2±50oz*in^2.")] = None
+    swing_weight: Annotated[
+        str | None,
+        Parameter(help="As its sport tells it, about the sport's own axis: D2 of a club, 316kg*cm^2 of a racket."),
+    ] = None
     pivot: Annotated[str, Parameter(help="Where it hangs, from the knob end.")] = "6in"
 
 
@@ -128,6 +132,7 @@ def _write(posterior: Posterior, damping: Measured | None, path: Path) -> None:
 def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
     """Return what scale, balance and pendulum say."""
     from sweetspot.calibration.measurements import Measurement
+    from sweetspot.calibration.swing_weighed import of_swing_weight
     from sweetspot.calibration.written import parse_measured
     from sweetspot.units import parse_position
 
@@ -143,6 +148,11 @@ def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
         measurements.append(Measurement("period", period, axis=axis))
     if weighed.moi is not None:
         measurements.append(Measurement("moi", parse_measured(weighed.moi, "moi", "--moi"), axis=axis))
+    if weighed.swing_weight is not None:
+        mass = next((one.value for one in measurements if one.kind == "mass"), None)
+        measurements.append(of_swing_weight(weighed.swing_weight, own.sport, mass=mass, what="--swing-weight"))
+    if len({one.name for one in measurements}) < len(measurements):
+        raise InputError(f"--swing-weight tells the {measurements[-1].name}, which was given too; give one of them")
     return measurements
 
 

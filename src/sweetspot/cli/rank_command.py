@@ -60,7 +60,7 @@ def rank(
         axis = STANDARD_AXIS if isinstance(model, Bat) else model.moi_axis
     else:
         axis = parse_position(pivot, length=model.length, what="--pivot-of-table")
-    measured = _measured(table, axis)
+    measured = _measured(table, axis, model.sport)
     check_likeness(measured, model, axis=axis)
     if not isinstance(model, Bat):
         _check_columns(measured, model)
@@ -89,18 +89,18 @@ def _check_columns(measured: dict[str, list[Measurement]], model: Implement) -> 
                 )
 
 
-def _measured(table: Path, axis: float) -> dict[str, list[Measurement]]:
+def _measured(table: Path, axis: float, sport: str) -> dict[str, list[Measurement]]:
     """Return what was measured on each bat: of a table, or of all tables of a folder."""
     from sweetspot.calibration.bat_table import read_bats
 
     if not table.is_dir():
-        return read_bats(table, axis=axis)
+        return read_bats(table, axis=axis, sport=sport)
     files = sorted(table.glob("*.csv"))
     if not files:
         raise InputError(f"{table} holds no CSV file; put one with the bats' measurements there")
     measured: dict[str, list[Measurement]] = {}
     for file in files:
-        for name, given in read_bats(file, axis=axis).items():
+        for name, given in read_bats(file, axis=axis, sport=sport).items():
             if name in measured:
                 raise InputError(f"{file}: there are two bats of the name {name!r}; give each its own")
             measured[name] = given

@@ -6,6 +6,8 @@ from typing import Any
 
 from sweetspot.calibration.ranking import RankedBat, Ranking
 from sweetspot.catalog.sports import sport
+from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import LEVEL
@@ -28,10 +30,13 @@ LAST_DIGIT = (
 
 def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     """Return a ranking as an answer: who is first and how surely, whether they differ at all, what differs."""
+    convention = swing_weight(model.sport)
+    lettered = convention.zero is not None
     rows = [
         (
             one.name, one.exit_speed.value, half_width(one.exit_speed), one.best_chance, one.properties["mass"].value,
-            one.properties["moi"].value, _stiffer(one),
+            one.properties["moi"].value,
+            *([convention.shown(_as_body(one, model))] if lettered else []), _stiffer(one),
             "not ranked" if one in ranking.unranked else ", ".join(WORDS[name] for name in one.differs)
             or "nothing surely",
         )
@@ -42,7 +47,8 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     columns = [
         Column(words.implement), Column("exit speed", "speed"), Column("±", "speed", digits=2),
         Column("best of all", "share"),
-        Column("weight", "mass"), Column("MOI" if of_bats else "swing weight", "moi"),
+        Column("weight", "mass"), Column("MOI" if of_bats or lettered else "swing weight", "moi"),
+        *([Column(convention.name)] if lettered else []),
         Column("E off" if of_bats else "stiffness off", "share", digits=1, sign=True),
         Column("differs in"),
     ]  # fmt: skip
@@ -67,10 +73,11 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
                 "{level} intervals: of the bat alone, hit by the same ball. MOI: about {axis}. E off: "
                 "modulus against the drawing's. Where a moisture was given, all is told at 12 %."
                 if of_bats
-                else "{level} intervals: of the {thing} alone, hit by the same ball. Swing weight: about {axis}. "
+                else "{level} intervals: of the {thing} alone, hit by the same ball. {moi}: about {axis}. "
                 "Stiffness off: the first frequency squared, against the description's.",
                 level=Slot(LEVEL, "share"),
                 thing=words.implement,
+                moi="MOI" if lettered else "Swing weight",
                 axis=axis_words(STANDARD_AXIS if of_bats else model.moi_axis, words.butt),
             ),
             "note",
@@ -82,6 +89,13 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         name="rank", title=f"{len(rows)} {words.implement}s like {model.name}", blocks=blocks, data=data,
         rows={key: [one[key] for one in flat] for key in flat[0]}, reader=reader(None, words),
     )  # fmt: skip
+
+
+def _as_body(one: RankedBat, model: Implement) -> RigidBody:
+    """Return a ranked implement as the rigid body that its weight, balance and moment of inertia are those of."""
+    mass, balance, moi = (one.properties[name].value for name in ("mass", "balance_point", "moi"))
+    about_balance = moi - mass * (balance - model.moi_axis) ** 2
+    return RigidBody(mass=mass, balance_point=balance, moi_cm=about_balance, roll_moi=0.0)
 
 
 def _stiffer(one: RankedBat) -> float | None:
@@ -101,17 +115,21 @@ def ranking_words(ranking: Ranking, *, model: Implement) -> Sentence:
             apart=Slot(first.exit_speed.value - last.exit_speed.value, "speed_change"),
         )
     ]  # fmt: skip
+    likeliest = max(ranking.bats, key=lambda one: one.best_chance or 0.0)
+    if likeliest is not first:
+        more = Slot(likeliest.best_chance or 0.0, "share")
+        words.append(say("Likelier to be the best is {name}, {chance}.", name=likeliest.name, chance=more))
     sizes = {"scatter": Slot(ranking.scatter, "speed_change", 2), "chance": Slot(ranking.by_chance, "speed_change", 2),
              "doubt": Slot(ranking.not_known, "speed_change", 2),
              "wood": Slot(ranking.wood, "speed_change", 2)}  # fmt: skip
     verdict = (
-        "They differ by {scatter} (one sigma), more than the {chance} that bats all alike would seem to by the {doubt} "
-        "that is not known of each: the order as a whole means something, neighbours in it may be alike."
+        "They differ by {scatter} (one sigma), more than the {chance} that {things} all alike would seem to by the "
+        "{doubt} that is not known of each: the order as a whole means something, neighbours in it may be alike."
         if ranking.beyond_doubt
-        else "They differ by {scatter} (one sigma), no more than the {chance} that bats all alike may seem to by the "
-        "{doubt} that is not known of each: the order may be chance."
+        else "They differ by {scatter} (one sigma), no more than the {chance} that {things} all alike may seem to by "
+        "the {doubt} that is not known of each: the order may be chance."
     )
-    words.append(say(verdict, **sizes))
+    words.append(say(verdict, things=f"{sport(model.sport).words.implement}s", **sizes))
     if not isinstance(model, Bat):
         return joined(words)
     apart = (
