@@ -17,7 +17,7 @@ from sweetspot.dynamics.beam_elements import Basis, gauss_places
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.dynamics.residual_flexibility import just_inside, left_out
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.numerics.eigen import lowest
+from sweetspot.numerics.eigen import lowest, lowest_values
 from sweetspot.numerics.gauss_legendre import quadrature
 from sweetspot.numerics.piecewise import Piecewise
 
@@ -95,8 +95,10 @@ def least_elements(count: int) -> int:
 
 def bending_frequencies(line: BeamModel, *, count: int, elements: int | None = None) -> Array:
     """Return the frequencies in Hz of the lowest ``count`` bending modes alone; see `bending_modes`."""
-    _, squares, _, _ = _solved(line, count, elements)
-    return np.asarray(np.sqrt(squares) / (2 * np.pi))
+    elements = least_elements(count) if elements is None else elements
+    stiffness, inertia = _matrices(line, _edges(line, elements))
+    squares = lowest_values(stiffness, inertia, first=2, last=count + 1, shift=SHIFT * _first_square(line))
+    return np.asarray(np.sqrt(_stiffening(line, squares, elements) * squares) / (2 * np.pi))
 
 
 def _solved(line: BeamModel, count: int, elements: int | None) -> tuple[Basis, Array, Array, float]:
@@ -108,10 +110,20 @@ def _solved(line: BeamModel, count: int, elements: int | None) -> tuple[Basis, A
     edges = _edges(line, elements)
     stiffness, inertia = _matrices(line, edges)
     squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1, shift=SHIFT * _first_square(line))
-    stiffening = 1.0
-    if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
-        stiffening = float((2 * np.pi * line.bat.frequency) ** 2 / _first_measured(line, squares, elements))
+    stiffening = _stiffening(line, squares, elements)
     return Basis(edges, DEGREE), stiffening * squares, vectors, stiffening
+
+
+def _stiffening(line: BeamModel, squares: Array, elements: int) -> float:
+    """Return the factor of a stiffness that is known up to it, which changes no shape; 1 where all of it is known.
+
+    Parameters
+    ----------
+    squares : of the angular frequencies as drawn, the lowest first.
+    """
+    if line.bat.frequency is None:
+        return 1.0
+    return float((2 * np.pi * line.bat.frequency) ** 2 / _first_measured(line, squares, elements))
 
 
 def _first_measured(line: BeamModel, squares: Array, elements: int) -> float:
@@ -120,8 +132,7 @@ def _first_measured(line: BeamModel, squares: Array, elements: int) -> float:
         return float(squares[0])
     bare = replace(line, bat=line.bat.replaced(added=()), point_masses=line.point_masses[: -len(line.bat.added)])
     stiffness, inertia = _matrices(bare, _edges(bare, elements))
-    first, _ = lowest(stiffness, inertia, first=2, last=2, shift=SHIFT * _first_square(bare))
-    return float(first[0])
+    return float(lowest_values(stiffness, inertia, first=2, last=2, shift=SHIFT * _first_square(bare))[0])
 
 
 def mesh_matrices(line: BeamModel, *, elements: int = ELEMENTS) -> tuple[Array, Array, float]:

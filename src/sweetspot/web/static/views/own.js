@@ -6,7 +6,7 @@ import { Bench, unchanged } from "../bench.js";
 import { button, choice, group, slider } from "../controls.js";
 import { download } from "../download.js";
 import { Lights, showRules } from "../lights.js";
-import { make, paragraphs, tableOf, tell, withDoubt } from "../parts.js";
+import { make, paragraphs, partOf, tableOf, tell, withDoubt } from "../parts.js";
 import table from "../quantities.js";
 import { takeDrops } from "../upload.js";
 import { FORGOTTEN } from "./own_measured.js";
@@ -15,6 +15,7 @@ import { SOUNDS, TapPlace } from "./own_tap.js";
 
 const ROUND = ""; // a bat of the bench, in the list of what there is to measure
 const OWN = "own file";
+const SOON = 1000; // ms until which nobody needs to be told that something is being worked on
 const SOUND = new RegExp(`(${SOUNDS.join("|").replaceAll(".", "\\.")})$`, "i");
 
 /** @type {View} */
@@ -37,6 +38,8 @@ export const view = {
     this.against.setAttribute("role", "alert");
     this.values = make("div", { className: "measured" });
     this.residuals = make("div", { className: "measured" });
+    this.busy = make("p", { className: "note", hidden: true }, make("progress", { ariaLabel: "Fitting" }), " ", make("span"));
+    this.watch(app);
     this.moved = make("p", { className: "note", hidden: true, id: "moved" });
     this.doubt = make("div", { className: "words" });
     this.rules = new Lights("Rules");
@@ -44,7 +47,7 @@ export const view = {
     this.said.setAttribute("role", "status");
     const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     root.append(this.side(app), make("div", { className: "stack" },
-      make("section", { className: "picture" }, this.words, this.picture.element, this.against, this.moved, this.residuals, this.tools(app), this.said),
+      make("section", { className: "picture" }, this.words, this.busy, this.picture.element, this.against, this.moved, this.residuals, this.tools(app), this.said),
       section("Tap it", this.tap.element), section("How sure", this.values, this.doubt, this.rules.element)));
     takeDrops(root, SOUND, app.signal, (sounds) => this.tap.add(sounds));
   },
@@ -82,6 +85,22 @@ export const view = {
         ...measured("swing_weight_oz_in2", "Swing weight, if a machine told it", 1, "swing_weight_error_oz_in2", 1, "A pendulum does as well."),
         slider(app, "pivot_in", { label: () => `Both about an axis, from the ${butt()}`, step: 0.05, empty: guess("pivot_in") })]),
       group("Tap, diameters and rules", [slider(app, "tap_from_tip_in", { label: () => `Tapped, from the ${app.answer?.words.tip ?? "tip"}`, step: 0.25 }), this.ofBat, this.league], { open: false }));
+  },
+
+  // With tones a fit takes a while, and nobody knows how many steps: how long it has gone on is said.
+  /** @param {App} app */
+  watch(app) {
+    const words = partOf(this.busy, "span", HTMLElement);
+    let began = 0;
+    const look = () => {
+      if (!app.asking || !app.state.tones?.length) began = 0;
+      else began ||= performance.now();
+      const lasts = began ? performance.now() - began : 0;
+      this.busy.hidden = lasts < SOON;
+      if (lasts >= SOON) words.textContent = `Looking for the ${this.names()[0]} that fits all that was measured, ${Math.round(lasts / 1000)} s …`;
+    };
+    const timer = setInterval(look, SOON / 2);
+    app.signal.addEventListener("abort", () => clearInterval(timer));
   },
 
   // Something else is measured: what was measured so far was not it.
