@@ -21,7 +21,7 @@ WHITE, GREY, GREEN, BLUE = (0.93, 0.93, 0.92), (0.45, 0.46, 0.47), (0.1, 0.75, 0
 def rendered(
     *, angle: float = 0.0, wood: tuple[float, float, float] = ASH, ground: tuple[float, float, float] = WHITE,
     shadow: float = 0.0, slope: float = 0.0, ruler: float | None = None, noise: float = 0.01, size: int = 1000,
-    focus: float = 0.7, pixel: float = 1.1e-3,
+    focus: float = 0.7, pixel: float = 1.1e-3, hard: bool = False,
 ) -> Array:  # fmt: skip
     """Return a photograph of `BAT` from above, shape (size, size, 3).
 
@@ -29,6 +29,7 @@ def rendered(
     ----------
     angle : degrees from knob to tip, counted from the right.
     shadow : part of the light that the bat keeps from the ground at its lower side.
+    hard : whether its shadow ends sharply, as in the sun.
     slope : part of the light by which the ground is darker at one side of the picture.
     ruler : m of a yellow ruler beside the bat.
     """
@@ -43,6 +44,7 @@ def rendered(
     light = 1 - slope * (x / size + 0.5)
     if shadow:
         falls = np.where((along > 0) & (along < BAT.length), np.clip(1 - (across - half) / 0.012, 0, 1), 0)
+        falls = np.ceil(falls) if hard else falls
         light = light * (1 - shadow * np.where(across > 0, falls, 0))
     linear = np.array(ground, np.float32) ** 2.2 * light[..., None]
     if ruler is not None:

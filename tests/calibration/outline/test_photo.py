@@ -329,3 +329,36 @@ def test_a_real_bat_beside_its_caliper() -> None:
     taped = np.interp(34 * INCH - inch * INCH - outline.hooked, *np.array(outline.profile).T) - 1e-3 * caliper
     assert np.abs(taped[inch < 33]).max() < 1.05e-3
     assert np.abs(taped[-1]) < 1.7e-3  # on the knob's shoulder
+
+
+@pytest.mark.parametrize("ground", [WHITE, BLUE])
+@pytest.mark.parametrize("wood", [ASH, (0.6, 0.1, 0.1)])
+def test_a_hard_dark_shadow_is_told_from_the_bat_by_its_hue(
+    tmp_path: Path, wood: tuple[float, float, float], ground: tuple[float, float, float]
+) -> None:
+    """As of a flash: it takes four fifths of the light, and was taken for a part of the bat, 12 mm in silence."""
+    picture = rendered(wood=wood, ground=ground, angle=17, shadow=0.8, hard=True)
+    outline = read_photo(saved(tmp_path / "bat.jpg", picture, quality=90), length=BAT.length, camera_distance=1e6)
+    assert np.abs(misses(outline)).max() < 2.2e-3  # two pixels
+    assert inside(outline) > 0.9
+    if (wood, ground) == (ASH, WHITE):  # strong colours are told from shadows without that
+        assert "told from it by its hue" in outline.notes[0]
+
+
+def test_a_shadow_beside_a_part_of_its_hue_is_refused(tmp_path: Path) -> None:
+    """A grey sleeve over half of an ash bat on white: there hue cannot tell the bat from its shadow."""
+    picture = rendered(shadow=0.8, hard=True)
+    from_axis = np.abs(np.arange(len(picture)) - len(picture) / 2)
+    picture[from_axis < 25, 600:850] = 0.3
+    with pytest.raises(InputError, match="dark shadow along one side"):
+        read_photo(saved(tmp_path / "bat.png", picture), length=BAT.length)
+
+
+def test_dark_print_on_pale_wood_does_not_draw_the_edge_inwards(tmp_path: Path) -> None:
+    """What differs more from the ground than wood does was taken for all of the bat: the edge jumped to the print."""
+    picture = rendered(shadow=0.3)
+    rows = np.abs(np.arange(len(picture)) - len(picture) / 2) < 16
+    for start in range(640, 760, 24):
+        picture[rows, start : start + 12] = 0.05
+    outline = read_photo(saved(tmp_path / "bat.jpg", picture, quality=90), length=BAT.length, camera_distance=1e6)
+    assert np.abs(misses(outline)).max() < 1.1e-3

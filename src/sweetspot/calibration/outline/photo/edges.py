@@ -20,6 +20,8 @@ ALONG = 20.0
 """Pixels along the bat over which the ground beside it is taken together."""
 REFINED = 3.0
 """Pixels by which the colours may move an edge."""
+PRINTED = 1.3
+"""Of the difference from the ground that three quarters of a bat's places exceed, the most that any counts for."""
 LEVELS = (0.35, 0.65)
 """Of the way from ground to bat, where an edge is looked for besides half way: how far apart these lie is how sure it
 is."""
@@ -104,7 +106,7 @@ def _directions(start: Array, end: Array) -> tuple[Array, Array]:
     return along, np.array([-along[1], along[0]])
 
 
-def _sampled(image: Array, places: Array) -> Array:
+def sampled(image: Array, places: Array) -> Array:
     """Return an image's values at (column, row) places, linear between pixels, shape (..., channels)."""
     import scipy.ndimage
 
@@ -123,11 +125,11 @@ def sharp_ends(pixels: Array, difference: Array, start: Array, end: Array, width
     for point, outward in ((start, -along), (end, along)):
         side = np.linspace(-0.06, 0.06, 7) * width
         places = point + reach[:, None, None] * outward + side[None, :, None] * across
-        values = _sampled(difference, places)[..., 0].mean(axis=1)
+        values = sampled(difference, places)[..., 0].mean(axis=1)
         inside = np.median(values[(reach < -0.3 * width)])
         outside = np.median(values[reach > 0.4 * width])
         coarse = _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach))))
-        colours = _sampled(pixels, places).mean(axis=1)
+        colours = sampled(pixels, places).mean(axis=1)
         ends.append(point + outward * _refined(reach, colours[None], np.array([coarse]), shadows=False)[0][0])
     return ends[0], ends[1]
 
@@ -153,8 +155,8 @@ def _flanks(
     half = BEYOND * bat.width.max() / 2 + 2 * NEAR_OUT[1]
     reach = np.arange(-half, half + STEP / 2, STEP)
     points = start + place[:, None, None] * along + reach[None, :, None] * across
-    signal = scipy.ndimage.gaussian_filter1d(_sampled(difference, points)[..., 0], 1.0 / STEP, axis=1)
-    colours = scipy.ndimage.gaussian_filter1d(_sampled(pixels, points), 0.5 / STEP, axis=1)
+    signal = scipy.ndimage.gaussian_filter1d(sampled(difference, points)[..., 0], 1.0 / STEP, axis=1)
+    colours = scipy.ndimage.gaussian_filter1d(sampled(pixels, points), 0.5 / STEP, axis=1)
     widths = np.interp(place, np.linspace(0, len(place), len(bat.width)), bat.width)
     half = widths / 2
     most = max(1.0, WIDEST * float(np.median(np.sort(half)[: len(half) // 2])) / NEAR_IN[1])
@@ -180,10 +182,15 @@ def _blur(moved: list[Array]) -> float:
 
 
 def _coarse(reach: Array, signal: Array, expected: Array) -> Array:
-    """Return where the bat ends about on the side to which ``reach`` grows, one place per row."""
+    """Return where the bat ends about on the side to which ``reach`` grows, one place per row.
+
+    Print differs more from the ground than the bare wood beside it does, which is to count: so no place counts for much
+    more than most of the bat.
+    """
     inside = np.abs(reach) < 0.3 * expected[:, None]
     counts = np.maximum(inside.sum(axis=1), 1)
     level_in = (signal * inside).sum(axis=1) / counts
+    level_in = np.minimum(level_in, PRINTED * np.quantile(level_in, 0.25))
     outside = reach > (BEYOND - 0.25) * expected.max()
     level = (level_in + np.median(signal[:, outside], axis=1)) / 2
     places = np.empty(len(signal))

@@ -31,12 +31,21 @@ def differences(picture: Picture) -> tuple[Array, Array]:
     covered = difference_from_paint(picture) if picture.painted else None
     if covered is not None:
         return covered, covered
+    tint, shade = tint_and_shade(picture)
+    hue = np.linalg.norm(tint, axis=2)
+    beyond = np.maximum(shade, 0.0) + np.maximum(-shade - SHADE, 0.0)
+    return np.hypot(hue, shade), np.hypot(hue, beyond)
+
+
+def tint_and_shade(picture: Picture) -> tuple[Array, Array]:
+    """Return the logarithm of every pixel over the ground, without its common part, and that part, the shade.
+
+    Their shapes are (rows, columns, 3) and (rows, columns).
+    """
     logs = np.log(picture.linear + DARKEST)
     off = logs - _ground(logs)
     shade = off.mean(axis=2)
-    hue = np.sqrt(np.sum((off - shade[..., None]) ** 2, axis=2))
-    beyond = np.maximum(shade, 0.0) + np.maximum(-shade - SHADE, 0.0)
-    return np.hypot(hue, shade), np.hypot(hue, beyond)
+    return off - shade[..., None], shade
 
 
 def _ground(logs: Array) -> Array:

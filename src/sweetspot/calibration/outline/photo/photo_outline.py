@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from sweetspot.calibration.outline.measured_outline import Outline, knob_first, simplified
 from sweetspot.calibration.outline.photo.edges import Edges, find_edges, sharp_ends
-from sweetspot.calibration.outline.photo.ground import differences
+from sweetspot.calibration.outline.photo.ground import differences, tint_and_shade
 from sweetspot.calibration.outline.photo.picture import Picture, read_picture
+from sweetspot.calibration.outline.photo.shadow import shadow_at_a_flank
 from sweetspot.calibration.outline.photo.silhouette import Shape, cut_off, find_bat, find_ruler, find_shapes
 from sweetspot.equipment.bat import DIAMETER_RANGE, LENGTH_RANGE
 from sweetspot.errors import InputError
@@ -41,6 +42,7 @@ END_HEIGHT = 0.7
 """Of the radius near an end: how high above the axis lies what is seen of it at the outermost (assumed)."""
 HOOK, HOOKED = 0.010, 1e-3
 """m that the hook of a tape on the barrel reaches down the tip (assumed), and what it loses at least to be told of."""
+SHADOWED = "A dark shadow lies along one side of the bat, which was told from it by its hue: even light is surer."
 FROM, NEAREST = 2.5, 0.5
 """m from camera to bat: where it is not known (assumed), and at least."""
 
@@ -105,6 +107,8 @@ def read_photo(
     _check_no_shadow(picture, bat, surely)
     colours = picture.colours
     edges = find_edges(colours, without, bat, shadows=not picture.painted)
+    by_hue = None if picture.painted or picture.grey else _told_by_hue(picture, edges)
+    edges = edges if by_hue is None else by_hue
     _check_seen(edges, picture.name)
     if length is not None:
         scale, scale_error = length / edges.length, LENGTH_ERROR / length
@@ -116,7 +120,29 @@ def read_photo(
         scale, scale_error = ruler / reach, float(np.hypot(RULER_ERROR / ruler, 1.0 / reach))
     lens = None if picture.focal_length is None else picture.focal_length * scale
     away = camera_distance if camera_distance is not None else lens
-    return _measured(picture, edges, scale, scale_error, length=length, away=away, on_ground=ruler is not None)
+    outline = _measured(picture, edges, scale, scale_error, length=length, away=away, on_ground=ruler is not None)
+    return outline if by_hue is None else replace(outline, notes=(SHADOWED, *outline.notes))
+
+
+def _told_by_hue(picture: Picture, edges: Edges) -> Edges | None:
+    """Return the edges where hue alone tells the bat, when a dark shadow was taken for a part of it; None otherwise.
+
+    Raises
+    ------
+    InputError
+        when hue does not tell it.
+    """
+    tint, shade = tint_and_shade(picture)
+    if not shadow_at_a_flank(edges, tint, shade):
+        return None
+    hue = np.linalg.norm(tint, axis=2)
+    bats = [one for one in find_shapes(hue) if one.like_a_bat]
+    if not any(one.length > WHOLE * edges.length for one in bats):
+        raise InputError(
+            f"{picture.name} shows a dark shadow along one side of the bat, which cannot be told from it: a part of it "
+            "has the ground's hue. Take it in even light, without a flash or the sun"
+        )
+    return find_edges(tint, hue, find_bat(bats, picture.name), shadows=False)
 
 
 def _check_no_shadow(picture: Picture, bat: Shape, surely: list[Shape]) -> None:
