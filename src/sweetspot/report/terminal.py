@@ -111,14 +111,16 @@ def table(block: parts.Table, screen: Screen) -> RichTable:
     wide = sum(widths) > screen.room
     for number, (column, head, texts) in enumerate(zip(block.columns, heads, shown, strict=True)):
         lopsided = [text for text in texts if column.is_number and " (" in text]  # too long for a line among others
-        whole = (column.is_number and not lopsided) or (number == 0 and len(block.columns) < 7)
+        whole = (column.is_number and not lopsided) or (number == 0 and len(block.columns) < 7 and not wide)
         whole = whole and not any(len(text) > SHORT for text in texts)
         if column.is_number and (doubted or wide):  # intervals and many columns take the room that headings had
             whole_ones = [len(text) for text in texts if text not in lopsided]
             heads[number] = fill(head, max([*whole_ones, NARROW]), break_long_words=False)
-        longest = max((len(word) for text in [heads[number], *texts] for word in text.split()), default=0)
+        lines = [line for text in [heads[number], *texts] for line in text.split("\n")]
+        longest = max((len(word) for line in lines for word in line.split()), default=0)
+        least = max(map(len, lines)) if whole and column.is_number else min(longest, WORD)
         made.add_column(heads[number], justify="right" if column.is_number else "left", no_wrap=whole, overflow="fold",
-                        min_width=min(longest, WORD))  # fmt: skip
+                        min_width=least)  # fmt: skip
     for row in zip(*shown, strict=True):
         made.add_row(*map(Text, row))
     return made
