@@ -214,3 +214,14 @@ def test_a_folder_that_is_a_file_is_refused(run: Run, tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("x")
     code, _, err = run("compare", "r161-ash", "--out", str(tmp_path / "taken"))
     assert code == 2 and "cannot be made" in err
+
+
+def test_a_table_of_one_bat_is_told_without_intervals(run: Callable[..., tuple[int, str, str]]) -> None:
+    code, out, err = run("compare", "r161-ash", "--rows", "mass=29oz:33oz:3", "--uncertainty")
+    assert (code, out) == (2, "") and "leave it out, or leave out --rows" in err
+
+
+def test_an_error_that_nobody_counts_is_said(run: Callable[..., tuple[int, str, str]]) -> None:
+    hit = ("hit", "r161-ash", "--at", "27in", "--bat-speed", "70mph±2mph")
+    assert "an error behind ± counts where --uncertainty is given" in run(*hit)[2]
+    assert "behind ±" not in run(*hit, "--uncertainty")[2]

@@ -36,7 +36,7 @@ def main(arguments: list[str] | None = None) -> None:
 
     from sweetspot.cli.app import app, load_all
     from sweetspot.cli.output import ASKED, heartbeat
-    from sweetspot.cli.shorthand import ALWAYS_SURE, SURE, understood
+    from sweetspot.cli.shorthand import ALWAYS_SURE, SURE, uncounted, understood
     from sweetspot.cli.standard_output import OutputError, held_output
 
     given = sys.argv[1:] if arguments is None else arguments
@@ -46,6 +46,8 @@ def main(arguments: list[str] | None = None) -> None:
             unasked = (FORCE, SURE) if given[:1] and given[0] in ALWAYS_SURE else (FORCE,)
             words = understood([one for one in given if one not in unasked])
             ASKED.set(tuple(given))
+            if dropped := uncounted(given):
+                _complain(dropped)
             if not words or words[0].startswith("-"):
                 load_all()
             result = app(words, exit_on_error=False, print_error=False, result_action="return_value")

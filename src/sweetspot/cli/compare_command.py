@@ -103,6 +103,8 @@ def compare(
     if table.rows is not None or table.columns is not None:
         if len(bats) != 1 or corked or table.rows is None:
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
+        if uncertainty:
+            raise InputError("--uncertainty is told of bats side by side; leave it out, or leave out --rows")
         return present(table.document(_bat(described[0]), law, swing), output)
     refuse_unused(given(table, "cell"), "a what-if table", "add --rows, for example --rows mass=29oz:33oz:5")
     if corked:

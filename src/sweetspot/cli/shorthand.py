@@ -16,6 +16,8 @@ ASIDE = {"help": "--help", "version": "--version", "-v": "--version", "-V": "--v
 SURE = "--uncertainty"
 ALWAYS_SURE = ("calibrate", "design", "fit-player", "rank", "season", "tap")
 """Commands whose answer has its intervals unasked: they may be asked for them as well, and answer as ever."""
+ERRORS_ASKED = ("compare", "drop", "fly", "hit", "optimum", "play")
+"""Commands that count an error written behind ± only where they are asked for intervals."""
 
 
 def understood(given: Sequence[str]) -> list[str]:
@@ -35,3 +37,15 @@ def understood(given: Sequence[str]) -> list[str]:
         command = given[1:2] if given[0] == "help" else ()
         return [*command, ASIDE[given[0]]]
     return [word for one in given for word in SHORT.get(one, (one,))]
+
+
+def uncounted(given: Sequence[str]) -> str:
+    """Return a word about an error that a command was given and does not count; nothing where it counts them all.
+
+    >>> uncounted(["hit", "r161-ash", "--at", "27in", "--bat-speed", "70mph±2mph"])
+    'an error behind ± counts where --uncertainty is given, and here it is not'
+    >>> uncounted(["hit", "r161-ash", "--at", "27in", "--bat-speed", "70mph±2mph", "--uncertainty"])
+    ''
+    """
+    dropped = bool(given) and given[0] in ERRORS_ASKED and SURE not in given and any("±" in one for one in given)
+    return f"an error behind ± counts where {SURE} is given, and here it is not" if dropped else ""
