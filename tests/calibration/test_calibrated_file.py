@@ -15,6 +15,7 @@ from sweetspot.calibration.draws.sources import expected_deviations, sources_of
 from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.files.bat import bat_from_table
@@ -27,6 +28,7 @@ from sweetspot.dynamics.outline_doubt import OF_CENTRE, OF_SWING, moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.confidence import REACH
+from sweetspot.report.calibration.document import again_words
 from sweetspot.units import INCH, OUNCE
 
 AXIS = 6 * INCH
@@ -87,6 +89,17 @@ def test_what_was_fitted_is_no_measurement_of_a_file_that_lost_its_calibration(r
     ):
         assert one.name == other.name
         assert known == pytest.approx(expected, rel=0.02, abs=1e-6)
+
+
+def test_calibrated_again_no_evidence_narrows_twice(r161: Bat) -> None:
+    """The file is taken as a drawing: the same measurements leave as much open as they did, and the answer says so."""
+    tone = Measurement("frequency", Measured(176.0, 0.4), mode=ModeName("bending", 1))
+    once = fitted_to(r161, MASS, BALANCE, PERIOD, tone)
+    twice = fitted_to(kept(once), MASS, BALANCE, PERIOD, tone)
+    errors = [np.sqrt(np.diag(one.covariance)) for one in (once, twice)]
+    assert errors[1] / errors[0] == pytest.approx(1.0, abs=0.12)
+    assert again_words(once) == []
+    assert "would count twice" in str(*again_words(twice))
 
 
 def test_a_swing_weight_that_was_fitted_is_no_measurement() -> None:

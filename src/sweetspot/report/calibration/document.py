@@ -69,7 +69,7 @@ def calibration_document(posterior: Posterior, damping: Measured | None) -> Docu
         blocks.append(_measured(posterior))
     else:
         blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
-        told = (moi_words(posterior), density_words(posterior), supposed_words(posterior))
+        told = (again_words(posterior), moi_words(posterior), density_words(posterior), supposed_words(posterior))
         blocks += [Paragraph(words) for words in (budget_words(posterior), *chain(*told))]
     blocks.append(Paragraph(sigma, "note"))
     own = posterior.line.bat
@@ -261,6 +261,18 @@ def supposed_words(posterior: Posterior) -> list[Sentence]:
             material=own.made_of,
         )
     ]  # fmt: skip
+
+
+def again_words(posterior: Posterior) -> list[Sentence]:
+    """Return in words what a file that was calibrated before is good for: its values, and none of its evidence."""
+    if not posterior.prior.bat.calibrated or not isinstance(posterior.prior.bat, Bat):
+        return []
+    return [
+        say(
+            "This file was calibrated before, and its values are taken as a drawing's. What made them would count "
+            "twice if it were given again: then begin from the drawing, with all that was measured."
+        )
+    ]
 
 
 def moi_words(posterior: Posterior) -> list[Sentence]:
