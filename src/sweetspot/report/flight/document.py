@@ -31,6 +31,7 @@ from sweetspot.report.flight.words import (
     landing_words,
     launch_words,
     path_columns,
+    spread_json,
     wind_words,
 )
 from sweetspot.report.json_shapes import cleaned
@@ -158,8 +159,7 @@ def _json(flown: BattedFlight) -> dict[str, Any]:
     }
     if flown.sport.key not in BALLPARKS and flown.flight.outcome is FlightOutcome.LANDED:
         answer["carry_m"] = from_the_hit(flown.flight)
-    if flown.spread:
-        answer["carry_spread_m"] = flown.spread
+    answer |= spread_json(flown.spread)
     if flown.park is not None and flown.landing is not None:
         answer["fence"] = landing_json(flown.landing, flown.park)
         answer["out_in"], answer["parks"] = flown.out_in, flown.parks

@@ -105,6 +105,16 @@ def landing_words(landing: Landing, park: Park) -> Sentence:
     )  # fmt: skip
 
 
+def spread_json(spread: float) -> dict[str, float]:
+    """Return how far carries of balls hit alike scatter, and half of their interval; nothing where it is not known.
+
+    Parameters
+    ----------
+    spread : m, standard deviation; 0: not known.
+    """
+    return {"carry_spread_m": spread, "carry_half_m": REACH * spread} if spread else {}
+
+
 def alike_words(spread: float, *, spin_known: bool) -> Sentence:
     """Return by how much the carries of balls hit alike differ, at the level of every interval.
 

@@ -16,6 +16,7 @@ from sweetspot.report.flight.words import (
     landing_words,
     launch_words,
     path_columns,
+    spread_json,
 )
 from sweetspot.report.hit.document import by_ball
 from sweetspot.report.hit.second_touch import touched_again
@@ -50,7 +51,7 @@ def play_json(played: PlayedPitch) -> dict[str, Any]:
     """Return a play with a unit in every name; what a miss does not have is None."""
     struck, ball, impact = played.play.strike, played.play.strike.launched, played.play.strike.impact
     again = {} if impact is None or impact.unrecovered is None else {"unrecovered_gain_m_s": impact.unrecovered_gain}
-    alike = {"carry_spread_m": played.spread} if played.spread else {}
+    alike = spread_json(played.spread)
     alike |= {} if played.error is None else {"exit_speed_half_by_ball_m_s": REACH * played.error}
     alike |= {} if played.chance is None else {"home_run_chance": played.chance}
     return again | cleaned(
