@@ -32,6 +32,35 @@ def test_two_bats(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> Non
     assert "m/s" in out
 
 
+def test_a_folder_of_bats_that_were_calibrated_one_by_one(
+    run: Run, run_json: Callable[..., Any], tmp_path: Path
+) -> None:
+    """They are ranked as a table of the same measurements ranks them; what cannot be is named, file by file."""
+    folder = tmp_path / "bats"
+    folder.mkdir()
+    for name, tone in (("A", "171.5"), ("B", "155.0")):
+        given = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--pendulum", "1.4545s±0.003s")
+        tones = ("--tone", f"bending-1:{tone}Hz±0.4Hz")
+        assert run("calibrate", "r161-ash", *given, *tones, "--out", str(folder / f"{name}.toml"))[0] == 0
+    table = tmp_path / "bats.csv"
+    table.write_text(HEAD + ONE.replace(",12\n", ",\n") + OTHER.replace(",12\n", ",\n"), encoding="utf-8")
+    by_file, by_row = (run_json("rank", str(one), "--like", "r161-ash") for one in (folder, table))
+    assert [one["name"] for one in by_file["bats"]] == ["A", "B"]
+    for mine, theirs in zip(by_file["bats"], by_row["bats"], strict=True):
+        assert mine["exit_speed_m_s"] == pytest.approx(theirs["exit_speed_m_s"], abs=1e-6)
+        assert mine["best_chance"] == theirs["best_chance"]
+    (folder / "C.toml").write_text(run("show", "r161-ash")[1], encoding="utf-8")
+    (folder / "d.csv").write_text("a,b\n1,2\n", encoding="utf-8")
+    code, out, err = run("rank", str(folder), "--like", "r161-ash")
+    assert (code, out) == (2, "")
+    assert "C.toml does not hold what was measured" in err and "d.csv has no line of headings" in err
+    for other in ("C.toml", "d.csv"):
+        (folder / other).unlink()
+    assert "a ranking is of bats of one model" in run("rank", str(folder), "--like", "mlb-a")[2]
+    (folder / "e.csv").write_text("name,mass_oz\nA,31\n", encoding="utf-8")
+    assert "two bats of the name 'A'" in run("rank", str(folder), "--like", "r161-ash")[2]
+
+
 def test_a_column_that_is_not_understood_is_told(run: Run, tmp_path: Path) -> None:
     """Under another heading a weight would be left out in silence, and the bats would seem alike."""
     table = tmp_path / "bats.csv"

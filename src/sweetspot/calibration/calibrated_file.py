@@ -170,9 +170,17 @@ def _left_unknown(posterior: Posterior) -> dict[str, Any]:
     own = [index for index, one in enumerate(posterior.unknowns) if one.name != OF_BALL]
     return {
         "measured": [one.name for one in posterior.measurements],
+        "value": [_value(one) for one in posterior.measurements if one.shooting is None],
         "unknowns": [posterior.unknowns[index].name for index in own],
         "covariance": posterior.covariance[np.ix_(own, own)].tolist(),
     }
+
+
+def _value(one: Measurement) -> dict[str, Any]:
+    """Return a measurement as a file has it; see `bat_folder.measured_of`."""
+    of_mode = {} if one.mode is None else {"family": one.mode.family, "harmonic": one.mode.harmonic}
+    of_axis = {"axis": one.axis} if one.kind in ("moi", "period") else {}
+    return {"quantity": one.kind, "measured": one.value.value, "error": one.value.error, **of_axis, **of_mode}
 
 
 def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:

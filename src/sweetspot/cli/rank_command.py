@@ -21,7 +21,7 @@ def rank(
         Path,
         Parameter(
             help="CSV, one row a bat: name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent; or "
-            "a folder of such files."
+            "a folder of such files and of bats that calibrate wrote."
         ),
     ],
     /,
@@ -60,7 +60,7 @@ def rank(
         axis = STANDARD_AXIS if isinstance(model, Bat) else model.moi_axis
     else:
         axis = parse_position(pivot, length=model.length, what="--pivot-of-table")
-    measured = _measured(table, axis, model.sport)
+    measured = _measured(table, axis, model)
     check_likeness(measured, model, axis=axis)
     if not isinstance(model, Bat):
         _check_columns(measured, model)
@@ -89,19 +89,11 @@ def _check_columns(measured: dict[str, list[Measurement]], model: Implement) -> 
                 )
 
 
-def _measured(table: Path, axis: float, sport: str) -> dict[str, list[Measurement]]:
-    """Return what was measured on each bat: of a table, or of all tables of a folder."""
+def _measured(table: Path, axis: float, model: Implement) -> dict[str, list[Measurement]]:
+    """Return what was measured on each bat: of a table, or of all that a folder holds."""
+    from sweetspot.calibration.bat_folder import read_folder
     from sweetspot.calibration.bat_table import read_bats
 
-    if not table.is_dir():
-        return read_bats(table, axis=axis, sport=sport)
-    files = sorted(table.glob("*.csv"))
-    if not files:
-        raise InputError(f"{table} holds no CSV file; put one with the bats' measurements there")
-    measured: dict[str, list[Measurement]] = {}
-    for file in files:
-        for name, given in read_bats(file, axis=axis, sport=sport).items():
-            if name in measured:
-                raise InputError(f"{file}: there are two bats of the name {name!r}; give each its own")
-            measured[name] = given
-    return measured
+    if table.is_dir():
+        return read_folder(table, model, axis=axis)
+    return read_bats(table, axis=axis, sport=model.sport)
