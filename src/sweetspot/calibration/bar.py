@@ -156,14 +156,14 @@ def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
         bar.usual_tones, sideways=bar.sideways_tones, twist=bar.twist_tones,
         farthest=(math.log(slowest / SPEED), math.log(fastest / SPEED)),
     )  # fmt: skip
-    first = named(tones, families)
+    first = named(tones, families, doubt=0.0)  # what is told is E, which another name of a twist does not change
     usual = dict(zip(families[0].names, families[0].frequency, strict=True))
     scales = [math.log(one.tone.frequency.value / usual[one.name]) for one in first if one.name in usual]
     if not scales:
         return first
     scale = math.exp(sum(scales) / len(scales))
     tied = replace(families[1], frequency=scale * families[1].frequency, spread=bar.usual_ratio.error / 2)
-    again = iter(named([one.tone for one in first if one.name not in usual], [tied]))
+    again = iter(named([one.tone for one in first if one.name not in usual], [tied], doubt=0.0))
     return tuple(one if one.name in usual else replace(next(again), expected=None) for one in first)
 
 

@@ -23,8 +23,8 @@ from pathlib import Path
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import MOST_BENDING, Measurement
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.naming import MOST_BENDING, ModeName
 from sweetspot.calibration.swing_weighed import of_swing_weight
 from sweetspot.calibration.written import parse_measured
 from sweetspot.catalog.swing_weights import swing_weight

@@ -13,8 +13,8 @@ from itertools import combinations
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import MOST_BENDING, Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.naming import MOST_BENDING, ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import ModeName, NamedTone
+from sweetspot.calibration.naming import MOST_BENDING, ModeName, NamedTone
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.bending import bending_frequencies
@@ -29,8 +29,6 @@ EFFICIENCY_ERROR = 0.01
 BENDING_ERROR, HOOP_ERROR = 0.005, 0.03
 """One sigma of a frequency's logarithm that the model itself deserves (assumed): grain, paint and glue; for hoop modes
 the course of the wall."""
-MOST_BENDING = 5
-"""Bending modes that are compared; higher ones depend on knots and grain."""
 ELEMENTS = 8
 """Finite elements at least; five modes are then converged to 1e-3 of a bat's damping-free frequency."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -14,17 +15,19 @@ from sweetspot.calibration.naming import (
     any_bat,
     expected_of,
     named,
-    wants_a_mode,
 )
 from sweetspot.calibration.recording import BAT_BAND, Band, Recording
 from sweetspot.calibration.ring import Tone, tones_of
-from sweetspot.calibration.tap_faults import HELD
+from sweetspot.calibration.tap_faults import HEARD, HELD
+from sweetspot.calibration.tap_modes import free_damping
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.errors import InputError
 
 FAMILIES: tuple[Family, ...] = ("bending", "hoop")
 """Those that a microphone hears."""
+BY_RATIOS = 3
+"""Bending modes that ratios alone name, of a bat that nobody described."""
 LOWEST = 2
 """Bending modes of which a free bat rings at least one wherever it is tapped."""
 
@@ -41,6 +44,7 @@ class TapTest:
     expected : the families of modes that a bat's names were chosen from; of a bar as its tones made it.
     bar : elastic constants, where it was a bar that was tapped.
     along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
+    free_damping : ratio that a freely hung one of this kind has at most; a bar may have any.
     """
 
     recordings: tuple[Recording, ...]
@@ -49,11 +53,18 @@ class TapTest:
     expected: tuple[Expected, ...] = ()
     bar: BarModulus | None = None
     along: tuple[tuple[Tone, Measured], ...] | None = None
+    free_damping: float = math.inf
 
     @property
     def good(self) -> tuple[Tap, ...]:
         """The taps that were used."""
         return tuple(tap for tap in self.taps if tap.good)
+
+    @property
+    def touched(self) -> Tone | None:
+        """The lowest loud tone where it surely dies away sooner than that of a freely hung one; None: it does not."""
+        lowest = next((one.tone for one in self.tones if one.tone.own and one.tone.level > HEARD), None)
+        return lowest if lowest and lowest.damping_ratio.low > self.free_damping else None
 
     @property
     def unheard(self) -> tuple[float, ...]:
@@ -128,21 +139,27 @@ def told_taps(
             return TapTest(tuple(recordings), tuple(taps), tones, along=along(bar, tones))
         fit = bar_modulus(bar, tones)
         return TapTest(tuple(recordings), tuple(taps), tones, (modelled(bar, fit),), fit)
-    if modes is None:
-        expected = [any_bat()]
-        return TapTest(tuple(recordings), tuple(taps), _like_a_bat(named(heard, expected)), tuple(expected))
-    expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
-    return TapTest(tuple(recordings), tuple(taps), named(heard, expected), tuple(expected))
+    expected = [any_bat()]
+    if modes is not None:
+        expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
+    tones = named(heard, expected)
+    return TapTest(
+        tuple(recordings), tuple(taps), _like_a_bat(tones) if modes is None else tones, tuple(expected),
+        free_damping=free_damping(modes),
+    )  # fmt: skip
 
 
 def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:
     """Return tones with the names of bats in general, or without names where they are not those of a bat.
 
-    A bat's two lowest modes are heard, and nothing else as loud below the second: hoop modes are higher. A plate, a
-    brace or a pipe that nobody described has tones, but no names.
+    A bat's two lowest modes are heard, and nothing else of its own below the second: hoop modes are higher. A plate,
+    a brace or a pipe that nobody described has tones, but no names. Nor have a bat's tones above the third: those of
+    bending lie among the hoop modes.
     """
-    heard = {one.name.harmonic: one.tone.frequency.value for one in tones if one.name}
-    others = [one.tone for one in tones if one.name is None and wants_a_mode(one.tone)]
-    if {1, 2} <= set(heard) and not any(tone.frequency.value < heard[2] for tone in others):
-        return tones
-    return tuple(NamedTone(one.tone, None, None) for one in tones)
+    heard = {one.name.harmonic: one.tone.frequency.value for one in tones if one.name and one.tone.own}
+    others = [one.tone for one in tones if one.name is None and one.tone.own]
+    like = {1, 2} <= set(heard) and not any(tone.frequency.value < heard[2] for tone in others)
+    return tuple(
+        one if like and one.name and one.name.harmonic <= BY_RATIOS else NamedTone(one.tone, None, None)
+        for one in tones
+    )

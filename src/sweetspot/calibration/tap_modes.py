@@ -18,7 +18,10 @@ from sweetspot.equipment.implement import Implement
 BELOW_FIRST = 0.6
 """Part of the lowest mode's frequency at which the band of a limp implement begins."""
 TIMES_OWN = 2.0
-"""Times the damping of the described implement's lowest mode, from which on it counts as held (assumed)."""
+"""Times the damping of the described implement's lowest mode, from which on it may be held (assumed)."""
+FREEST, GRIP_TAPE = 0.015, 0.006
+"""Damping ratio that a freely hung bat in general, and one of metal with tape on its handle, has at most (assumed).
+Hands on made-up bats of metal leave it at 0.008 to 0.02, and lower its second and third tones by 3 and 5 %."""
 
 
 def modes_to_name(implement: Implement) -> Modes:
@@ -40,10 +43,20 @@ def frame_modes(implement: Implement) -> Modes:
     return modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
 
 
+def free_damping(modes: Modes | None) -> float:
+    """Return the damping ratio that a freely hung implement has at most; None: a bat in general.
+
+    Twice that of its lowest mode as described, and `GRIP_TAPE` at least.
+    """
+    bending = [] if modes is None else modes.of_family("bending")
+    return (
+        FREEST if modes is None or not bending else max(GRIP_TAPE, TIMES_OWN * float(modes.damping_ratio[bending[0]]))
+    )
+
+
 def usual_held(modes: Modes | None) -> float:
     """Return the damping ratio from which on an implement counts as held: a blade of wood and rubber loses more."""
-    bending = [] if modes is None else modes.of_family("bending")
-    return HELD if modes is None or not bending else max(HELD, TIMES_OWN * float(modes.damping_ratio[bending[0]]))
+    return HELD if modes is None else max(HELD, free_damping(modes))
 
 
 def telling(measurements: Sequence[Measurement], own: Implement) -> list[Measurement]:

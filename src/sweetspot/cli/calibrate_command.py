@@ -164,7 +164,7 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     from sweetspot.calibration.tap_analysis import tap_test
     from sweetspot.calibration.tap_modes import modes_to_name, telling, usual_band, usual_held
     from sweetspot.cli.tap_command import tap_places
-    from sweetspot.report.tap.document import unlike_words
+    from sweetspot.report.tap.document import touched_words, unlike_words
 
     if not recordings:
         if at:
@@ -175,6 +175,8 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     test = tap_test(sounds, modes=modes, positions=tap_places(own, at), band=usual_band(modes), held=usual_held(modes))
     if test.unheard:
         raise InputError(f"{unlike_words(test)} Give the bat that was tapped, or name tones yourself with --tone")
+    if test.touched:
+        print(f"sweetspot: {touched_words(test, test.touched)}", file=sys.stderr)
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
     if not bending:
         raise InputError(
@@ -204,8 +206,8 @@ def _shot(own: Implement, path: Path, ball: str | None) -> tuple[list[Measuremen
 
 def _tone(text: str, own: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
-    from sweetspot.calibration.measurements import MOST_BENDING, Measurement
-    from sweetspot.calibration.naming import ModeName
+    from sweetspot.calibration.measurements import Measurement
+    from sweetspot.calibration.naming import MOST_BENDING, ModeName
     from sweetspot.calibration.tap_modes import telling
     from sweetspot.calibration.written import parse_measured
 

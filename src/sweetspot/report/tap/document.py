@@ -51,6 +51,8 @@ def tap_document(test: TapTest, title: str) -> Document:
         )
     if test.unheard:
         blocks.append(Paragraph(unlike_words(test), "warning"))
+    if test.touched:
+        blocks.append(Paragraph(touched_words(test, test.touched), "warning"))
     blocks.append(_tones(test))
     if test.bar is not None:
         blocks += [_bar(test.bar), Paragraph(_budget(test.bar)), *(Paragraph(words) for words in _finer(test.bar))]
@@ -96,10 +98,15 @@ def _tone_row(one: NamedTone) -> tuple[Cell, ...]:
     tone = one.tone
     quality = f"{tone.quality:.0f}" if tone.damping_ratio.low > 0 else f"> {_least_quality(one):.0f}"
     return (
-        str(one.name) if one.name else "?", measured_words(tone.frequency, "frequency"), one.expected,
+        str(one.name) if one.name else _rivals(one), measured_words(tone.frequency, "frequency"), one.expected,
         measured_words(tone.damping_ratio, "share"), quality, tone.level, tone.taps,
         "its own" if tone.own else "room's?",
     )  # fmt: skip
+
+
+def _rivals(one: NamedTone) -> str:
+    """Return the modes that a tone without a name may be."""
+    return " or ".join(dict.fromkeys(str(name) for name in one.rivals)) + "?"
 
 
 def _least_quality(one: NamedTone) -> float:
@@ -152,6 +159,16 @@ def unlike_words(test: TapTest) -> Sentence:
     )  # fmt: skip
 
 
+def touched_words(test: TapTest, tone: Tone) -> Sentence:
+    """Return in words that something may touch what rang."""
+    return say(
+        "At {frequency} the damping is {damping}; a freely hung one of this kind has less than {free}. A hand, a table "
+        "or a loose part may touch it, which moves its tones by some per cent: hang it from rubber bands.",
+        frequency=Slot(tone.frequency.value, "frequency", 0), damping=Slot(tone.damping_ratio.value, "share", 1),
+        free=Slot(test.free_damping, "share", 1),
+    )  # fmt: skip
+
+
 def _drawn(test: TapTest, title: str) -> Any:
     from sweetspot.report.tap.picture import tap_figure
 
@@ -191,6 +208,7 @@ def _tone_data(one: NamedTone) -> dict[str, Any]:
         "level": tone.level,
         "taps": tone.taps,
         "own": tone.own,
+        "may_be": list(dict.fromkeys(str(name) for name in one.rivals)),
         "expected_hz": one.expected,
     }
 

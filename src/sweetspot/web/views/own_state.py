@@ -8,8 +8,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import MOST_BENDING, Measurement
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.naming import MOST_BENDING, ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import Unknown, unknowns_of
 from sweetspot.calibration.unknowns import described as beam_of
