@@ -321,7 +321,7 @@ def main() -> None:
                         here, wrong = judged(one, test)
                         counts.update(here)
                         warned = ["told as perhaps held"] if test.touched else []
-                        warned += ["told as hardly this"] if test.unheard else []
+                        warned += ["told as hardly this"] if test.unlike else []
                         counts.update(warned)
                         bad = len(test.taps) - len(test.good)
                         words = [*warned, *wrong, *([f"{bad} taps not used"] if bad else [])]

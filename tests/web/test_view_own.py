@@ -172,7 +172,7 @@ def test_a_bat_that_is_held_and_one_that_is_another_count_for_nothing(
     other = tmp_path / "other.wav"
     other.write_bytes(recording_bytes(sound, other))
     unlike = asked(client, "/tap", recordings=[handed_in(client, other)])
-    assert unlike["damping"] is None and "Neither of the two lowest bending modes" in unlike["fault"]
+    assert unlike["damping"] is None and "hardly" in unlike["fault"]
     assert asked(client, "/tap", bat="college-alloy", recordings=[handed_in(client, other)])["fault"] is None
 
 

@@ -14,6 +14,7 @@ from sweetspot.calibration.naming import (
     NamedTone,
     any_bat,
     expected_of,
+    misfit,
     named,
 )
 from sweetspot.calibration.recording import BAT_BAND, Band, Recording
@@ -28,6 +29,9 @@ FAMILIES: tuple[Family, ...] = ("bending", "hoop")
 """Those that a microphone hears."""
 BY_RATIOS = 3
 """Bending modes that ratios alone name, of a bat that nobody described."""
+UNLIKE, UNLIKE_HOLLOW = 1.6, 2.2
+"""Misfit from which on what rang is hardly what was described, solid or hollow (assumed; of 36 made-up bats described
+as they are but for their stiffness the most is 1.4 and 2.1)."""
 LOWEST = 2
 """Bending modes of which a free bat rings at least one wherever it is tapped."""
 
@@ -45,6 +49,7 @@ class TapTest:
     bar : elastic constants, where it was a bar that was tapped.
     along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
     free_damping : ratio that a freely hung one of this kind has at most; a bar may have any.
+    misfit : what the modes described leave unexplained a tone; see `naming.misfit`.
     """
 
     recordings: tuple[Recording, ...]
@@ -54,11 +59,18 @@ class TapTest:
     bar: BarModulus | None = None
     along: tuple[tuple[Tone, Measured], ...] | None = None
     free_damping: float = math.inf
+    misfit: float = 0.0
 
     @property
     def good(self) -> tuple[Tap, ...]:
         """The taps that were used."""
         return tuple(tap for tap in self.taps if tap.good)
+
+    @property
+    def unlike(self) -> bool:
+        """Whether what rang is hardly what was described."""
+        hollow = any(name.family == "hoop" for one in self.expected for name in one.names)
+        return bool(self.unheard) or self.misfit > (UNLIKE_HOLLOW if hollow else UNLIKE)
 
     @property
     def touched(self) -> Tone | None:
@@ -145,7 +157,7 @@ def told_taps(
     tones = named(heard, expected)
     return TapTest(
         tuple(recordings), tuple(taps), _like_a_bat(tones) if modes is None else tones, tuple(expected),
-        free_damping=free_damping(modes),
+        free_damping=free_damping(modes), misfit=0.0 if modes is None else misfit(heard, expected),
     )  # fmt: skip
 
 

@@ -49,7 +49,7 @@ def tap_document(test: TapTest, title: str) -> Document:
                 "warning",
             )
         )
-    if test.unheard:
+    if test.unlike:
         blocks.append(Paragraph(unlike_words(test), "warning"))
     if test.touched:
         blocks.append(Paragraph(touched_words(test, test.touched), "warning"))
@@ -152,6 +152,11 @@ def _finer(bar: BarModulus) -> list[Sentence]:
 
 def unlike_words(test: TapTest) -> Sentence:
     """Return in words that what rang is hardly what was described."""
+    if not test.unheard:
+        return say(
+            "The tones hardly fit the modes described: what rang is hardly this, or the outline or walls are others. "
+            "The names may be chance."
+        )
     return say(
         "Neither of the two lowest bending modes, described at {first} and {second}, was heard: what rang is hardly "
         "this, or the band leaves them out. The names of the other tones may be chance.",

@@ -82,7 +82,7 @@ def tap(state: OwnState) -> dict[str, Any]:
         return head | {"fault": str(error)}
     named = telling(of_tones(test.tones), own)
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
-    damping = pooled(bending) if bending and not test.unheard else None
+    damping = pooled(bending) if bending and not test.unlike else None
     assert good[-1].fit is not None
     frequency, level = spectrum(good[-1].fit)
     shown = frequency < HIGHEST * max(one.tone.frequency.value for one in test.tones)
@@ -102,7 +102,7 @@ def tap(state: OwnState) -> dict[str, Any]:
 
 def _fault(test: TapTest, bending: bool) -> str | None:
     """Return why nothing of a tap test counts; None: its tones do."""
-    if test.unheard:
+    if test.unlike:
         return f"{unlike_words(test)} Nothing of it counts: describe what was tapped better"
     if not bending:
         return "no tone is a bending mode of what is described; hang it freely, tap it near the tip, describe it better"
