@@ -40,6 +40,19 @@ def test_the_drawer_is_shut_in_a_low_window_and_opens_where_a_fault_lies(
     expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("110")
 
 
+def test_a_drawer_that_nobody_shut_opens_when_there_is_room(page: Page, server: str, answered: Answered) -> None:
+    page.set_viewport_size({"width": 800, "height": 360})
+    page.goto(f"{server}/explorer")
+    answered(page)
+    drawer = page.locator("button.drawer")
+    expect(drawer).to_have_attribute("aria-expanded", "false")
+    page.set_viewport_size({"width": 360, "height": 800})
+    expect(drawer).to_have_attribute("aria-expanded", "true")
+    drawer.click()
+    page.set_viewport_size({"width": 800, "height": 700})
+    expect(drawer).to_have_attribute("aria-expanded", "false")  # shut by somebody
+
+
 def test_the_wizard_by_keyboard_on_a_small_screen(page: Page, server: str, answered: Answered) -> None:
     page.set_viewport_size({"width": 320, "height": 480})
     page.goto(f"{server}/explorer")

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from sweetspot.units import INCH
+from sweetspot.web.bats import bat_from_text, described
+from sweetspot.web.states import BatState
 
 URL = "/api/v1/design"
 
@@ -94,6 +96,8 @@ def test_the_files_are_the_bat(client: httpx.Client, pulled: dict[str, Any]) -> 
     command = asked(client, "/recipe", **pulled, league="ncaa")["command"]
     assert command.startswith("sweetspot design r161-ash --want exit-speed --want zone --keep mass --keep moi")
     assert "--league ncaa" in command
+    changed = asked(client, "/recipe", weight_oz=1.0, mass_oz=30.3)
+    assert bat_from_text(changed["toml"]) == described(BatState(weight_oz=1.0, mass_oz=30.3))  # to the last bit
 
 
 def test_a_batter_comes_from_a_fit_or_is_refused_in_a_line(client: httpx.Client) -> None:

@@ -18,10 +18,15 @@ export function drawerOf(side, /** @type {HTMLElement} */ root, /** @type {Abort
     side.classList.toggle("shut", shut);
     label();
   };
-  toggle.addEventListener("click", () => turn(!side.classList.contains("shut")));
+  let chosen = false; // somebody opened or shut it
+  toggle.addEventListener("click", () => {
+    chosen = true;
+    turn(!side.classList.contains("shut"));
+  });
   side.addEventListener("reveal", () => turn(false));
   side.prepend(toggle);
   turn(globalThis.innerHeight < LOW && getComputedStyle(toggle).display !== "none");
+  addEventListener("resize", () => chosen || globalThis.innerHeight < LOW || turn(false), { signal }); // a telephone upright again
   const after = side.nextSibling;
   const put = () => root.insertBefore(side, NARROW.matches ? null : after);
   put();

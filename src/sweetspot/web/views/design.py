@@ -35,12 +35,12 @@ from sweetspot.report.design.sizes import drawing, tolerance_words
 from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words
 from sweetspot.report.quantities import SCALES, SYSTEMS
 from sweetspot.units import INCH
-from sweetspot.web.bats import ball_of, reduced
+from sweetspot.web.bats import ball_of, described, reduced
 from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
-from sweetspot.web.recipes import ENOUGH, bat_name, bat_text, swing_options
+from sweetspot.web.recipes import ENOUGH, bat_name, swing_options
 from sweetspot.web.states import BatState
 from sweetspot.web.view import View
 from sweetspot.web.views.design_search import search
@@ -244,7 +244,10 @@ def _of_file(text: str, name: str, read: Callable[[Path], Read]) -> Read:
 
 
 def recipe(state: DesignState) -> dict[str, str]:
-    """Return the command line that searches in the same way, and the present bat's file."""
+    """Return the command line that searches in the same way, and the present bat's file.
+
+    That has every digit: which bats a search finds follows from the last one.
+    """
     kept = {"keep_mass": "mass", "keep_moi": "moi", "keep_wood": "wood", "keep_balance": "balance", "keep_grip": "grip"}
     keep = [word for field, word in kept.items() if getattr(state, field)] or ["nothing"]
     wants = dict.fromkeys((state.want, state.also_want))
@@ -258,7 +261,7 @@ def recipe(state: DesignState) -> dict[str, str]:
         *([] if state.league == USUAL_LEAGUE else [f"--league {quote(state.league)}"]),
     ]  # fmt: skip
     command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing_options(state)} --out design"
-    return {"command": command, "toml": bat_text(state)}
+    return {"command": command, "toml": bat_toml(described(state))}
 
 
 VIEW = View(

@@ -8,6 +8,7 @@ import { download } from "../download.js";
 import { Lights, beside, showRules } from "../lights.js";
 import { make, paragraphs, tableOf, tell, withDoubt, write } from "../parts.js";
 import { Front, WANTS } from "./design_front.js";
+import { grouped } from "../units.js";
 /** @import { Answer, App, Control, State, Step, View } from "../main.js" */
 
 const LONGEST = 40000;
@@ -131,7 +132,7 @@ export const view = {
       } else read(text);
     });
     const { swings_csv: known, swings_of: whose } = app.left.get("player") ?? {};
-    return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: "Or from swings (CSV, or player.json of fit-player)" }), file, wrong,
+    return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: `Or from swings (CSV, or player.json of fit-player; up to ${grouped(LONGEST)} letters)` }), file, wrong,
       ...(known ? [button("The swings of the view Player", () => read(known, whose))] : []));
   },
 
