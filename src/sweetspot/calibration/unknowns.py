@@ -100,7 +100,8 @@ def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> 
         return tuple(Unknown(name, size) for name, size in implement_spreads(bat).items())  # type: ignore[arg-type]
     if bat.shell is not None and (bat.shell.laminate is not None or bat.shell.handle_material is not None):
         raise InputError(
-            f"{bat.name} has walls of plies or a handle of its own material; calibrate knows bats of one material"
+            f"{bat.name} has walls of plies or a handle of its own material, and only bats of one material can be "
+            "fitted; write its mass, balance_point and moi into its file, and use report or compare"
         )
     if not 0 < diameter_spread < 0.1:
         raise InputError(f"the error of the diameters is {diameter_spread:g} of them; allowed is 0 to 0.1")

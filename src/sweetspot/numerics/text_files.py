@@ -210,9 +210,10 @@ def _cells(text: str, separator: str) -> list[list[str]]:
 
 
 def pointed(cell: str) -> str:
-    """Return a cell with a number's decimals after a point.
+    """Return a cell with a number's decimals after a point, and those of its error behind ±.
 
-    >>> pointed("66,5"), pointed("a,b")
-    ('66.5', 'a,b')
+    >>> pointed("66,5"), pointed("1,454 ± 0,003"), pointed("a,b")
+    ('66.5', '1.454 ± 0.003', 'a,b')
     """
-    return cell.replace(",", ".") if DECIMAL_COMMA.fullmatch(cell) else cell
+    parts = cell.split("±")
+    return "±".join(part.replace(",", ".") if DECIMAL_COMMA.fullmatch(part) else part for part in parts)

@@ -123,11 +123,11 @@ def ranking_words(ranking: Ranking, *, model: Implement) -> Sentence:
              "doubt": Slot(ranking.not_known, "speed_change", 2),
              "wood": Slot(ranking.wood, "speed_change", 2)}  # fmt: skip
     verdict = (
-        "They differ by {scatter} (one sigma), more than the {chance} that {things} all alike would seem to by the "
-        "{doubt} that is not known of each: the order as a whole means something, neighbours in it may be alike."
+        "They differ by {scatter} (one sigma); {things} all alike would seem to differ by up to {chance}, for {doubt} "
+        "is not known of each: the order as a whole means something, neighbours in it may be alike."
         if ranking.beyond_doubt
-        else "They differ by {scatter} (one sigma), no more than the {chance} that {things} all alike may seem to by "
-        "the {doubt} that is not known of each: the order may be chance."
+        else "They differ by {scatter} (one sigma); {things} all alike may seem to differ by up to {chance}, for "
+        "{doubt} is not known of each: the order may be chance."
     )
     words.append(say(verdict, things=f"{sport(model.sport).words.implement}s", **sizes))
     if not isinstance(model, Bat):
