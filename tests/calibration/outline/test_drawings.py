@@ -45,6 +45,17 @@ def test_there_and_back(tmp_path: Path, ending: str, reading: Reader) -> None:
     assert worst(read_outline(path)) < 1.1e-5
 
 
+@pytest.mark.parametrize("name", ["russell-b3", "textbook", "college-alloy"])
+def test_bats_of_few_stations_and_blunt_ends_come_back_too(tmp_path: Path, name: str) -> None:
+    bat = catalog.bat(name)
+    for ending in (".csv", ".svg", ".dxf"):
+        path = tmp_path / f"bat{ending}"
+        path.write_bytes(drawing_bytes(bat, path))
+        profile = np.array(read_outline(path).profile)
+        places = np.linspace(0, bat.length, 701)
+        np.testing.assert_allclose(np.interp(places, *profile.T), bat.diameter_at(places), atol=1.3e-5)
+
+
 def both_flanks_apart(space: Modelspace) -> None:
     space.add_lwpolyline(FLANK.tolist())
     space.add_lwpolyline((FLANK * [1, -1]).tolist())

@@ -11,9 +11,10 @@ from PIL import Image
 from scipy.ndimage import gaussian_filter
 
 from sweetspot.calibration.outline.outline_file import read_outline
-from sweetspot.calibration.outline.photo.edges import smooth
+from sweetspot.calibration.outline.photo.edges import Edges, smooth
 from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline, read_photo
 from sweetspot.calibration.outline.photo.picture import read_picture
+from sweetspot.calibration.outline.photo.shadow import shadow_at_a_flank
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from tests.photographs import ASH, BAT, BLACK, BLUE, GREEN, GREY, WALNUT, WHITE, rendered, saved
@@ -352,6 +353,25 @@ def test_a_shadow_beside_a_part_of_its_hue_is_refused(tmp_path: Path) -> None:
     picture[from_axis < 25, 600:850] = 0.3
     with pytest.raises(InputError, match="dark shadow along one side"):
         read_photo(saved(tmp_path / "bat.png", picture), length=BAT.length)
+
+
+def test_a_hard_shadow_beside_a_black_bat(tmp_path: Path) -> None:
+    """It is read; where the shadow's edge is taken for the bat's, its even light tells; a lamp aside does not."""
+    picture = rendered(wood=BLACK, angle=17, shadow=0.85, hard=True)
+    outline = read_photo(saved(tmp_path / "bat.jpg", picture, quality=90), length=BAT.length, camera_distance=1e6)
+    assert np.abs(misses(outline)).max() < 1.1e-3
+
+    width = np.full(400, 40.0)
+    edges = Edges(place=np.arange(400.0) + 0.5, width=width, unsettled=0 * width, scatter=0.1, bend=0.0, length=400.0,
+                  start=np.array([50.0, 50.0]), end=np.array([450.0, 50.0]))  # fmt: skip
+    tint, bat = np.zeros((100, 500, 3)), np.full((100, 500), -3.4)
+    shadowed, lit, uneven = bat.copy(), bat.copy(), bat.copy()
+    shadowed[60:] = -1.6
+    lit[60:] = -2.5
+    uneven[60:] = np.linspace(-2.0, -1.2, 500)
+    assert shadow_at_a_flank(edges, tint, shadowed)
+    assert shadow_at_a_flank(edges, tint, shadowed[::-1].copy())
+    assert not any(shadow_at_a_flank(edges, tint, light) for light in (bat, lit, uneven))
 
 
 def test_dark_print_on_pale_wood_does_not_draw_the_edge_inwards(tmp_path: Path) -> None:

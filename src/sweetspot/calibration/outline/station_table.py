@@ -8,7 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
-from statistics import mean
+
+import numpy as np
 
 from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
@@ -181,8 +182,9 @@ def _check_each_once(stations: Sequence[tuple[float, float]], where: _Column, pa
 
 def _check_end(stations: Sequence[tuple[float, float]], where: _Column, path: Path) -> None:
     """Refuse places that count from the other end than their heading says: a bat's thicker half is its barrel."""
-    middle = (stations[0][0] + stations[-1][0]) / 2
-    halves = [mean(size for place, size in stations if (place > middle) == beyond) for beyond in (False, True)]
+    places, sizes = np.array(stations).T
+    even = np.linspace(places[0], places[-1], 200)
+    halves = [float(half.mean()) for half in np.split(np.interp(even, places, sizes), 2)]
     knob, barrel = reversed(halves) if where.from_tip else halves
     if insisted() or knob < THICKER * barrel:
         return

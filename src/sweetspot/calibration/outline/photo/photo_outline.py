@@ -43,6 +43,9 @@ END_HEIGHT = 0.7
 HOOK, HOOKED = 0.010, 1e-3
 """m that the hook of a tape on the barrel reaches down the tip (assumed), and what it loses at least to be told of."""
 SHADOWED = "A dark shadow lies along one side of the bat, which was told from it by its hue: even light is surer."
+TILT, LENS = np.deg2rad(2.0), 0.01
+"""One sigma of how square to the bat a camera is held by hand, and of how much farther out than it belongs a lens shows
+the picture's corner, telephones having set most of it right (assumed). Tilted along it, one end is nearer."""
 FROM, NEAREST = 2.5, 0.5
 """m from camera to bat: where it is not known (assumed), and at least."""
 
@@ -248,7 +251,11 @@ def _measured(
     at = float(np.hypot(scale, 0.3 * excess.mean() if away else excess.mean()))
     unseen = 0.0 if away else float(excess.sum()) / reach  # of the scale: the ends seem farther apart than they are
     edge = scale * np.hypot(np.sqrt(2) * edges.scatter / 4, np.maximum(np.sqrt(2) * PIXEL, unsettled))
-    error = _errors(place, width, edge, scale_error, at, 0.0 if length is None else unseen)
+    along = place * (reach - place) / (away or FROM)
+    lean = TILT * np.abs(place - reach / 2) / (away or FROM)
+    lens = LENS * (edges.length / np.hypot(*picture.shape)) ** 2 * 4 * place * (reach - place) / reach**2
+    edge = np.hypot(edge, width * np.hypot(lean, lens))
+    error = _errors(place, width, edge, scale_error, np.hypot(at, TILT * along), 0.0 if length is None else unseen)
     return PhotoOutline(
         profile=profile, notes=tuple(notes), pixel=scale, edge_scatter=scale * edges.scatter,
         axis_bend=scale * edges.bend, diameter_error=tuple(np.interp([x for x, _ in profile], place, error).tolist()),
@@ -278,7 +285,7 @@ def _excess(picture: Picture, edges: Edges, scale: float, away: float) -> tuple[
     return tuple(max(out, 0.0) * height / (away - height) for out, height in zip(outs, heights, strict=True))  # type: ignore[return-value]
 
 
-def _errors(place: Array, width: Array, edge: Array, scale_error: float, at: float, unseen: float) -> Array:
+def _errors(place: Array, width: Array, edge: Array, scale_error: float, at: Array, unseen: float) -> Array:
     """Return one sigma of the diameters, m: both edges, scale, and what an error of the place makes where it is steep.
 
     Places count from either end, and the scale moves those far from it. By ``unseen`` the scale is off where the
