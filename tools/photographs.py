@@ -131,7 +131,8 @@ def _surface(bat: Solid, generator: np.random.Generator, pixel: float) -> tuple[
     s, phi = (one.ravel() for one in np.meshgrid(place, around, indexing="ij"))
     r, rise, run = (np.repeat(one, len(around)) for one in (radius, *slope))
     steep = np.hypot(rise, run)
-    surface = np.column_stack([s, r * np.sin(phi), r * np.cos(phi)])
+    inner = np.maximum(r - pixel / FINE / 2, 0.0)  # a part of a pixel is filled whole where a point touches it
+    surface = np.column_stack([s, inner * np.sin(phi), inner * np.cos(phi)])
     normal = np.column_stack([-rise / steep, run / steep * np.sin(phi), run / steep * np.cos(phi)])
     colour = np.tile(np.array(COATS[bat.coat]), (len(s), 1))
     colour *= (1 + 0.08 * np.sin(90 * phi + 30 * np.sin(8 * s)) * (bat.coat in ("ash", "walnut")))[:, None]

@@ -140,14 +140,14 @@ def test_half_an_inch_in_one_sign(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("heading", "places", "sizes", "words"),
     [
-        ("position_cm,diameter_mm", 1.0, 1.0, r"position_cm counted in in \(0.8636 m \(34 in\) long\)"),
+        ("position_cm,diameter_mm", 1.0, 1.0, r"position_cm counted in inches \(0.8636 m \(34 in\) long\)"),
         ("position_in,diameter_mm", 2.54, 1.0, "position_in counted in cm"),
-        ("position_in,diameter_cm", 1.0, 1 / 25.4, "diameter_cm measured in in"),
+        ("position_in,diameter_cm", 1.0, 1 / 25.4, "diameter_cm measured in inches"),
         ("position_in,diameter_mm", 1.0, 0.1, "diameter_mm measured in cm"),
         ("position_in,diameter_mm", 1.0, 0.5, "diameter_mm taken as radii"),
         ("position_in,diameter_mm", 1.0, math.pi, "diameter_mm taken as circumferences"),
         ("position_in,circumference_mm", 1.0, 1.0, "circumference_mm taken as diameters"),
-        ("position_cm,diameter_cm", 1.0, 1 / 25.4, r"both columns in in \(0.8636 m"),
+        ("position_cm,diameter_cm", 1.0, 1 / 25.4, r"both columns in inches \(0.8636 m"),
     ],
 )
 def test_a_slip_of_units_is_told_by_what_would_be_a_bat(

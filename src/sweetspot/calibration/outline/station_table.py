@@ -25,6 +25,8 @@ UNITS = {
 """Words of a heading, and the unit that they are."""
 METRES = {"in": INCH, "ft": FOOT, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
 """m of a unit."""
+SPELT = {"in": "inches", "ft": "feet"}
+"""Units whose sign may be taken for a word."""
 KINDS = {"diameters": 1.0, "circumferences": 1 / math.pi, "radii": 2.0}
 """What is measured across, and the diameter per unit of it."""
 SIZES = {
@@ -139,7 +141,8 @@ def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, a
         return
     places, widths = METRES.get(where.unit or ""), METRES.get(across.unit or "")
     meant, in_both = [], []
-    for unit, size in METRES.items():
+    for sign, size in METRES.items():
+        unit = SPELT.get(sign, sign)
         if places and _like_a_bat(reach / places * size, thin, thick):
             meant.append(f"{where.heading} counted in {unit} ({shown(reach / places * size)} long)")
         if widths and _like_a_bat(reach, thin / widths * size, thick / widths * size):
