@@ -16,6 +16,7 @@ from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.equipment.bat import Bat
+from sweetspot.report.calibration.document import contradictions
 from sweetspot.units import INCH, OUNCE
 from tests.calibration.test_posterior import measured
 
@@ -109,8 +110,10 @@ def test_tones_that_are_all_named_wrong_are_named_again(maple: Bat, given: tuple
 def test_a_wrong_balance_point_is_named_and_not_averaged_in(maple: Bat) -> None:
     measurements = measured(described(maple), bending=(1, 2, 3))
     moved = replace(measurements[1], value=Measured(measurements[1].value.value + 0.03, 0.0015))
-    without = suspects(fitted(maple, [measurements[0], moved, *measurements[2:]]))["balance point"]
+    one = fitted(maple, [measurements[0], moved, *measurements[2:]])
+    without = suspects(one)["balance point"]
     assert predicted(without.line, [moved])[0] == pytest.approx(measurements[1].value.value, abs=0.004)
+    assert str(contradictions(one)[-2]) == "If it is right, the outline is not this bat's."
 
 
 def test_the_command_tells_what_was_meant(run: Callable[..., tuple[int, str, str]]) -> None:

@@ -194,6 +194,9 @@ def contradictions(posterior: Posterior, alone: Mapping[str, Posterior] | None =
             words.append(say("As {how} it would agree{others}.", how=how, others="" if lone else " with all others"))
     if len(words) == 1:
         words.append(_unexplained(posterior))
+    elif isinstance(posterior.line.bat, Bat) and len(words) == 1 + len(alone):  # nobody knows what was meant
+        words.append(say("If {what} right, the outline is not this bat's.",
+                         what="it is" if len(alone) == 1 else "all of them are"))  # fmt: skip
     return [*words, *supposed_words(posterior)]
 
 
