@@ -195,11 +195,17 @@ def sources_page() -> str:
 
 def validation_page() -> str:
     """Return every published case, source by source, as the validation package writes it, with links to the sources."""
-    found = validation.results()
-    text = "\n".join(validation.markdown(case, found) for case in validation.sources())
-    for case in validation.sources():
-        text = text.replace(f"`{case.source}`", source(case.source))
-    return text
+    found, keys = validation.results(), set(references.keys())
+
+    def link(match: re.Match[str]) -> str:
+        key = match[1]
+        named = match[0] != key or re.search(r"[\d_]", key)  # not "statcast" in running text
+        return source(key) if key in keys and named else match[0]
+
+    return re.sub(
+        r"[`\[]?\b([a-z][a-z0-9_]+)\b[`\]]?", link,
+        "\n".join(validation.markdown(case, found) for case in validation.sources()),
+    )  # fmt: skip
 
 
 def validation_summary() -> str:
