@@ -30,8 +30,8 @@ FAMILIES: tuple[Family, ...] = ("bending", "hoop")
 BY_RATIOS = 3
 """Bending modes that ratios alone name, of a bat that nobody described."""
 UNLIKE, UNLIKE_HOLLOW = 1.6, 2.2
-"""Misfit from which on what rang is hardly what was described, solid or hollow (assumed; of 36 made-up bats described
-as they are but for their stiffness the most is 1.4 and 2.1)."""
+"""Misfit from which on what rang is hardly what was described, solid or hollow (assumed). Of 36 made-up bats described
+as they are but for their stiffness the most is 1.4 and 2.1; with a room's tones among theirs a fifth have more."""
 LOWEST = 2
 """Bending modes of which a free bat rings at least one wherever it is tapped."""
 

@@ -173,8 +173,10 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     sounds = [read_recording(path) for path in recordings]
     modes = modes_to_name(own)
     test = tap_test(sounds, modes=modes, positions=tap_places(own, at), band=usual_band(modes), held=usual_held(modes))
-    if test.unlike:
+    if test.unheard:
         raise InputError(f"{unlike_words(test)} Give the bat that was tapped, or name tones yourself with --tone")
+    if test.unlike:
+        print(f"sweetspot: {unlike_words(test)}", file=sys.stderr)
     if test.touched:
         print(f"sweetspot: {touched_words(test, test.touched)}", file=sys.stderr)
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]

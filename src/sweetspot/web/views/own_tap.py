@@ -17,6 +17,7 @@ from sweetspot.calibration.tap_curves import spectrum, waveform
 from sweetspot.calibration.tap_modes import modes_to_name, telling, usual_band, usual_held
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH
@@ -82,7 +83,7 @@ def tap(state: OwnState) -> dict[str, Any]:
         return head | {"fault": str(error)}
     named = telling(of_tones(test.tones), own)
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
-    damping = pooled(bending) if bending and not test.unlike else None
+    damping = pooled(bending) if bending and not _unlike(test, own) else None
     assert good[-1].fit is not None
     frequency, level = spectrum(good[-1].fit)
     shown = frequency < HIGHEST * max(one.tone.frequency.value for one in test.tones)
@@ -95,18 +96,23 @@ def tap(state: OwnState) -> dict[str, Any]:
         ],
         "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in named if one.mode is not None],
         "damping": None if damping is None else [damping.value, damping.error],
-        "fault": _fault(test, bool(bending)),
+        "fault": _fault(test, own, bool(bending)),
         "spectrum": {"frequency_hz": np.round(frequency[shown], 2), "level_db": np.round(level[shown], 2)},
     }  # fmt: skip
 
 
-def _fault(test: TapTest, bending: bool) -> str | None:
+def _fault(test: TapTest, own: Implement, bending: bool) -> str | None:
     """Return why nothing of a tap test counts; None: its tones do."""
-    if test.unlike:
+    if _unlike(test, own):
         return f"{unlike_words(test)} Nothing of it counts: describe what was tapped better"
     if not bending:
         return "no tone is a bending mode of what is described; hang it freely, tap it near the tip, describe it better"
     return None
+
+
+def _unlike(test: TapTest, own: Implement) -> bool:
+    """Say whether nothing counts: what rang is hardly this. Higher tones of other implements are known less well."""
+    return test.unlike if isinstance(own, Bat) else bool(test.unheard)
 
 
 class _Sound:
