@@ -212,7 +212,8 @@ export function factList(facts, app) {
     fill(answer) {
       facts.forEach(([, value], i) => {
         const found = value(answer, app);
-        write(values[i], typeof found === "string" ? found : app.text(...found));
+        const words = typeof found === "string" ? found : app.text(...found);
+        write(values[i], words.replace("\u00a0±", " ±")); // an interval is too long for the box of a telephone
       });
     },
   };
