@@ -14,6 +14,7 @@ import numpy as np
 from sweetspot.calibration.echoes import AUDIBLE, NEAR, WEIGHTY, stands_out
 from sweetspot.calibration.sinusoids import LOUD_PART, Fit
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import ROBUST_SCALE
 
 SETTLE = 0.006
 """s from the blow to the window: the contact itself and its nearest echoes."""
@@ -34,7 +35,6 @@ ONE_BLOW = 0.02
 """s after the beginning in which all blows are one contact; the window then begins after the last."""
 APART = 0.2
 """s between blows that are meant as two taps."""
-MEDIAN_TO_RMS = 1.4826
 LARGEST_MISFIT = 0.8
 """rms of what is no damped sinusoid over that of the sound."""
 MOST_DRIVEN = 0.3
@@ -254,6 +254,6 @@ def blows(samples: Array, rate: float, *, finest_step: float = 0.0) -> Array:
     around = scipy.ndimage.median_filter(surprise, size=size, mode="nearest")
     inside = scipy.ndimage.median_filter(surprise, size=size, mode="reflect")
     around[count // 2 :] = np.maximum(around, inside)[count // 2 :]  # the very last sample may be quiet by chance
-    usual = np.maximum(MEDIAN_TO_RMS * around, finest_step / math.sqrt(12))
+    usual = np.maximum(ROBUST_SCALE * around, finest_step / math.sqrt(12))
     bursts = (surprise > BURST * usual) & (surprise > BURST_SHARE * surprise.max())
     return np.asarray(np.flatnonzero(bursts) / rate)

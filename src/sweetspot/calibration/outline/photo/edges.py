@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from sweetspot.calibration.outline.photo.silhouette import Shape
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import ROBUST_SCALE
 
 STEP = 0.5
 """Pixels between samples across the bat."""
@@ -91,7 +92,7 @@ def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -
         if abs(offset) + abs(slope * count) < 0.02:
             break
     smooth_left, smooth_right = smooth(left), smooth(right)
-    scatter = float(np.sqrt(np.median((left - smooth_left) ** 2 + (right - smooth_right) ** 2) / 2) * 1.4826)
+    scatter = float(np.sqrt(np.median((left - smooth_left) ** 2 + (right - smooth_right) ** 2) / 2) * ROBUST_SCALE)
     middle = (smooth_left + smooth_right)[inner] / 2
     straight = np.polyval(np.polyfit(np.arange(len(middle)), middle, 1), np.arange(len(middle)))
     return Edges(
