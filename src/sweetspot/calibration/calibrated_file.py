@@ -25,12 +25,11 @@ from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.constants import STANDARD_AXIS
 
 SOURCE = "own_measurement"
 TOLD = 0.7
 """Error after over before, below which measurements have told something about an unknown."""
-AXIS = 0.1524
-"""m from the knob end, of the written moment of inertia."""
 MEASURING = {"mass": ("mass",), "balance_point": ("balance_point",), "moi": ("moi", "period")}
 """Kinds of measurement that measure a written property."""
 
@@ -44,12 +43,12 @@ class Value:
 
 
 def properties(posterior: Posterior) -> dict[str, Value]:
-    """Return mass, balance point and moment of inertia about `moi_axis`, with errors of the whole posterior.
+    """Return mass, balance point and moment of inertia about the swing axis, with errors of the whole posterior.
 
     A bat's moment of inertia that was not measured is in doubt by as much as outlines tell it, `moi_doubt`.
     """
     wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
-              Measurement("moi", Measured(1, 1), axis=moi_axis(posterior))]  # fmt: skip
+              Measurement("moi", Measured(1, 1), axis=posterior.line.bat.swing_axis)]  # fmt: skip
     values = predicted(posterior.line, wanted)
     slopes = _slopes(posterior, wanted)
     errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
@@ -67,20 +66,16 @@ def fitted_names(posterior: Posterior) -> tuple[str, ...]:
     return tuple(name for name, measuring in MEASURING.items() if not kinds & set(measuring))
 
 
-def moi_axis(posterior: Posterior) -> float:
-    """Return the axis of the told moment of inertia in m from the knob end: 6 in, or that of the swing weight."""
-    own = posterior.line.bat
-    return AXIS if isinstance(own, Bat) else own.moi_axis
-
-
 def _doubt_of_moi(posterior: Posterior) -> float:
     """Return by how much the moment of inertia may be off that was not measured, kg m^2; see `moi_doubt`."""
     own = posterior.line.bat
     if not isinstance(own, Bat):
         return 0.0
     body, not_measured = rigid_body(posterior.line), fitted_names(posterior)
-    as_kept = own.replaced(balance_point=body.balance_point, moi=body.moi(AXIS), mass=body.mass, fitted=not_measured)
-    return moi_doubt(as_kept, body, AXIS)
+    as_kept = own.replaced(
+        balance_point=body.balance_point, moi=body.moi(STANDARD_AXIS), mass=body.mass, fitted=not_measured
+    )
+    return moi_doubt(as_kept, body, STANDARD_AXIS)
 
 
 def _slopes(posterior: Posterior, wanted: list[Measurement]) -> Array:
@@ -143,7 +138,8 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(
         name=f"{bat.name}, calibrated", material=material, mass=body.mass, balance_point=body.balance_point,
-        moi=body.moi(AXIS), moi_axis=AXIS, fitted=fitted_names(posterior), density_gradient=gradient, calibrated=True,
+        moi=body.moi(STANDARD_AXIS), moi_axis=STANDARD_AXIS, fitted=fitted_names(posterior), density_gradient=gradient,
+        calibrated=True,
     )  # fmt: skip
 
 

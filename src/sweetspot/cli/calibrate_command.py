@@ -33,7 +33,10 @@ class WeighedOptions:
         str | None,
         Parameter(help="As its sport tells it, about the sport's own axis: D2 of a club, 316kg*cm^2 of a racket."),
     ] = None
-    pivot: Annotated[str, Parameter(help="Where it hangs, from the knob end.")] = "6in"
+    pivot: Annotated[
+        str | None,
+        Parameter(help="Where it hangs, from the knob end; default: 6in, or the axis of the sport's swing weight."),
+    ] = None
 
 
 @Parameter(name="*")
@@ -136,7 +139,8 @@ def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
     from sweetspot.calibration.written import parse_measured
     from sweetspot.units import parse_position
 
-    axis = parse_position(weighed.pivot, length=own.length, what="--pivot")
+    pivot = weighed.pivot
+    axis = own.swing_axis if pivot is None else parse_position(pivot, length=own.length, what="--pivot")
     measurements = []
     if weighed.mass is not None:
         measurements.append(Measurement("mass", parse_measured(weighed.mass, "mass", "--mass")))

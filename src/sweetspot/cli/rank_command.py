@@ -51,15 +51,11 @@ def rank(
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present, progress
     from sweetspot.equipment.bat import Bat
-    from sweetspot.numerics.constants import STANDARD_AXIS
     from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.units import parse, parse_position
 
     model = catalog.load_implement(like)
-    if pivot is None:
-        axis = STANDARD_AXIS if isinstance(model, Bat) else model.moi_axis
-    else:
-        axis = parse_position(pivot, length=model.length, what="--pivot-of-table")
+    axis = model.swing_axis if pivot is None else parse_position(pivot, length=model.length, what="--pivot-of-table")
     measured = _measured(table, axis, model)
     check_likeness(measured, model, axis=axis)
     if not isinstance(model, Bat):

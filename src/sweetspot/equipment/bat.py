@@ -19,6 +19,7 @@ from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import Section, of_solid, of_walls
 from sweetspot.equipment.shell import Shell, Stations, between, check_order
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, shown
 
 LENGTH_RANGE = (0.3, 1.3)
@@ -255,6 +256,11 @@ class Bat(OfMaterial):
     def grip_end(self) -> str:
         """What people call the end that the hand holds."""
         return "knob end"
+
+    @property
+    def swing_axis(self) -> float:
+        """6 in from the knob end, wherever this bat's own moment of inertia was measured."""
+        return STANDARD_AXIS
 
     @property
     def density_range(self) -> DensityRange:

@@ -127,6 +127,11 @@ class Implement(ShownInNotebooks, Validated, ABC):
         """What people call the end that the hand holds."""
         return "butt end"
 
+    @property
+    def swing_axis(self) -> float:
+        """Axis in m from the butt end about which its moment of inertia is told, and taken to be measured."""
+        return self.moi_axis
+
     @abstractmethod
     def breakpoints(self) -> tuple[float, ...]:
         """Return the positions in m, 0 and length included, between which everything about it is smooth."""

@@ -11,7 +11,6 @@ from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import LEVEL
-from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.calibration.document import axis_words, source_words
 from sweetspot.report.calibration.intervals import half_width, measured_json
 from sweetspot.report.document import Block, Column, Document, Paragraph, Table
@@ -78,7 +77,7 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
                 level=Slot(LEVEL, "share"),
                 thing=words.implement,
                 moi="MOI" if lettered else "Swing weight",
-                axis=axis_words(STANDARD_AXIS if of_bats else model.moi_axis, words.butt),
+                axis=axis_words(model.swing_axis, words.butt),
             ),
             "note",
         )

@@ -26,7 +26,6 @@ from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.calibration.document import (
     SCALE_OF,
@@ -86,7 +85,7 @@ def answer(state: OwnState) -> dict[str, Any]:
     words = [] if posterior is None else contradictions(posterior, alone)
     known = {} if told is None else properties(told)
     budget = [] if told is None else [budget_words(told), *moi_words(told), *density_words(told), *supposed_words(told)]
-    axis = STANDARD_AXIS if isinstance(own, Bat) else own.moi_axis
+    axis = own.swing_axis
     return {
         "bat": {**bat_json(own.name, own.length, described_body), **_picture(state, own)},
         "tool": None if state.implement is None else {"name": own.name},

@@ -14,9 +14,7 @@ from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import Unknown, unknowns_of
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.bats import described, implement_of
 from sweetspot.web.errors import FieldError, about
@@ -89,7 +87,7 @@ def pivot_of(state: OwnState, own: Implement) -> float:
     """Return where it hangs, and what its swing weight is about, in m from the grip's end."""
     if state.pivot_in is not None:
         return state.pivot_in * INCH
-    return STANDARD_AXIS if isinstance(own, Bat) else own.moi_axis
+    return own.swing_axis
 
 
 def measurements_of(state: OwnState) -> list[Measurement]:
