@@ -172,7 +172,7 @@ def test_a_bat_that_is_held_and_one_that_is_another_count_for_nothing(
     other = tmp_path / "other.wav"
     other.write_bytes(recording_bytes(sound, other))
     unlike = asked(client, "/tap", recordings=[handed_in(client, other)])
-    assert unlike["damping"] is None and "hardly" in unlike["fault"]
+    assert unlike["unlike"] and "hardly" in " ".join([unlike["fault"] or "", *unlike["doubts"]])
     assert asked(client, "/tap", bat="college-alloy", recordings=[handed_in(client, other)])["fault"] is None
 
 
@@ -188,12 +188,7 @@ def test_a_sound_that_is_none_is_told_in_a_line_and_the_others_are_heard(
     assert "/tmp" not in refused["fault"]
     alone = asked(client, "/tap", recordings=[good])
     assert found["measured"] == alone["measured"] and alone["refused"] == []
-    assert asked(client, "/tap", recordings=[bad]) == {
-        "refused": [refused],
-        "taps": [],
-        "tones": [],
-        "spectrum": None,
-        "fault": None,
-    }
+    nothing = asked(client, "/tap", recordings=[bad])
+    assert nothing.pop("refused") == [refused] and not any(nothing.values())
     gone = client.post("/api/v1/own/tap", json={"recordings": ["A" * 16]})
     assert gone.status_code == 422 and "not here any more" in gone.text

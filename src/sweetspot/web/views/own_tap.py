@@ -21,7 +21,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH
-from sweetspot.report.tap.document import unlike_words
+from sweetspot.report.tap.document import touched_words, unlike_words
 from sweetspot.units import INCH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.uploads import UPLOADS
@@ -64,15 +64,15 @@ def tap(state: OwnState) -> dict[str, Any]:
         except InputError as error:
             path, name = UPLOADS.path_of(key)
             refused.append({"recording": key, "fault": str(error).replace(str(path), name)})
+    nothing: dict[str, Any] = {"refused": refused, "taps": [], "tones": [], "spectrum": None, "fault": None,
+                               "unlike": False, "doubts": []}  # fmt: skip
     if not sounds:
-        return {"refused": refused, "taps": [], "tones": [], "spectrum": None, "fault": None}
+        return nothing
     own, _ = unknown_of(state)
     modes = _modes(own)
     band, held = usual_band(modes), usual_held(modes)
     taps = [one for sound in sounds for one in _taps(sound, band, held)]
-    head: dict[str, Any] = {"refused": refused, "taps": [_told(one) for one in taps],
-                            "waveform": _wave(sounds[-1]),
-                            "tones": [], "spectrum": None, "fault": None}  # fmt: skip
+    head = nothing | {"taps": [_told(one) for one in taps], "waveform": _wave(sounds[-1])}
     good = [one for one in taps if one.good and one.fit is not None]
     if not good:
         return head | {"fault": "no tap can be used: the list says what is wrong with each" if taps else
@@ -83,7 +83,8 @@ def tap(state: OwnState) -> dict[str, Any]:
         return head | {"fault": str(error)}
     named = telling(of_tones(test.tones), own)
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
-    damping = pooled(bending) if bending and not _unlike(test, own) else None
+    damping = pooled(bending) if bending and not test.unheard else None
+    unlike = test.unlike and isinstance(own, Bat)  # higher tones of other implements are known less well
     assert good[-1].fit is not None
     frequency, level = spectrum(good[-1].fit)
     shown = frequency < HIGHEST * max(one.tone.frequency.value for one in test.tones)
@@ -96,23 +97,26 @@ def tap(state: OwnState) -> dict[str, Any]:
         ],
         "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in named if one.mode is not None],
         "damping": None if damping is None else [damping.value, damping.error],
-        "fault": _fault(test, own, bool(bending)),
+        "fault": _fault(test, bool(bending)), "unlike": unlike, "doubts": _doubts(test, unlike),
         "spectrum": {"frequency_hz": np.round(frequency[shown], 2), "level_db": np.round(level[shown], 2)},
     }  # fmt: skip
 
 
-def _fault(test: TapTest, own: Implement, bending: bool) -> str | None:
-    """Return why nothing of a tap test counts; None: its tones do."""
-    if _unlike(test, own):
+def _fault(test: TapTest, bending: bool) -> str | None:
+    """Return why nothing of a tap test counts; None: its tones may."""
+    if test.unheard:
         return f"{unlike_words(test)} Nothing of it counts: describe what was tapped better"
     if not bending:
         return "no tone is a bending mode of what is described; hang it freely, tap it near the tip, describe it better"
     return None
 
 
-def _unlike(test: TapTest, own: Implement) -> bool:
-    """Say whether nothing counts: what rang is hardly this. Higher tones of other implements are known less well."""
-    return test.unlike if isinstance(own, Bat) else bool(test.unheard)
+def _doubts(test: TapTest, unlike: bool) -> list[str]:
+    """Return what is to be said of tones that may count all the same."""
+    if test.unheard:
+        return []
+    hardly = [f"{unlike_words(test)} Describe what was tapped better, or count them all the same."] if unlike else []
+    return [*hardly, *([str(touched_words(test, test.touched))] if test.touched else [])]
 
 
 class _Sound:

@@ -180,9 +180,9 @@ export class TapPlace {
     this.say(this.refused.join(" "));
     if (!heard.recordings.length || this.signal.aborted) return; // none of them, forgotten, or gone elsewhere, meanwhile
     Object.assign(heard, { found, expected, of });
-    this.say([...this.refused, ...(found.fault ? [sentence(found.fault)] : [])].join(" "));
+    this.say([...this.refused, ...(found.fault ? [sentence(found.fault)] : []), ...found.doubts].join(" "));
     this.draw(this.app.answer);
-    if (!again) this.count(found);
+    if (!again) this.count(found.unlike ? { ...found, damping: null } : found);
     this.app.announce(`${found.taps.filter((/** @type {Answer} */ one) => one.good).length} of ${found.taps.length} taps used.`);
   }
 
@@ -268,7 +268,7 @@ export class TapPlace {
   rename(answer) {
     if (this.asking || heard.expected === tonesOf(answer) || tonesOf(answer) !== tonesOf(this.app.answer)) return;
     heard.expected = tonesOf(answer);
-    this.hear({ again: Boolean(heard.found.damping) && !this.app.state.tones.length }); // what was undone stays so
+    this.hear({ again: Boolean(heard.found.damping) && !heard.found.unlike && !this.app.state.tones.length }); // what was undone stays so
   }
 
   /** @param {Answer} answer */
