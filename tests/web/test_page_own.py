@@ -93,9 +93,9 @@ def test_a_contradiction_stands_in_words_and_is_left_out(page: Page, server: str
 def test_what_is_wrong_stands_beside_its_field(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/own?weighed_oz=31&balanced_in=23.05&pendulum_ms=1454.5")
     count = answered(page)
-    beside = page.locator(".side .fault:visible")
+    beside = page.locator(".side .contradicts:visible")
     expect(beside).to_have_count(1)
-    expect(beside).to_contain_text("5.1 sigma from all the others; by them it should be 21.89 in")
+    expect(beside).to_contain_text("5.1 sigma off. By all the others it should be 21.89 in")
     page.get_by_label("Bat", exact=True).select_option("mlb-a")
     answered(page, count)
     page.goto(f'{server}/own?weighed_oz=31&balanced_in=22.05&tones=[["bending-2",171.3,0.4]]')

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import BrowserContext
 
-from sweetspot.units import grouped
+from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED, grouped
 from sweetspot.web.views import compare, design, own, paper, player
 from sweetspot.web.views.design_state import DesignState
 from sweetspot.web.views.own_state import OwnState
@@ -103,15 +103,12 @@ def test_own_bat_says_what_it_is_now(measured: dict[str, float], said: Said) -> 
     assert words.startswith("The measurements agree.") == (len(measured) > 1 and not against)
     assert words.startswith("By one measurement and what is usual of such bats: ") == (len(measured) == 1)
     assert against == (measured.get("pendulum_ms") == 1430.0)
-    assert (
-        f"{shown(fitted['mass_kg'], 'mass')}, balance {shown(fitted['balance_point_m'], 'place')} from the knob"
-        in words
-    )
-    value, expected = (
-        float(text.replace(",", ""))
-        for text in (re.findall(r"swing weight ([\d,]+)", words)[0], shown(fitted["moi_6in_kg_m2"], "moi").split()[0])
-    )
-    assert value == pytest.approx(expected, abs=51)
+    told = re.search(r"([\d.]+)(?: ± [\d.]+)? oz, balance ([\d.]+)(?: ± [\d.]+)? in from the knob", words)
+    assert told is not None, words
+    assert float(told[1]) == pytest.approx(fitted["mass_kg"] / OUNCE, abs=0.051)
+    assert float(told[2]) == pytest.approx(fitted["balance_point_m"] / INCH, abs=0.051)
+    swing_weight = float(re.findall(r"swing weight ([\d,]+)", words)[0].replace(",", ""))
+    assert swing_weight == pytest.approx(fitted["moi_6in_kg_m2"] / OUNCE_INCH_SQUARED, abs=51)
 
 
 @pytest.mark.parametrize("change", [None, BETTER, WORSE])

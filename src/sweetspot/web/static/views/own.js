@@ -61,7 +61,7 @@ export const view = {
     // What somebody measures; its error, and the way back, are there once it is measured. Errors are told as all intervals.
     const measured = (/** @type {string} */ field, /** @type {string | (() => string)} */ label, /** @type {number} */ step, /** @type {string} */ error, /** @type {number} */ fine, /** @type {string} */ note) => {
       const lacks = make("p", { className: "note", textContent: `Not measured. ${note}` });
-      const off = make("p", { className: "fault", hidden: true });
+      const off = make("p", { className: "contradicts", hidden: true });
       const given = [slider(app, error, { label: "Give or take (90 %)", step: fine, times: table.reach }), make("div", { className: "row tight" }, button("Not measured", () => app.setState({ [field]: null })))];
       this.steps.push({ field, given, lacks, off });
       return [slider(app, field, { label, step, empty: guess(field), absent: "not measured" }), off, lacks, ...given];
@@ -73,7 +73,7 @@ export const view = {
     });
     this.league = choice(app, "league", { label: "Rules of", options: leagues });
     this.ofBat = slider(app, "diameter_error", { label: "Diameters, give or take (90 %), in %", step: 0.0005, times: 100 * table.reach });
-    this.unlike = make("p", { className: "fault", hidden: true, textContent: "No single measurement explains the contradiction. Look here first: is this its outline, and its wood?" });
+    this.unlike = make("p", { className: "contradicts", hidden: true, textContent: "No single measurement explains the contradiction. Look here first: is this its outline, and its wood?" });
     return make("div", { className: "side" },
       group("What is measured", [choice(app, "implement", { label: "It is", options: kinds,
         shown: (state) => (state.implement && state.implement_toml ? OWN : state.implement ?? ROUND), take: (kind) => kind !== OWN && this.other(kind) }),
@@ -171,7 +171,8 @@ export const view = {
       lacks.hidden = app.state[field] !== null;
       const wrong = measurements.find((/** @type {Answer} */ one) => one.field === field && one.should !== null);
       off.hidden = !wrong;
-      if (wrong) off.textContent = `${Math.abs(wrong.sigma).toFixed(1)} sigma from all the others; by them it should be ${app.text(wrong.scale, wrong.should, wrong.digits)}.`;
+      const others = measurements.length === 1 ? "the description" : "all the others";
+      if (wrong) off.textContent = `${wrong.contradicts ? `${Math.abs(wrong.sigma).toFixed(1)} sigma off. ` : ""}By ${others} it should be ${app.text(wrong.scale, wrong.should, wrong.digits)}.`;
     }
     this.unlike.hidden = bat.outline === null || !contradictions.us.length || measurements.some((/** @type {Answer} */ { should }) => should !== null);
   },
