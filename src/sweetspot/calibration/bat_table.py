@@ -4,10 +4,8 @@
 may be missing, every cell may be blank, and may have its own error: ``31.20±0.05``; without it the last digit counts.
 Headings may be written as people do, ``Weight (oz)``.
 
-Wood that dries gets lighter and stiffer. Where the moisture is given, weight and tones are brought to 12 %:
-m ~ 1 + u, and E falls by about 1.5 % for each per cent of moisture (assumed, between those of ash and maple in
-[usda_wood_handbook]), so that f ~ sqrt(E / m). A bat without one, among others that have it, is taken to be as wet as
-these on average, less surely.
+Where the moisture is given, what was measured is brought to 12 %; see `moisture`. A bat without one, among others that
+have it, is taken to be as wet as these on average, less surely.
 """
 
 from __future__ import annotations
@@ -24,6 +22,7 @@ import numpy as np
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.moisture import MOISTURES, at_usual_moisture
 from sweetspot.calibration.naming import MOST_BENDING, ModeName
 from sweetspot.calibration.swing_weighed import of_swing_weight
 from sweetspot.calibration.written import parse_measured
@@ -61,10 +60,6 @@ THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
 MISSPELT = 0.8
 """Likeness of a heading to one of ours from which it counts as a slip of the pen."""
 DECIMAL_COMMA = re.compile(r"(\d),(\d)")
-USUAL_MOISTURE = 0.12
-STIFFER = 1.5
-"""Logarithm of E lost per unit of moisture (assumed)."""
-MOISTURES = (0.02, 0.3)
 MOISTURE_UNKNOWN = 0.015
 """One sigma of the moisture of a bat that was kept with others but not measured (assumed)."""
 MOST_BATS = 200
@@ -188,7 +183,10 @@ def _values(given: dict[tuple[str, str], str], what: str) -> dict[str, Measured]
         check_usual(values[quantity].value, usual, f"{cell} {unit} ({what})")
     moisture = values.get("moisture")
     if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
-        raise InputError(f"{what}: the moisture is {100 * moisture.value:.3g} %; allowed is 2 to 30 % of the dry wood")
+        low, high = (100 * one for one in MOISTURES)
+        raise InputError(
+            f"{what}: the moisture is {100 * moisture.value:.3g} %; allowed is {low:g} to {high:g} % of the dry wood"
+        )
     return values
 
 
@@ -219,23 +217,3 @@ def _with_unit(cell: str, unit: str) -> str:
     if unit == "%":  # an error of a ratio has its own sign
         return f"{value.strip()}%" + (f"{sign}{error.strip()}%" if sign else "")
     return f"{value.strip()} {unit}{sign}{error.strip()}"
-
-
-def at_usual_moisture(measurement: Measurement, moisture: Measured) -> Measurement:
-    """Return a measurement as it would be at 12 % of moisture; a balance point and a period hardly change.
-
-    Parameters
-    ----------
-    moisture : mass of water over that of the dry wood.
-    """
-    wetter = moisture.value - USUAL_MOISTURE
-    heavier = math.log((1 + moisture.value) / (1 + USUAL_MOISTURE))
-    power = {"mass": -heavier, "moi": -heavier, "frequency": (heavier + STIFFER * wetter) / 2}.get(
-        measurement.kind, 0.0
-    )
-    slope = {"mass": 1.0, "moi": 1.0, "frequency": (1 + STIFFER) / 2}.get(measurement.kind, 0.0)
-    factor = math.exp(power)
-    moved = Measured(measurement.value.value * factor, measurement.value.error * factor).widened(
-        slope * moisture.error * measurement.value.value
-    )
-    return Measurement(measurement.kind, moved, axis=measurement.axis, mode=measurement.mode)

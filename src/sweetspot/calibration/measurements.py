@@ -19,6 +19,7 @@ from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH
 
 MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency", "efficiency"]
@@ -64,7 +65,7 @@ class Measurement:
 
     kind: MeasuredKind
     value: Measured
-    axis: float = 0.1524
+    axis: float = STANDARD_AXIS
     mode: ModeName | None = None
     shooting: Shooting | None = None
 
@@ -112,6 +113,11 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
     Parameters
     ----------
     livelier : logarithm of the shot balls' restitution over that of their law.
+
+    Raises
+    ------
+    InputError
+        for a frequency without the name of its mode.
     """
     body = rigid_body(line) if any(one.kind in OF_BODY for one in measurements) else None
     known = None if line.bat.added else line.bat.frequency
@@ -158,10 +164,10 @@ def _efficiencies(line: BeamModel, shootings: Sequence[Shooting], livelier: floa
         shot = ball.replaced(restitution=law.replaced(reference=min(law.reference * float(np.exp(livelier)), 1.0)))
         same = [one for one in shootings if one.ball == ball]
         assert modes is not None  # there is at least one shooting
-        done = hits(
+        struck = hits(
             modes, ball=shot, position=[one.position for one in same],
             closing_speed=[one.closing_speed for one in same],
         )  # fmt: skip
-        values = np.nan_to_num(done.collision_efficiency, nan=-1.0).tolist()
+        values = np.nan_to_num(struck.collision_efficiency, nan=-1.0).tolist()
         efficiencies |= dict(zip(same, values, strict=True))
     return efficiencies
