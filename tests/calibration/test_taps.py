@@ -9,7 +9,9 @@ import pytest
 import scipy.signal
 
 from sweetspot import all_modes, beam_model, catalog
-from sweetspot.calibration.bar import ROOTS, SHEAR_SHAPE, Bar, along, bar_modulus, frequency_factor, named_bar
+from sweetspot.calibration.bar import ROOTS, SHEAR_SHAPE, Bar, frequency_factor
+from sweetspot.calibration.bar_naming import named_bar
+from sweetspot.calibration.bar_stiffness import bar_modulus, moduli_along
 from sweetspot.calibration.echoes import stands_out
 from sweetspot.calibration.hum import hum_taken_out
 from sweetspot.calibration.measured import Measured
@@ -606,7 +608,7 @@ def test_of_a_plate_no_modulus_is_told() -> None:
     assert plate.is_plate
     names = named_bar(plate, tones)
     assert not any(one.name for one in names)
-    assert any(one.low < along_grain < one.high for _, one in along(plate, names))
+    assert any(one.low < along_grain < one.high for _, one in moduli_along(plate, names))
     assert not STEEL_BAR.is_plate
 
 

@@ -1,4 +1,4 @@
-"""A uniform bar of rectangular section: Young's modulus from the tones of a tap.
+"""A uniform bar of rectangular section, and the tones that it rings.
 
 E = (m_n^-4) 48 pi^2 rho L^4 f_n^2 / t^2 (1 + r (F1 + s (E/G) F2)) with r = t^2 / (12 L^2), F1 = theta^2 + 6 theta,
 F2 = theta^2 - 2 theta, theta = m |tan(m/2)|, s = 6/5: Goens' solution of the Timoshenko beam without its smallest term
@@ -9,17 +9,11 @@ E = 0.9465 (m f^2 / b) (L / t)^3 (1 + 6.585 (t / L)^2) [astm_e1876].
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import Expected, ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Band
-from sweetspot.calibration.ring import Tone
 from sweetspot.errors import InputError
-from sweetspot.numerics.arrays import Array
 
 ROOTS = (4.730040745, 7.853204624, 10.995607838, 14.137165491, 17.278759657)
 """m_n, of cos m cosh m = 1."""
@@ -33,8 +27,6 @@ elastic ratios in the Wood Handbook, recalled). Foams are lighter, plastics begi
 ISOTROPIC, ISOTROPIC_RATIO = 2000.0, Measured(math.log(2.6), 0.06)
 """kg/m^3 from which on a bar is metal, glass or ceramic and the same in all directions, and its ln(E / G): 2 (1 + nu)
 is 2.4 to 2.88 for a Poisson's ratio of 0.2 of glass to 0.44 of lead (recalled). Fibre composites are lighter."""
-RATIO_TRUST = 0.005
-"""One sigma of ln E that a higher tone deserves beside its frequency's error: Goens' formula and an even section."""
 SQUARE = 0.1
 """Logarithm of width over thickness below which bending sideways cannot be told from bending across the thickness."""
 WIDEST_WOOD, WIDEST = 0.25, 0.4
@@ -42,8 +34,6 @@ WIDEST_WOOD, WIDEST = 0.25, 0.4
 time, 5.4 times the first tone, at (L / W)^2 sqrt(E across / E along) of it. With a fifteenth for wood (a twelfth to a
 twenty-fifth, recalled) that is 0.22, for metal with 1 it is 0.43; made-up strips were told well up to 0.25 (chosen on
 them). Of wider plates nobody can tell by ratios which tone is which."""
-STEP = 0.1
-"""Of a standard error, in the derivatives."""
 THICKEST = 0.2
 """Of the length; a thicker bar is no beam."""
 SPEED, SPEEDS = 4000.0, (1200.0, 12900.0)
@@ -88,11 +78,16 @@ class Bar:
         return self.mass.value / (self.length.value * self.width.value * self.thickness.value)
 
     @property
+    def is_wood(self) -> bool:
+        """Whether it is as dense as wood, which it is then taken for."""
+        return WOOD[0] <= self.density <= WOOD[1]
+
+    @property
     def usual_ratio(self) -> Measured:
         """ln(E / G) before the tones say more: what is as dense as wood or metal is taken for that."""
         if self.density >= ISOTROPIC:
             return ISOTROPIC_RATIO
-        return WOOD_RATIO if WOOD[0] <= self.density <= WOOD[1] else MODULUS_RATIO
+        return WOOD_RATIO if self.is_wood else MODULUS_RATIO
 
     @property
     def usual_tones(self) -> tuple[float, ...]:
@@ -136,133 +131,13 @@ class Bar:
     @property
     def is_plate(self) -> bool:
         """Whether it is so wide that the ratios of its tones do not tell which is which."""
-        wood = WOOD[0] <= self.density <= WOOD[1]
-        return self.width.value > (WIDEST_WOOD if wood else WIDEST) * self.length.value
+        return self.width.value > (WIDEST_WOOD if self.is_wood else WIDEST) * self.length.value
 
     @property
     def band(self) -> Band:
         """Where to listen: the band of bats, and as far as the first tone of a slow or a fast solid asks for."""
         first = self.usual_tones[0]
         return Band(min(BAT_BAND.low, SLOW * first), max(BAT_BAND.high, FAST * first))
-
-
-def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
-    """Return a bar's tones with their modes; of a plate without names.
-
-    Twists are named anew once E is known, for G is then known better.
-    """
-    if bar.is_plate:
-        return tuple(NamedTone(tone, None, None) for tone in tones)
-    slowest, fastest = SPEEDS[0], FASTEST_WOOD if WOOD[0] <= bar.density <= WOOD[1] else SPEEDS[1]
-    families = uniform_bar(
-        bar.usual_tones, sideways=bar.sideways_tones, twist=bar.twist_tones,
-        farthest=(math.log(slowest / SPEED), math.log(fastest / SPEED)),
-    )  # fmt: skip
-    first = named(tones, families, doubt=0.0)  # what is told is E, which another name of a twist does not change
-    usual = dict(zip(families[0].names, families[0].frequency, strict=True))
-    scales = [math.log(one.tone.frequency.value / usual[one.name]) for one in first if one.name in usual]
-    if not scales:
-        return first
-    scale = math.exp(sum(scales) / len(scales))
-    tied = replace(families[1], frequency=scale * families[1].frequency, spread=bar.usual_ratio.error / 2)
-    again = iter(named([one.tone for one in first if one.name not in usual], [tied], doubt=0.0))
-    return tuple(one if one.name in usual else replace(next(again), expected=None) for one in first)
-
-
-@dataclass(frozen=True)
-class BarModulus:
-    """Elastic constants of a bar.
-
-    Parameters
-    ----------
-    density : kg/m^3.
-    modulus : Young's modulus E along the bar, Pa.
-    modulus_ratio : E / G; hardly known from the first tone of a thin bar.
-    budget : part of the variance of E that each source causes, adding up to 1.
-    """
-
-    density: Measured
-    modulus: Measured
-    modulus_ratio: Measured
-    budget: dict[str, float]
-
-
-def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
-    """Return E of a bar from its bending tones, with the error that sizes, weight and tones leave.
-
-    Raises
-    ------
-    InputError
-        when no tone is a bending mode.
-    """
-    heard = [(one.name.harmonic - 1, one.tone.frequency) for one in tones if one.name and one.name.family == "bending"]
-    if not heard:
-        raise InputError("none of the tones is a bending mode of a bar; tap it in the middle, held at its nodes")
-    sizes = {"length": bar.length, "width": bar.width, "thickness": bar.thickness, "mass": bar.mass}
-    sources = {**sizes, **{f"bending {mode + 1}": tone for mode, tone in heard}, "E/G": bar.usual_ratio}
-    given = np.array([one.value for one in sources.values()])
-    trust = bar.usual_ratio.error
-    centre = _solved(given, heard, trust)
-    errors = np.array([one.error for one in sources.values()])
-    steps = STEP * errors
-    moved = [(_solved(given + step, heard, trust) - centre) / STEP for step in np.diag(steps)]
-    effects = np.array(moved)  # of one sigma of every source on ln E and ln E/G
-    shares = effects[:, 0] ** 2
-    modulus, ratio = np.exp(centre)
-    deviations = np.sqrt(np.sum(effects**2, axis=0))
-    return BarModulus(
-        Measured(bar.density, bar.density * math.sqrt(sum(one.relative**2 for one in sizes.values()))),
-        Measured(float(modulus), float(modulus * deviations[0])),
-        Measured(float(ratio), float(ratio * deviations[1])),
-        {name: float(share / shares.sum()) for name, share in zip(sources, shares, strict=True)},
-    )
-
-
-def modelled(bar: Bar, fit: BarModulus) -> Expected:
-    """Return the bending modes of a bar as its tones made it."""
-    tones = bar.tones_at(math.sqrt(fit.modulus.value / bar.density), fit.modulus_ratio.value)
-    names = tuple(ModeName("bending", number + 1) for number in range(len(tones)))
-    return Expected(names, np.array(tones), np.ones(len(tones)), fit.modulus.relative / 2)
-
-
-def along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Measured], ...]:
-    """Return E in Pa for each tone that a plate surely has, were it the first that bends the plate along.
-
-    Tones that would make sound run faster or slower than in solids are left out.
-    """
-    first = ModeName("bending", 1)
-    moduli = [(one.tone, bar_modulus(bar, [NamedTone(one.tone, first, None)]).modulus) for one in tones if one.tone.own]
-    slowest, fastest = SPEEDS
-    return tuple(
-        (tone, modulus) for tone, modulus in moduli
-        if slowest < math.sqrt(modulus.value / bar.density) < fastest
-    )  # fmt: skip
-
-
-def _solved(given: Array, heard: Sequence[tuple[int, Measured]], trust: float) -> Array:
-    """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order.
-
-    Parameters
-    ----------
-    trust : one sigma of the expected ln E/G.
-    """
-    from scipy.optimize import least_squares
-
-    length, width, thickness, mass = given[:4]
-    tones, expected = given[4:-1], given[-1]
-    density = mass / (length * width * thickness)
-
-    def misses(unknowns: Array) -> Array:
-        misfits = []
-        for (mode, measured), tone in zip(heard, tones, strict=True):
-            factor = frequency_factor(mode, slenderness=thickness / length, modulus_ratio=math.exp(unknowns[1]))
-            modulus = 48 * math.pi**2 * density * length**4 * tone**2 / thickness**2 / ROOTS[mode] ** 4 * factor
-            misfits.append(
-                (math.log(modulus) - unknowns[0]) / math.hypot(2 * measured.relative, RATIO_TRUST * (mode > 0))
-            )
-        return np.array([*misfits, (unknowns[1] - expected) / trust])
-
-    return np.asarray(least_squares(misses, [math.log(1e10), expected], method="lm").x)
 
 
 def frequency_factor(mode: int, *, slenderness: float, modulus_ratio: float) -> float:

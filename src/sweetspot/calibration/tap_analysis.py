@@ -6,7 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sweetspot.calibration.bar import Bar, BarModulus, along, bar_modulus, modelled, named_bar
+from sweetspot.calibration.bar import Bar
+from sweetspot.calibration.bar_naming import named_bar
+from sweetspot.calibration.bar_stiffness import BarModulus, bar_modulus, modelled_tones, moduli_along
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import (
     SILENT,
@@ -47,7 +49,7 @@ class TapTest:
     tones : of the good taps together, lowest first.
     expected : the families of modes that a bat's names were chosen from; of a bar as its tones made it.
     bar : elastic constants, where it was a bar that was tapped.
-    along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
+    moduli_along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
     free_damping : ratio that a freely hung one of this kind has at most; a bar may have any.
     misfit : what the modes described leave unexplained a tone; see `naming.misfit`.
     """
@@ -57,7 +59,7 @@ class TapTest:
     tones: tuple[NamedTone, ...]
     expected: tuple[Expected, ...] = ()
     bar: BarModulus | None = None
-    along: tuple[tuple[Tone, Measured], ...] | None = None
+    moduli_along: tuple[tuple[Tone, Measured], ...] | None = None
     free_damping: float = math.inf
     misfit: float = 0.0
 
@@ -148,9 +150,9 @@ def told_taps(
     if bar is not None:
         tones = named_bar(bar, heard)
         if bar.is_plate:
-            return TapTest(tuple(recordings), tuple(taps), tones, along=along(bar, tones))
+            return TapTest(tuple(recordings), tuple(taps), tones, moduli_along=moduli_along(bar, tones))
         fit = bar_modulus(bar, tones)
-        return TapTest(tuple(recordings), tuple(taps), tones, (modelled(bar, fit),), fit)
+        return TapTest(tuple(recordings), tuple(taps), tones, (modelled_tones(bar, fit),), fit)
     expected = [any_bat()]
     if modes is not None:
         expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sweetspot.calibration.bar import BarModulus
+from sweetspot.calibration.bar_stiffness import BarModulus
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.ring import Tone
@@ -56,8 +56,8 @@ def tap_document(test: TapTest, title: str) -> Document:
     blocks.append(_tones(test))
     if test.bar is not None:
         blocks += [_bar(test.bar), Paragraph(_budget(test.bar)), *(Paragraph(words) for words in _finer(test.bar))]
-    if test.along is not None:
-        blocks += [Paragraph(PLATE, "warning"), _along(test.along)]
+    if test.moduli_along is not None:
+        blocks += [Paragraph(PLATE, "warning"), _along(test.moduli_along)]
     level = say(
         "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.", level=Slot(LEVEL, "share")
     )
@@ -197,7 +197,7 @@ def _data(test: TapTest) -> dict[str, Any]:
             ],
             "tones": [_tone_data(one) for one in test.tones],
             "bar": None if test.bar is None else _bar_data(test.bar),
-            "plate": None if test.along is None else [_along_data(*one) for one in test.along],
+            "plate": None if test.moduli_along is None else [_along_data(*one) for one in test.moduli_along],
         }
     )
 
