@@ -1,24 +1,21 @@
 """Bats of one model in order of how fast the same player would hit with each, and whether they really differ.
 
-Every bat is known up to its own covariance; the ball is the same for all. Exit speed follows from q along the barrel,
-v = q v_ball + (1 + q) v_bat, with v_bat ~ I^-n of the swing law, for draws of all bats and the ball: the part of the
-draws in which a bat is first is its probability of being best.
+Every bat is known up to its own covariance; the ball is the same for all. Exit speeds along the barrel are those of
+`speed_response` for draws of all bats and the ball: the part of the draws in which a bat is first is its probability of
+being best.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
+from sweetspot.calibration.calibrated_file import properties
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.posterior import Posterior
-from sweetspot.calibration.unknowns import Unknown, deviated
-from sweetspot.dynamics.beam import BeamModel
+from sweetspot.calibration.speed_response import SpeedResponse, response_of_speed
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -27,15 +24,15 @@ from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 
 DRAWS = 4000
+"""A probability of 1/2 is then known to 0.008."""
 PLACES = 25
-"""Along the barrel."""
+"""Along the barrel or the face."""
 REACHED = (0.08, 0.26)
-"""m from the tip: the part of the barrel that is looked at."""
+"""m from the tip: the part of the barrel that is looked at (our choice)."""
 ON_FACE = 0.1
-"""Of a face's length at either end that is not looked at."""
+"""Of a face's length at either end that is not looked at (our choice)."""
 BY_CHANCE = 0.05
 """Probability with which bats that are all alike are told to differ: by their scatter, and in any property at all."""
-PROPERTIES = ("mass", "balance_point", "moi")
 
 
 @dataclass(frozen=True)
@@ -125,6 +122,63 @@ def rank_bats(
     InputError
         for fewer than two bats whose measurements agree.
     """
+    sound = _agreeing(posteriors)
+    first = next(iter(posteriors.values()))
+    places = barrel_places(first.prior.bat)
+    response = response_of_speed(first.prior, conditions, unknowns=first.unknowns, positions=places, law=law)
+    generator = np.random.default_rng(seed)
+    of_ball = response.efficiency.spreads[len(first.unknowns) :]
+    ball = generator.standard_normal((DRAWS, len(of_ball))) * of_ball
+    drawn = {name: _drawn(posterior, ball, response, generator) for name, posterior in posteriors.items()}
+    won = np.argmax(np.array([drawn[name].with_ball for name in sound]), axis=0)
+    chances = dict(zip(sound, (np.bincount(won, minlength=len(sound)) / DRAWS).tolist(), strict=True))
+    spreads = np.array([one.spread for one in first.unknowns])
+    wood = generator.standard_normal((DRAWS, len(spreads))) * spreads
+    by_nature = response.at(np.hstack([wood, 0 * ball])).max(axis=1)
+    known = {name: _properties(posterior) for name, posterior in posteriors.items()}
+    of_sound = {name: known[name] for name in sound}
+    bats = [
+        RankedBat(
+            name, speeds.exit_speed, chances.get(name), float(places[speeds.best]), known[name],
+            _differing(of_sound, name) if name in of_sound else (), posteriors[name].contradictions,
+        )
+        for name, speeds in sorted(drawn.items(), key=lambda one: -one[1].exit_speed.value)
+    ]  # fmt: skip
+    ranked, unranked = (tuple(one for one in bats if (one.name in sound) == agrees) for agrees in (True, False))
+    values = np.array([one.exit_speed.value for one in ranked])
+    errors = np.array([one.exit_speed.error for one in ranked])
+    return Ranking(
+        ranked, unranked, float(values.std(ddof=1)), float(np.sqrt(np.mean(errors**2))), float(by_nature.std())
+    )
+
+
+@dataclass(frozen=True)
+class _DrawnSpeeds:
+    """Exit speeds of one bat as it may be, the ball the same for all bats.
+
+    Parameters
+    ----------
+    with_ball : m/s at the best place of every draw, the ball as it may be too, shape (draws,).
+    exit_speed : median and standard deviation of the same with the mean ball, m/s.
+    best : index of the place that is best on average.
+    """
+
+    with_ball: Array
+    exit_speed: Measured
+    best: int
+
+
+def _drawn(posterior: Posterior, ball: Array, response: SpeedResponse, generator: np.random.Generator) -> _DrawnSpeeds:
+    own = generator.multivariate_normal(posterior.deviations, posterior.covariance, size=DRAWS, method="cholesky")
+    with_ball = response.at(np.hstack([own, ball])).max(axis=1)
+    curves = response.at(np.hstack([own, 0 * ball]))
+    mean_ball = curves.max(axis=1)
+    speed = Measured(float(np.median(mean_ball)), float(mean_ball.std()))
+    return _DrawnSpeeds(with_ball, speed, int(np.argmax(curves.mean(axis=0))))
+
+
+def _agreeing(posteriors: dict[str, Posterior]) -> list[str]:
+    """Return the names of the bats whose measurements agree, of which a ranking needs two; see `rank_bats`."""
     if len(posteriors) < 2:
         raise InputError(f"{len(posteriors)} bat was given; a ranking needs two or more")
     sound = [name for name, one in posteriors.items() if not _disagreeing(one)]
@@ -138,43 +192,7 @@ def rank_bats(
             f"a ranking needs two bats or more whose measurements agree ({off}). "
             "Measure these again, or write how sure each value is, as in 1.4545±0.003; without ± the last digit counts"
         )
-    first = next(iter(posteriors.values()))
-    line, unknowns = first.prior, first.unknowns
-    spreads = np.array([one.spread for one in unknowns])
-    places = barrel_places(line.bat)
-    response = response_of_efficiency(line, conditions, unknowns=unknowns, positions=places)
-    turning = _Turning.of(line, unknowns, axis=0.0 if law is None else law.axis)
-    generator = np.random.default_rng(seed)
-    of_ball = response.spreads[len(unknowns) :]
-    ball = generator.standard_normal((DRAWS, len(of_ball))) * of_ball
-    speeds, centre, best = {}, {}, {}
-    for name, posterior in posteriors.items():
-        own = generator.multivariate_normal(posterior.deviations, posterior.covariance, size=DRAWS, method="cholesky")
-        curves = _exit_speeds(response, np.hstack([own, ball]), turning, conditions, law)
-        still = _exit_speeds(response, np.hstack([own, 0 * ball]), turning, conditions, law)
-        speeds[name] = curves.max(axis=1)
-        centre[name] = still.max(axis=1)
-        best[name] = float(places[int(np.argmax(still.mean(axis=0)))])
-    won = np.argmax(np.array([speeds[name] for name in sound]), axis=0)
-    chances = dict(zip(sound, (np.bincount(won, minlength=len(sound)) / DRAWS).tolist(), strict=True))
-    wood = generator.standard_normal((DRAWS, len(spreads))) * spreads
-    by_nature = _exit_speeds(response, np.hstack([wood, 0 * ball]), turning, conditions, law).max(axis=1)
-    properties = {name: _properties(posterior) for name, posterior in posteriors.items()}
-    of_sound = {name: properties[name] for name in sound}
-    told = [
-        RankedBat(
-            name, Measured(float(np.median(drawn)), float(drawn.std())), chances.get(name), best[name],
-            properties[name],
-            _differing(of_sound, name) if name in of_sound else (), posteriors[name].contradictions,
-        )
-        for name, drawn in sorted(centre.items(), key=lambda one: -float(np.median(one[1])))
-    ]  # fmt: skip
-    ranked, unranked = (tuple(one for one in told if (one.name in sound) == sure) for sure in (True, False))
-    values = np.array([one.exit_speed.value for one in ranked])
-    errors = np.array([one.exit_speed.error for one in ranked])
-    return Ranking(
-        ranked, unranked, float(values.std(ddof=1)), float(np.sqrt(np.mean(errors**2))), float(by_nature.std())
-    )
+    return sound
 
 
 def _disagreeing(posterior: Posterior) -> dict[str, float]:
@@ -195,44 +213,9 @@ def barrel_places(implement: Implement) -> Array:
     return np.linspace(face.start + free, face.end - free, PLACES)
 
 
-@dataclass(frozen=True)
-class _Turning:
-    """The logarithm of the moment of inertia that a player feels: of the described bat, and its derivatives."""
-
-    moi: float
-    slopes: Array
-
-    @classmethod
-    def of(cls, line: BeamModel, unknowns: Sequence[Unknown], *, axis: float) -> _Turning:
-        wanted = [Measurement("moi", Measured(1, 1), axis=axis)]
-
-        def logarithm(deviations: Array) -> float:
-            return math.log(predicted(deviated(line, unknowns, deviations), wanted)[0])
-
-        steps = np.diag([one.spread for one in unknowns]) / 10
-        sizes = np.diag(steps)
-        slopes = [(logarithm(step) - logarithm(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]
-        return cls(math.exp(logarithm(0 * sizes)), np.array(slopes))
-
-
-def _exit_speeds(
-    response: EfficiencyResponse, off: Array, turning: _Turning, conditions: Conditions, law: SwingLaw | None
-) -> Array:
-    """Return exit speeds along the barrel for draws of what is not known, shape (draws, places)."""
-    efficiency, swing = response.at(off), conditions.swing
-    bat = swing.angular_speed * (response.position - swing.pivot)
-    ratio = np.ones(len(off))
-    if law is not None:
-        moments = turning.moi * np.exp(off[:, : len(turning.slopes)] @ turning.slopes)
-        ratio = np.array([law.speed_ratio(float(moi), reference_moi=turning.moi) for moi in moments])
-    return np.asarray(efficiency * conditions.pitch.speed + (1 + efficiency) * ratio[:, None] * bat)
-
-
 def _properties(posterior: Posterior) -> dict[str, Measured]:
     """Return mass, balance point, moment of inertia and, of a tapped bat, modulus with their errors."""
-    from sweetspot.calibration.calibrated_file import properties
-
-    known = {name: one.value for name, one in properties(posterior).items() if name in PROPERTIES}
+    known = {name: one.value for name, one in properties(posterior).items()}
     if not any(one.mode for one in posterior.measurements):
         return known
     own = posterior.line.bat
@@ -242,17 +225,17 @@ def _properties(posterior: Posterior) -> dict[str, Measured]:
     return {**known, "modulus": Measured(stiffness, power * stiffness * off.error)}
 
 
-def _differing(properties: dict[str, dict[str, Measured]], name: str) -> tuple[str, ...]:
+def _differing(known: dict[str, dict[str, Measured]], name: str) -> tuple[str, ...]:
     """Return the properties of a bat that lie surely off the mean of the other bats.
 
     So far off that of alike bats any property of any bat is named in one table of twenty (Bonferroni).
     """
     from scipy.special import ndtri
 
-    reach = -float(ndtri(BY_CHANCE / (2 * len(properties) * len(properties[name]))))
+    reach = -float(ndtri(BY_CHANCE / (2 * len(known) * len(known[name]))))
     names = []
-    for which, own in properties[name].items():
-        others = [values[which] for other, values in properties.items() if other != name and which in values]
+    for which, own in known[name].items():
+        others = [values[which] for other, values in known.items() if other != name and which in values]
         if not others:
             continue
         mean = float(np.mean([one.value for one in others]))

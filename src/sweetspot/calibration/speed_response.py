@@ -1,0 +1,79 @@
+"""How exit speeds along a barrel answer to what is not known of bat and ball, a player swinging heavy bats more slowly.
+
+v = q v_ball + (1 + q) v_bat, with q of `efficiency_response` and v_bat ~ I^-n of the swing law, whose moment of inertia
+is exponential in what is not known: d ln I per unknown is taken as constant.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.unknowns import Unknown, deviated
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_law import SwingLaw
+from sweetspot.numerics.arrays import Array
+
+STEPS_IN_SPREAD = 10
+"""Steps of the derivatives of the moment of inertia in one spread of an unknown."""
+
+
+@dataclass(frozen=True)
+class SpeedResponse:
+    """What exit speeds along a bat depend on.
+
+    Parameters
+    ----------
+    efficiency : of q: the unknowns of the bat, then those of the ball.
+    conditions : of the hits with the bat as described.
+    law : of bat speed against moment of inertia; None: all bats are swung as fast.
+    moi : of the bat as described, about the law's axis, kg m^2.
+    slopes : derivative of ln moi by every unknown of the bat, shape (n,).
+    """
+
+    efficiency: EfficiencyResponse
+    conditions: Conditions
+    law: SwingLaw | None
+    moi: float
+    slopes: Array
+
+    def at(self, deviations: Array) -> Array:
+        """Return m/s along bats that deviate, shape (bats, places) for deviations of shape (bats, unknowns)."""
+        efficiency, swing = self.efficiency.at(deviations), self.conditions.swing
+        bat = swing.angular_speed * (self.efficiency.position - swing.pivot)
+        ratio = np.ones(len(deviations))
+        if self.law is not None:
+            moments = self.moi * np.exp(deviations[:, : len(self.slopes)] @ self.slopes)
+            ratio = np.array([self.law.speed_ratio(float(moi), reference_moi=self.moi) for moi in moments])
+        return np.asarray(efficiency * self.conditions.pitch.speed + (1 + efficiency) * ratio[:, None] * bat)
+
+
+def response_of_speed(
+    line: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array, law: SwingLaw | None
+) -> SpeedResponse:
+    """Return what exit speeds along a bat depend on.
+
+    Parameters
+    ----------
+    line : its beam, as it was described.
+    conditions : of the hits with it.
+    positions : m from the knob end, shape (m,).
+    law : of bat speed against moment of inertia; None: all are swung as fast.
+    """
+    wanted = [Measurement("moi", Measured(1, 1), axis=0.0 if law is None else law.axis)]
+
+    def log_moi(deviations: Array) -> float:
+        return math.log(predicted(deviated(line, unknowns, deviations), wanted)[0])
+
+    sizes = np.array([one.spread for one in unknowns]) / STEPS_IN_SPREAD
+    steps = np.diag(sizes)
+    slopes = [(log_moi(step) - log_moi(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]
+    efficiency = response_of_efficiency(line, conditions, unknowns=unknowns, positions=positions)
+    return SpeedResponse(efficiency, conditions, law, math.exp(log_moi(0 * sizes)), np.array(slopes))
