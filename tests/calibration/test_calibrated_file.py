@@ -10,7 +10,8 @@ import tomli_w
 
 from sweetspot import catalog
 from sweetspot.analysis.certification.rules import construction_findings
-from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations, properties
+from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations
+from sweetspot.calibration.calibrated_values import properties
 from sweetspot.calibration.draws.sources import expected_deviations, sources_of
 from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from sweetspot.calibration.deviation_batch import deviated_bodies
+from sweetspot.calibration.calibrated_values import Value, fitted_names, material_values, properties
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement, predicted, said_of_body
+from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import OF_BALL, Posterior
-from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
+from sweetspot.calibration.unknowns import Unknown, UnknownName
 from sweetspot.catalog.bats import is_file
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.catalog.files.write_implement import implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
-from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
@@ -28,92 +26,6 @@ from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 
 SOURCE = "own_measurement"
-TOLD = 0.7
-"""Error after over before, below which measurements have told something about an unknown."""
-MEASURING = {"mass": ("mass",), "balance_point": ("balance_point",), "moi": ("moi", "period")}
-"""Kinds of measurement that measure a written property."""
-
-
-@dataclass(frozen=True)
-class Value:
-    """A value of a calibrated bat: SI, with its error and where it comes from."""
-
-    value: Measured
-    kind: str
-
-
-def properties(posterior: Posterior) -> dict[str, Value]:
-    """Return mass, balance point and moment of inertia about the swing axis, with errors of the whole posterior.
-
-    A bat's moment of inertia that was not measured is in doubt by as much as outlines tell it, `moi_doubt`.
-    """
-    wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
-              Measurement("moi", Measured(1, 1), axis=posterior.line.bat.swing_axis)]  # fmt: skip
-    values = predicted(posterior.line, wanted)
-    slopes = _slopes(posterior, wanted)
-    errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
-    errors[2] = max(errors[2], _doubt_of_moi(posterior))
-    not_measured = fitted_names(posterior)
-    return {
-        one.kind: Value(Measured(float(value), float(error)), "fitted" if one.kind in not_measured else "measured")
-        for one, value, error in zip(wanted, values, errors, strict=True)
-    }
-
-
-def fitted_names(posterior: Posterior) -> tuple[str, ...]:
-    """Return which of a written weight, balance point and moment of inertia no measurement tells by itself."""
-    kinds = {one.kind for one in posterior.measurements}
-    return tuple(name for name, measuring in MEASURING.items() if not kinds & set(measuring))
-
-
-def _doubt_of_moi(posterior: Posterior) -> float:
-    """Return by how much the moment of inertia may be off that was not measured, kg m^2; see `moi_doubt`."""
-    own = posterior.line.bat
-    if not isinstance(own, Bat):
-        return 0.0
-    body, not_measured = rigid_body(posterior.line), fitted_names(posterior)
-    as_kept = own.replaced(
-        balance_point=body.balance_point, moi=body.moi(STANDARD_AXIS), mass=body.mass, fitted=not_measured
-    )
-    return moi_doubt(as_kept, body, STANDARD_AXIS)
-
-
-def _slopes(posterior: Posterior, wanted: list[Measurement]) -> Array:
-    """Return what every unknown changes of what is wanted, shape (unknowns, wanted)."""
-    line, unknowns = posterior.line, posterior.unknowns
-    steps = 1e-3 * np.array([one.spread for one in unknowns])
-    places = np.vstack([np.diag(steps), -np.diag(steps)])
-    bodies = deviated_bodies(line, unknowns, places)
-    if bodies is None:
-        said = np.array([predicted(deviated(line, unknowns, place), wanted) for place in places])
-    else:
-        said = np.array([[said_of_body(body, one) for one in wanted] for body in bodies])
-    ahead, behind = np.split(said, 2)
-    return np.asarray((ahead - behind) / (2 * steps[:, None]))
-
-
-def material_values(posterior: Posterior) -> dict[str, Value]:
-    """Return moduli and density of the calibrated bat; of a racket, club or stick the first frequency."""
-    bat = posterior.line.bat
-    if not isinstance(bat, Bat):
-        frequency = bat.frequency
-        assert frequency is not None  # guaranteed by implement_unknowns
-        error = posterior.deviation("first_frequency").error
-        rung = any(one.mode is not None for one in posterior.measurements)
-        return {"first_frequency": Value(Measured(frequency, frequency * error), "measured" if rung else "assumed")}
-    centre = {
-        "modulus": ("longitudinal_modulus", bat.material.longitudinal_modulus),
-        "shear_modulus": ("shear_modulus", bat.material.shear),
-        "density": ("density", bat.material.density * posterior.line.density_factor),
-    }
-    values = {}
-    for unknown in posterior.unknowns:
-        if unknown.name in centre:
-            field, value = centre[unknown.name]
-            error = posterior.deviation(unknown.name).error
-            told = "fitted" if error < TOLD * unknown.spread else "assumed"
-            values[field] = Value(Measured(value, value * error), told)
-    return values
 
 
 def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
@@ -159,20 +71,24 @@ def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str
     if damping is not None:
         material["damping_ratio"] = _record(damping.value, Value(damping, "measured"), "")
     table["material"] = material
-    return {**table, "calibration": _left_unknown(posterior)}
+    return {**table, "calibration": _calibration_table(posterior)}
 
 
-def _left_unknown(posterior: Posterior) -> dict[str, Any]:
+def _calibration_table(posterior: Posterior) -> dict[str, Any]:
+    """Return what a file keeps of a calibration: what was measured, and the covariance of what is not known of the bat.
+
+    The ball's part is left out: it belongs to the balls that were shot.
+    """
     own = [index for index, one in enumerate(posterior.unknowns) if one.name != OF_BALL]
     return {
         "measured": [one.name for one in posterior.measurements],
-        "value": [_value(one) for one in posterior.measurements if one.shooting is None],
+        "value": [_measurement_table(one) for one in posterior.measurements if one.shooting is None],
         "unknowns": [posterior.unknowns[index].name for index in own],
         "covariance": posterior.covariance[np.ix_(own, own)].tolist(),
     }
 
 
-def _value(one: Measurement) -> dict[str, Any]:
+def _measurement_table(one: Measurement) -> dict[str, Any]:
     """Return a measurement as a file has it; see `bat_folder.measured_of`."""
     of_mode = {} if one.mode is None else {"family": one.mode.family, "harmonic": one.mode.harmonic}
     of_axis = {"axis": one.axis} if one.kind in ("moi", "period") else {}
@@ -194,7 +110,7 @@ def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str
             mass = own.head.mass if name == "mass" else own.grip_mass
             error = mass * posterior.deviation(unknown).error
             holder[name] = _record(f"{mass!r} kg", Value(Measured(mass, error), "fitted"), "kg")
-    return {**table, "calibration": _left_unknown(posterior)}
+    return {**table, "calibration": _calibration_table(posterior)}
 
 
 def _record(written: Any, one: Value, unit: str) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.calibration.calibrated_file import properties
+from sweetspot.calibration.calibrated_values import properties
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.speed_response import SpeedResponse, response_of_speed

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from itertools import chain
 from typing import Any
 
-from sweetspot.calibration.calibrated_file import Value, material_values, properties
+from sweetspot.calibration.calibrated_values import Value, material_values, properties
 from sweetspot.calibration.contradictions import Meant, meant, renamed, suspects
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted

@@ -12,7 +12,8 @@ from typing import Any
 import tomli_w
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
-from sweetspot.calibration.calibrated_file import Value, calibrated_bat, calibrated_table, material_values, properties
+from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table
+from sweetspot.calibration.calibrated_values import Value, material_values, properties
 from sweetspot.calibration.contradictions import meant, suspects
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, predicted
