@@ -37,6 +37,8 @@ BODY = (
     Measurement("period", Measured(1, 0.003)),
 )  # fmt: skip
 """A kitchen scale, a balance on an edge, a pendulum timed over twenty swings."""
+MET, SCATTER = 6.3, 1.6
+"""Where the made-up player meets the ball, in from the tip, and its standard deviation."""
 RATE = 16_000.0
 """Samples per s of the recording: a bat's first five modes end below 3 kHz."""
 
@@ -81,7 +83,7 @@ def swings(seed: int, *, count: int, speed: float) -> list[str]:
         line, conditions = described(bat), standard_conditions(bat)
         heavier = rigid_body(line).moi(law.axis) / rigid_body(first).moi(law.axis)
         bat_speed = speed * heavier**-law.exponent + 1.5 * generator.standard_normal(count)
-        from_tip = np.clip(6.3 + 1.6 * generator.standard_normal(count), 0.5, 14)
+        from_tip = np.clip(MET + SCATTER * generator.standard_normal(count), 0.5, 14)
         pitch = 60 + 2 * generator.standard_normal(count)
         places = bat.length - np.sort(from_tip) * INCH
         there = efficiency(line, conditions, places)[np.argsort(np.argsort(from_tip))]
@@ -119,7 +121,7 @@ def write_maker(folder: Path) -> None:
     turned = differing(bat, 5)
     mass, balance, period = measured(turned, BODY, 105)
     print(f"turned: {mass / OUNCE:.2f} oz, {balance / INCH:.2f} in, {period:.4f} s")
-    print("turned, off: ", _off(bat, 5))
+    print("turned, off: ", off(bat, 5))
     modes = all_modes(turned, catalog.ball())
     place = bat.length - 1 * INCH
     one = tap_sound(modes, position=place, listened=place, seconds=0.9, rate=RATE)
@@ -144,7 +146,7 @@ def write_laboratory(folder: Path) -> None:
     )
     print(f"tested: {mass / OUNCE:.2f} oz, {balance / INCH:.2f} in, {period:.4f} s, "
           f"{inertia / OUNCE_INCH_SQUARED:.0f} oz in^2, {bending:.1f} Hz, {hoop:.0f} Hz")  # fmt: skip
-    print("tested, off: ", _off(bat, seed, by=0.7))
+    print("tested, off: ", off(bat, seed, by=0.7))
     generator = np.random.default_rng(seed)
     from_tip = np.repeat(np.arange(4.0, 8.5, 0.5), 6)
     ball = catalog.ball()
@@ -158,7 +160,8 @@ def write_laboratory(folder: Path) -> None:
     (folder / "shots.csv").write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
 
 
-def _off(bat: Bat, seed: int, *, by: float = 1.0) -> dict[str, str]:
+def off(bat: Bat, seed: int, *, by: float = 1.0) -> dict[str, str]:
+    """Return by how much each property of a bat made by `differing` is off its description."""
     unknowns = unknowns_of(bat)
     truth = np.random.default_rng(seed).standard_normal(len(unknowns))
     return {str(one.name): f"{by * one.spread * off:+.1%}" for one, off in zip(unknowns, truth, strict=True)}

@@ -128,3 +128,12 @@ def test_refusals(run: Run, tmp_path: Path, content: str | None, message: str) -
     code, out, err = run("rank", str(table), "--like", "r161-ash")
     assert (code, out) == (2, "")
     assert message in err
+
+
+@pytest.mark.parametrize("heading", ["cpm", "frequency (cpm)", "bending_1_cpm", "Cycles per minute"])
+def test_a_clamped_clubs_cycles_per_minute_are_refused(run: Run, tmp_path: Path, heading: str) -> None:
+    table = tmp_path / "clubs.csv"
+    table.write_text(f"name,mass_g,swing weight,{heading}\nA,312,D2,255\nB,314,D3,251\n", encoding="utf-8")
+    code, out, err = run("rank", str(table), "--like", "golf-driver")
+    assert (code, out) == (2, "")
+    assert "grip clamped" in err and "Leave it out" in err

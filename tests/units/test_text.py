@@ -65,6 +65,22 @@ def test_parses(text: str | float, kind: Kind, expected: float) -> None:
     assert parse(text, kind) == pytest.approx(expected, rel=1e-6)
 
 
+@pytest.mark.parametrize(
+    "text", ["250cpm", "250 cpm", "250 CPM", "250rpm", "250/min", "250 cycles/min", "250 cycles per minute"]
+)
+def test_a_clamped_clubs_cycles_per_minute_are_no_tone(text: str) -> None:
+    with pytest.raises(InputError, match=r"hung freely, in Hz; the cycles per minute of golf clubs .* another number"):
+        parse(text, "frequency")
+
+
+@pytest.mark.parametrize(
+    "text", ["2 revolution/s", "2 cycle/s", "12.566370614 rad/s", "2 1/s", "2 cps", "0.002 kHz", "2 hertz"]
+)
+def test_a_turn_a_second_is_one_hertz(text: str) -> None:
+    """`pint` alone makes 6.28 Hz of it."""
+    assert parse(text, "frequency") == pytest.approx(2.0, rel=1e-9)
+
+
 def test_the_short_table_says_what_pint_says() -> None:
     """Both read every unit of the table alike, to rounding; what is no number and unit is left to `pint`."""
     for kind, sizes in WRITTEN.items():

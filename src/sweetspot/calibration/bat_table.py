@@ -31,7 +31,7 @@ from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
-from sweetspot.units import Kind, check_usual
+from sweetspot.units import CLAMPED, Kind, check_usual
 
 UNITS: dict[str, tuple[Kind, dict[str, str]]] = {
     "mass": ("mass", {"oz": "oz", "g": "g", "kg": "kg", "lb": "lb"}),
@@ -51,6 +51,8 @@ SYNONYMS = {
 """What people call the columns, and ours."""
 UNIT_NAMES = {"%": "percent", "ounces": "oz", "grams": "g", "inches": "in", "seconds": "s", "sec": "s"}
 """How people write units in headings, and how we do."""
+PER_MINUTE = re.compile(r"(^|_)cpm(_|$)|cycles_(per_)?min")
+"""In a heading."""
 BLANKS = ("", "-", "--", "\N{EN DASH}", "\N{EM DASH}", "?", "na", "n/a", "nan", "none", "null")
 """Words of a cell in which nothing was measured."""
 HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent"
@@ -156,6 +158,8 @@ def _column(cell: str) -> tuple[str, str] | None:
     name = _plain(cell)
     if name == "name":
         return ("name", "")
+    if PER_MINUTE.search(name):
+        raise InputError(f"column {cell.strip()} cannot be used: {CLAMPED}. Leave it out, or give bending_1_hz")
     for quantity, (_, units) in UNITS.items():
         unit = name.removeprefix(f"{quantity}_")
         if name.startswith(quantity) and unit in units:

@@ -12,6 +12,7 @@ from sweetspot.units.sizes import (
     RPM,
 )
 from sweetspot.units.text import (
+    CLAMPED,
     NUMBER,
     SI,
     Kind,
@@ -35,6 +36,7 @@ from sweetspot.units.usual import (
 )
 
 __all__ = [
+    "CLAMPED",
     "DEGREE",
     "FOOT",
     "INCH",

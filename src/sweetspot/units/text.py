@@ -89,6 +89,12 @@ DIFFERENCE = re.compile(r"(?:[a-df-z]|(?<![\d.])e)\s*[-+]\s*\d", re.IGNORECASE)
 """A range in a person's eyes; `pint` would take the difference."""
 DECIMAL_COMMA = re.compile(r"(?<![\d.,])(?:(0*),(\d+)|(\d+),(\d{1,2}|\d{4,}))(?![\d.,])")
 """Of one number: what has three digits behind the comma and is no part of one may be thousands."""
+PER_MINUTE = re.compile(r"\d\s*[cr]pm\b|\bmin", re.IGNORECASE)
+CLAMPED = (
+    "a tone here is that of an implement hung freely, in Hz; the cycles per minute of golf clubs are measured with the "
+    "grip clamped and tell another number"
+)
+"""Why no frequency is read per minute: clubs have about 250 of them, 4.2 Hz; the catalogue's driver rings at 42."""
 COMMA = re.compile(r"\d,|,\d")
 """`pint` would drop what follows the comma."""
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+|(?:\d+(?:\s+|-))?\d+/\d+)([eE][-+]?\d+)?\s*$")
@@ -192,6 +198,8 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
             f"{what} was given as {text!r}, whose comma may stand for thousands or before decimals: write thousands "
             f"without it and decimals after a point, as in {example}"
         )
+    if kind == "frequency" and PER_MINUTE.search(text):
+        raise InputError(f"{what} was given as {text!r}; write for example {example}: {CLAMPED}")
     if NUMBER.match(_with_points(text)) and kind != "ratio":
         raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
     value = _understood(text, kind, what)
@@ -244,6 +252,8 @@ def _in_si(number: str, kind: Kind) -> float:
         quantity = registry.Quantity(float(match[1]), match[2])
         return float(quantity.to("degC").magnitude)
     quantity = registry.Quantity(number)
+    if kind == "frequency" and "radian" in dict(quantity.to_root_units().unit_items()):
+        quantity /= registry.turn  # `pint` gives turns and radians no dimension: one turn a second was 6.28 Hz
     if kind == "force" and quantity.check("[mass]"):  # strings are pulled with 55 lb or 25 kg: the weight of that
         return float((quantity * registry.standard_gravity).to("newton").magnitude)
     return float(quantity.to(SI[kind][0]).magnitude)

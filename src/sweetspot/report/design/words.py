@@ -60,9 +60,19 @@ def worth_words(design: Designed) -> Sentence:
         "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt} (90 %): "
         "{verdict}; faster in {odds} of 100 such pairs.",
         place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
-        verdict=gain.verdict.value, odds=f"{min(99, max(1, round(100 * gain.odds)))}",
+        verdict=gain.verdict.value, odds=_of_100(gain.odds),
     )  # fmt: skip
     return joined([first, *_balls(design), _doubts(design)])
+
+
+def _of_100(odds: float) -> str:
+    """Return how many of 100, without claiming none or all.
+
+    >>> _of_100(0.9999), _of_100(0.948), _of_100(0.001)
+    ('more than 99', '95', 'fewer than 1')
+    """
+    count = round(100 * odds)
+    return "more than 99" if count >= 100 else "fewer than 1" if count < 1 else f"{count}"
 
 
 def _balls(design: Designed) -> list[Sentence]:
