@@ -15,7 +15,7 @@ from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodyn
 from sweetspot.flight.air import CALM, Air
 from sweetspot.flight.batted_spin import check_usual_spin
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.forces import acceleration, drag_and_lift, drag_from_terminal_speed
+from sweetspot.flight.forces import acceleration, drag_and_lift
 from sweetspot.units import DEGREE
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")
@@ -71,18 +71,14 @@ def test_laws_of_other_sports() -> None:
     assert golf.lift_coefficient(0.0) == 0.0
 
 
-def test_terminal_speed_gives_the_drag_that_gives_the_terminal_speed() -> None:
-    drag = drag_from_terminal_speed(6.8, mass=0.0052, radius=0.033, density=1.2)
+def test_at_terminal_speed_drag_carries_the_weight() -> None:
+    """Exact: m g = rho pi R^2 Cd v^2 / 2."""
     shuttle = BALL.replaced(mass=0.0052, radius=0.033)
+    drag = 2 * shuttle.mass * 9.80665 / (1.2 * math.pi * shuttle.radius**2 * 6.8**2)
     found = acceleration(
         np.array([0.0, 0.0, -6.8]), spin=np.zeros(3), ball=shuttle, aerodynamics=Aerodynamics(drag=drag), density=1.2
     )
     assert found == pytest.approx([0.0, 0.0, 0.0], abs=1e-12)
-
-
-def test_a_terminal_speed_of_nothing_is_refused() -> None:
-    with pytest.raises(InputError, match="terminal_speed is 0"):
-        drag_from_terminal_speed(0.0, mass=0.005, radius=0.03, density=1.2)
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,6 @@ from sweetspot.flight import trajectory
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import CALM, VACUUM, Air, Wind
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.forces import drag_from_terminal_speed
 from sweetspot.flight.trajectory import TIME_LIMIT, Flight, FlightOutcome, fly
 from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.numerics.hermite_cubic import first_crossing, on_cubic, root_on_cubic, turn_on_cubic
@@ -56,7 +55,7 @@ def test_without_air_it_is_a_parabola(speed: float, angle: float, height: float,
 def test_a_long_fall_ends_at_terminal_speed() -> None:
     """Exact: y = (V^2 / g) ln cosh(g t / V) for a ball let go at rest in still air."""
     terminal, height = 20.0, 60.0
-    drag = drag_from_terminal_speed(terminal, mass=BALL.mass, radius=BALL.radius, density=AIR.density)
+    drag = 2 * BALL.mass * G / (AIR.density * math.pi * BALL.radius**2 * terminal**2)
     found = flown(
         launched(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, height)),
         aerodynamics=Aerodynamics(drag=drag),

@@ -128,11 +128,6 @@ def _beyond(place: Array, park: Park) -> Array:
     return np.hypot(right, out) - fence_at(park, np.arctan2(right, out))[0]
 
 
-def parks_cleared(path: Array, parks: Iterable[Park]) -> tuple[Park, ...]:
-    """Return the parks in which one path, flown in the same air everywhere, is a home run."""
-    return tuple(park for park in parks if landing(path, park).outcome == "home run")
-
-
 def out_in(path: Array, parks: Iterable[Park]) -> NDArray[np.int64]:
     """Return in how many parks each flight is a home run, flown in the same air everywhere."""
     return np.asarray(np.sum([landings(path, park).out for park in parks], axis=0))

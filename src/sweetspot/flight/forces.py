@@ -10,7 +10,6 @@ import math
 import numpy as np
 
 from sweetspot.equipment.ball import Ball
-from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import VISCOSITY, Aerodynamics
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY
@@ -63,21 +62,3 @@ def drag_and_lift(
     )
     lift = aerodynamics.lift_over_spin_factor(spin_factor) * ball.radius
     return -strength * drag * speed * velocity, strength * lift * across
-
-
-def drag_from_terminal_speed(terminal_speed: float, *, mass: float, radius: float, density: float) -> float:
-    """Return the Cd of a body that falls no faster than ``terminal_speed``: m g = rho pi R^2 Cd v^2 / 2.
-
-    Parameters
-    ----------
-    terminal_speed : v, m/s, > 0.
-    mass, radius : kg and m, > 0; the radius is that of the area the coefficient refers to.
-    density : kg/m^3, > 0, of the air.
-
-    >>> round(drag_from_terminal_speed(6.8, mass=0.005, radius=0.033, density=1.2), 3)
-    0.517
-    """
-    for value, what in ((terminal_speed, "terminal_speed"), (mass, "mass"), (radius, "radius"), (density, "density")):
-        if not (math.isfinite(value) and value > 0):
-            raise InputError(f"{what} is {value:g}; allowed is a number above zero")
-    return 2 * mass * STANDARD_GRAVITY / (density * math.pi * radius**2 * terminal_speed**2)

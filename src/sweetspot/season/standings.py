@@ -98,17 +98,6 @@ def all_standings(parts: Sequence[pl.LazyFrame], *, keys: Sequence[str] = tuple(
     return {key: _standing(table, key, measures, others) for key, table in summed.items() if len(table)}
 
 
-def standing(counted: pl.LazyFrame, *, key: str) -> Standing | None:
-    """Return the table of one grouping, None where no ball has a group.
-
-    Parameters
-    ----------
-    counted : groups and measures of balls.
-    key : one of `GROUPS`.
-    """
-    return all_standings([counted], keys=[key]).get(key)
-
-
 def _standing(summed: pl.DataFrame, key: str, measures: Sequence[str], others: list[str]) -> Standing:
     table = summed.select(key, *(name for name in PLAIN if name in summed.columns))
     spreads = {}
