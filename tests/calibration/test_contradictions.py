@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from sweetspot import catalog
@@ -14,8 +15,9 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
-from sweetspot.calibration.unknowns import described, unknowns_of
+from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
 from sweetspot.report.calibration.document import contradictions
 from sweetspot.units import INCH, OUNCE
 from tests.calibration.test_posterior import measured
@@ -105,6 +107,28 @@ def test_tones_that_are_all_named_wrong_are_named_again(maple: Bat, given: tuple
     wrong = fitted(maple, [*of_body, replace(low, mode=given[0]), replace(high, mode=given[1])])
     assert suspects(wrong) == {}
     assert renamed(wrong) == [low, high]
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", ["r161-ash", "single-wall"])
+def test_a_search_for_agreement_ends_early_only_where_there_is_none(name: str, seed: int) -> None:
+    """Agreement with the whole search: bats up to three spreads off, some with a slip of 3 to 60 % in a measurement."""
+    bat = catalog.bat(name)
+    line, unknowns = described(bat), unknowns_of(bat)
+    draw = np.random.default_rng(seed)
+    spreads = np.array([one.spread for one in unknowns])
+    own = deviated(line, unknowns, spreads * draw.uniform(-2.5, 2.5, len(spreads)) / (1 + seed))
+    right = measured(own, bending=(1, 2, 3))
+    for factor in (1.0, 1.03, 0.8, 1.6):
+        wrong = int(draw.integers(len(right)))
+        given = [times(factor)(one) if index == wrong else one for index, one in enumerate(right)]
+        whole = calibrate(line, unknowns, given)
+        try:
+            early = calibrate(line, unknowns, given, agreeing=True)
+        except InputError:
+            assert whole.contradictions
+        else:
+            np.testing.assert_array_equal(early.pulls, whole.pulls)
 
 
 def test_a_wrong_balance_point_is_named_and_not_averaged_in(maple: Bat) -> None:

@@ -162,7 +162,7 @@ def _as_described(posterior: Posterior) -> Posterior:
 def _agreement(posterior: Posterior, measurements: Sequence[Measurement]) -> Posterior | None:
     """Return the same bat by other measurements, None where these contradict each other too."""
     try:
-        one = calibrate(posterior.prior, posterior.unknowns, measurements)
+        one = calibrate(posterior.prior, posterior.unknowns, measurements, agreeing=True)
     except InputError:
         return None
     return None if one.contradictions else one

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -135,12 +136,18 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
         elif known is not None and one.mode == ModeName("bending", 1):  # what the stiffness is scaled to
             values.append(known)
         elif one.mode.family == "bending":
-            bending = bending_frequencies(line, count=count, elements=ELEMENTS) if bending is None else bending
+            bending = _bending(line, count) if bending is None else bending
             values.append(float(bending[one.mode.harmonic - 1]))
         else:
             hoop = hoop_frequency(line) if hoop is None else hoop
             values.append(hoop)
     return np.array(values)
+
+
+@lru_cache(maxsize=64)
+def _bending(line: BeamModel, count: int) -> Array:
+    """Return the lowest bending frequencies; those of the bat as described serve every choice of measurements."""
+    return bending_frequencies(line, count=count, elements=ELEMENTS)
 
 
 def said_of_body(body: RigidBody, one: Measurement) -> float:

@@ -34,6 +34,8 @@ STEP = 0.02
 """Of a spread, in the differences."""
 ARRIVED = 1e-3
 """Of a spread; after a smaller one of Gauss's and Newton's steps comes the last one, by differences to both sides."""
+LOOKS = 5
+"""How often straight lines are drawn to see whether measurements must contradict each other."""
 HARDLY = 0.02
 """Part of a source's own variance that the others must leave it, for it to be able to contradict them. The bat meets
 one that has less, unless contradictions elsewhere draw it away: then it is off by its own errors."""
@@ -176,7 +178,9 @@ def _said(
     return predicted(deviated(line, unknowns, deviations), measurements, livelier=livelier)
 
 
-def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]) -> Posterior:
+def calibrate(
+    line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement], *, agreeing: bool = False
+) -> Posterior:
     """Return the most likely bat for measurements on it.
 
     Parameters
@@ -184,6 +188,7 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
     line : the bat as described, without what was measured.
     unknowns : what may deviate from it.
     measurements : at least one.
+    agreeing : whether a bat that contradicts them is of no use, and the search ends once it is clear that all do.
 
     Raises
     ------
@@ -205,7 +210,7 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
         return np.hstack([(said - values) / errors, places])
 
     try:
-        most_likely = _least_squares(at_all, len(unknowns))
+        most_likely = _least_squares(at_all, len(unknowns), agreeing=agreeing)
     except IMPOSSIBLE as error:
         raise InputError(f"nothing of this kind comes near what was measured: {error}") from None
     steps = STEP * np.eye(len(unknowns))
@@ -232,7 +237,7 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
     )
 
 
-def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
+def _least_squares(at_all: Callable[[Array], Array], count: int, *, agreeing: bool) -> Array:
     """Return the unknowns, in their spreads, whose misses have the least sum of squares, shape (count,).
 
     What scale, pendulum and tap say is nearly linear in them, so that a few of Gauss's and Newton's steps arrive. Where
@@ -243,6 +248,7 @@ def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
     Parameters
     ----------
     at_all : from many places, shape (n, count), to the misses at each.
+    agreeing : whether to give up, by an `InputError`, where no place is without a contradiction.
     """
     steps = np.vstack([np.zeros(count), STEP * np.eye(count)])
 
@@ -251,7 +257,7 @@ def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
         return each[0], np.asarray((each[1:] - each[0]).T / STEP)
 
     x, former = np.zeros(count), np.inf
-    off, slopes = with_slopes(x)
+    off, slopes = first = with_slopes(x)
     while True:
         change = np.linalg.lstsq(slopes, -off)[0]
         x, largest = x + change, float(np.abs(change).max())
@@ -264,6 +270,8 @@ def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
             off, slopes = with_slopes(x)
         except IMPOSSIBLE:
             break
+    if agreeing and _hopeless(with_slopes, *first):
+        raise InputError("the measurements contradict each other")
     from scipy.optimize import least_squares
 
     def misses(x: Array) -> Array:
@@ -277,3 +285,33 @@ def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
 
     fit = least_squares(misses, np.zeros(count), jac=slopes_at, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6)
     return np.asarray(fit.x)
+
+
+def _hopeless(with_slopes: Callable[[Array], tuple[Array, Array]], off: Array, slopes: Array) -> bool:
+    """Return whether it is clear that every place has a contradiction.
+
+    Without one no miss is more than three sigma. Expectations are among the misses, so such a place is less than three
+    spreads from the description. There the misses are taken as straight lines, from a better place each time. It is
+    clear where these promise less than a half off the sum of squares, and leave more than three sigma everywhere make.
+
+    Parameters
+    ----------
+    with_slopes : from a place to the misses and their slopes.
+    off, slopes : both at the description.
+    """
+    from scipy.optimize import lsq_linear
+
+    x = np.zeros(slopes.shape[1])
+    for _ in range(LOOKS):
+        best = lsq_linear(slopes, slopes @ x - off, bounds=(-CONTRADICTION, CONTRADICTION))
+        least = 2 * best.cost
+        if least < CONTRADICTION**2 * len(off):
+            return False
+        if least > off @ off / 2:
+            return True
+        x = best.x
+        try:
+            off, slopes = with_slopes(x)
+        except IMPOSSIBLE:
+            return False
+    return False
