@@ -141,15 +141,42 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
     """
     short = {name: simplified(name) for name in names}
     key = next((key for key, (_, marks) in SYSTEMS.items() if marks <= set(short.values())), "")
+    said = _given(given or {}, names, file_name)
+    columns, notes, doubts = _understood(names, said, key, file_name)
+    if any(name.startswith("\ufeff") for name in names):
+        notes.append("the first heading begins with a byte order mark, which is left out")
+    _require_exit_speed(names, columns, said, file_name)
+    if doubts:
+        raise doubts[0]
+    taken = {column.heading for column in columns.values()}
+    passed = tuple(name for name in names if name not in taken)
+    for name in passed:
+        quantity = _without_unit(short[name])
+        if quantity is not None and quantity not in columns:
+            unit = next(iter(UNITS[quantities()[quantity]["kind"]]))
+            notes.append(f"{name} has no unit and is left alone; {short[name]}_{unit}, say, would be read")
+    return Headings(SYSTEMS[key][0] if key else "plain", columns, passed, tuple(notes))
+
+
+def _understood(
+    names: Sequence[str], said: Mapping[str, TableColumn], key: str, file_name: str
+) -> tuple[dict[str, TableColumn], list[str], list[InputError]]:
+    """Return columns by quantity, what to know of them, and what is wrong with headings of less weight.
+
+    Parameters
+    ----------
+    said : columns that a person has named, by heading.
+    key : of `SYSTEMS`.
+    """
     columns: dict[str, TableColumn] = {}
     notes: list[str] = []
-    said = _given(given or {}, names, file_name)
     doubts: list[InputError] = []
     for name in names:
+        short = simplified(name)
         try:
-            column = said.get(name) or _column(name, short[name], key, file_name)
+            column = said.get(name) or _column(name, short, key, file_name)
         except InputError as error:
-            if any(short[name].startswith(alias) for alias in quantities()["exit_speed"]["plain"]):
+            if any(short.startswith(alias) for alias in quantities()["exit_speed"]["plain"]):
                 raise
             doubts.append(error)  # of less weight than that there is no exit speed
             continue
@@ -159,9 +186,15 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
             columns[column.quantity] = column
         elif column.kind != "text":
             notes.append(f"{name} gives {column.quantity} too; {columns[column.quantity].heading} is used")
-    if any(name.startswith("\ufeff") for name in names):
-        notes.append("the first heading begins with a byte order mark, which is left out")
-    if "exit_speed" not in said and (board := [name for name in names if short[name] in BOARDS]):
+    return columns, notes, doubts
+
+
+def _require_exit_speed(
+    names: Sequence[str], columns: Mapping[str, TableColumn], said: Mapping[str, TableColumn], file_name: str
+) -> None:
+    """Refuse a table of players, of swings alone, or of anything else than balls."""
+    told = any(column.quantity == "exit_speed" for column in said.values())
+    if not told and (board := [name for name in names if simplified(name) in BOARDS]):
         raise InputError(
             f"{file_name}: column {board[0]} is a leaderboard's, with a row for each player; give a row for each ball, "
             "as the search for pitches exports them"
@@ -176,16 +209,6 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
             f"{file_name}: no column for exit speed; launch_speed (Statcast), ExitSpeed (Trackman) or exit_speed_mph "
             f"would do. {_closest(list(names))}"
         )
-    if doubts:
-        raise doubts[0]
-    taken = {column.heading for column in columns.values()}
-    passed = tuple(name for name in names if name not in taken)
-    for name in passed:
-        quantity = _without_unit(short[name])
-        if quantity is not None and quantity not in columns:
-            unit = next(iter(UNITS[quantities()[quantity]["kind"]]))
-            notes.append(f"{name} has no unit and is left alone; {short[name]}_{unit}, say, would be read")
-    return Headings(SYSTEMS[key][0] if key else "plain", columns, passed, tuple(notes))
 
 
 def names_balls(names: Sequence[str]) -> bool:

@@ -35,7 +35,15 @@ CLUBS = ("BOS", "NYY", "COL", "TB", "SEA", "SF", "CHC", "HOU")
 MAP_SCALE = 2.5
 """ft of the field per unit of Statcast's map, about."""
 LOWEST = 40 * MPH
-"""m/s; slower balls in play are left out."""
+"""m/s; slower balls in play are left out (our choice)."""
+BAT_SPEED, SLOWEST_SWING = 71.5 * MPH, 45 * MPH
+"""m/s, the mean of tracked swings [sure2026], and below which swings are left out (our choice)."""
+FARTHEST = 13.9 * INCH
+"""m from the tip, beyond which contacts are left out (our choice): there are the hands."""
+PLATE_SPEED = 0.92
+"""Of a pitch's speed at release, at the plate [statcast]."""
+DESCENT = 6.6 * DEGREE
+"""rad, of a pitch at the plate (assumed)."""
 
 
 def normal_scatter(rng: np.random.Generator, count: int) -> Array:
@@ -109,7 +117,7 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     faster = own_speed / how.between[1] if how.between[1] else own_speed
     own_spread = how.place_spread * np.exp(rng.normal(0, how.between[2], how.players) + how.wilder * faster)
     left = rng.random(how.players)[who] < 0.4
-    speed = 71.5 * MPH + own_speed[who] + rng.normal(0, how.speed_spread, count)
+    speed = BAT_SPEED + own_speed[who] + rng.normal(0, how.speed_spread, count)
     attack, direction = rng.normal(9, 7, count) * DEGREE, rng.normal(-2, 9, count) * DEGREE
     tilt = steep_enough(np.clip(rng.normal(32, 5, count), 15, 50) * DEGREE, attack)
     outside, height = rng.normal(0.02, 0.17, count), np.clip(rng.normal(0.75, 0.16, count), 0.3, 1.2)
@@ -117,8 +125,8 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     place = how.place + own_place[who] + how.per_outside * outside + own_spread[who] * how.scatter(rng, count)
     own_offset, own_level = _more_of_players(how, seed)
     offset = 0.15 * INCH + rng.normal(0, how.offset_spread, count) * own_offset[who]
-    kept = (place > 0) & (place < 13.9 * INCH) & (speed > 45 * MPH)
-    struck = _struck(bat, speed, (attack, direction, tilt, left), pitch, np.clip(place, 0, 13.9 * INCH), offset)
+    kept = (place > 0) & (place < FARTHEST) & (speed > SLOWEST_SWING)
+    struck = _struck(bat, speed, (attack, direction, tilt, left), pitch, np.clip(place, 0, FARTHEST), offset)
     launch, _, _ = launch_angles(struck.velocity, struck.spin)
     exit_speed = own_level[who] * struck.exit_speed + rng.normal(0, how.noise, count)
     velocity = struck.velocity * (exit_speed / struck.exit_speed)[:, None]
@@ -131,7 +139,7 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
         "stand": np.where(left, "L", "R"), "home_team": np.array(CLUBS)[club], "pitch_type": "FF",
         "at_bat_number": np.arange(count), "pitch_number": 1, "description": "hit_into_play",
         "plate_x": np.where(left, -outside, outside) / FOOT, "plate_z": height / FOOT,
-        "release_speed": pitch / 0.92 / MPH,
+        "release_speed": pitch / PLATE_SPEED / MPH,
         "bat_speed": (speed + rng.normal(0, how.errors.bat_speed, count)) / MPH,
         "attack_angle": (attack + rng.normal(0, how.errors.attack_angle, count)) / DEGREE,
         "attack_direction": direction / DEGREE, "swing_path_tilt": tilt / DEGREE,
@@ -139,17 +147,12 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
         "launch_angle": (launch + rng.normal(0, how.errors.launch_angle, count)) / DEGREE,
         "true_from_tip_in": place / INCH, "true_offset_in": offset / INCH, "true_exit_speed_mph": exit_speed / MPH,
         "true_mean_from_tip_in": (how.place + own_place[who]) / INCH,
-        "true_mean_bat_speed_mph": (71.5 * MPH + own_speed[who]) / MPH,
+        "true_mean_bat_speed_mph": (BAT_SPEED + own_speed[who]) / MPH,
     })  # fmt: skip
     flown = _flown(velocity, struck.spin, how, np.array([_elevation(parks, name) for name in CLUBS])[club], rng)
     kept &= flown[0] & (np.abs(flown[1]) < FOUL_LINE)
     bearing, carry = flown[1], flown[2]
-    out = np.zeros(count, bool)
-    for number, name in enumerate(CLUBS):
-        mine = club == number
-        far, high = fence_at(_park(parks, name), np.clip(bearing[mine], -FOUL_LINE, FOUL_LINE))
-        above = (carry[mine] - far) * np.tan(flown[3][mine])  # a little more than it is: the way down is bent
-        out[mine] = above > high
+    out = _out_of_park(parks, club, bearing, carry, flown[3])
     on_map = carry / FOOT / MAP_SCALE
     return table.with_columns(
         hc_x=pl.Series(HOME_X + on_map * np.sin(bearing)), hc_y=pl.Series(HOME_Y - on_map * np.cos(bearing)),
@@ -172,12 +175,11 @@ def _struck(
     place: Array,
     offset: Array,
 ) -> Strikes:
-    """Return every hit by the collision kernel, of balls without spin that come down by 6.6 degrees."""
+    """Return every hit by the collision kernel, of balls without spin that come down by `DESCENT`."""
     attack, direction, tilt, left = path
     arm = bat.length - bat.choke
     there = speed * (arm - place) / (arm - SPEED_FROM_TIP)
-    down = 6.6 * DEGREE
-    coming = pitch[:, None] * np.array([0.0, -np.cos(down), -np.sin(down)])
+    coming = pitch[:, None] * np.array([0.0, -np.cos(DESCENT), -np.sin(DESCENT)])
     ball = catalogue_ball()
     return strikes(
         reduced_bat(bat, ball=ball), ball=ball,
@@ -204,6 +206,23 @@ def _flown(
     )
     carry = flown.carry + rng.normal(0, 3.0, len(elevation)) * (flown.hang_time > 1)
     return flown.landed, flown.bearing, carry, flown.landing_angle
+
+
+def _out_of_park(
+    parks: Sequence[Park], club: NDArray[np.int64], bearing: Array, carry: Array, fall: Array
+) -> NDArray[np.bool_]:
+    """Return which balls clear the fence of their park, each of `CLUBS` by its number.
+
+    Parameters
+    ----------
+    fall : angle of the fall below the level, rad; on straight lines at it a little too many go out, the way is bent.
+    """
+    out = np.zeros(len(club), bool)
+    for number, name in enumerate(CLUBS):
+        mine = club == number
+        far, high = fence_at(_park(parks, name), np.clip(bearing[mine], -FOUL_LINE, FOUL_LINE))
+        out[mine] = (carry[mine] - far) * np.tan(fall[mine]) > high
+    return out
 
 
 def _park(parks: Sequence[Park], club: str) -> Park:
