@@ -149,10 +149,10 @@ def test_a_person_may_say_what_a_column_is() -> None:
 
 
 def test_who_says_which_column_is_the_exit_speed_has_no_leaderboard() -> None:
-    names = ["EV", "batted_ball_events"]
+    names = ["launch_speed", "batted_ball_events"]
     with pytest.raises(InputError, match="leaderboard"):
         headings_of(names)
-    assert headings_of(names, given={"exit_speed": "EV:mph"}).columns["exit_speed"].heading == "EV"
+    assert headings_of(names, given={"exit_speed": "launch_speed"}).columns["exit_speed"].unit == "mph"
 
 
 def test_every_quantity_has_a_name_that_people_may_use() -> None:
