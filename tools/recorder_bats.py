@@ -51,6 +51,7 @@ class Ringing:
     own : the description that is right but for the stiffness, as a bat's file; None: there is none.
     cousin : of the catalogue.
     shifts : how far the hands moved each frequency, as a part of it.
+    beam : that was solved; None: its tones were measured or drawn.
     """
 
     names: tuple[ModeName, ...]
@@ -61,13 +62,14 @@ class Ringing:
     own: dict[str, object] | None
     cousin: str
     shifts: Array
+    beam: Beam | None = None
 
 
-def _bending(count: int) -> tuple[ModeName, ...]:
+def bending_names(count: int) -> tuple[ModeName, ...]:
     return tuple(ModeName("bending", number + 1) for number in range(count))
 
 
-def _outline(generator: np.random.Generator, *, length: float, handle: float, barrel: float) -> Array:
+def drawn_outline(generator: np.random.Generator, *, length: float, handle: float, barrel: float) -> Array:
     """Return places from the knob end and diameters in m of a bat whose taper is a cosine."""
     start, end = length * generator.uniform(0.15, 0.35), length * generator.uniform(0.72, 0.92)
     middle = np.linspace(start, end, 9)
@@ -79,7 +81,7 @@ def _outline(generator: np.random.Generator, *, length: float, handle: float, ba
     )  # fmt: skip
 
 
-def _held_beam(beam: Beam, damping: float, generator: np.random.Generator, grip: Grip) -> tuple[Array, Array, Array]:
+def held_beam(beam: Beam, damping: float, generator: np.random.Generator, grip: Grip) -> tuple[Array, Array, Array]:
     """Return frequency, damping and how far the hands moved the frequency, of the modes below 5.5 kHz."""
     free = beam.frequency
     lost = damping * generator.uniform(0.8, 1.25, len(free))
@@ -87,7 +89,7 @@ def _held_beam(beam: Beam, damping: float, generator: np.random.Generator, grip:
     return frequency, ratio, frequency / free - 1
 
 
-def _described(name: str, length: float, mass: float, outline: Array, **more: object) -> dict[str, object]:
+def bat_file(name: str, length: float, mass: float, outline: Array, **more: object) -> dict[str, object]:
     profile = [[f"{place:.5f} m", f"{diameter:.5f} m"] for place, diameter in outline]
     return {"name": name, "length": f"{length:.5f} m", "mass": f"{mass:.4f} kg", "profile": profile, **more}
 
@@ -96,26 +98,26 @@ def wood(generator: np.random.Generator, grip: Grip = FREE) -> Ringing:
     """Return an adult bat of ash or maple: E of 11 to 19 GPa, E/G of 11 to 20, damping of 0.4 to 1 %."""
     length = generator.uniform(32, 34.5) * INCH
     handle, barrel = generator.uniform(0.90, 1.02) * INCH, generator.uniform(2.4, 2.61) * INCH
-    outline = _outline(generator, length=length, handle=handle, barrel=barrel)
+    outline = drawn_outline(generator, length=length, handle=handle, barrel=barrel)
     density, modulus = generator.uniform(580, 720), generator.uniform(11e9, 19e9)
     beam = Beam.solid(outline, density=density, modulus=modulus, shear=modulus / generator.uniform(11, 20))
-    frequency, damping, shifts = _held_beam(beam, generator.uniform(0.004, 0.010), generator, grip)
-    own = _described("made-up wood", length, beam.mass, outline, material=str(generator.choice(["white ash", "maple"])))
-    return Ringing(_bending(len(frequency)), frequency, damping, beam.shape, length, own, "r161-ash", shifts)
+    frequency, damping, shifts = held_beam(beam, generator.uniform(0.004, 0.010), generator, grip)
+    own = bat_file("made-up wood", length, beam.mass, outline, material=str(generator.choice(["white ash", "maple"])))
+    return Ringing(bending_names(len(frequency)), frequency, damping, beam.shape, length, own, "r161-ash", shifts)
 
 
 def hollow(generator: np.random.Generator, grip: Grip = FREE) -> Ringing:
     """Return a bat of aluminium: 2.0 to 3.3 mm of wall, hoop tones up to a third above its ring's."""
     length = generator.uniform(31, 34) * INCH
     barrel = generator.uniform(2.25, 2.625) * INCH
-    outline = _outline(generator, length=length, handle=generator.uniform(0.85, 0.95) * INCH, barrel=barrel)
+    outline = drawn_outline(generator, length=length, handle=generator.uniform(0.85, 0.95) * INCH, barrel=barrel)
     wall, thin = generator.uniform(2.0e-3, 3.3e-3), generator.uniform(1.8e-3, 2.6e-3)
     cap, knob = generator.uniform(0.010, 0.035), generator.uniform(0.03, 0.07)
     beam = Beam.tube(outline, walls=(thin, wall), ends=(knob, cap))
-    frequency, damping, shifts = _held_beam(beam, generator.uniform(0.001, 0.004), generator, grip)
+    frequency, damping, shifts = held_beam(beam, generator.uniform(0.001, 0.004), generator, grip)
     ring = ring_frequency(barrel, wall, harmonic=2) * generator.uniform(1.0, 1.3)
     hoops = ring * np.array([1.0, generator.uniform(1.25, 1.9), generator.uniform(2.0, 2.9)])
-    names = (*_bending(len(frequency)), ModeName("hoop", 2), ModeName("hoop", 2), ModeName("hoop", 3))
+    names = (*bending_names(len(frequency)), ModeName("hoop", 2), ModeName("hoop", 2), ModeName("hoop", 3))
     place = generator.uniform(0.76, 0.84)
 
     def shape(part: float) -> Array:
@@ -128,10 +130,10 @@ def hollow(generator: np.random.Generator, grip: Grip = FREE) -> Ringing:
                  [f"{length:.5f} m", f"{wall} m"]],
         "end_cap_mass": f"{cap} kg", "knob_mass": f"{knob} kg",
     }  # fmt: skip
-    own = _described("made-up hollow", length, beam.mass, outline, material="aluminium_7xxx", shell=shell)
+    own = bat_file("made-up hollow", length, beam.mass, outline, material="aluminium_7xxx", shell=shell)
     return Ringing(
         names, np.append(frequency, hoops), np.append(damping, generator.uniform(0.001, 0.006, 3)), shape, length, own,
-        "single-wall", np.append(shifts, np.zeros(3)),
+        "single-wall", np.append(shifts, np.zeros(3)), beam,
     )  # fmt: skip
 
 
@@ -144,7 +146,7 @@ def youth(generator: np.random.Generator, _: Grip = FREE) -> Ringing:
     def shape(part: float) -> Array:
         return np.array([np.prod([(part - node / 30) for node in one]) * 4 ** len(one) for one in nodes])
 
-    return Ringing(_bending(4), frequency, damping, shape, 30 * INCH, None, "youth-30", np.zeros(4))
+    return Ringing(bending_names(4), frequency, damping, shape, 30 * INCH, None, "youth-30", np.zeros(4))
 
 
 def _of_sport(
@@ -158,7 +160,7 @@ def _of_sport(
         frequency = lowest * np.array([1.0, 2.757, 5.404, 8.933]) ** stretch * generator.normal(1, 0.02, 4)
         frequency[0] = lowest
         damping = generator.uniform(*lost, 4)
-        return Ringing(_bending(4), frequency, damping, free_shapes, length, None, cousin, np.zeros(4))
+        return Ringing(bending_names(4), frequency, damping, free_shapes, length, None, cousin, np.zeros(4))
 
     return make
 

@@ -50,20 +50,40 @@ GRIPS = {
 
 @dataclass(frozen=True)
 class Beam:
-    """A free beam that was solved: places of its nodes, modes as columns of deflections, Hz, and kg."""
+    """A free beam that was solved.
+
+    Parameters
+    ----------
+    places : of its nodes, m from the knob end.
+    modes : deflections as columns, 1/sqrt(kg): two rigid motions, then bending.
+    solved : Hz of all bending modes.
+    mass, balance_point, moi_cm : kg, m from the knob end, kg m^2 about the balance point.
+    """
 
     places: Array
     modes: Array
-    frequency: Array
+    solved: Array
     mass: float
+    balance_point: float
+    moi_cm: float
 
     @classmethod
-    def solid(cls, outline: Array, *, density: float, modulus: float, shear: float) -> Self:
-        """Return a turned bat; outline holds places and diameters, m."""
+    def solid(
+        cls, outline: Array, *, density: float, modulus: float, shear: float, gradient: float = 0.0, knob: float = 0.0
+    ) -> Self:
+        """Return a turned bat; outline holds places and diameters, m.
+
+        Parameters
+        ----------
+        gradient : how much denser it is at the tip than in its middle, and lighter at the knob end.
+        knob : kg of tape at the knob end.
+        """
         places = np.linspace(0.0, outline[-1, 0], ELEMENTS + 1)
-        radius = np.interp((places[1:] + places[:-1]) / 2, *outline.T) / 2
+        middle = (places[1:] + places[:-1]) / 2
+        radius = np.interp(middle, *outline.T) / 2
         area, inertia = np.pi * radius**2, np.pi * radius**4 / 4
-        return cls._solved(places, density * area, density * inertia, modulus * inertia, 6 / 7 * shear * area)
+        heavy = density * (1 + gradient * (2 * middle / places[-1] - 1))
+        return cls._solved(places, heavy * area, heavy * inertia, modulus * inertia, 6 / 7 * shear * area, (knob, 0.0))
 
     @classmethod
     def tube(cls, outline: Array, *, walls: tuple[float, float], ends: tuple[float, float]) -> Self:
@@ -94,9 +114,16 @@ class Beam:
         weight[[0, size - 1]] += ends
         squares, shapes = scipy.linalg.eigh(stiff, np.diag(weight), subset_by_index=(0, MODES + 1))
         frequency = np.sqrt(np.maximum(squares[2:], 0)) / (2 * np.pi)
-        kept = int(np.sum(frequency < HIGHEST))
-        total = float(np.sum(heavy * step) + sum(ends))
-        return cls(places, shapes[:size], frequency[:kept], total)
+        point = weight[:size]
+        total = float(np.sum(point))
+        balance = float(point @ places) / total
+        about = float(point @ (places - balance) ** 2 + np.sum(weight[size:]))
+        return cls(places, shapes[:size], frequency, total, balance, about)
+
+    @property
+    def frequency(self) -> Array:
+        """Hz of the bending modes that are kept."""
+        return self.solved[self.solved < HIGHEST]
 
     def shape(self, part: float) -> Array:
         """Return the deflection of the kept modes at a part of the length."""

@@ -88,3 +88,10 @@ def test_refusals(run: Run, arguments: list[str], message: str) -> None:
     assert code == 2
     assert message in err
     assert "Traceback" not in err
+
+
+def test_a_hoop_tone_may_pass_for_bending_3(run: Run, sound: str) -> None:
+    """By ratios alone nothing tells a hollow bat's hoop tone near 1.1 kHz from bending 3, and that is said."""
+    words = "may be a hoop tone"
+    assert words in " ".join(run("tap", sound)[1].split())
+    assert words not in " ".join(run("tap", sound, "--bat", "youth-30")[1].split())

@@ -52,6 +52,7 @@ class TapTest:
     moduli_along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
     free_damping : ratio that a freely hung one of this kind has at most; a bar may have any.
     misfit : what the modes described leave unexplained a tone; see `naming.misfit`.
+    by_ratios : whether the names come from the ratios of bats in general, since nobody described the bat.
     """
 
     recordings: tuple[Recording, ...]
@@ -62,6 +63,7 @@ class TapTest:
     moduli_along: tuple[tuple[Tone, Measured], ...] | None = None
     free_damping: float = math.inf
     misfit: float = 0.0
+    by_ratios: bool = False
 
     @property
     def good(self) -> tuple[Tap, ...]:
@@ -160,6 +162,7 @@ def told_taps(
     return TapTest(
         tuple(recordings), tuple(taps), _like_a_bat(tones) if modes is None else tones, tuple(expected),
         free_damping=free_damping(modes), misfit=0.0 if modes is None else misfit(heard, expected),
+        by_ratios=modes is None,
     )  # fmt: skip
 
 

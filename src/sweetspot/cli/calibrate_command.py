@@ -102,7 +102,7 @@ def calibrate(
     from sweetspot.report.calibration.document import calibration_document
     from sweetspot.units import parse
 
-    own = catalog.load_implement(bat)
+    own = catalog.load_implement(bat).as_drawn()
     unknowns = unknowns_of(own, diameter_spread=parse(trust.diameter_error, "ratio", "--diameter-error"))
     measurements = _weighed(own, weighed)
     tapped, damping = _tapped(own, rung.tap or [], rung.at or [])

@@ -54,7 +54,7 @@ def rank(
     from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.units import parse, parse_position
 
-    model = catalog.load_implement(like)
+    model = catalog.load_implement(like).as_drawn()
     axis = model.swing_axis if pivot is None else parse_position(pivot, length=model.length, what="--pivot-of-table")
     measured = _measured(table, axis, model)
     check_likeness(measured, model, axis=axis)

@@ -105,7 +105,7 @@ def tap(
     refuse_unused(made, "a sound that is made", "add --synthesise BAT")
     if not recordings:
         raise InputError("no recording was given; name at least one sound file, or use --synthesise BAT")
-    described = None if tapped.bat is None else catalog.load_implement(tapped.bat)
+    described = None if tapped.bat is None else catalog.load_implement(tapped.bat).as_drawn()
     if tapped.at and described is None:
         raise InputError("--at was given without --bat; say what was tapped")
     modes = None if described is None else modes_to_name(described)

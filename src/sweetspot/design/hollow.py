@@ -55,6 +55,8 @@ def hollow_space(bat: Bat, *, material: Material | None = None) -> ImplementSpac
             implement.length: float(numbers[3]),
         }
         changed = implement.shell.replaced(wall=tuple(sorted(wall.items())), end_cap_mass=float(numbers[4]))
-        return implement.replaced(shell=changed, material=built, mass=None, balance_point=None, moi=None)
+        return implement.replaced(
+            shell=changed, drawn_shell=None, material=built, mass=None, balance_point=None, moi=None
+        )
 
     return ImplementSpace(bat, tuple(variables), change)

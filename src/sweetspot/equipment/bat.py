@@ -88,6 +88,7 @@ class Bat(OfMaterial):
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
     original : the bat as it was measured, when this one is that bat with something changed.
     remark : how the description was made to agree with what was measured; "": it did.
+    drawn_shell : the shell as it was drawn, where that remark tells of another; None: as it is.
 
     Raises
     ------
@@ -106,6 +107,7 @@ class Bat(OfMaterial):
     point_masses: tuple[PointMass, ...] = ()
     original: Bat | None = None
     remark: str = ""
+    drawn_shell: Shell | None = None
 
     @model_validator(mode="after")
     def _holds_together(self) -> Bat:
@@ -273,6 +275,17 @@ class Bat(OfMaterial):
     def as_measured(self) -> Bat:
         """Return the bat as it was measured, before something was changed."""
         return self.original or self
+
+    def as_drawn(self) -> Bat:
+        """Return the bat as its file draws it, where walls or ends were changed so that it weighs what the file says.
+
+        What was measured is left out then. For who finds the walls by more than the weight.
+        """
+        if self.drawn_shell is None:
+            return self
+        return self.replaced(
+            shell=self.drawn_shell, drawn_shell=None, mass=None, balance_point=None, moi=None, fitted=(), remark=""
+        )
 
     def section_at(self, position: Array, scale: Array) -> Section:
         """Return the sections at positions in m (not exactly at a jump: there the inner side is taken).

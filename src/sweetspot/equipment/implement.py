@@ -164,6 +164,10 @@ class Implement(ShownInNotebooks, Validated, ABC):
         """The part that is meant for the ball; None: all of it beyond the hands."""
         return None
 
+    def as_drawn(self) -> Implement:
+        """Return it as its file draws it; see `Bat.as_drawn`."""
+        return self
+
     def as_measured(self) -> Implement:
         """Return the implement that the measured values belong to: this one, or what it was before it was changed."""
         return self

@@ -44,6 +44,7 @@ def _bat(bat: Bat, length: float) -> dict[str, Any]:
         "profile": _moved(bat.profile, part),
         "point_masses": tuple(one.replaced(position=one.position * part) for one in bat.point_masses),
         "mass": None, "balance_point": None, "moi": None, "original": None,
+        "drawn_shell": None,
     }  # fmt: skip
     return places if bat.shell is None else {**places, "shell": _shell(bat.shell, part)}
 

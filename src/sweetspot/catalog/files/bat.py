@@ -312,7 +312,10 @@ def _bat(file: BatFile) -> Bat:
         original=None if file.original is None else _bat(file.original),
         calibrated=file.calibration is not None,
     )
-    return bat if bat.calibrated else weight_matched(bat, None if file.shell is None else file.shell.weight_by)
+    if bat.calibrated or bat.shell is None:
+        return bat
+    matched = weight_matched(bat, None if file.shell is None else file.shell.weight_by)
+    return matched if matched is bat else matched.replaced(drawn_shell=bat.shell)
 
 
 def _pairs(pairs: Pairs, what: str) -> tuple[tuple[float, float], ...]:

@@ -18,7 +18,13 @@ from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import NOTHING, SI
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
+BY_RATIOS = (
+    "Names come from the ratios of bats in general. Of a hollow bat, what is named bending 3 may be a hoop tone: say "
+    "with --bat what it is."
+)
 LEAST_SHARE = 0.005
+HOOP_MAY_BE = 3
+"""Bending mode near whose tone, about 1.1 kHz, hoop tones of thin walls begin."""
 SIZES = ("length", "width", "thickness", "mass")
 """Of a bar, whose error is what people write."""
 COARSE = 0.05
@@ -64,6 +70,8 @@ def tap_document(test: TapTest, title: str) -> Document:
     notes = [Paragraph(level, "note")]
     if not all(one.tone.own for one in test.tones):
         notes.append(Paragraph(ROOMS, "note"))
+    if test.by_ratios and any(one.name and one.name.harmonic == HOOP_MAY_BE for one in test.tones):
+        notes.append(Paragraph(BY_RATIOS, "note"))
     picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
     return Document(
         name="tap", title=title, kind="Tap test", blocks=[*blocks, *notes, picture], reader=SI,

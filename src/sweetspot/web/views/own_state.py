@@ -72,7 +72,8 @@ class OwnState(BatState):
 
 def own_of(state: OwnState) -> Implement:
     """Return what was measured, as it is described: the bat, or what is named in its place."""
-    return described(state) if state.implement is None else implement_of(state.implement, state.implement_toml)
+    own = described(state) if state.implement is None else implement_of(state.implement, state.implement_toml)
+    return own.as_drawn()
 
 
 @lru_cache(maxsize=64)
