@@ -23,6 +23,7 @@ EVEN = 0.01
 SLENDER = 6.0
 """Length over thickness from which on a drawing lies along its paper; others are turned upright first."""
 PLACES = 1001
+"""Along the bat at least, where its thickness is taken."""
 TOLERANCE = 1e-5
 """m of diameter, by which fewer stations may differ from the curves."""
 ROUND = 0.05

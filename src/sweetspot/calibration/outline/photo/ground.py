@@ -10,16 +10,13 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.calibration.outline.photo.painted import difference_from_paint
-from sweetspot.calibration.outline.photo.picture import Picture
+from sweetspot.calibration.outline.photo.picture import DARKEST, SHADE, Picture
 from sweetspot.numerics.arrays import Array
 
-DARKEST = 0.02
-"""Of full light, added before logarithms: sensors know no less."""
-SHADE = 0.9
-"""Logarithm of the light that a shadow takes at most."""
 BORDER = 0.04
 """Of the picture's sides, where the ground is expected."""
 SAMPLES = 20000
+"""Pixels that the ground is fitted to, about."""
 ALIKE = (0.6, 0.4, 0.3, 0.25, 0.25)
 """Greatest difference of what counts as ground, round after round."""
 

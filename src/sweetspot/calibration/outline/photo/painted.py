@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot.calibration.outline.photo.picture import CURVE, Picture
+from sweetspot.calibration.outline.photo.picture import CURVE, DARKEST, SHADE, Picture
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -31,10 +31,8 @@ OUTER, DEEPER = 2.5, 5.5
 SOFT, FAINT, MOST_SOFT = 0.85, 0.1, 0.1
 """Difference at the outer of these over that at the deeper, and difference at the deeper, below which an edge may be a
 shadow's; and the part of the edge that may."""
-OF_HUE, SHADE = 0.2, 0.9
-"""Logarithms of light: how far a shadow's hue may be from the ground's, and what it takes at most."""
-DARKEST = 0.02
-"""Of full light, added before logarithms: sensors know no less."""
+OF_HUE = 0.2
+"""Logarithm of light by which a shadow's hue may be from the ground's (assumed)."""
 
 
 def difference_from_paint(picture: Picture) -> Array | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -46,8 +47,13 @@ SHADOWED = "A dark shadow lies along one side of the bat, which was told from it
 TILT, LENS = np.deg2rad(2.0), 0.01
 """One sigma of how square to the bat a camera is held by hand, and of how much farther out than it belongs a lens shows
 the picture's corner, telephones having set most of it right (assumed). Tilted along it, one end is nearer."""
-FROM, NEAREST = 2.5, 0.5
+USUAL_DISTANCE, NEAREST = 2.5, 0.5
 """m from camera to bat: where it is not known (assumed), and at least."""
+EXCESS_DOUBT = 0.3
+"""Of what the ends seem farther out than they are, one sigma where the distance is known (assumed)."""
+SMOOTHED = 4.0
+"""How many times less smooth edges scatter than single ones: a running parabola over N of them leaves 3 / (2 sqrt N),
+and N is about 36, the longest smoothing of a bat 1,200 pixels long."""
 
 
 @dataclass(frozen=True)
@@ -208,13 +214,20 @@ def _measured(
     picture: Picture, edges: Edges, scale: float, scale_error: float, *, length: float | None, away: float | None,
     on_ground: bool,
 ) -> PhotoOutline:  # fmt: skip
-    """Return the outline in metres."""
-    notes = []
-    excess = np.array(_excess(picture, edges, scale, away or FROM))
+    """Return the outline in metres, with the errors of its places and diameters.
+
+    Parameters
+    ----------
+    scale : m of a pixel, with its relative error.
+    length : m of the bat, where it gave the scale.
+    away : m from camera to bat; None: not known.
+    on_ground : whether the scale is that of the ground, on which a ruler lies.
+    """
+    excess = np.array(_excess(picture, edges, scale, away or USUAL_DISTANCE))
     if on_ground:  # the bat's axis is nearer to the camera than the ruler
         height = scale * float(edges.width.max()) / 2
-        scale *= 1 - height / (away or FROM)
-        scale_error = float(np.hypot(scale_error, 0.0 if away else height / FROM / 2))
+        scale *= 1 - height / (away or USUAL_DISTANCE)
+        scale_error = float(np.hypot(scale_error, 0.0 if away else height / USUAL_DISTANCE / 2))
     before, after = (excess if away else np.zeros(2)).tolist()
     if length is not None:
         scale = (length + before + after) / edges.length
@@ -238,29 +251,34 @@ def _measured(
     tolerance = TOLERANCE
     while len(profile := simplified(place, width, tolerance)) > STATIONS:
         tolerance *= 1.25
-    if away is None:
-        notes.append(
-            f"How far the camera was is not known; from {FROM:g} m the ends would seem {1e3 * excess.sum():.0f} mm "
-            "farther apart than they are. Give --camera-distance."
-        )
-    if hooked > HOOKED:
-        notes.append(
-            f"Places count from the very end. The tip is round: a tape hooked over it begins about {1e3 * hooked:.0f} "
-            "mm farther in, and what a caliper reads at an inch of that tape belongs as much nearer the knob."
-        )
-    at = float(np.hypot(scale, 0.3 * excess.mean() if away else excess.mean()))
+    at = float(np.hypot(scale, EXCESS_DOUBT * excess.mean() if away else excess.mean()))
     unseen = 0.0 if away else float(excess.sum()) / reach  # of the scale: the ends seem farther apart than they are
-    edge = scale * np.hypot(np.sqrt(2) * edges.scatter / 4, np.maximum(np.sqrt(2) * PIXEL, unsettled))
-    along = place * (reach - place) / (away or FROM)
-    lean = TILT * np.abs(place - reach / 2) / (away or FROM)
+    edge = scale * np.hypot(np.sqrt(2) * edges.scatter / SMOOTHED, np.maximum(np.sqrt(2) * PIXEL, unsettled))
+    along = place * (reach - place) / (away or USUAL_DISTANCE)
+    lean = TILT * np.abs(place - reach / 2) / (away or USUAL_DISTANCE)
     lens = LENS * (edges.length / np.hypot(*picture.shape)) ** 2 * 4 * place * (reach - place) / reach**2
     edge = np.hypot(edge, width * np.hypot(lean, lens))
     error = _errors(place, width, edge, scale_error, np.hypot(at, TILT * along), 0.0 if length is None else unseen)
     return PhotoOutline(
-        profile=profile, notes=tuple(notes), pixel=scale, edge_scatter=scale * edges.scatter,
+        profile=profile, notes=tuple(_notes(float(excess.sum()), away, hooked)), pixel=scale,
+        edge_scatter=scale * edges.scatter,
         axis_bend=scale * edges.bend, diameter_error=tuple(np.interp([x for x, _ in profile], place, error).tolist()),
         place_error=float(np.hypot(at, scale_error * reach)), camera_distance=away, hooked=hooked,
     )  # fmt: skip
+
+
+def _notes(excess: float, away: float | None, hooked: float) -> Iterator[str]:
+    """Yield in words what a camera that nobody measured and a hooked tape leave open, by how many m each."""
+    if away is None:
+        yield (
+            f"How far the camera was is not known; from {USUAL_DISTANCE:g} m the ends would seem "
+            f"{1e3 * excess:.0f} mm farther apart than they are. Give --camera-distance."
+        )
+    if hooked > HOOKED:
+        yield (
+            f"Places count from the very end. The tip is round: a tape hooked over it begins about {1e3 * hooked:.0f} "
+            "mm farther in, and what a caliper reads at an inch of that tape belongs as much nearer the knob."
+        )
 
 
 def _hooked(from_tip: Array, width: Array) -> float:

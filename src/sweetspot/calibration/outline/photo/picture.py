@@ -16,6 +16,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.text_files import check_ordinary
 
 MOST_PIXELS = 120_000_000
+"""Of a file; they take 360 MB as bytes."""
 LARGEST = 200_000_000
 """Bytes of a file."""
 MOST_PER_BYTE = 500
@@ -30,6 +31,10 @@ CURVE = 2.2
 """Exponent from a file's colours to light (sRGB, nearly)."""
 PAINTED, MOSTLY = 2.5 / 255, 0.98
 """A ground no farther than this from one colour nearly everywhere was painted by a program, which mixes colours."""
+DARKEST = 0.02
+"""Of full light, added before logarithms: sensors know no less (assumed)."""
+SHADE = 0.9
+"""Logarithm of the light that a shadow takes at most (assumed)."""
 SEEN = 0.5
 """Opacity from which on a pixel is no ground."""
 FLAT = 2

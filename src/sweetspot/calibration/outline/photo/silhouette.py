@@ -20,8 +20,9 @@ SLENDER, FATTEST = 6.0, 40.0
 SOLID, SYMMETRIC = 0.93, 0.08
 """Part of its silhouette that is filled, and how far its middle may wander over its width."""
 BARREL_OVER_HANDLE = 1.25
-"""A bat's greatest width over its least, ends left out; what is more even is a ruler."""
+"""A bat's greatest width over its least, ends left out; what is more even is no bat."""
 RULER_EVEN = 1.12
+"""The same of a ruler, at most (assumed)."""
 TRIES = (1.0, 0.6, 0.35, 1.5)
 """Of the threshold between ground and not ground that divides both best."""
 FAINTEST = 0.05
