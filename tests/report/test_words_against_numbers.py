@@ -12,6 +12,7 @@ import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.confidence import NO_SPEED, sure_sign
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.tables import spots_table
 from sweetspot.report.bat.words import answer, misses_of
@@ -108,7 +109,7 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
     document = comparison_document(comparison)
     reader = document.reader
     sentences = paragraphs(document, reader)[: len(bats) - 1]
-    for sentence, one in zip(sentences, comparison.compared[1:], strict=True):
+    for sentence, one, data in zip(sentences, comparison.compared[1:], document.data["bats"][1:], strict=True):
         assert one.label in sentence
         told = re.search(r"the ball leaves ([\d.]+) \S+ (faster|slower) \(([-+][\d.]+) to ([-+][\d.]+)\)", sentence)
         assert told is not None, sentence
@@ -119,10 +120,14 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
             gain = one.bat_speed.value - comparison.reference.bat_speed.value
             assert (swung[2] == "faster") == (gain > 0)
         if "a gain" in sentence:
-            assert one.change.low > 0 and not re.fullmatch(r"\+0\.0+", told[3])
+            assert data["change_m_s"]["low"] > 0 and not re.fullmatch(r"\+0\.0+", told[3])
         if "a loss" in sentence:
-            assert one.change.high < 0 and not re.fullmatch(r"[-+]0\.0+", told[4])
-        # the swing law's interval alone decides nothing, unless bats and ball are what they are said to be
+            assert data["change_m_s"]["high"] < 0 and not re.fullmatch(r"[-+]0\.0+", told[4])
+        # the interval holds bats and ball too: nothing is left of which the sentence must say that it is so
+        assert sentence.endswith((": the sign is not sure.", ": a gain.", ": a loss."))
+        ends = data["change_m_s"]["low"], data["change_m_s"]["high"]
+        assert ("not sure" in sentence) == (sure_sign(*ends, nothing=NO_SPEED) == 0)
+    for sentence in (read(one, US) for one in verdict(comparison)):  # of the swing law's interval alone
         assert sentence.endswith((": the sign is not sure.", " if bats and ball are just as described."))
 
 

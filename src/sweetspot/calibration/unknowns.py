@@ -79,7 +79,7 @@ def described(bat: Implement) -> BeamModel:
         return as_described(bat)
     bare = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
     if bat.shell is None and not any(weight.position == 0 for weight in bat.point_masses):
-        weights = (*bat.point_masses, PointMass(position=0.0, mass=KNOB_EXTRA))
+        weights = (*bat.point_masses, PointMass(position=0.0, mass=KNOB_EXTRA, on_surface=True))
         bare = bare.replaced(point_masses=weights)
     return beam_model(bare)
 

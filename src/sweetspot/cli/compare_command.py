@@ -14,14 +14,12 @@ from sweetspot.cli.options.what_if_table import TableOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from sweetspot.analysis.comparison import Comparison
+    from sweetspot.calibration.draws.sources import Sources
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing_law import SwingLaw
     from sweetspot.report.certification.tested_bat import TestedBat
-    from sweetspot.report.document import Document
 
 
 @Parameter(name="*")
@@ -93,6 +91,7 @@ def compare(
     from sweetspot.cli.output import patience, present
     from sweetspot.equipment.bat import Bat
     from sweetspot.report.comparison.document import comparison_document
+    from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
 
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
@@ -117,10 +116,11 @@ def compare(
         )
     with patience():
         tested = [_tested(one) for one in described if isinstance(one, Bat)]
+        sources = _sources(comparison, bats, swing)
         if not uncertainty:
-            document = comparison_document(comparison, corking=corked, tested=tested)
+            document = comparison_document(comparison, corking=corked, tested=tested, sources=sources)
         else:
-            document = _with_doubt(comparison, bats, swing, corked=corked, tested=tested)
+            document = comparison_with_doubt(comparison, sources, corking=corked, tested=tested)
     return present(document, output)
 
 
@@ -136,25 +136,16 @@ def _tested(bat: Bat) -> TestedBat:
     return tested_by_model(bat, leagues, ball=catalog.ball(leagues[0].ball))
 
 
-def _with_doubt(
-    comparison: Comparison[Implement],
-    names: tuple[str, ...],
-    swing: SwingOptions,
-    *,
-    corked: bool,
-    tested: Sequence[TestedBat],
-) -> Document:
-    """Return a comparison with intervals, and how sure each bat's gain over the first is."""
+def _sources(comparison: Comparison[Implement], names: tuple[str, ...], swing: SwingOptions) -> list[Sources]:
+    """Return what is not known, bat by bat; the speeds as they were written are the first bat's."""
     from sweetspot.cli.options.uncertainty import sources_for
-    from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
 
     compared = comparison.compared
     files = names if len(names) == len(compared) else (None,) * len(compared)
-    sources = [
+    return [
         sources_for(name, one.analysis.bat, one.analysis.conditions, swing if number == 0 else SwingOptions())
         for number, (one, name) in enumerate(zip(compared, files, strict=True))
     ]
-    return comparison_with_doubt(comparison, sources, corking=corked, tested=tested)
 
 
 def _bat(described: Implement) -> Bat:

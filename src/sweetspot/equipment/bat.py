@@ -65,10 +65,16 @@ class Cup(Validated):
 
 
 class PointMass(Validated):
-    """A small weight fixed to the bat: ``mass`` in kg at ``position`` in m from the knob end."""
+    """A small weight fixed to the bat: ``mass`` in kg at ``position`` in m from the knob end.
+
+    Parameters
+    ----------
+    on_surface : whether it is known to sit on the bat, as tape and paint do, and not inside it.
+    """
 
     position: NonNegative
     mass: Positive
+    on_surface: bool = False
 
 
 class Bat(OfMaterial):

@@ -26,7 +26,7 @@ from sweetspot.catalog.rules import FILE, league, league_names
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.bat import Bat, PointMass
 from sweetspot.errors import InputError
 from sweetspot.units import INCH
 
@@ -105,6 +105,8 @@ def test_one_piece_of_solid_wood(r161: Bat) -> None:
     assert checks("mlb", catalog.bat("russell-b5"))["solid_wood"].verdict is Verdict.FAIL
     weighted = checks("mlb", r161.weighted(position=0.7, mass=0.02))["solid_wood"]
     assert weighted.verdict is Verdict.NOT_DECIDABLE and "inside the wood" in weighted.reason
+    taped = r161.replaced(point_masses=(PointMass(position=0.0, mass=0.005, on_surface=True),))
+    assert checks("mlb", taped)["solid_wood"].verdict is Verdict.PASS
 
 
 def test_cups(r161: Bat) -> None:

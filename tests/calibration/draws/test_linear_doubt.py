@@ -7,10 +7,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sweetspot import catalog
+from sweetspot import catalog, compare
 from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.calibration.draws.comparison_draws import drawn_comparison
 from sweetspot.calibration.draws.drawn_reports import drawn_hit
-from sweetspot.calibration.draws.linear_doubt import SpeedDoubt, speed_doubt
+from sweetspot.calibration.draws.linear_doubt import SpeedDoubt, comparison_reaches, speed_doubt
 from sweetspot.calibration.draws.sources import Sources, sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
@@ -38,6 +39,31 @@ def test_the_first_sentence_is_that_of_draws(name: str) -> None:
     assert doubt is not None
     assert REACH * doubt.error == pytest.approx(half_of_draws(analysis, sources), rel=0.1)
     assert sum(doubt.shares.values()) == pytest.approx(1.0)
+
+
+PAIRS = {
+    "two ashes": ("torpedo-twin", "torpedo"), "wood and alloy": ("r161-ash", "college-alloy"),
+    "two lengths": ("r161-ash", "youth-30"), "ash and a thin wall": ("r161-ash", "russell-b6"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("pair", [*PAIRS, "corked"])
+def test_a_comparison_s_intervals_are_those_of_draws(pair: str) -> None:
+    """What the bats share cancels, a corked bat is the bat it was, and the law's exponent counts, as in draws."""
+    bats = [catalog.bat(name) for name in PAIRS.get(pair, ("r161-ash", "corked-r161"))]
+    found = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
+    sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in found.compared]
+    reaches, drawn = comparison_reaches(found, sources), drawn_comparison(found, sources, count=512)
+    for name in ("change_m_s", "exit_speed_m_s", "bat_speed_m_s"):
+        half = float(np.diff(np.array(drawn.ends(f"bats.1.{name}")), axis=0)[0]) / 2
+        assert float(reaches[f"bats.1.{name}"].below) == pytest.approx(half, rel=0.15), name
+
+
+def test_one_bat_twice_differs_by_nothing(analysis: Analysis[Bat]) -> None:
+    """Exact: both are off alike in everything that is not known."""
+    found = compare([analysis.bat] * 2, conditions=analysis.conditions, law=catalog.swing_law())
+    reaches = comparison_reaches(found, [sources_of(analysis.bat, analysis.conditions)] * 2)
+    assert float(reaches["bats.1.change_m_s"].below) == 0.0 < float(reaches["bats.1.exit_speed_m_s"].below)
 
 
 def test_a_speed_that_was_written_with_an_error_counts(analysis: Analysis[Bat]) -> None:

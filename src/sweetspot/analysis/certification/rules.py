@@ -258,8 +258,12 @@ def title(rule: Rule) -> str:
 def _solid_wood(bat: Bat) -> Finding:
     if bat.material.family != "wood" or bat.shell is not None or bat.bores:
         return Finding(0.0)
-    if bat.point_masses:
-        return Finding(1.0, "a weight is fixed to the bat, and its file does not say whether it sits inside the wood")
+    if not all(weight.on_surface for weight in bat.point_masses):
+        return Finding(
+            1.0,
+            "a weight is fixed to the bat, and its file does not say whether it sits inside the wood; write "
+            "on_surface = true with a weight that does not",
+        )
     return Finding(1.0)
 
 

@@ -6,6 +6,7 @@ doubt, but a bat that was changed has that of the bat it was. The swing law's ex
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ import numpy as np
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
-from sweetspot.calibration.draws.intervals import DrawnAnswers
+from sweetspot.calibration.draws.intervals import DrawnAnswers, Reaches
 from sweetspot.calibration.draws.sources import DRAWS, Source, Sources, even_normal
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, Interval, SwingLaw
@@ -31,19 +32,29 @@ LEAST_APART = 0.05
 """m/s of bat speed from which on two exit speeds tell how one goes with the other."""
 
 
-def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], *, count: int = DRAWS) -> DrawnAnswers:
+def drawn_comparison(
+    comparison: Comparison[Implement],
+    sources: Sequence[Sources],
+    *,
+    count: int = DRAWS,
+    normal: Array | None = None,
+) -> DrawnAnswers:
     """Return the answers of draws to a comparison, by their names in its data.
 
     Parameters
     ----------
     sources : of every bat; those that are not a bat's are taken from the first.
+    normal : standard normal numbers to draw by, shape (count, n) with a column for each of `drawn_names`; None: Sobol's
+        sequence.
     """
     first, law = sources[0], comparison.law
     bats = _same_bats(comparison, sources)
     different = sorted(set(bats))
     sizes = [len(sources[bat].unknowns) for bat in different]
-    together = len(first.others) + len(_of_law(law))
-    normal = even_normal(count, sum(sizes) + together)  # of one sequence: two of them go together, whatever their seeds
+    names = drawn_names(comparison, sources)
+    if normal is None:
+        normal = even_normal(count, len(names))  # of one sequence: two of them go together, whatever their seeds
+    count = len(normal)
     *parts, shared = np.split(normal, np.cumsum(sizes), axis=1)
     of_bat = dict(zip(different, parts, strict=True))
     power = np.zeros(count + 1)
@@ -70,13 +81,18 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
         if index:
             values |= _against_the_first(one, index, values)
             values |= _change_along(comparison, index, values, longest)
-    called = names_of_bats(comparison)
-    names = tuple(called[bat] for bat, part in of_bat.items() for _ in range(part.shape[1]))
-    names += tuple(one.name for one in first.others) + tuple(one.name for one in _of_law(law))
     return DrawnAnswers(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, values)
 
 
-def _same_bats(comparison: Comparison[Implement], sources: list[Sources]) -> list[int]:
+def drawn_names(comparison: Comparison[Implement], sources: Sequence[Sources]) -> tuple[str, ...]:
+    """Return the name of the source of every column of a draw: of bats that differ, then of what they share."""
+    called = names_of_bats(comparison)
+    different = sorted(set(_same_bats(comparison, sources)))
+    own = [called[bat] for bat in different for _ in sources[bat].unknowns]
+    return (*own, *(one.name for one in (*sources[0].others, *_of_law(comparison.law))))
+
+
+def _same_bats(comparison: Comparison[Implement], sources: Sequence[Sources]) -> list[int]:
     """Return the number of the first bat that every bat is, or was before it was changed."""
     measured = [one.analysis.bat.as_measured() for one in comparison.compared]
     unknown = [[one.name for one in its.unknowns] for its in sources]
@@ -120,18 +136,18 @@ def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
     )
 
 
-def with_drawn_intervals(comparison: Comparison[Implement], answers: DrawnAnswers) -> Comparison[Implement]:
-    """Return a comparison whose intervals are those of draws, in place of those of the swing law's exponent alone."""
+def with_intervals(comparison: Comparison[Implement], reaches: Reaches) -> Comparison[Implement]:
+    """Return a comparison with intervals of all that is not known, in place of the swing law's exponent alone."""
 
-    def drawn(interval: Interval, name: str) -> Interval:
-        reach = answers.reach(name)
+    def told(interval: Interval, name: str) -> Interval:
+        reach = reaches[name]
         return Interval(interval.value, interval.value - float(reach.below), interval.value + float(reach.above))
 
     return replace(comparison, compared=tuple(
         replace(
-            one, bat_speed=drawn(one.bat_speed, f"bats.{index}.bat_speed_m_s"),
-            exit_speed=drawn(one.exit_speed, f"bats.{index}.exit_speed_m_s"),
-            change=drawn(one.change, f"bats.{index}.change_m_s"),
+            one, bat_speed=told(one.bat_speed, f"bats.{index}.bat_speed_m_s"),
+            exit_speed=told(one.exit_speed, f"bats.{index}.exit_speed_m_s"),
+            change=told(one.change, f"bats.{index}.change_m_s"),
         )
         for index, one in enumerate(comparison.compared)
     ))  # fmt: skip

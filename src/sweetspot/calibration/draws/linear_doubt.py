@@ -1,21 +1,26 @@
-"""How sure an exit speed is, and by what, without draws: every source one standard deviation up and down.
+"""How sure an exit speed or a comparison is without draws: every source one standard deviation up and down.
 
-The answer is taken as straight in each source, so that the variances of independent ones add up, and what a source adds
+An answer is taken as straight in each source, so that the variances of independent ones add up, and what a source adds
 is its part. Draws of the same sources say it with the bends: for every bat, racket, club and stick of the catalogue the
 half width is theirs to within 7 %, but not how much farther it reaches to one side.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.comparison import Comparison
+from sweetspot.calibration.draws.comparison_draws import drawn_comparison, drawn_names
 from sweetspot.calibration.draws.drawn_hits import draws_of, hits_along
+from sweetspot.calibration.draws.intervals import Reach, Reaches
 from sweetspot.calibration.draws.sources import Sources
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 
 
 @dataclass(frozen=True)
@@ -38,8 +43,7 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
     The place stays that of the bat as described.
     """
     count = len(sources.names)
-    each = np.vstack([np.eye(count), -np.eye(count)])
-    draws = draws_of(analysis.line, analysis.conditions, sources, count=2 * count, normal=each)
+    draws = draws_of(analysis.line, analysis.conditions, sources, count=2 * count, normal=_one_by_one(count))
     hit = hits_along(draws, np.array([analysis.sweet_spots.max_exit_speed]))
     up, down = hit.exit_speed[1:].reshape(2, count)
     variances = dict.fromkeys(sources.names, 0.0)
@@ -50,3 +54,27 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
         return None
     ranked = sorted(variances.items(), key=lambda one: -one[1])
     return SpeedDoubt(whole**0.5, {name: part / whole for name, part in ranked})
+
+
+def comparison_reaches(comparison: Comparison[Implement], sources: Sequence[Sources]) -> Reaches:
+    """Return how far the intervals of a comparison's answers go, by the answers' names in its data.
+
+    Parameters
+    ----------
+    sources : of every bat; see `drawn_comparison`, whose draws these are with one source off at a time.
+    """
+    names = drawn_names(comparison, sources)
+    answers = drawn_comparison(comparison, sources, normal=_one_by_one(len(names)))
+    return {name: _reach(values[1:]) for name, values in answers.values.items()}
+
+
+def _one_by_one(count: int) -> Array:
+    """Return every source one standard deviation up, then every one down, shape (2 * count, count)."""
+    return np.vstack([np.eye(count), -np.eye(count)])
+
+
+def _reach(values: Array) -> Reach:
+    """Return the interval of an answer, shape (2 * count, ...), to sources that are off `_one_by_one`."""
+    up, down = np.split(values, 2)
+    half = REACH * np.sqrt((((up - down) / 2) ** 2).sum(axis=0))
+    return Reach(half, half)

@@ -110,6 +110,7 @@ class PointMassTable(FileTable):
 
     position: Text
     mass: Text
+    on_surface: bool = Field(False, description="true where it sits on the bat, as tape does, and not inside it")
 
 
 class TurnedTable(FileTable):
@@ -300,6 +301,7 @@ def _bat(file: BatFile) -> Bat:
             PointMass(
                 position=parse(weight.position, "length", "point_mass.position"),
                 mass=parsed(weight.mass, "mass", "point_mass.mass", "bat"),
+                on_surface=weight.on_surface,
             )
             for weight in file.point_mass
         ),

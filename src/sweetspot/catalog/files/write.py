@@ -71,7 +71,12 @@ def bat_table(bat: Bat) -> dict[str, Any]:
         ]
     if bat.point_masses:
         table["point_mass"] = [
-            {"position": length_text(weight.position), "mass": f"{weight.mass!r} kg"} for weight in bat.point_masses
+            {
+                "position": length_text(weight.position),
+                "mass": f"{weight.mass!r} kg",
+                **({"on_surface": True} if weight.on_surface else {}),
+            }
+            for weight in bat.point_masses
         ]
     if bat.original is not None:
         table["original"] = bat_table(bat.original)

@@ -8,7 +8,10 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.calibration.draws.comparison_draws import with_intervals
 from sweetspot.calibration.draws.intervals import Reaches
+from sweetspot.calibration.draws.linear_doubt import comparison_reaches
+from sweetspot.calibration.draws.sources import Sources, sources_of
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.outline_doubt import moi_doubt
@@ -19,7 +22,16 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.legality import legality_json, legality_table
-from sweetspot.report.comparison.words import INTERVAL_MEANS, assumptions, cork_verdict, verdict
+from sweetspot.report.comparison.words import (
+    INTERVAL_HOLDS,
+    INTERVAL_MEANS,
+    LINEAR_HOLDS,
+    assumptions,
+    cork_verdict,
+    taken_as_described,
+    verdict,
+    without_draws,
+)
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import as_columns, cleaned
@@ -43,24 +55,29 @@ def comparison_document(
     comparison: Comparison[Implement],
     *,
     corking: bool = False,
-    interval_is: str = INTERVAL_MEANS,
     tested: Sequence[TestedBat] = (),
+    sources: Sequence[Sources] | None = None,
     reaches: Reaches | None = None,
 ) -> Document:
-    """Return a comparison as a document.
+    """Return a comparison as a document, with intervals of all that is not known.
 
     Parameters
     ----------
     corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
-    interval_is : what the intervals hold, in words.
     tested : every bat held against the rules, in the comparison's order; none: no rules were asked.
-    reaches : of the intervals that the picture draws as bands, see `drawn_comparison`; None: none.
+    sources : what is not known, bat by bat; None: what is not of bats of these descriptions.
+    reaches : of the intervals of draws, see `drawn_comparison`; None: they are worked out without draws.
     """
+    drawn = reaches is not None
+    if sources is None:
+        sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in comparison.compared]
+    if reaches is None:
+        reaches = comparison_reaches(comparison, sources)
+    comparison, interval_is = with_intervals(comparison, reaches), INTERVAL_HOLDS if drawn else LINEAR_HOLDS
     reference = comparison.reference.analysis
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(comparison.compared)
-    by_law = interval_is == INTERVAL_MEANS
-    words = verdict(comparison, by_law=by_law) + (cork_verdict(comparison, by_law=by_law) if corking else [])
+    words = verdict(comparison, sources=sources) + (cork_verdict(comparison, by_law=False) if corking else [])
     picture = Picture(
         "curves", lambda reading: _drawn(comparison, reaches, reading),
         label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
@@ -68,7 +85,14 @@ def comparison_document(
         sheet=lambda reading: _drawn_sheet(comparison, reaches, reading),
     )  # fmt: skip
     notes: list[Words] = [
-        joined([assumptions(comparison, by_law=by_law), *([PLUS_MINUS] if _has_doubt(comparison.compared) else [])]),
+        joined(
+            [
+                assumptions(comparison, by_law=False),
+                *([] if drawn else [without_draws(comparison)]),
+                *taken_as_described(comparison, sources),
+                *([PLUS_MINUS] if _has_doubt(comparison.compared) else []),
+            ]
+        ),
         *([BBCOR_OF_PLAY.format(where=WITH_RULES if tested else WITHOUT)] if isinstance(reference.bat, Bat) else []),
     ]
     return Document(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.analysis.trampoline import wall_point_of
+from sweetspot.calibration.draws.sources import Sources
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -19,22 +21,28 @@ PUBLISHED_EFFICIENCY = (0.214, 0.193)
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
 """m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
 INTERVAL_MEANS = "90 % of the spread of the swing law's exponent, and nothing else"
+INTERVAL_HOLDS = "90 % of draws of all that is not known: bats, ball, swing, swing law"
+"""What intervals of draws hold; see `drawn_comparison`."""
+LINEAR_HOLDS = "90 %, by straight lines, of all that is not known: bats, ball, swing, swing law"
+"""What intervals hold that were worked out without draws; see `comparison_reaches`."""
 
 
-def verdict(comparison: Comparison[Implement], *, by_law: bool = True) -> list[Sentence]:
+def verdict(comparison: Comparison[Implement], *, sources: Sequence[Sources] | None = None) -> list[Sentence]:
     """Return one sentence for every bat after the first.
 
     Parameters
     ----------
-    by_law : whether the intervals are those of the swing law's exponent alone; what they say then holds only if
-        nothing else is in doubt, which every sentence says itself.
+    sources : what the intervals hold, bat by bat; None: the swing law's exponent alone. What is not in them is taken as
+        described, and every sentence says itself that it holds only if that is so.
     """
-    given = _if_as_described(comparison) if by_law else ""
-    return [
-        _sentence(one, comparison.reference, index, given=given)
-        for index, one in enumerate(comparison.compared)
-        if index
-    ]
+    sentences = []
+    for index, one in enumerate(comparison.compared[1:], start=1):
+        given = _if_as_described(comparison)
+        if sources is not None:
+            taken = [comparison.compared[which].label for which in (0, index) if not sources[which].unknowns]
+            given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
+        sentences.append(_sentence(one, comparison.reference, index, given=given))
+    return sentences
 
 
 def cork_verdict(comparison: Comparison[Implement], *, by_law: bool = True) -> list[Sentence]:
@@ -105,6 +113,26 @@ def assumptions(comparison: Comparison[Implement], *, by_law: bool = True) -> Se
     )  # fmt: skip
 
 
+def without_draws(comparison: Comparison[Implement]) -> Sentence:
+    """Return what the intervals in brackets hold, where they come from no draws."""
+    law, words = comparison.law, sport(comparison.reference.analysis.bat.sport).words
+    power = "" if law is None else say(
+        ", and of the power (-{low} to -{high})",
+        low=Slot(law.exponents.low, "ratio", 2), high=Slot(law.exponents.high, "ratio", 2),
+    )  # fmt: skip
+    return say(
+        "In brackets: 90 % intervals of what is not known of {tool}s and {ball}{power}, each taken one standard "
+        "deviation up and down; `--uncertainty` draws them and says what they come from.",
+        tool=words.implement, ball=words.ball, power=power,
+    )  # fmt: skip
+
+
+def taken_as_described(comparison: Comparison[Implement], sources: Sequence[Sources]) -> list[Sentence]:
+    """Return of which of them no doubt is in the intervals, bat by bat; none: of every one it is."""
+    every = zip(comparison.compared, sources, strict=True)
+    return [say("{label} is {where}.", label=one.label, where=its.bat_where) for one, its in every if not its.unknowns]
+
+
 def _axis(axis: float, butt: str) -> Sentence:
     if axis == 0:
         return say("the {butt}", butt=butt)
@@ -132,7 +160,10 @@ def _sentence(compared: Compared[Implement], first: Compared[Implement], index: 
     text = say("{label}: {swung}the ball leaves ", label=compared.label, swung=swung)
     if max(abs(change.value), abs(change.low) / 3, abs(change.high) / 3) < NO_SPEED:
         return text + f"as fast as from {first.label}."
-    text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
+    if abs(change.value) < NO_SPEED:
+        text += f"as fast as from {first.label}"
+    else:
+        text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
     if change.low < change.high:
         text += say(" ({ends})", ends=_ends(change.low, change.high))
     if sign := sure_sign(change.low, change.high, nothing=NO_SPEED):

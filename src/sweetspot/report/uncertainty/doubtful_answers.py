@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from sweetspot.analysis.certification.simulated_test import Certification
 from sweetspot.analysis.comparison import Comparison
-from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison, names_of_bats, with_drawn_intervals
+from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison, names_of_bats
 from sweetspot.calibration.draws.drawn_tests import drawn_test, sources_of_test
 from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.dynamics.beam import beam_model
@@ -17,7 +17,7 @@ from sweetspot.report.certification.document import tested_document
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.document import comparison_document
 from sweetspot.report.document import Document, Paragraph
-from sweetspot.report.uncertainty.gains import INTERVAL_HOLDS, gain_json, gain_words
+from sweetspot.report.uncertainty.gains import gain_json, gain_words
 from sweetspot.report.uncertainty.passing_words import with_chances
 from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
@@ -48,10 +48,7 @@ def comparison_with_doubt(
         if last
         else ("bats.0.exit_speed_m_s", "exit speed")
     )
-    document = comparison_document(
-        with_drawn_intervals(comparison, answers), corking=corking, interval_is=INTERVAL_HOLDS, tested=tested,
-        reaches=answers.reaches,
-    )  # fmt: skip
+    document = comparison_document(comparison, corking=corking, tested=tested, sources=sources, reaches=answers.reaches)
     told = uncertain(document, answers, main=main, named=named, where=where)
     gains = [(one.label, index) for index, one in enumerate(compared) if index]
     words = [Paragraph(gain_words(label, compared[0].label, answers, index)) for label, index in gains]

@@ -11,7 +11,6 @@ from sweetspot.numerics.confidence import ENDS
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.report.uncertainty.probability import chance_words
 
-INTERVAL_HOLDS = "90 % of draws of all that is not known: bats, ball, swing, swing law"
 SURE = ENDS[1]
 """Chance from which on a difference is called sure: its 90 % interval leaves zero out."""
 

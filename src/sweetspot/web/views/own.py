@@ -100,7 +100,7 @@ def answer(state: OwnState) -> dict[str, Any]:
         "measurements": _residuals(state, posterior, alone),
         "contradictions": in_both_systems(words),
         "budget": in_both_systems(budget),
-        "rules": _rules(state, (own, described_body), (fitted, body), known),
+        "rules": _rules(state, fitted, body, known),
     }  # fmt: skip
 
 
@@ -187,22 +187,15 @@ def _residuals(state: OwnState, posterior: Posterior | None, alone: Mapping[str,
     return rows
 
 
-def _rules(
-    state: OwnState,
-    described: tuple[Implement, RigidBody],
-    calibrated: tuple[Implement, RigidBody],
-    values: dict[str, Value],
-) -> list[dict[str, Any]]:
-    """Return the league's rules held against the bat; a moment of inertia counts with its interval."""
-    (own, own_body), (fitted, body) = described, calibrated
-    chosen = usual_league(own) if state.league == "usual" else state.league
+def _rules(state: OwnState, fitted: Implement, body: RigidBody, values: dict[str, Value]) -> list[dict[str, Any]]:
+    """Return the league's rules held against the calibrated bat; a moment of inertia counts with its interval."""
+    chosen = usual_league(fitted) if state.league == "usual" else state.league
     if chosen is None:
         return []
     with about("league"):
         rules = league(chosen)
-    if isinstance(own, Bat) and isinstance(fitted, Bat):
+    if isinstance(fitted, Bat):
         known = construction_findings(fitted, body=body)
-        known["solid_wood"] = construction_findings(own, body=own_body)["solid_wood"]  # without the tape
         if "moi" in values and "moi" not in fitted.fitted:
             moi = values["moi"].value
             known["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
