@@ -78,7 +78,7 @@ def compare(
     corking: CorkingOptions = DEFAULT_CORKING,
     table: TableOptions = DEFAULT_TABLE,
     uncertainty: Annotated[
-        bool, Parameter(negative="", help="Say how sure each gain is, for what is not known of bats and ball.")
+        bool, Parameter(negative="", help="Say how probable each gain is and what its interval comes from, by draws.")
     ] = False,
     swing: SwingOptions = DEFAULT_SWING,
     output: OutputOptions = DEFAULT_OUTPUT,
