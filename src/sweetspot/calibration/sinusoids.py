@@ -29,6 +29,7 @@ TWIN = 0.02
 """Two sinusoids closer than this part of their frequency are one mode in two planes, or one that is no pure
 exponential: the fainter counts only from `TWIN_SHARE` of the louder."""
 TWIN_SHARE = 0.15
+"""Amplitude of the fainter of two such over the louder's, at least."""
 LOCAL = 0.15
 """Half width of the surroundings whose noise counts, as a part of the frequency."""
 NARROWEST = 40.0
@@ -40,6 +41,7 @@ FASTEST_DECAY = 0.12
 TAIL = 4
 """The last of this many parts of the window; when what rings has died away there, it holds the noise."""
 PADDING = 8
+"""Times the window's length over which a spectrum is taken, so that peaks are smooth."""
 SLOWEST_DECAY, LARGEST_LOG = 1e-3, 12.0
 """1/s at the start of a fit, and the largest logarithm of a decay rate in it."""
 LOUD_PART = 0.9

@@ -22,6 +22,7 @@ FRAME = 0.002
 RISE = 10.0
 """dB above everything in the last `QUIET_BEFORE` s, where a tap begins."""
 QUIET_BEFORE = 0.03
+"""s before a tap that are quieter than its beginning."""
 ABOVE_FLOOR = 10.0
 """dB of a tap's beginning above the quietest tenth of the recording, at least."""
 WINDOW = 0.5
