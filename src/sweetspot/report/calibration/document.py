@@ -214,9 +214,12 @@ def _unexplained(posterior: Posterior) -> Sentence:
         told = (say("{value} {name}", value=Slot(one.value.value, "frequency", 1), name=one.name) for one in names)
         return say("All would agree were the tones named otherwise: {names}.", names=joined(told, ", "))
     own = posterior.line.bat
+    drawing = "unit or axis"
+    if isinstance(own, Bat):
+        drawing = "outline, another wood" if own.shell is None else "outline or wall"
     return say(
         "No single measurement explains it: look for a wrong {drawing}, or a {bat} that was not free.",
-        drawing="outline, another wood" if isinstance(own, Bat) else "unit or axis",
+        drawing=drawing,
         bat=sport(own.sport).words.implement,
     )
 

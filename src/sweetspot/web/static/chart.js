@@ -176,7 +176,7 @@ export class Chart {
     paintGrid(context, colors, box, low, high, up);
     within(context, box, () => {
       const named = panel === this.panels[0] ? this.namedMarks() : [];
-      for (const mark of data.marks ?? []) vertical(context, across(mark.at), box, colors[mark.color], 1, [3, 3], box.top + ROW * Math.max(0, named.indexOf(mark)));
+      for (const mark of data.marks ?? []) vertical(context, across(mark.at), box, colors[mark.color], 1, [3, 3], box.top + ROW * rowOf(Math.max(0, named.indexOf(mark)), box));
       panel.lines.forEach((line, i) => {
         if (bands[i]) paintArea(context, xs[i], bands[i][1], bands[i][0], across, up, colors[line.color], 0.2);
         paintLine(context, line, xs[i], shown[i], { across, up, colors, area: panel.stacked ? { below: i > 0 ? shown[i - 1] : null, low } : null });
@@ -206,7 +206,8 @@ export class Chart {
     return (this.data.marks ?? []).filter((mark) => mark.label && mark.at >= least && mark.at <= most).sort((one, other) => one.at - other.at);
   }
 
-  // In the first panel, each name a row lower than the one before, where its line begins: no line crosses a name.
+  // In the first panel, each name a row lower than the one before, where its line begins: no line crosses a name. Below the
+  // last row they go on at the top.
   /**
    * @param {CanvasRenderingContext2D} context
    * @param {Box} box
@@ -219,7 +220,7 @@ export class Chart {
     this.namedMarks().forEach((mark, row) => {
       const room = box.right - across(mark.at) > context.measureText(mark.label ?? "").width + 8;
       context.textAlign = room ? "left" : "right";
-      haloText(context, mark.label ?? "", across(mark.at) + (room ? 4 : -4), box.top + 7 + ROW * row, colors.ink, colors.panel);
+      haloText(context, mark.label ?? "", across(mark.at) + (room ? 4 : -4), box.top + 7 + ROW * rowOf(row, box), colors.ink, colors.panel);
     });
   }
 
@@ -317,3 +318,6 @@ export class Chart {
     return { caption: this.caption, columns: [head, ...columns], rows };
   }
 }
+
+// The row of the panel for one name of many.
+const rowOf = (/** @type {number} */ number, /** @type {Box} */ { top, bottom }) => number % Math.max(1, Math.floor((bottom - top) / ROW));

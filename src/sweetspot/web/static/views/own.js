@@ -73,7 +73,7 @@ export const view = {
     });
     this.league = choice(app, "league", { label: "Rules of", options: leagues });
     this.ofBat = slider(app, "diameter_error", { label: "Diameters, give or take (90 %), in %", step: 0.0005, times: 100 * table.reach });
-    this.unlike = make("p", { className: "contradicts", hidden: true, textContent: "No single measurement explains the contradiction. Look here first: is this its outline, and its wood?" });
+    this.unlike = make("p", { className: "contradicts", hidden: true, textContent: "No single measurement explains the contradiction. Look here first: is this its outline, and its wood or wall?" });
     return make("div", { className: "side" },
       group("What is measured", [choice(app, "implement", { label: "It is", options: kinds,
         shown: (state) => (state.implement && state.implement_toml ? OWN : state.implement ?? ROUND), take: (kind) => kind !== OWN && this.other(kind) }),
