@@ -19,7 +19,7 @@ from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.recording import Recording, recording_bytes
 from sweetspot.calibration.synthetic import LOUDNESS, tap_sound
-from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.cli import main as run
 from sweetspot.collision.kernel import hits
@@ -29,6 +29,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
+from sweetspot.report.calibration.document import as_part
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
 
 FOLDER = Path(__file__).parents[1] / "tests" / "tutorials"
@@ -39,6 +40,8 @@ BODY = (
 """A kitchen scale, a balance on an edge, a pendulum timed over twenty swings."""
 MET, SCATTER = 6.3, 1.6
 """Where the made-up player meets the ball, in from the tip, and its standard deviation."""
+SHEAR_SPREAD = 0.2
+"""By which shear moduli of made-up billets differ, one sigma: less than is supposed of wood in general."""
 RATE = 16_000.0
 """Samples per s of the recording: a bat's first five modes end below 3 kHz."""
 
@@ -46,8 +49,12 @@ RATE = 16_000.0
 def differing(bat: Bat, seed: int, *, by: float = 1.0) -> BeamModel:
     """Return a bat that differs from its description as bats do, times ``by``."""
     unknowns = unknowns_of(bat)
-    spreads = np.array([one.spread for one in unknowns])
+    spreads = np.array([_spread(one) for one in unknowns])
     return deviated(described(bat), unknowns, by * spreads * np.random.default_rng(seed).standard_normal(len(unknowns)))
+
+
+def _spread(unknown: Unknown) -> float:
+    return SHEAR_SPREAD if unknown.name == "shear_modulus" else unknown.spread
 
 
 def measured(line: BeamModel, wanted: list[Measurement] | tuple[Measurement, ...], seed: int) -> list[float]:
@@ -164,7 +171,11 @@ def off(bat: Bat, seed: int, *, by: float = 1.0) -> dict[str, str]:
     """Return by how much each property of a bat made by `differing` is off its description."""
     unknowns = unknowns_of(bat)
     truth = np.random.default_rng(seed).standard_normal(len(unknowns))
-    return {str(one.name): f"{by * one.spread * off:+.1%}" for one, off in zip(unknowns, truth, strict=True)}
+    parts = {
+        str(one.name): as_part(one.name, Measured(by * _spread(one) * away, 0.0))
+        for one, away in zip(unknowns, truth, strict=True)
+    }
+    return {name: f"{part.value:+.1%}" for name, part in parts.items()}
 
 
 def main() -> None:

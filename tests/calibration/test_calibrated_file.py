@@ -28,6 +28,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import OF_CENTRE, OF_SWING, moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.calibration.document import again_words
 from sweetspot.units import INCH, OUNCE
@@ -113,3 +114,14 @@ def test_a_swing_weight_that_was_fitted_is_no_measurement() -> None:
     unknowns, covariance = expected_deviations(own)
     errors = dict(zip([one.name for one in unknowns], np.sqrt(np.diag(covariance)), strict=True))
     assert errors["gyration"] == pytest.approx(0.06, rel=0.02)  # as before it was weighed
+
+
+def test_what_was_fitted_need_not_be_usual() -> None:
+    """A youth bat's end cap was fitted 0.2 % lighter than the lightest usual one, and its file could not be read."""
+    table = calibrated_table(fitted_to(catalog.bat("youth-alloy"), Measurement("mass", Measured(0.567, 0.002))), None)
+    table["shell"]["end_cap_mass"] = "3.9 g"
+    own = bat_from_table(tomllib.loads(tomli_w.dumps(table)), "mine.toml")
+    assert own.shell is not None and own.shell.end_cap_mass == pytest.approx(0.0039)
+    del table["calibration"]
+    with pytest.raises(InputError, match=r"end_cap_mass was given as 3\.9 g"):
+        bat_from_table(tomllib.loads(tomli_w.dumps(table)), "mine.toml")

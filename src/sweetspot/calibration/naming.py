@@ -46,7 +46,7 @@ BAR_SPREAD = 0.6
 VAGUE = 0.5
 """Spread of a family's scale from which on no frequency is told as expected."""
 ANY_BAT = (175.0, 580.0, 1180.0, 1900.0)
-"""Hz, bending modes of bats: f2 / f1 is 2.8 to 3.7 and f3 / f1 5.4 to 7.9 over the catalogue's bats."""
+"""Hz, bending modes of bats: f2 / f1 is 2.7 to 4.1 and f3 / f1 5.1 to 9.5 over the catalogue's bats."""
 ANY_SPREAD, ANY_RATIO_SPREAD = 0.25, 0.09
 """One sigma of the logarithms of their common scale and of each."""
 

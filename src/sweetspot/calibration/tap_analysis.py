@@ -31,6 +31,9 @@ FAMILIES: tuple[Family, ...] = ("bending", "hoop")
 """Those that a microphone hears."""
 BY_RATIOS = 3
 """Bending modes that ratios alone name, of a bat that nobody described."""
+THIRD = (1.75, 2.4)
+"""f3 / f2 between which the third may be told; the catalogue's bats have 1.81 to 2.32. A short hollow bat's hoop tone
+lies lower: at 1.57 of a made-up one of 25 in, its third at 2.00."""
 UNLIKE, UNLIKE_HOLLOW = 1.6, 2.2
 """Misfit from which on what rang is hardly what was described, solid or hollow (assumed). Of 36 made-up bats described
 as they are but for their stiffness the most is 1.4 and 2.1; with a room's tones among theirs a fifth have more."""
@@ -170,13 +173,17 @@ def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:
     """Return tones with the names of bats in general, or without names where they are not those of a bat.
 
     A bat's two lowest modes are heard, and nothing else of its own below the second: hoop modes are higher. A plate,
-    a brace or a pipe that nobody described has tones, but no names. Nor have a bat's tones above the third: those of
-    bending lie among the hoop modes.
+    a brace or a pipe that nobody described has tones, but no names. Nor have a bat's tones above the third, those of
+    bending lie among the hoop modes, nor a third that a hoop mode may be.
     """
     heard = {one.name.harmonic: one.tone.frequency.value for one in tones if one.name and one.tone.own}
     others = [one.tone for one in tones if one.name is None and one.tone.own]
     like = {1, 2} <= set(heard) and not any(tone.frequency.value < heard[2] for tone in others)
-    return tuple(
-        one if like and one.name and one.name.harmonic <= BY_RATIOS else NamedTone(one.tone, None, None)
-        for one in tones
-    )
+    thirds = (THIRD[0] * heard[2], THIRD[1] * heard[2]) if like else (0.0, 0.0)
+
+    def is_told(one: NamedTone) -> bool:
+        if not like or one.name is None or one.name.harmonic > BY_RATIOS:
+            return False
+        return one.name.harmonic < BY_RATIOS or thirds[0] < one.tone.frequency.value < thirds[1]
+
+    return tuple(one if is_told(one) else NamedTone(one.tone, None, None) for one in tones)

@@ -34,7 +34,7 @@ USUAL_SIZES: dict[str, dict[str, Usual]] = {
         "turned.handle": _inches(0.6, 1.6),
         "turned.barrel": _inches(1.6, 3.5),
         "shell.knob_mass": _grams(10, 200),
-        "shell.end_cap_mass": _grams(8, 90),
+        "shell.end_cap_mass": _grams(4, 90),
         "shell.joint_mass": _grams(2, 120),
         "point_mass.mass": _grams(0, 250),
     },

@@ -25,7 +25,7 @@ from sweetspot.equipment.ring import Ring
 from sweetspot.equipment.shell import InnerWall, Shell, check_count
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
-from sweetspot.units import INCH, check_usual, parse, shown
+from sweetspot.units import INCH, check_usual, insisted, insisting, parse, shown
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
@@ -230,7 +230,8 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
         if table.get("sport", "baseball") != "baseball":
             check_sport(str(unwrapped(table["sport"])), kind="bat")
         told = with_fitted(table)
-        return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in told.items()})))
+        with insisting(insisted() or "calibration" in table):  # what was fitted to a checked drawing need not be usual
+            return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in told.items()})))
     except InputError as error:
         message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
         raise InputError(f"{where}: {message}") from None

@@ -49,7 +49,7 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.string_bed import StringBed
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.units import check_usual
+from sweetspot.units import check_usual, insisted, insisting
 
 
 class AddedTable(FileTable):
@@ -205,7 +205,8 @@ def implement_from_table(table: dict[str, Any], where: str) -> Implement:
     made_from, make = KINDS[kind]
     try:
         check_sport(str(unwrapped(table.get("sport", ""))), kind=kind)
-        return make(made_from(**{key: _unwrapped(value) for key, value in with_fitted(table).items()}))
+        with insisting(insisted() or "calibration" in table):  # what was fitted to a checked drawing need not be usual
+            return make(made_from(**{key: _unwrapped(value) for key, value in with_fitted(table).items()}))
     except InputError as error:
         message = re.sub(PREFIXES, "", str(error))
         if message.count("is missing") >= MANY_MISSING:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from itertools import chain
 from typing import Any
@@ -117,8 +118,8 @@ def _unknowns(posterior: Posterior) -> Table:
     rows = [
         (
             unknown_words(one.name, posterior.line.bat),
-            say("± {spread}", spread=Slot(REACH * one.spread, "share", 1)),
-            _percent(posterior.deviation(one.name)),
+            say("± {spread}", spread=Slot(REACH * as_part(one.name, Measured(0.0, one.spread)).error, "share", 1)),
+            _percent(as_part(one.name, posterior.deviation(one.name))),
         )
         for one in posterior.unknowns
     ]
@@ -130,6 +131,17 @@ def unknown_words(name: str, implement: Implement) -> str:
     """Return what something that was not known is called of this implement."""
     of_club = OF_CLUB if isinstance(implement, GolfClub) else {}
     return of_club.get(name, WORDS[name])
+
+
+def as_part(name: str, off: Measured) -> Measured:
+    """Return a deviation, the logarithm of a factor but for the density gradient, as a part of what was described.
+
+    >>> round(as_part("knob_mass", Measured(0.895, 0.2)).value, 2), as_part("density_gradient", Measured(0.03, 0)).value
+    (1.45, 0.03)
+    """
+    if name == "density_gradient":
+        return off
+    return Measured(math.expm1(off.value), math.exp(off.value) * math.sinh(REACH * off.error) / REACH)
 
 
 def _percent(value: Measured) -> Sentence:

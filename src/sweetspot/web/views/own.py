@@ -31,6 +31,7 @@ from sweetspot.report.bat.json import bat_json
 from sweetspot.report.calibration.document import (
     SCALE_OF,
     VALUES,
+    as_part,
     budget_words,
     called,
     contradictions,
@@ -149,13 +150,14 @@ def _unknowns(posterior: Posterior) -> list[dict[str, Any]]:
     """Return for everything that was not known how doubtful it was and is, as parts of it, and by what."""
     rows, own = [], posterior.line.bat
     for one in posterior.unknowns:
-        off = posterior.deviation(one.name)
+        off = as_part(one.name, posterior.deviation(one.name))
+        before = as_part(one.name, Measured(0.0, one.spread))
         shares = [
             {"name": source_words(name, own), "share": share}
             for name, share in posterior.budget(one.name).items()
             if share >= LEAST_SHARE
         ]
-        rows.append({"name": one.name, "label": unknown_words(one.name, own), "before": REACH * one.spread,
+        rows.append({"name": one.name, "label": unknown_words(one.name, own), "before": REACH * before.error,
                      "off": off.value, "after": REACH * off.error, "budget": shares})  # fmt: skip
     return rows
 
