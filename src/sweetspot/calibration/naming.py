@@ -39,6 +39,8 @@ MOST_BENDING = 5
 """Bending modes that are named and compared; higher ones depend on shear, knots and grain."""
 DOUBT = 4.0
 """What another name may cost more, in units of chi squared, for a tone to have none."""
+STRAY = 4.0
+"""What a tone off by the usual spread costs more where the others agree to the fine one, in units of chi squared."""
 LOUD = 0.1
 """Level of a tone that wants to be explained, unless the room may have added it."""
 BAR_SPREAD = 0.6
@@ -299,9 +301,14 @@ def _cost(tones: Sequence[Tone], family: Expected, scale: float, pairs: dict[int
 def _misfit(tones: Sequence[Tone], family: Expected, scale: float, pairs: dict[int, int]) -> float:
     """Return what tones off their mode cost together, at the likelier of the ratio spreads s that a family may have.
 
-    sum (miss / s)^2 + 2 n ln s, over that of its usual one.
+    sum (miss / s)^2 + 2 n ln s, over that of the usual one. A bat may be described well but for a tone or two: each of
+    them then costs `STRAY` beside what it is off by the usual spread.
     """
-    misses = [math.log(tones[tone].frequency.value / family.frequency[mode]) - scale for tone, mode in pairs.items()]
-    squares = sum(miss**2 for miss in misses)
-    spreads = (family.ratio_spread, family.fine_spread or family.ratio_spread)
-    return min(squares / one**2 + 2 * len(misses) * math.log(one / family.ratio_spread) for one in spreads)
+    misses = np.array([
+        math.log(tones[tone].frequency.value / family.frequency[mode]) - scale for tone, mode in pairs.items()
+    ])  # fmt: skip
+    usual = (misses / family.ratio_spread) ** 2
+    if family.fine_spread is None:
+        return float(usual.sum())
+    fine = (misses / family.fine_spread) ** 2 + 2 * math.log(family.fine_spread / family.ratio_spread)
+    return float(min(usual.sum(), np.minimum(fine, usual + STRAY).sum()))
