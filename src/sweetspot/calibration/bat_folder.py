@@ -8,7 +8,8 @@ from sweetspot.calibration.bat_table import read_bats
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import ModeName
-from sweetspot.catalog.files.bat import CalibrationTable, read_toml
+from sweetspot.catalog.files.bat import read_toml
+from sweetspot.catalog.files.calibration import CalibrationTable
 from sweetspot.catalog.implements import load_implement
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, PositiveFloat
+from pydantic import BeforeValidator, Field
 
+from sweetspot.catalog.files.calibration import CalibrationTable
 from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import FileTable, parsed
@@ -133,28 +134,6 @@ class MaterialTable(FileTable):
     transverse_modulus: Text | None = None
     poisson_ratio: float | None = None
     damping_ratio: float | None = None
-
-
-class MeasuredTable(FileTable):
-    """[[calibration.value]]: one thing that was measured on this bat, SI."""
-
-    quantity: Literal["mass", "balance_point", "moi", "period", "frequency"]
-    measured: float
-    error: PositiveFloat = Field(description="one standard error")
-    axis: float = Field(0.0, description="of a moment of inertia or a period, m from the knob end")
-    family: Literal["bending", "hoop"] | None = Field(None, description="of the mode whose frequency it is")
-    harmonic: int = Field(1, description="of that mode")
-
-
-class CalibrationTable(FileTable):
-    """[calibration]: what `sweetspot calibrate` leaves unknown about this bat."""
-
-    measured: tuple[str, ...] = Field(description="names of what was measured")
-    value: tuple[MeasuredTable, ...] = Field((), description="what was measured, but for shots")
-    unknowns: tuple[str, ...] = Field(description="names of what is not known exactly")
-    covariance: tuple[tuple[float, ...], ...] = Field(
-        description="of the unknowns' deviations: of logarithms, and of the density gradient itself"
-    )
 
 
 class BatFile(FileTable):

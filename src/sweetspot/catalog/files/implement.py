@@ -11,13 +11,13 @@ from pydantic import Field
 
 from sweetspot.catalog.files.bat import (
     BatFile,
-    CalibrationTable,
     PlyTable,
     bat_from_table,
     laminate_of,
     read_toml,
     with_fitted,
 )
+from sweetspot.catalog.files.calibration import CalibrationTable
 from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import (
