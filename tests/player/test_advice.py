@@ -23,7 +23,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import launched
-from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import Advice, advise
 from sweetspot.player.candidate import candidates, lengthened
 from sweetspot.player.contact_tables import RATIOS, contact_table

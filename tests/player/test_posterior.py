@@ -15,9 +15,9 @@ from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.errors import InputError
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_law import Interval
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.contact_tables import MISSED, ContactTable, contact_table, farthest_offset
 from sweetspot.player.hit_share import fill_hits, fill_untold, fill_weights
 from sweetspot.player.likelihood import COUNTED, combined, normal, swung

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.goal import Goal
 from sweetspot.player.swung import Swung
 from sweetspot.player.swung_pairs import Pair, bat_pairs

@@ -24,8 +24,9 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import MAX_SPEED, Conditions
-from sweetspot.motion.swing_law import Interval, SwingLaw, turned_faster
+from sweetspot.motion.swing_law import SwingLaw, turned_faster
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.parabola import peak, top
 from sweetspot.units import insisted

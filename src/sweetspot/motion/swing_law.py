@@ -12,22 +12,10 @@ from dataclasses import dataclass
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Swing
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 
 GREATEST_EXPONENT = 0.5
 """A player who gives every bat the same energy; more would mean that a heavier bat gets less [nathan_slides]."""
-
-
-@dataclass(frozen=True)
-class Interval:
-    """A value and the ends of its 90 % interval, ``low`` <= ``value`` <= ``high``, all in the same unit."""
-
-    value: float
-    low: float
-    high: float
-
-    def shifted(self, distance: float) -> Interval:
-        """Return the interval moved by ``distance``."""
-        return Interval(self.value + distance, self.low + distance, self.high + distance)
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import sure_sign
+from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.parabola import top
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.contact_tables import contact_table

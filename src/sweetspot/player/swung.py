@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.equipment.bat import Bat
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.confidence import ENDS
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.model import PlayerModel
 
 FEWEST_OF_A_BAT = 3

@@ -10,9 +10,9 @@ from typing import Literal
 
 import numpy as np
 
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import sure_sign
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import interval
 from sweetspot.player.swung import FEWEST_OF_A_BAT, Swung

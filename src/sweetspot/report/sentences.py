@@ -7,8 +7,8 @@ import string
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 from sweetspot.report.quantities import NOTHING, US, Reader
 from sweetspot.units import grouped
 

@@ -10,7 +10,7 @@ import pytest
 from rich.console import Console
 
 from sweetspot.calibration.draws.intervals import DrawnAnswers, Reach
-from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.interval import Interval
 from sweetspot.report import terminal
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SI, US

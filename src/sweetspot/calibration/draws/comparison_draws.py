@@ -17,9 +17,10 @@ from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.calibration.draws.intervals import DrawnAnswers, Reaches
 from sweetspot.calibration.draws.sources import DRAWS, Source, Sources, even_normal
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing_law import GREATEST_EXPONENT, Interval, SwingLaw
+from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.parabola import peak
 
 PLACES = 41

@@ -15,7 +15,7 @@ from sweetspot.calibration.draws.linear_doubt import SpeedDoubt
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
-from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.interval import Interval
 from sweetspot.paper.sports import dead_spot
 from sweetspot.report.bat.assumed_values import soft_defaults
 from sweetspot.report.bat.sure_words import doubt_words

@@ -17,8 +17,8 @@ from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import Interval
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.legality import legality_json, legality_table

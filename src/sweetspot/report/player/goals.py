@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.goal import Goal
 from sweetspot.report.sentences import Sentence, Slot, say, within
 

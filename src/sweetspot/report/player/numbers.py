@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.confidence import LEVEL
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import PLACES, Advice, Option
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.prior import PARAMETERS

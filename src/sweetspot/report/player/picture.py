@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.confidence import sure_sign
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import PLACES, Advice
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.prior import NAMES

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.league import own_share
 from sweetspot.player.prior import ANYBODY, NAMES, Population, natural
 from sweetspot.player.prior import PARAMETERS as KINDS

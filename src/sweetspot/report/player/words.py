@@ -10,9 +10,9 @@ from textwrap import shorten
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.catalog.bats import bat_names
 from sweetspot.errors import maybe_meant
-from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import Advice, Option
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import Learned, Posterior

@@ -1,0 +1,53 @@
+"""A number with its 90 % interval, and a curve with the interval of each of its points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sweetspot.numerics.arrays import Array
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A value and the ends of its 90 % interval, ``low`` <= ``value`` <= ``high``, all in the same unit.
+
+    A number that is known exactly may be subtracted, or the interval from it:
+
+    >>> 1.0 - Interval(0.75, 0.5, 0.875)
+    Interval(value=0.25, low=0.125, high=0.5)
+    """
+
+    value: float
+    low: float
+    high: float
+
+    def shifted(self, distance: float) -> Interval:
+        """Return the interval moved by ``distance``."""
+        return Interval(self.value + distance, self.low + distance, self.high + distance)
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __neg__(self) -> Interval:
+        return Interval(-self.value, -self.high, -self.low)
+
+    def __sub__(self, exact: float) -> Interval:
+        return self.shifted(-exact)
+
+    def __rsub__(self, exact: float) -> Interval:
+        return (-self).shifted(exact)
+
+
+@dataclass(frozen=True)
+class Band:
+    """A curve and the ends of the 90 % interval at each of its points, arrays of one shape (n,) in the same unit."""
+
+    value: Array
+    low: Array
+    high: Array
+
+
+Number = float | Interval
+"""A number, with its interval where one is known."""
+Curve = Array | Band
+"""A curve, with its interval where one is known."""
