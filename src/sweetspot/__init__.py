@@ -27,6 +27,18 @@ from __future__ import annotations
 
 import lazy_loader
 
+from sweetspot.numerics.notebook_display import Renderer, ShownInNotebooks
+
 __version__ = "0.1.0"
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def _reports() -> Renderer:
+    """Load what shows answers in notebooks, when one asks."""
+    from sweetspot.report import notebook
+
+    return notebook
+
+
+ShownInNotebooks.renderer = staticmethod(_reports)

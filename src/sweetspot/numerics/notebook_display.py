@@ -1,23 +1,34 @@
-"""What lets a notebook show an answer as a report, without the physics knowing of reports."""
+"""Shows answers in notebooks as reports, without the physics knowing of reports."""
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import Any
+from collections.abc import Callable
+from typing import Any, ClassVar, Protocol
+
+
+class Renderer(Protocol):
+    """Turns an answer into what a notebook displays."""
+
+    def figure_of(self, answer: Any, /) -> Any:
+        """Return the picture of an answer, a matplotlib figure; raises `InputError` for an answer without one."""
+
+    def html_of(self, answer: Any, /) -> str:
+        """Return an answer as HTML."""
 
 
 class ShownInNotebooks:
     """Base of everything that a notebook shows as HTML.
 
-    How it looks is known to `sweetspot.report.notebook` alone, which is higher up in the house; so it is loaded by
-    its name, and only when a notebook asks.
+    ``renderer`` loads what draws and writes; the front door (`sweetspot`) sets it, since only the top of the package
+    may name reports. Nothing is loaded before a notebook asks.
     """
+
+    renderer: ClassVar[Callable[[], Renderer]]
 
     def plot(self) -> Any:
         """Return the picture of this answer, a matplotlib figure; raises `InputError` for an answer without one."""
-        return import_module("sweetspot.report.notebook").figure_of(self)
+        return ShownInNotebooks.renderer().figure_of(self)
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows."""
-        text: str = import_module("sweetspot.report.notebook").html_of(self)
-        return text
+        return ShownInNotebooks.renderer().html_of(self)
