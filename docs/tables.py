@@ -12,7 +12,7 @@ from cases import analysed, best_contact, from_tip
 
 from sweetspot import catalog, references, validation
 from sweetspot.analysis.bat_analysis import exit_speed_of
-from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, easiest_home_run, own_air
+from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, easiest_home_run
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.flight.air import Air
@@ -307,7 +307,10 @@ def launch_table() -> str:
 
 def home_runs_table() -> str:
     """Return the slowest home run of each park, slowest first."""
-    found = [easiest_home_run(park, _in_air(own_air(Air(), park)), backspin=2200 * RPM) for park in catalog.parks()]
+    outdoors = _in_air(Air())
+    found = [
+        easiest_home_run(park, catalog.conditions_in(park, outdoors), backspin=2200 * RPM) for park in catalog.parks()
+    ]
 
     def row(best: EasiestHomeRun) -> Iterator[str]:
         yield best.park.name

@@ -43,6 +43,17 @@ def test_the_first_picture_says_over_which_fences(opened: Page) -> None:
     assert number(opened, "Without air") > number(opened, "Carry") + 50
 
 
+def test_the_parks_stand_in_the_order_that_the_caption_says(opened: Page) -> None:
+    """The likeliest home run first, each with its own carry: in Denver 13 ft more than in Phoenix."""
+    table = opened.get_by_role("region", name=re.compile("every park")).locator("table")
+    expect(table.locator("caption")).to_contain_text("the likeliest home run first")
+    rows = [row.split("\t") for row in table.locator("tbody tr").all_inner_texts()]
+    chances = [int(row[2].removesuffix("%")) for row in rows]
+    assert chances == sorted(chances, reverse=True)
+    carry = {row[0].splitlines()[0].strip(): row[3] for row in rows}
+    assert (carry["Coors Field"], carry["Chase Field"]) == ("399\N{NO-BREAK SPACE}ft", "386\N{NO-BREAK SPACE}ft")
+
+
 CONTROLS = {
     "exit_speed_mph": 92,
     "launch_angle_deg": 35,

@@ -141,6 +141,29 @@ def test_every_park_is_judged_as_by_the_paths() -> None:
         assert found["expected_out_in"] == pytest.approx(sum(row["chance"] for row in found["parks"]))
 
 
+@pytest.mark.parametrize("own_elevation", [True, False])
+def test_each_park_has_the_carry_and_the_fence_that_its_own_command_says(
+    own_elevation: bool, run_json: Callable[..., Any]
+) -> None:
+    """In thin air, at sea level and under a roof that never opens; alike in the air of the chosen park."""
+    ball = {"exit_speed_mph": 101.0, "spray_deg": -12.0, "sidespin_rpm": -900.0, "wind_speed_mph": 6.0}
+    chosen = FlightState.model_validate({"park": "fenway", "own_elevation": own_elevation, **ball})
+    rows = {row["park"]: row for row in answer(chosen)["parks"]}
+    assert VIEW.recipe is not None
+    for name in ("coors", "chase", "tropicana", "oracle-park", "fenway"):
+        higher = {} if own_elevation else {"elevation_ft": catalog.park("fenway").elevation / FOOT}
+        there = FlightState.model_validate({"park": name, **ball, **higher})
+        found = run_json(*shlex.split(VIEW.recipe(there)["command"])[1:])
+        row = rows[found["fence"]["park"]]
+        assert row["carry_m"] == pytest.approx(found["carry_m"], rel=1e-4), name
+        assert row["outcome"] == found["fence"]["outcome"], name
+        if row["clearance_m"] is not None:
+            assert row["fence_m"] == pytest.approx(found["fence"]["distance_m"], abs=0.15), name
+            assert row["clearance_m"] == pytest.approx(found["fence"]["clearance_m"], abs=0.01), name
+    carries = {round(row["carry_m"], 3) for row in rows.values()}
+    assert (len(carries) > 20) if own_elevation else (len(carries) == 2)  # in one air: in the open and under the roof
+
+
 def test_no_slider_of_the_swing_goes_where_no_swing_is() -> None:
     bounds = answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0}))["bat"]["bounds"]
     assert (bounds["attack_angle_deg"], bounds["tilt_deg"][0]) == ((-20.0, 20.0), 9.0)

@@ -1,6 +1,6 @@
 """The catalogue's loaders; `lazy_loader` reads this file, and so do type checkers."""
 
-from .aerodynamic_laws import aerodynamics, aerodynamics_in, aerodynamics_names
+from .aerodynamic_laws import aerodynamics, aerodynamics_in, aerodynamics_names, conditions_in
 from .ballparks import park, park_names, parks
 from .balls import ball, ball_names, ball_sport
 from .bats import bat, bat_names, load_bat
@@ -20,6 +20,7 @@ __all__ = [
     "ball_sport",
     "bat",
     "bat_names",
+    "conditions_in",
     "delivery",
     "delivery_names",
     "implement",

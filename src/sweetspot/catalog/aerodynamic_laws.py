@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.batted_spin import SHEET, TRACKED, SpinLine
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.park import Park
 from sweetspot.units import Kind
 
@@ -60,6 +62,21 @@ def aerodynamics_in(park: Park | None, law: Aerodynamics) -> Aerodynamics:
     """
     covered = park is not None and park.roof == "fixed"
     return aerodynamics(STILL_AIR) if covered and law == aerodynamics() else law
+
+
+def conditions_in(park: Park, outdoors: FlightConditions, *, own_elevation: bool = True) -> FlightConditions:
+    """Return the same weather in a park: at its elevation where wanted, with its law of drag (`aerodynamics_in`).
+
+    Parameters
+    ----------
+    outdoors : in the open, with one `Air` for all flights.
+
+    >>> from sweetspot import catalog, standard_flight
+    >>> conditions_in(catalog.park("coors"), standard_flight()).one_air.elevation == catalog.park("coors").elevation
+    True
+    """
+    air = outdoors.one_air.replaced(elevation=park.elevation) if own_elevation else outdoors.one_air
+    return replace(outdoors, air=air, aerodynamics=aerodynamics_in(park, outdoors.aerodynamics))
 
 
 def drag_spread(law: Aerodynamics) -> float:

@@ -276,7 +276,7 @@ def _parks(
     The park that is easiest to leave is the first.
     """
     from sweetspot import catalog
-    from sweetspot.analysis.optimum import easiest_home_run, own_air
+    from sweetspot.analysis.optimum import easiest_home_run
     from sweetspot.cli.options.weather import park_of, through
     from sweetspot.units import parse
 
@@ -292,6 +292,6 @@ def _parks(
     rows = []
     for park in parks:
         own = everywhere and weather.elevation is None
-        here = flying.in_air(own_air(flying.one_air, park)) if own else flying
+        here = catalog.conditions_in(park, flying, own_elevation=own)
         rows.append((easiest_home_run(park, here, backspin=spin), here))
     return sorted(rows, key=lambda row: row[0].exit_speed)

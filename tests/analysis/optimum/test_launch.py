@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.optimum import best_launch, easiest_home_run, own_air
+from sweetspot.analysis.optimum import best_launch, easiest_home_run
 from sweetspot.errors import InputError
 from sweetspot.flight.air import VACUUM, Air, Wind
 from sweetspot.flight.conditions import FlightConditions
@@ -60,13 +60,13 @@ def test_no_speed_is_refused() -> None:
 def test_the_slowest_home_run_just_clears_and_a_slower_one_does_not(name: str) -> None:
     """By the readable flight: 0.05 mph more goes out, 0.15 mph less stays in at every launch angle to 1 deg."""
     park = catalog.park(name)
-    air = own_air(AIR, park)
-    found = easiest_home_run(park, FlightConditions(ball=BALL, aerodynamics=LAW, air=air), backspin=SPIN)
+    there = catalog.conditions_in(park, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR))
+    found = easiest_home_run(park, there, backspin=SPIN)
 
     def outcome(speed: float, angle: float, direction: float) -> str:
         motion = launched(speed=speed, launch_angle=angle, spray=direction, backspin=SPIN, position=(0.0, 0.0, HEIGHT))
         start = FORWARD * np.array([math.sin(direction), math.cos(direction), 0.0])
-        path = fly(motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=air)).positions + start
+        path = fly(motion, there).positions + start
         return landing(path, park).outcome
 
     inside = (1 - 1e-7) * found.direction  # a hair off the foul line, where rounding may call it foul

@@ -11,7 +11,6 @@ from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike
 
 from sweetspot.errors import InputError
-from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import Park, fence_at
@@ -120,7 +119,7 @@ def easiest_home_run(
 
     Parameters
     ----------
-    conditions : ball, drag law and the park's air (`own_air` gives a park's own), without wind.
+    conditions : ball, drag law and the air of the park (`catalog.conditions_in` gives its own), without wind.
     backspin : rad/s.
     directions : rad from centre field, that may be hit to.
 
@@ -155,11 +154,6 @@ def easiest_home_run(
     return EasiestHomeRun(
         park, float(minimum.fun), float(minimum.x), float(wanted[at]), float(distance[at]), float(height[at])
     )
-
-
-def own_air(air: Air, park: Park) -> Air:
-    """Return the same weather at a park's elevation."""
-    return air.replaced(elevation=park.elevation)
 
 
 def _least_speeds(over: Callable[[Array, Array, Array], Array], distance: Array, height: Array) -> Array:

@@ -102,8 +102,8 @@ def batted_flight(
     motion, parks = hit.motion, catalog.parks()
     out_in = 0
     for one in parks:
-        there = replace(outdoors, aerodynamics=catalog.aerodynamics_in(one, aerodynamics))
-        (ends,) = landings_everywhere(motion, there, parks=(one,), own_elevation=own_elevation)
+        there = catalog.conditions_in(one, outdoors, own_elevation=own_elevation)
+        (ends,) = landings_everywhere(motion, there, parks=(one,), own_elevation=False)
         out_in += bool(ends.out.all())
     chances = [  # each in its own air; their scatter knows of roofs
         float(home_run_chances(motion, outdoors, parks=(one,), own_elevation=own_elevation).chance[0, 0])

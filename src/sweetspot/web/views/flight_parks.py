@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.catalog.aerodynamic_laws import STILL_AIR, aerodynamics_in
+from sweetspot.catalog.aerodynamic_laws import STILL_AIR
 from sweetspot.equipment.bat import Bat
+from sweetspot.flight.all_parks import PATH_POINTS
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.home_runs import THIN, home_run_chances
@@ -23,6 +24,9 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, MPH
 
 FENCE_POINTS = 91
+FENCE_STEP = DEGREE / 4
+FENCE_DIRECTIONS = np.linspace(-FOUL_LINE, FOUL_LINE, 361)
+"""Where a path is held against the fences, every `FENCE_STEP` from foul line to foul line."""
 SPEEDS = np.arange(50.0, 121.0, 3.0) * MPH
 ANGLES = np.arange(-5.0, 66.0, 3.0) * DEGREE
 """Exit speeds and launch angles of the map."""
@@ -66,7 +70,7 @@ def in_parks(
     here: Park,
     own_elevation: bool,
 ) -> dict[str, Any]:
-    """Return the outcome of one ball in every park, in how many it is out, and its chances with the scatter of flights.
+    """Return one ball's outcome and carry in every park, in how many it is out, and chances with the flights' scatter.
 
     Parameters
     ----------
@@ -74,15 +78,15 @@ def in_parks(
     parks : that are asked.
     """
     outdoors = _outdoors(conditions)
+    there = [catalog.conditions_in(park, outdoors, own_elevation=own_elevation) for park in parks]
     chance, clearance = _everywhere(motion, outdoors, parks, own_elevation)
+    carry, paths = _flown(motion, there)
     own = float(home_run_chances(motion, outdoors, parks=(here,), own_elevation=False).chance[0, 0])
     end = landing(path, here)
-    foul = end.outcome == "foul"
-    down = float(np.hypot(*path[-1, :2]))
     rows = []
-    for index, park in enumerate(parks):
-        distance, height = _fence_to(park, end.direction)
-        above = float(clearance[index])
+    for index, (park, direction) in enumerate(zip(parks, _directions(paths, parks).tolist(), strict=True)):
+        distance, height = (float(one) for one in fence_at(park, direction))
+        foul, above = abs(direction) > FOUL_LINE, float(clearance[index])
         over, reached = above > 0 and not foul, math.isfinite(above) and above > -height and not foul
         rows.append(
             {
@@ -90,7 +94,8 @@ def in_parks(
                 "team": park.team,
                 "outcome": "foul" if foul else "home run" if over else "off the wall" if reached else "in play",
                 "clearance_m": above if reached else None,
-                "distance_m": distance if reached else down,
+                "carry_m": float(carry[index]),
+                "fence_m": None if foul else distance,
                 # in its own air, not between those of all the parks
                 "chance": 0.0 if foul else own if park.name == here.name else float(chance[index]),
             }
@@ -100,7 +105,7 @@ def in_parks(
         "out_in": sum(row["outcome"] == "home run" for row in rows),
         "of": len(rows),
         "expected_out_in": sum(row["chance"] for row in rows),
-        "chance": 0.0 if foul else own,
+        "chance": 0.0 if end.outcome == "foul" else own,
         "end": {
             "outcome": end.outcome,
             "direction_rad": end.direction,
@@ -124,7 +129,7 @@ def _everywhere(
             )
             chance[those], clearance[those] = found.chance[0], found.clearance[0]
     for place, park in enumerate(parks):
-        law = aerodynamics_in(park, outdoors.aerodynamics)
+        law = catalog.aerodynamics_in(park, outdoors.aerodynamics)
         if law != outdoors.aerodynamics:  # chances know by themselves what a roof does
             still = replace(outdoors, aerodynamics=law)
             found = home_run_chances(motion, still, parks=(park,), own_elevation=own_elevation)
@@ -132,22 +137,36 @@ def _everywhere(
     return chance, clearance
 
 
+def _flown(motion: BallMotion, there: list[FlightConditions]) -> tuple[Array, Array]:
+    """Return carries and paths, (parks, points, 3), of one ball in the airs of many parks, all of a law at once."""
+    carry, paths = np.empty(len(there)), np.empty((len(there), PATH_POINTS, 3))
+    density = np.array([one.one_air.density for one in there])
+    for law in {one.aerodynamics for one in there}:
+        those = np.array([one.aerodynamics == law for one in there])
+        found = flights(motion, replace(there[0], aerodynamics=law, air=density[those]), path_points=PATH_POINTS)
+        carry[those], paths[those] = found.carry, found.positions
+    return carry, paths
+
+
+def _directions(paths: Array, parks: tuple[Park, ...]) -> Array:
+    """Return where each path passes its park's fence, or comes down: rad from centre field, shape (parks,)."""
+    far, way = np.hypot(paths[..., 0], paths[..., 1]), np.arctan2(paths[..., 0], paths[..., 1])
+    step = np.rint((way + FOUL_LINE) / FENCE_STEP).astype(int).clip(0, len(FENCE_DIRECTIONS) - 1)
+    beyond = far > np.take_along_axis(_fences(parks), step, axis=1)
+    at = np.where(beyond.any(axis=1), beyond.argmax(axis=1), -1)
+    return np.asarray(way[np.arange(len(parks)), at])
+
+
+@lru_cache(maxsize=64)
+def _fences(parks: tuple[Park, ...]) -> Array:
+    return np.array([fence_at(park, FENCE_DIRECTIONS)[0] for park in parks])
+
+
 def _outdoors(conditions: FlightConditions) -> FlightConditions:
     """Return the same in the open: the scatter of chances knows by itself what a roof does."""
     if conditions.aerodynamics != catalog.aerodynamics(STILL_AIR):
         return conditions
     return replace(conditions, aerodynamics=catalog.aerodynamics())
-
-
-@lru_cache(maxsize=4096)
-def _fence_at(park: Park, step: int) -> tuple[float, float]:
-    distance, height = fence_at(park, step * DEGREE / 4)
-    return float(distance), float(height)
-
-
-def _fence_to(park: Park, direction: float) -> tuple[float, float]:
-    """Return distance and height of a fence in a direction, to a quarter of a degree."""
-    return _fence_at(park, round(min(FOUL_LINE, max(-FOUL_LINE, direction)) / DEGREE * 4))
 
 
 def carries(

@@ -90,14 +90,9 @@ def parks(state: OptimumState) -> dict[str, Any]:
 
 @lru_cache(maxsize=32)
 def _easiest(ball: str, backspin_rpm: float, parks: tuple[Park, ...]) -> tuple[EasiestHomeRun, ...]:
-    law = catalog.aerodynamics_of_ball(ball)
+    outdoors = FlightConditions(ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics_of_ball(ball), air=Air())
     found = [
-        easiest_home_run(
-            park,
-            FlightConditions(ball=catalog.ball(ball), aerodynamics=law, air=Air(elevation=park.elevation)),
-            backspin=backspin_rpm * RPM,
-        )
-        for park in parks
+        easiest_home_run(park, catalog.conditions_in(park, outdoors), backspin=backspin_rpm * RPM) for park in parks
     ]
     return tuple(sorted(found, key=lambda one: one.exit_speed))
 

@@ -222,10 +222,11 @@ export const view = {
 
   /** @param {{ parks: Answer[] }} given */
   listOfParks({ parks }) {
-    const sorted = [...parks].sort((a, b) => (b.clearance_m ?? -1e3) - (a.clearance_m ?? -1e3) || b.chance - a.chance);
-    return tableOf("Outcome in every park, the easiest first; chance: with what balls, spin and weather scatter by", ["Park", "Outcome", "Chance", "Above the fence", "Fence, or carry"], sorted.map((row) => [
+    const sorted = [...parks].sort((a, b) => b.chance - a.chance || (b.clearance_m ?? -1e3) - (a.clearance_m ?? -1e3));
+    const far = (/** @type {number | null} */ value) => (value === null ? "–" : this.app.text("distance", value));
+    return tableOf("Outcome in every park, the likeliest home run first; chance: with what balls, spin and weather scatter by; carry: to the ground, as if there were no fence", ["Park", "Outcome", "Chance", "Carry", "Fence there", "Above its top"], sorted.map((row) => [
       { text: row.park, note: row.team }, { text: WORDS[row.outcome], className: CLASSES[row.outcome] ?? "" }, this.app.text("share", row.chance, 0),
-      row.clearance_m === null ? "–" : this.app.text("distance", row.clearance_m), this.app.text("distance", row.distance_m)]));
+      far(row.carry_m), far(row.fence_m), far(row.clearance_m)]));
   },
 
   unmount() {
