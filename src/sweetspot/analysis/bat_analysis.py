@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Generic
 
+import numpy as np
+
 from sweetspot.analysis.position_scan import Scan, scan
 from sweetspot.analysis.sweet_spot import SweetSpots, sweet_spots
 from sweetspot.collision.closed_form import exit_speed
@@ -152,6 +154,18 @@ def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     """
     bat_speed = conditions.swing.speed_at(impact.position)
     return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
+
+
+def dead_spot(analysis: Analysis[Implement]) -> float | None:
+    """Return the place (m from the butt end) beyond the best one where a ball is left with no speed: q = 0; or None."""
+    scan = analysis.scan
+    beyond = scan.position >= analysis.sweet_spots.max_collision_efficiency
+    places, efficiency = scan.position[beyond], scan.collision_efficiency[beyond]
+    below = np.flatnonzero(efficiency < 0)
+    if len(below) == 0 or below[0] == 0:
+        return None
+    after = int(below[0])
+    return float(np.interp(0.0, efficiency[[after, after - 1]], places[[after, after - 1]]))
 
 
 def outweighed(body: RigidBody, ball: Ball) -> bool:

@@ -59,18 +59,6 @@ def face_share(analysis: Analysis[Implement]) -> float:
     return paper.block_share(ball, material=material, compression=analysis.best.peak_compression)
 
 
-def dead_spot(analysis: Analysis[Implement]) -> float | None:
-    """Return the place (m from the butt end) beyond the best one where a ball is left with no speed: q = 0; or None."""
-    scan = analysis.scan
-    beyond = scan.position >= analysis.sweet_spots.max_collision_efficiency
-    places, efficiency = scan.position[beyond], scan.collision_efficiency[beyond]
-    below = np.flatnonzero(efficiency < 0)
-    if len(below) == 0 or below[0] == 0:
-        return None
-    after = int(below[0])
-    return float(np.interp(0.0, efficiency[[after, after - 1]], places[[after, after - 1]]))
-
-
 def wall_speed(analysis: Analysis[Implement]) -> float:
     """Return the speed in m/s at which a rigid wall takes as much energy as the best hit: v / sqrt(1 + m / M_eff)."""
     recoil = analysis.conditions.ball.mass / effective_mass(analysis.body, analysis.best.position)

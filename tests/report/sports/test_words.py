@@ -8,11 +8,11 @@ from functools import cache
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.analysis.bat_analysis import Analysis, analyse, dead_spot
 from sweetspot.catalog.sports import sport, sport_implements, sport_names
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
-from sweetspot.paper.sports import dead_spot, face_share, sport_rows
+from sweetspot.paper.sports import face_share, sport_rows
 from sweetspot.report.bat.provenance import assumed_of_ball
 from sweetspot.report.bat.words import answer, misses_of
 from sweetspot.report.quantities import SI

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.analysis.bat_analysis import Analysis, dead_spot, exit_speed_of
 from sweetspot.analysis.miss_cost import Loss, miss_costs
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.calibration.ball_doubt import speed_by_ball
@@ -16,7 +16,6 @@ from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
 from sweetspot.numerics.interval import Interval
-from sweetspot.paper.sports import dead_spot
 from sweetspot.report.bat.assumed_values import soft_defaults
 from sweetspot.report.bat.sure_words import doubt_words
 from sweetspot.report.hit.second_touch import best_in_doubt

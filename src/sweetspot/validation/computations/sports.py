@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cache
 
 from sweetspot import catalog
-from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced, exit_speed_of
+from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced, dead_spot, exit_speed_of
 from sweetspot.analysis.drop_test import Rebound, fire
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
@@ -23,7 +23,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.motion.swing import Conditions
-from sweetspot.paper.sports import dead_spot, rule_book_drops
+from sweetspot.paper.sports import rule_book_drops
 
 
 def racket_percussion(*, mass: float, balance_point: float, moi: float, axis: float) -> float:
