@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sweetspot.units.sizes import INCH, STANDARD_GRAVITY
+from sweetspot.units.factors import INCH, STANDARD_GRAVITY
 
 __all__ = ["STANDARD_AXIS", "STANDARD_GRAVITY"]
 

@@ -1,6 +1,6 @@
 """Units at the border: texts with units in, SI out; the sizes of people's units; what is usual for each quantity."""
 
-from sweetspot.units.sizes import (
+from sweetspot.units.factors import (
     DEGREE,
     FOOT,
     INCH,

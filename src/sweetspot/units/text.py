@@ -14,7 +14,7 @@ from typing import Any, Literal
 from unicodedata import normalize
 
 from sweetspot.errors import InputError
-from sweetspot.units.sizes import FOOT, INCH, MPH, OUNCE
+from sweetspot.units.factors import FOOT, INCH, MPH, OUNCE
 from sweetspot.units.usual import check_usual, example_of
 from sweetspot.units.usual_units import written
 from sweetspot.units.wind import in_words

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.units.sizes import DEGREE, FOOT, INCH, INCH_OF_MERCURY, MPH, OUNCE, RPM
+from sweetspot.units.factors import DEGREE, FOOT, INCH, INCH_OF_MERCURY, MPH, OUNCE, RPM
 from sweetspot.units.usual_units import in_unit_of
 
 LONGEST_IMPLEMENT = 5.0

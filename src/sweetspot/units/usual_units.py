@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from sweetspot.units.sizes import (
+from sweetspot.units.factors import (
     DEGREE,
     FOOT,
     INCH,

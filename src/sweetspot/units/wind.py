@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from sweetspot.units.sizes import DEGREE
+from sweetspot.units.factors import DEGREE
 
 BLOWS_TO = {
     "out": 0, "out to right field": 45, "left to right": 90, "in from left field": 135, "in": 180,

@@ -1,4 +1,4 @@
-"""Sizes of people's units in SI."""
+"""Factors that turn people's units into SI."""
 
 from __future__ import annotations
 
