@@ -149,7 +149,7 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
         ("silent.wav", np.zeros(8000), 8000, "silent"),
         ("empty.wav", np.zeros(0), 8000, "no sound"),
         ("slow.wav", np.ones(100), 1000, "samples per second"),
-        ("long.wav", np.ones(700), 1, "lasts longer than 600 s, the most that is allowed. Cut out the taps"),
+        ("long.wav", np.ones(1_200_100), 2000, "lasts longer than 600 s, the most that is allowed. Cut out the taps"),
     ):
         soundfile.write(tmp_path / name, samples, rate)
         with pytest.raises(InputError, match=message):

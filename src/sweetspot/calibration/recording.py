@@ -9,25 +9,34 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.text_files import check_ordinary
 
+Channels = Array | NDArray[np.float32]
+"""Samples of all channels, shape (samples, channels)."""
 LONGEST = 600.0
 """s of a recording at most."""
 MOST_SAMPLES = 120_000_000
 """Of all channels: ten minutes of two at 96 kHz."""
+MOST_CHANNELS = 64
+"""Of the largest recorders of studios; one is used."""
 LARGEST = 500_000_000
 """Bytes of a file."""
 SLOWEST_RATE = 2000.0
 """Hz; below, even the first mode of a bat is lost."""
+FASTEST_RATE = 1e6
+"""Hz, more than sound cards and most analyzers of vibration have (assumed)."""
 OVERSAMPLING = 2.56
 """Samples kept per period of the band's upper end."""
 SOUND_FILES = (".wav", ".flac", ".ogg", ".mp3", ".aiff")
 """Endings of recordings that soundfile reads."""
 OF_PHONES = (".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm")
 """Endings of those that it has no decoder for."""
+CONTAINERS = "mov,aac,amr,asf,matroska,mp3,wav,flac,ogg,aiff,caf,w64,au,ac3,avi"
+"""Formats by FFmpeg's names that it may open: each is one file with its sound; lists name other files."""
 UNKNOWN_FORMAT = 1
 """What libsndfile says of a file that it does not know."""
 LOSSLESS = ("alac", "flac", "pcm")
@@ -79,43 +88,45 @@ class Recording:
         return len(self.samples) / self.rate
 
 
-def read_recording(path: Path) -> Recording:
+def read_recording(path: Path, *, most: int = MOST_SAMPLES) -> Recording:
     """Return a sound file (WAV, FLAC, OGG, MP3, AIFF, a phone's M4A, AAC, 3GP, a browser's WebM).
 
     Of several channels it is the loudest.
 
+    Parameters
+    ----------
+    most : samples of all channels together.
+
     Raises
     ------
     InputError
-        when the file is missing, is no sound, is empty, too long, or sampled too slowly.
+        when the file is missing, is no sound, is empty or too long, or when what its header says cannot be.
     """
     check_ordinary(path, most=LARGEST, advice="record WAV, FLAC, OGG, MP3 or M4A, and cut out the taps")
-    channels, rate, lossy = _of_phone(path) if path.suffix.lower() in OF_PHONES else _of_sound_file(path)
-    if rate < SLOWEST_RATE:
-        raise InputError(f"{path} has {rate:g} samples per second; allowed is {SLOWEST_RATE:g} or more")
-    if not len(channels):
+    channels, rate, lossy = (_of_phone if path.suffix.lower() in OF_PHONES else _of_sound_file)(path, most)
+    if not channels.size:
         raise InputError(f"{path} holds no sound; record at least one tap")
     if wrong := int((~np.isfinite(channels)).any(axis=1).sum()):
         raise InputError(f"{path} has {wrong:,} of {len(channels):,} samples that are no numbers; export it anew")
-    loudest = int(np.argmax(np.var(channels, axis=0)))
-    samples = channels[:, loudest]
+    loudest = max(channels.T, key=np.var) if channels.shape[1] > 1 else channels[:, 0]
+    samples = np.array(loudest, np.float64)  # its own, so that the others are let go
     if not np.ptp(samples):
         raise InputError(f"{path} is silent; check the microphone")
     return Recording(path.name, samples, rate, lossy)
 
 
-def _of_sound_file(path: Path) -> tuple[Array, float, bool]:
+def _of_sound_file(path: Path, most: int) -> tuple[Channels, float, bool]:
     """Return the samples, shape (samples, channels), their rate, and whether the coding loses something."""
     import soundfile
 
     try:
         with soundfile.SoundFile(_mended(path)) as sound:
-            _check_length(path, sound.frames, rate=sound.samplerate, channels=sound.channels)
+            _check_header(path, sound.frames, rate=sound.samplerate, channels=sound.channels, most=most)
             channels = sound.read(sound.frames, dtype="float64", always_2d=True)  # GSM cannot be sought in
             return channels, float(sound.samplerate), sound.subtype.startswith(LOSSY)
     except (soundfile.SoundFileError, OSError, RuntimeError) as error:
         if getattr(error, "code", None) == UNKNOWN_FORMAT:  # a phone's file under another name
-            return _of_phone(path)
+            return _of_phone(path, most)
         reason = str(error).rpartition(": ")[2].rstrip(".")
         raise InputError(f"{path} cannot be read as a sound: {reason}; record WAV, FLAC, OGG, MP3 or M4A") from None
 
@@ -141,39 +152,50 @@ def _mended(path: Path) -> Path | io.BytesIO:
     return path
 
 
-def _of_phone(path: Path) -> tuple[Array, float, bool]:
-    """Return the same of a file as phones write them."""
+def _of_phone(path: Path, most: int) -> tuple[Channels, float, bool]:
+    """Return the same of a file as phones write them; it has 32 bits at most."""
     import av
 
     try:
-        with av.open(str(path)) as container:
+        with av.open(str(path), options={"format_whitelist": CONTAINERS}) as container:
             if not container.streams.audio:
                 raise InputError(f"{path} holds no sound; record at least one tap")
             stream = container.streams.audio[0]
             floats = av.AudioResampler(format="fltp")  # the same samples, one row a channel
-            blocks: list[Array] = []
-            heard = 0
+            blocks: list[NDArray[np.float32]] = []
+            heard, rate = 0, stream.rate or 0
+            _check_header(path, heard, rate=rate, channels=stream.channels, most=most)
             for frame in container.decode(stream):
                 for block in floats.resample(frame):
-                    blocks.append(block.to_ndarray().astype(np.float64))
+                    blocks.append(np.asarray(block.to_ndarray(), np.float32))
                     heard += blocks[-1].shape[1]
-                    _check_length(path, heard, rate=stream.rate, channels=len(blocks[-1]))
+                    _check_header(path, heard, rate=rate, channels=len(blocks[-1]), most=most)
             channels = np.concatenate(blocks, axis=1).T if blocks else np.empty((0, 1))
-            return channels, float(stream.rate), not stream.codec_context.name.startswith(LOSSLESS)
+            return channels, float(rate), not stream.codec_context.name.startswith(LOSSLESS)
     except InputError:
         raise
     except (av.FFmpegError, OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
+        reason = "unknown format" if isinstance(error, av.ArgumentError) else getattr(error, "strerror", None) or error
         raise InputError(
             f"{path} cannot be read as a sound: {reason}; record anew, or convert it to WAV, FLAC, OGG or MP3"
         ) from None
 
 
-def _check_length(path: Path, frames: int, *, rate: int, channels: int) -> None:
+def _check_header(path: Path, frames: int, *, rate: int, channels: int, most: int) -> None:
+    """Refuse what a header says, before memory is taken for it, and what is more than it said while it is read."""
+    if not SLOWEST_RATE <= rate <= FASTEST_RATE:
+        raise InputError(
+            f"{path} has {rate} samples per second; allowed is {SLOWEST_RATE:.0f} to {FASTEST_RATE:.0f}. Export it anew"
+        )
+    if channels > MOST_CHANNELS:
+        raise InputError(f"{path} has {channels} channels; allowed are {MOST_CHANNELS}. Keep one of them")
     if frames > LONGEST * rate:
         raise InputError(f"{path} lasts longer than {LONGEST:g} s, the most that is allowed. Cut out the taps")
-    if frames * channels > MOST_SAMPLES:
-        raise InputError(f"{path} has {channels} channels of {frames} samples or more; keep one of them")
+    if frames * channels > most:
+        raise InputError(
+            f"{path} has {frames} samples or more in each of its channels ({channels}); all together may have {most}. "
+            "Keep one channel, and cut out the taps"
+        )
 
 
 def in_band(recording: Recording, band: Band) -> Recording:

@@ -29,6 +29,8 @@ from sweetspot.web.views.own_state import OwnState, name_of, unknown_of
 
 DRAWN = 500
 """Points of a waveform on the page."""
+MOST_SAMPLES, MOST_HELD = 20_000_000, 12
+"""Of all channels of one recording, three minutes and a half of two at 48 kHz; and recordings: 2 GB at most."""
 OF_COMMAND = ", or set --most-damping"
 """Advice about a held bat that only the command line can follow."""
 HIGHEST = 1.3
@@ -126,10 +128,10 @@ class _Sound:
         self.key, self.recording = key, recording
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=MOST_HELD)
 def _recording(key: str) -> _Sound:
     path, name = UPLOADS.path_of(key)
-    return _Sound(key, replace(read_recording(path), name=name))
+    return _Sound(key, replace(read_recording(path, most=MOST_SAMPLES), name=name))
 
 
 @lru_cache(maxsize=128)
