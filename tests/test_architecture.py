@@ -53,7 +53,7 @@ HOMES = {
     "ezdxf": ("report/drawing/", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
     "PIL": ("calibration/outline/photo/",),
-    "polars": ("season/", "report/season/", "player/swing_table.py"),
+    "polars": ("season/", "report/season/", "player/swing_table.py", "numerics/whole_parquet.py"),
     "distributed": ("season/cluster.py",),
 }
 """Third parties and the places that may import them."""

@@ -51,6 +51,20 @@ def test_the_ledger_adds_up_to_the_row(table: Write) -> None:
     assert warned(found, "fouls") == 4
 
 
+def test_a_damaged_page_of_one_file_does_not_keep_the_others(table: Write, tmp_path: Path) -> None:
+    """The footer is whole, so that a file with a lost block opens; its pages do not."""
+    good, torn = table(), tmp_path / "torn.parquet"
+    made_up().write_parquet(torn)
+    content = bytearray(torn.read_bytes())
+    start, end = len(content) // 8, len(content) // 4
+    content[start:end] = b"\xff" * (end - start)
+    torn.write_bytes(content)
+    found = look(good, torn)
+    assert [one.path for one in found.tables] == [good]
+    assert [path for path, _ in found.faults] == [torn]
+    assert "is no whole Parquet file" in found.faults[0][1]
+
+
 def test_untracked_is_not_zero(table: Write) -> None:
     frame = (
         made_up()

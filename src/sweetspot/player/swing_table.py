@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from sweetspot.errors import InputError, first_line
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, SEPARATORS, is_larger, pointed, read_text, table_rows
+from sweetspot.numerics.whole_parquet import reading_parquet
 from sweetspot.player.columns import Column, Columns, is_heading_line
 
 if TYPE_CHECKING:
@@ -134,6 +135,9 @@ class ScannedTable(SwingTable):
     def _collected(self, frame: pl.LazyFrame) -> pl.DataFrame:
         import polars as pl
 
+        if self.path.suffix.lower() in PARQUET:
+            with reading_parquet(self.path):
+                return frame.collect()
         try:
             return frame.collect()
         except (pl.exceptions.PolarsError, OSError) as error:
@@ -208,10 +212,8 @@ def _scanned_parquet(path: Path) -> SwingTable:
 
     if not path.is_file():
         raise InputError(f"{path} is not a file; it cannot be read: there is no such file")
-    try:
+    with reading_parquet(path):
         return ScannedTable(path, pl.scan_parquet(path, row_index_name=ScannedTable.LINE, row_index_offset=1))
-    except (pl.exceptions.PolarsError, OSError) as error:
-        raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
 
 
 def _scanned_csv(path: Path) -> SwingTable:

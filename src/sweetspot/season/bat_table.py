@@ -26,7 +26,10 @@ def read_bats(path: Path) -> dict[str, str]:
         when the file cannot be read, lacks a column, names a batter twice, or a bat that is not known.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV table of bats")
-    rows = list(csv.reader(io.StringIO(text), delimiter=separator_of(text.partition("\n")[0])))
+    try:
+        rows = list(csv.reader(io.StringIO(text), delimiter=separator_of(text.partition("\n")[0])))
+    except csv.Error as error:
+        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
     if not rows:
         raise InputError(f"{path} is empty; give a table with the columns batter and bat")
     names = [cell.strip().lower() for cell in rows[0]]

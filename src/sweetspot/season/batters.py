@@ -10,6 +10,7 @@ from tempfile import TemporaryDirectory
 import polars as pl
 
 from sweetspot.errors import InputError, nearest_names
+from sweetspot.numerics.whole_parquet import reading_parquet
 from sweetspot.season.rows import tidy
 from sweetspot.season.table_file import text_columns
 
@@ -79,11 +80,12 @@ def _batters(paths: Sequence[Path], given: Mapping[str, str] | None) -> dict[str
                 tables.append(text_columns(path, (BATTER, NAME), staging=Path(folder) / str(number), given=given))
         if not tables:
             return None
-        try:
-            return {name: _values([table for table in tables if name in table.collect_schema()], name)
-                    for name in (BATTER, NAME)}  # fmt: skip
-        except (pl.exceptions.PolarsError, OSError):  # a damaged table, which is told of when it is read
-            return None
+        with suppress(InputError), reading_parquet(paths[0]):  # a damaged table is reported where it is read
+            return {
+                name: _values([table for table in tables if name in table.collect_schema()], name)
+                for name in (BATTER, NAME)
+            }
+    return None
 
 
 def unknown_batter(batter: str, known: Sequence[str]) -> InputError:

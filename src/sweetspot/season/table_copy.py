@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import errno
 import zlib
 from collections.abc import Iterator
@@ -36,7 +37,7 @@ def copying(path: Path, staging: Path, *, instead: str = "or give Parquet, which
     """
     try:
         yield
-    except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
+    except (pl.exceptions.PolarsError, csv.Error, OSError, EOFError, zlib.error) as error:
         refused = refusal(error)
         if refused is not None and refused[0] in FULL:
             raise UnwritableError(

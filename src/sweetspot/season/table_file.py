@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import zlib
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -14,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError, first_line
 from sweetspot.numerics.text_files import near_file
+from sweetspot.numerics.whole_parquet import reading_parquet, unpack_all
 from sweetspot.season.columns_by_rows import told_by_rows, with_player_name
 from sweetspot.season.csv_copy import BESIDE, copied_csv
 from sweetspot.season.headings import Headings, headings_of
@@ -200,34 +203,42 @@ def text_columns(
         when the file cannot be read, or lacks what is needed.
     """
     try:
-        if path.name.lower().endswith(PARQUET_ENDINGS):
-            frame = pl.scan_parquet(path)
-        else:
-            source, ends = in_utf8(path, staging)
-            above = ends.above
-            frame = pl.scan_csv(
-                source, separator=separator_of(above[-1]), infer_schema=False, truncate_ragged_lines=True,
-                encoding="utf8-lossy", null_values=list(ABSENT), skip_lines=len(above) - 1,
-            )  # fmt: skip
-        headings = headings_of(frame.collect_schema().names(), given=given, file_name=str(path))
-        headings = with_player_name(headings, frame)
-    except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
+        parquet = path.name.lower().endswith(PARQUET_ENDINGS)
+        with reading_parquet(path) if parquet else nullcontext():
+            frame = pl.scan_parquet(path) if parquet else _text_frame(path, staging)
+            headings = headings_of(frame.collect_schema().names(), given=given, file_name=str(path))
+            headings = with_player_name(headings, frame)
+    except (pl.exceptions.PolarsError, csv.Error, OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
     columns = headings.only(*quantities).columns
     return frame.select(pl.col(column.heading).cast(pl.String).alias(name) for name, column in columns.items())
 
 
+def _text_frame(path: Path, staging: Path) -> pl.LazyFrame:
+    """Return a CSV file of which every cell is text."""
+    source, ends = in_utf8(path, staging)
+    above = ends.above
+    return pl.scan_csv(
+        source,
+        separator=separator_of(above[-1]),
+        infer_schema=False,
+        truncate_ragged_lines=True,
+        encoding="utf8-lossy",
+        null_values=list(ABSENT),
+        skip_lines=len(above) - 1,
+    )
+
+
 def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
-    try:
+    with reading_parquet(path):
         frame = pl.scan_parquet(path)
         rows = int(frame.select(pl.len()).collect().item())
         if rows > path.stat().st_size:
             raise InputError(
                 f"{path} claims {grouped(rows)} rows in {grouped(path.stat().st_size)} bytes; give a row per ball"
             )
-    except (pl.exceptions.PolarsError, OSError) as error:
-        raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
-    headings = frame_headings(frame, given=given, name=str(path))
+        unpack_all(frame)
+        headings = frame_headings(frame, given=given, name=str(path))
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
     return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
@@ -237,10 +248,11 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     staging.mkdir(parents=True, exist_ok=True)
     with copying(path, staging):
         source, ends = in_utf8(path, staging)
-    above, last = ends.above, ends.last
-    first = above[-1]
-    separator = separator_of(first)
-    names = cells_of(first, separator)
+        above, last = ends.above, ends.last
+        first = above[-1]
+        separator = separator_of(first)
+        names = cells_of(first, separator)
+        torn = ends.quoting or (bool(last.strip()) and len(cells_of(last, separator)) < len(names))
     if not first.strip() or all(is_number(name) for name in names):
         raise InputError(f"{path} does not begin with a line of column names; give one, for example launch_speed")
     notes = []
@@ -254,7 +266,6 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         raise InputError(f"{path} has column names and no row; give one row per ball")
     texts = [column.heading for column in copy.headings.columns.values() if column.kind != "text"]
     held = pl.scan_parquet(target).select(pl.col(texts).is_null().all()).collect().row(0, named=True)
-    torn = ends.quoting or (bool(last.strip()) and len(cells_of(last, separator)) < len(names))
     headings, told = told_by_rows(copy.headings, pl.scan_parquet(target))
     notes += told
     if len(above) > 1:

@@ -1,0 +1,67 @@
+"""What is said of a Parquet file that is damaged, wherever in it the damage lies."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sweetspot.errors import InputError, first_line
+
+if TYPE_CHECKING:
+    import polars as pl
+
+
+@contextmanager
+def reading_parquet(path: Path) -> Iterator[None]:
+    """Say in one message what is wrong with a Parquet file that is being read.
+
+    Polars answers some damage with an error and some with a panic of its Rust core, which is no `Exception` and is
+    printed on standard error; of that nothing is shown.
+
+    Raises
+    ------
+    InputError
+        when the file cannot be read.
+    """
+    import polars as pl
+
+    try:
+        with _unprinted():
+            yield
+    except pl.exceptions.PanicException:
+        raise InputError(f"{path} is no whole Parquet file: a page of it is damaged; write or copy it anew") from None
+    except (pl.exceptions.PolarsError, OSError) as error:
+        raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
+
+
+def unpack_all(frame: pl.LazyFrame) -> None:
+    """Unpack every page of a scanned file and keep nothing: whoever reads it afterwards meets no damage.
+
+    It takes about 2 s for 150 MB (70 million cells) and no more memory than some row groups do.
+    """
+    import polars as pl
+
+    frame.select(pl.all().null_count()).collect(engine="streaming")
+
+
+@contextmanager
+def _unprinted() -> Iterator[None]:
+    """Shut standard error, where Rust prints a panic; only in the main thread, for all threads share it."""
+    try:
+        kept = os.dup(2) if threading.current_thread() is threading.main_thread() else None
+    except OSError:  # it is closed
+        kept = None
+    if kept is None:
+        yield
+        return
+    try:
+        with open(os.devnull, "wb") as nowhere:  # noqa: PTH123 - no path of ours
+            os.dup2(nowhere.fileno(), 2)
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
