@@ -24,7 +24,7 @@ from sweetspot.season.balls import balls_of
 from sweetspot.season.fields import fields_of
 from sweetspot.season.flight_columns import GLOVE, FlightSetting, flown_balls
 from sweetspot.season.measured_hang import hang_check
-from sweetspot.season.pooling import HALF, NINETY
+from sweetspot.season.pooling import REACHES
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.season_table import season_setting
 from sweetspot.season.table_file import open_table
@@ -49,7 +49,7 @@ def compared(rows: pl.DataFrame, setting: FlightSetting) -> tuple[pl.DataFrame, 
     """Return balls of 80 mph and more with what their computed distance has too much, and which rows were caught."""
     balls = balls_of(rows)
     fields = fields_of(rows["home_team"], balls.season)
-    flown = flown_balls(balls, fields, setting, temperature=np.full(len(balls), np.nan))
+    flown = flown_balls(balls, fields, setting, airs=fields.airs(setting.air, rows))
     caught = rows["event"].is_in(CAUGHT).fill_null(value=False).to_numpy()
     glove = caught * GLOVE / np.tan(np.maximum(flown.landing_angle, 0.05))
     scatter = np.array([*(USUAL.of(park)[1] for park in fields.parks), USUAL.open])[fields.index]
@@ -120,8 +120,8 @@ def held_out(balls: pl.DataFrame, setting: FlightSetting, spin: float) -> None:
         long = mine["long"].to_numpy()
         apart = np.abs(long - np.sum(long / spread**2) / np.sum(1 / spread**2)) / spread
         print(
-            f"    with {spin / RPM:.0f} rpm, {low:g} to {high:g} deg: {100 * np.mean(apart < HALF):.1f} and "
-            f"{100 * np.mean(apart < NINETY):.1f} % within the intervals of 50 and 90 %, n {len(mine)}"
+            f"    with {spin / RPM:.0f} rpm, {low:g} to {high:g} deg: {100 * np.mean(apart < REACHES[50]):.1f} and "
+            f"{100 * np.mean(apart < REACHES[90]):.1f} % within the intervals of 50 and 90 %, n {len(mine)}"
         )
 
 

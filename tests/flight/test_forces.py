@@ -140,6 +140,8 @@ def test_one_air_and_one_wind_are_asked_for_where_each_flight_has_its_own() -> N
         _ = each.one_air
     with pytest.raises(InputError, match="give one `Wind`"):
         _ = each.one_wind
+    with pytest.raises(InputError, match="or `Airs`"):
+        _ = each.weather
     assert each.density == pytest.approx([1.2, 1.1])
     one = FlightConditions(ball=BALL, aerodynamics=LAW, air=Air())
     assert one.one_air == Air() and one.one_wind == CALM

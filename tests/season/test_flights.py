@@ -34,13 +34,13 @@ def test_balls_set_out_so_that_they_come_down_where_they_did() -> None:
     rows = rows_of(frame, headings_of(frame.columns))
     balls, setting = balls_of(rows), replace(season_setting(contact=False).flight, parks=False, threads=1)
     fields = fields_of(rows["home_team"], balls.season)
-    unknown = np.full(len(balls), np.nan)
-    found = flown_balls(balls, fields, setting, temperature=unknown)
+    airs = fields.airs(setting.air)
+    found = flown_balls(balls, fields, setting, airs=airs)
     assert np.isfinite(found.launch_direction).mean() > 0.97  # choppers come down beside the plate
     launch = usual_launch(balls.exit_speed, balls.launch_angle, np.nan_to_num(found.launch_direction), left=balls.left)
 
     def through(law: Aerodynamics) -> FlightConditions:
-        return FlightConditions(ball=setting.ball, aerodynamics=law, air=fields.density(setting.air, unknown))
+        return FlightConditions(ball=setting.ball, aerodynamics=law, air=airs)
 
     again, slowed = (
         flights(launch, through(law), threads=1) for law in (setting.aerodynamics, braked(setting.aerodynamics))

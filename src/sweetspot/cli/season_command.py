@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.weather import DEFAULT_GAMES_AIR, GamesAirOptions
 from sweetspot.errors import InputError
 from sweetspot.units import grouped
 
@@ -109,7 +110,7 @@ def season(
     *,
     bats: SwungOptions = DEFAULT_SWUNG,
     columns: ColumnOptions = DEFAULT_COLUMNS,
-    temperature: Annotated[str, Parameter(help="Of the air at all games: 72degF.")] = "72degF",
+    air: GamesAirOptions = DEFAULT_GAMES_AIR,
     player: Annotated[
         str | None, Parameter(help="A batter's number or name: a page to print of that player alone.")
     ] = None,
@@ -140,16 +141,15 @@ def season(
     def computed(folder: Path) -> Season:
         from functools import partial
 
+        from sweetspot.cli.options.weather import weather_of
         from sweetspot.cli.output import patience, progress
-        from sweetspot.flight.air import Air
         from sweetspot.season.cluster import run_on_cluster
         from sweetspot.season.season_table import analyse_season, season_setting
-        from sweetspot.units import parse
 
         with patience():
             setting = season_setting(
                 bats=names, others=bats.try_bat or (), contact=not bats.flight_only, system=output.units or "us",
-                air=Air(temperature=parse(temperature, "temperature", "--temperature")),
+                air=weather_of(air),
             )  # fmt: skip
         run = partial(run_on_cluster, workers=work.workers, scheduler=work.scheduler)
         with progress("season") as report:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass, fields
 from typing import Annotated, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from pydantic import AfterValidator, Field, model_validator
 
 from sweetspot.equipment.base import Fraction, NonNegative, Positive, Validated
@@ -106,6 +107,43 @@ class Air(Validated):
         return float(
             air_density(self.temperature, pressure=self.pressure, humidity=self.humidity, elevation=self.elevation)
         )
+
+
+USUAL_AIR = Air(temperature=22.2)
+"""72 degF at sea level: of games whose weather nobody gives."""
+
+
+@dataclass(frozen=True)
+class Airs:
+    """The air of each of n flights; every array has shape (n,). Nothing is checked, as in `air_density`.
+
+    Parameters
+    ----------
+    temperature : degC.
+    pressure : Pa, reduced to sea level.
+    humidity : relative humidity, 0 to 1.
+    elevation : m above the sea.
+
+    >>> two = Airs(np.array([4.0, 35.0]), np.array([101325.0] * 2), np.array([0.5, 0.5]), np.array([0.0, 0.0]))
+    >>> two.density.round(3), Air(temperature=35).density == two.at(slice(1, 2)).density[0]
+    (array([1.271, 1.133]), np.True_)
+    """
+
+    temperature: Array
+    pressure: Array
+    humidity: Array
+    elevation: Array
+
+    @property
+    def density(self) -> Array:
+        """Mass of the air per volume, kg/m^3, shape (n,); see `air_density`."""
+        return air_density(
+            self.temperature, pressure=self.pressure, humidity=self.humidity, elevation=self.elevation
+        )  # fmt: skip
+
+    def at(self, rows: slice | NDArray[np.intp] | NDArray[np.bool_]) -> Airs:
+        """Return the air of some of the flights."""
+        return Airs(*(getattr(self, one.name)[rows] for one in fields(self)))
 
 
 VACUUM = Air(pressure=0.0, humidity=0.0)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.air import CALM, Air, Airs, Wind
 from sweetspot.numerics.arrays import Array
 
 
@@ -22,20 +22,27 @@ class FlightConditions:
     ----------
     ball : its size and mass.
     aerodynamics : its law of drag and lift.
-    air : one air for all flights, or the density for each, kg/m^3, shape (n,).
+    air : one air for all flights, or one for each: whole, or its density alone, kg/m^3, shape (n,).
     wind : one wind for all, or a wind alike at every height for each, m/s, shape (n, 2): to the right and out.
     """
 
     ball: Ball
     aerodynamics: Aerodynamics
-    air: Air | ArrayLike
+    air: Air | Airs | ArrayLike
     wind: Wind | ArrayLike = CALM
 
     @property
     def one_air(self) -> Air:
         """The air, where all flights share one; raises `InputError` where each has its own density."""
         if not isinstance(self.air, Air):
-            raise InputError("air is a density for each flight; give one `Air` here")
+            raise InputError("air is one for each flight; give one `Air` here")
+        return self.air
+
+    @property
+    def weather(self) -> Air | Airs:
+        """The air, where it can be told for any elevation; raises `InputError` where only densities are known."""
+        if not isinstance(self.air, Air | Airs):
+            raise InputError("air is a density for each flight; give one `Air`, or `Airs` here")
         return self.air
 
     @property
@@ -48,7 +55,9 @@ class FlightConditions:
     @property
     def density(self) -> Array:
         """Density of the air, kg/m^3, shape () or (n,)."""
-        return np.asarray(self.air.density) if isinstance(self.air, Air) else np.atleast_1d(np.asarray(self.air, float))
+        if isinstance(self.air, Air | Airs):
+            return np.asarray(self.air.density)
+        return np.atleast_1d(np.asarray(self.air, float))
 
     @property
     def blowing(self) -> Array:

@@ -56,7 +56,8 @@ def chances(
     Parameters
     ----------
     start : (11, n), position, velocity, spin, wind to the right and out.
-    densities : (3,), of the air, kg/m^3, thinnest first; ``weights`` (m, 3) mix them to each park's air.
+    densities : (3, n), of the airs that each ball is flown in, kg/m^3, thinnest first; ``weights`` (m, 3) mix the
+        paths to each park's air.
     fences : (2, m, directions), distance and height of the fence every `TABLE_STEP` from one foul line to the other.
     nearest : m, no fence is nearer.
     drags, scatters : (m,), what each park adds to the drag coefficient, and standard deviation of the latter, as parts
@@ -72,7 +73,8 @@ def chances(
     count, farthest = 0, fences[0].max() + NEAR
     for first in range(0, balls, LANES):  # which balls come near a fence at all, in the thinnest air
         for lane in range(LANES):
-            _set_out(lanes, lane, start, min(first + lane, balls - 1), per_density * densities[0], 1.0)
+            ball = min(first + lane, balls - 1)
+            _set_out(lanes, lane, start, ball, per_density * densities[0, ball], 1.0)
         _fly(lanes, law, power, profile, step, nearest, paths, points, reach)
         for lane in range(min(LANES, balls - first)):
             if reach[lane] > nearest:
@@ -84,7 +86,7 @@ def chances(
     for first in range(0, count, BALLS):
         for lane in range(LANES):
             ball, path = far[min(first + lane // PATHS, count - 1)], lane % PATHS
-            density = densities[path] if path < AIRS else densities[MIDDLE]
+            density = densities[path if path < AIRS else MIDDLE, ball]
             _set_out(lanes, lane, start, ball, per_density * density, 1 + MORE_DRAG if path == AIRS else 1.0)
         _fly(lanes, law, power, profile, step, farthest, paths, points, reach)
         for place in range(min(BALLS, count - first)):

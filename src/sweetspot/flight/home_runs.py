@@ -15,7 +15,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from sweetspot.flight.air import Air
+from sweetspot.flight.air import PRESSURE_FALL, Air, Airs, air_density
 from sweetspot.flight.compiled import DENSITY
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, chances
@@ -30,7 +30,7 @@ CHUNK = 2048
 THIN = 800.0
 """m of elevation above which a park's air is too thin to be told with that of the others; only Denver's is."""
 ALIKE = 1e-4
-"""kg/m^3 by which the airs that a ball is flown in differ at least."""
+"""Part of the pressure by which the airs that a ball is flown in differ at least."""
 DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
 
 
@@ -105,21 +105,24 @@ def home_run_chances(
 
     A ball is followed as far as the fences and nothing is kept of its path: 16 bytes per ball and park. What drag takes
     of its height is that in the middle of the parks' airs; docs/theory/parks.md says how far that puts chances off.
-    Alone a park's is exact.
+    Alone a park's is exact. Balls that have each its own air have that weather in every park.
 
     Parameters
     ----------
     motions : the balls as they leave the bat; shapes are broadcast together.
-    conditions : as in `landings_everywhere`, or a wind for each ball; the wind does not know of shelter here.
+    conditions : as in `landings_everywhere`, or an air (`Airs`) or a wind for each ball; the wind does not know of
+        shelter here.
     parks : with their own fences; ``own_elevation`` says whether each lies at its own elevation too.
     step : s, as `flights` takes it; up to 0.5.
     threads : workers; None: one per core.
     """
-    everywhere, air = tuple(parks), conditions.one_air
-    nodes, weights = _airs(everywhere, air, own_elevation)
+    everywhere, air = tuple(parks), conditions.weather
+    levels, weights = _levels(tuple(park.elevation if own_elevation else 0.0 for park in everywhere))
     fences, nearest = _fences(everywhere)
     shifts, scatters = np.array([scatter.of(park) for park in everywhere]).T.copy()
     start = np.delete(flight_rows(motions, conditions), DENSITY, axis=0)
+    densities = np.empty((len(levels), start.shape[1]))
+    densities[:] = _densities(air, levels, own_elevation=own_elevation)
     law, per_density = flight_law(conditions), drag_per_density(conditions)
     power, profile = conditions.aerodynamics.lift_power, conditions.profile
     chance = np.empty((start.shape[1], len(everywhere)))
@@ -127,8 +130,8 @@ def home_run_chances(
 
     def work(part: slice) -> None:
         chances(
-            np.ascontiguousarray(start[:, part]), nodes, weights, fences, nearest, shifts, scatters, per_density, law,
-            power, profile, step, chance[part], clearance[part],
+            np.ascontiguousarray(start[:, part]), np.ascontiguousarray(densities[:, part]), weights, fences, nearest,
+            shifts, scatters, per_density, law, power, profile, step, chance[part], clearance[part],
         )  # fmt: skip
 
     in_parts(work, len(chance), size=CHUNK, threads=threads)
@@ -136,13 +139,26 @@ def home_run_chances(
 
 
 @lru_cache(maxsize=64)
-def _airs(parks: tuple[Park, ...], air: Air, own_elevation: bool) -> tuple[Array, Array]:
-    """Return densities at which a ball is flown, and how they mix to the air of each park."""
-    airs = [air.replaced(elevation=park.elevation) if own_elevation else air for park in parks]
-    density = np.array([one.density for one in airs])
-    apart = max(np.ptp(density) / 2, ALIKE)
-    nodes = (density.min() + density.max()) / 2 + apart * np.array([-1.0, 0.0, 1.0])
-    return nodes, np.array([_weights(one, nodes) for one in density])
+def _levels(elevations: tuple[float, ...]) -> tuple[Array, Array]:
+    """Return three elevations that a ball is flown at, highest first, and how they mix to the air of each park.
+
+    In any weather density is a straight line in how far the pressure has fallen, so one mixture does for every ball.
+    """
+    fallen = np.exp(-PRESSURE_FALL * np.array(elevations))
+    apart = max(np.ptp(fallen) / 2, ALIKE)
+    nodes = (fallen.min() + fallen.max()) / 2 + apart * np.array([-1.0, 0.0, 1.0])
+    return -np.log(nodes) / PRESSURE_FALL, np.array([_weights(one, nodes) for one in fallen])
+
+
+def _densities(air: Air | Airs, levels: Array, *, own_elevation: bool) -> Array:
+    """Return the densities in which balls are flown, kg/m^3, shape (levels, 1) or (levels, n).
+
+    Parameters
+    ----------
+    own_elevation : whether the levels are above the sea, or above the elevation of the air.
+    """
+    from_sea = levels[:, None] if own_elevation else levels[:, None] + np.asarray(air.elevation)
+    return air_density(air.temperature, pressure=air.pressure, humidity=air.humidity, elevation=from_sea)
 
 
 @lru_cache(maxsize=64)
@@ -152,10 +168,10 @@ def _fences(parks: tuple[Park, ...]) -> tuple[Array, float]:
     return fences, min(nearest_fence(park) for park in parks)
 
 
-def _weights(density: float, nodes: Array) -> list[float]:
+def _weights(value: float, nodes: Array) -> list[float]:
     """Return the weights of Lagrange's parabola through the nodes.
 
     >>> [round(weight, 6) + 0.0 for weight in _weights(1.05, np.array([1.0, 1.1, 1.2]))]
     [0.375, 0.75, -0.125]
     """
-    return [float(math.prod((density - other) / (node - other) for other in nodes if other != node)) for node in nodes]
+    return [float(math.prod((value - other) / (node - other) for other in nodes if other != node)) for node in nodes]

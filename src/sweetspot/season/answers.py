@@ -92,9 +92,7 @@ def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     balls = balls_of(rows, pitches=setting.contact is not None)
     clubs = _clubs_at_home(rows) if "home_team" in rows.columns else [None] * len(rows)
     fields = fields_of(clubs, balls.season)
-    warm = rows["temperature"].fill_null(np.nan).to_numpy() if "temperature" in rows.columns else np.full(
-        len(rows), np.nan)  # fmt: skip
-    flown = flown_balls(balls, fields, setting.flight, temperature=warm)
+    flown = flown_balls(balls, fields, setting.flight, airs=fields.airs(setting.flight.air, rows))
     bat_of = bats_of(rows, setting)
     met = None if setting.contact is None else contacts(balls, bat_of, setting.contact)
     return Answers(balls, fields, flown, met, bat_of)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from dataclasses import fields as dataclass_fields
 from functools import cache
 
 import numpy as np
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 
 from sweetspot.catalog.ballparks import park, parks_of_season
 from sweetspot.errors import InputError
-from sweetspot.flight.air import Air
+from sweetspot.flight.air import Air, Airs
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.rows import coded
@@ -39,18 +40,22 @@ class Fields:
     index: NDArray[np.int64]
     unknown: dict[str, int]
 
-    def density(self, air: Air, temperature: Array) -> Array:
-        """Return the air's density for every ball, kg/m^3; where the park is not known at the air's own elevation.
+    def airs(self, air: Air, rows: pl.DataFrame | None = None) -> Airs:
+        """Return the air of every ball: at the park's elevation, and of the weather that its row gives.
 
         Parameters
         ----------
-        temperature : degC of every ball, NaN: the air's own.
+        air : stands in for what is missing; its elevation where neither the park's nor the row's is known.
+        rows : that went through `rows_of`; columns named as the fields of `Airs` count. None: no weather is given.
         """
-        from sweetspot.flight.air import air_density
-
-        elevations = np.array([*(one.elevation for one in self.parks), air.elevation])
-        warm = np.where(np.isnan(temperature), air.temperature, temperature)
-        return air_density(warm, pressure=air.pressure, humidity=air.humidity, elevation=elevations[self.index])
+        given = {}
+        for one in dataclass_fields(Airs):
+            values = np.full(len(self.index), np.nan)
+            if rows is not None and one.name in rows.columns:
+                values = rows[one.name].cast(pl.Float64).fill_null(np.nan).to_numpy()
+            given[one.name] = np.where(np.isnan(values), getattr(air, one.name), values)
+        parks = np.array([*(one.elevation for one in self.parks), 0.0])[self.index]
+        return Airs(**given | {"elevation": np.where(self.index < 0, given["elevation"], parks)})
 
 
 def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:

@@ -14,7 +14,7 @@ import numpy as np
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import Air
+from sweetspot.flight.air import USUAL_AIR, Air, Airs
 from sweetspot.flight.carry_scatter import (
     MORE_DRAG,
     SPIN_SCATTER,
@@ -65,7 +65,7 @@ class FlightSetting:
     ----------
     ball : of the catalogue.
     aerodynamics : its law.
-    air : temperature, humidity and pressure at sea level; its elevation where the park is not known.
+    air : of balls whose table gives no weather; its elevation where neither the park's nor the table's is known.
     parks : whether chances of home runs are wanted.
     errors : of the measurements.
     spin_scatter : standard deviation of backspin about the usual line, rad/s.
@@ -108,7 +108,7 @@ class FlightColumns:
     home_run_parks: Array
 
 
-def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, temperature: Array) -> FlightColumns:
+def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, airs: Airs) -> FlightColumns:
     """Return the flights of balls.
 
     Balls with neither a bearing nor a launch direction fly as if to centre field, and have no chances.
@@ -116,14 +116,14 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, tempera
     Parameters
     ----------
     fields : where they were hit.
-    temperature : degC of every ball, NaN: the setting's.
+    airs : of every ball where it was hit; each has its weather in all thirty parks.
     """
     columns = FlightColumns(*np.empty((len(dataclass_fields(FlightColumns)), len(balls))))
     alone = replace(setting, threads=1)
 
     def work(part: slice) -> None:
         here = replace(fields, index=fields.index[part])
-        own = _flown_balls(taken(balls, part), here, alone, temperature=temperature[part])
+        own = _flown_balls(taken(balls, part), here, alone, airs.at(part))
         for name, values in vars(own).items():
             getattr(columns, name)[part] = values
 
@@ -131,20 +131,20 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, tempera
     return columns
 
 
-def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, temperature: Array) -> FlightColumns:
-    density = fields.density(setting.air, temperature)
+def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Airs) -> FlightColumns:
+    density = airs.density
     expected = expected_of(
-        balls, np.nan_to_num(balls.bearing), ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air,
-        density=density,
-    )  # fmt: skip
+        balls, np.nan_to_num(balls.bearing), ball=setting.ball, aerodynamics=setting.aerodynamics, density=density
+    )
     solved, flown, known = _launched(balls, density, expected, setting)
     per_drag = _per_drag(balls, solved, density, flown, expected, setting)
     shift, spread = np.array([*(USUAL.of(park) for park in fields.parks), (0.0, USUAL.open)]).T[:, fields.index]
     errors = LaunchErrors(setting.errors.exit_speed, setting.errors.launch_angle)
-    doubt = _carry_errors(setting.ball, setting.aerodynamics, setting.air, errors, setting.spin_scatter)
+    doubt = _carry_errors(setting.ball, setting.aerodynamics, errors, setting.spin_scatter)
     carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
     reach = THINNER * flown.carry - SURE * USUAL.open * per_drag
-    here, everywhere, count = _chances(balls, solved, fields, setting, flown.bearing, np.where(known, reach, 0.0))
+    reach = np.where(known, reach, 0.0)
+    here, everywhere, count = _chances(balls, solved, fields, airs, setting, bearing=flown.bearing, reach=reach)
     return FlightColumns(
         launch_direction=np.where(known, solved, np.nan), carry=flown.carry + shift * per_drag,
         carry_spread=carry_spread, hang_time=flown.hang_time, apex_height=flown.apex_height,
@@ -156,10 +156,8 @@ def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, temper
 
 
 @lru_cache(maxsize=8)
-def _carry_errors(
-    ball: Ball, law: Aerodynamics, air: Air, errors: LaunchErrors, spin_scatter: float
-) -> CarryErrors:  # fmt: skip
-    return carry_errors(ball, law, air, errors=errors, spin_scatter=spin_scatter)
+def _carry_errors(ball: Ball, law: Aerodynamics, errors: LaunchErrors, spin_scatter: float) -> CarryErrors:
+    return carry_errors(ball, law, USUAL_AIR, errors=errors, spin_scatter=spin_scatter)
 
 
 def _launched(
@@ -231,7 +229,7 @@ def _replaced(flown: Flights, rows: np.ndarray, again: Flights) -> Flights:
 
 
 def _chances(
-    balls: Balls, spray: Array, fields: Fields, setting: FlightSetting, bearing: Array, reach: Array
+    balls: Balls, spray: Array, fields: Fields, airs: Airs, setting: FlightSetting, *, bearing: Array, reach: Array
 ) -> tuple[Array, Array, Array]:
     """Return the chance here, the expected number over thirty parks, and in how many the mean ball is out.
 
@@ -247,7 +245,7 @@ def _chances(
         mine = np.flatnonzero((reach > near) & (balls.season == season))
         if not len(mine):
             continue
-        conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air)
+        conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=airs.at(mine))
         chances = home_run_chances(
             _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), step=STEP, threads=setting.threads
         )

@@ -47,6 +47,8 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "spin": {"rpm": RPM, "rad_s": 1.0},
     "acceleration": {"ft_s2": FOOT, "m_s2": 1.0},
     "temperature": {"degf": 5 / 9, "degc": 1.0, "f": 5 / 9, "c": 1.0, "°f": 5 / 9, "°c": 1.0},
+    "pressure": {"hpa": 100.0, "mbar": 100.0, "inhg": 3386.389, "in_hg": 3386.389, "mmhg": 133.3224, "kpa": 1000.0},
+    "ratio": {"%": 0.01, "pct": 0.01, "percent": 0.01, "ratio": 1.0},
     "count": {},
     "text": {},
 }

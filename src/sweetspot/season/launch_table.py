@@ -1,6 +1,6 @@
 """What is known of a ball's flight before it is flown: how far it bends on its way, and what drag does to its carry.
 
-Tabled once with the flight kernel for exit speeds, launch angles and bearings, in thin and in thick air. The bend tells
+Tabled once with the flight kernel for exit speeds, launch angles and bearings, in thin airs and thick. The bend tells
 where the search for a launch direction begins, and its change how far to turn for what the landing missed.
 """
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import Air
+from sweetspot.flight.air import USUAL_AIR
 from sweetspot.flight.carry_scatter import MORE_DRAG, SPEEDS, braked, usual_launch
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
@@ -25,8 +25,8 @@ from sweetspot.units import DEGREE
 ANGLES: Array = np.arange(-85.0, 86.0, 2.5) * DEGREE
 SPRAYS: Array = np.arange(-110.0, 111.0, 5.0) * DEGREE
 BEARINGS: Array = np.arange(-90.0, 91.0, 5.0) * DEGREE
-THIN, THICK = 0.8, 1.0
-"""Of the table's air: its densities; others lie on the straight line through the two."""
+APART = 0.2
+"""Of the usual air's density: steps between the airs that are tabled; others lie on straight lines between."""
 
 
 @dataclass(frozen=True)
@@ -46,33 +46,41 @@ class Expected:
 
 
 def expected_of(
-    balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, air: Air, density: Array
+    balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, density: Array
 ) -> Expected:  # fmt: skip
     """Return what is known of flights that come down in some direction.
 
     Parameters
     ----------
     bearing : where they come down, rad from centre field, shape (n,); 0 where it is not known.
-    ball, aerodynamics, air : of the table.
+    ball, aerodynamics : of the table.
     density : of the air that each ball flies through, kg/m^3, shape (n,).
     """
     side = np.where(balls.left, -1.0, 1.0)  # a left-handed batter's ball is a right-handed one's in a mirror
     asked = np.stack([balls.exit_speed, balls.launch_angle, side * bearing])
-    thick = (density / air.density - THIN) / (THICK - THIN)
+    steps = density / (APART * USUAL_AIR.density)
+    below = np.maximum(np.ceil(steps) - 1, 0)  # the usual air itself is the upper end of its band
     bend, turn, per_drag = values = np.empty((3, len(balls)))
-    fill_between((SPEEDS, ANGLES, BEARINGS), _table(ball, aerodynamics, air), asked, thick, values)
+    for thin in np.unique(below):
+        mine = below == thin
+        own = np.empty((3, int(mine.sum())))
+        table = _table(ball, aerodynamics, int(thin))
+        fill_between((SPEEDS, ANGLES, BEARINGS), table, asked[:, mine], steps[mine] - thin, own)
+        values[:, mine] = own
     return Expected(bearing + side * bend, turn, per_drag)
 
 
-@lru_cache(maxsize=8)
-def _table(ball: Ball, aerodynamics: Aerodynamics, air: Air) -> Array:
-    """Return the table for right-handed batters, shape (speeds, angles, bearings, 6)."""
-    return np.ascontiguousarray(np.concatenate(
-        [_values(ball, aerodynamics, share * air.density) for share in (THIN, THICK)], axis=-1
-    ))  # fmt: skip
+@lru_cache(maxsize=16)
+def _table(ball: Ball, aerodynamics: Aerodynamics, thin: int) -> Array:
+    """Return the table for right-handed batters between two airs, shape (speeds, angles, bearings, 6)."""
+    return np.ascontiguousarray(
+        np.concatenate([_values(ball, aerodynamics, step) for step in (thin, thin + 1)], axis=-1)
+    )
 
 
-def _values(ball: Ball, aerodynamics: Aerodynamics, density: float) -> Array:
+@lru_cache(maxsize=16)
+def _values(ball: Ball, aerodynamics: Aerodynamics, step: int) -> Array:
+    density = step * APART * USUAL_AIR.density
     speed, angle, spray = (grid.ravel() for grid in np.meshgrid(SPEEDS, ANGLES, SPRAYS, indexing="ij"))
     launch = usual_launch(speed, angle, spray, left=np.zeros(len(speed), bool))
     shape = (len(SPEEDS), len(ANGLES), len(SPRAYS))

@@ -19,7 +19,7 @@ from sweetspot.catalog.balls import ball as catalogue_ball
 from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.equipment.bat import Bat
-from sweetspot.flight.air import Air
+from sweetspot.flight.air import USUAL_AIR, air_density
 from sweetspot.flight.bearing import HOME_X, HOME_Y
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
@@ -193,12 +193,10 @@ def _flown(
     velocity: Array, spin: Array, how: MadeSeason, elevation: Array, rng: np.random.Generator
 ) -> tuple[NDArray[np.bool_], Array, Array, Array]:
     """Return which balls came down, bearings, carries with what single flights scatter by, and angles of the fall."""
-    from sweetspot.flight.air import air_density
-
     law = aerodynamics()
     names = [name for name in type(law).model_fields if name.startswith("drag")]
     changed = law.replaced(**{name: getattr(law, name) * how.drag for name in names})
-    air = Air(temperature=22.2)
+    air = USUAL_AIR
     density = air_density(air.temperature, pressure=air.pressure, humidity=air.humidity, elevation=elevation)
     flown = flights(
         BallMotions(velocity=np.nan_to_num(velocity), spin=np.nan_to_num(spin), position=USUAL_CONTACT),

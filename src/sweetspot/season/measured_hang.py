@@ -73,14 +73,12 @@ def hang_check(rows: pl.DataFrame, setting: FlightSetting, *, caught: NDArray[np
     here = np.isfinite(measured) & (measured > 0) & (balls.distance > 0) & (balls.exit_speed >= SPEED)
     here &= (balls.launch_angle >= ANGLES[0]) & (balls.launch_angle <= ANGLES[1])
     fields = fields_of(rows["home_team"] if "home_team" in rows.columns else [None] * len(rows), balls.season)
-    weather = np.full(len(rows), np.nan)
-    flown = flown_balls(balls, fields, setting, temperature=weather)
+    airs = fields.airs(setting.air, rows)
+    flown = flown_balls(balls, fields, setting, airs=airs)
     here &= np.isfinite(flown.launch_direction) & np.isfinite(flown.hang_time)
     if here.sum() < FEW:
         return None
-    law = FlightConditions(
-        ball=setting.ball, aerodynamics=setting.aerodynamics, air=fields.density(setting.air, weather)[here]
-    )
+    law = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=airs.at(here))
     launch = usual_launch(
         balls.exit_speed[here], balls.launch_angle[here], flown.launch_direction[here], left=balls.left[here]
     )

@@ -39,7 +39,7 @@ ONLY_CONTACTS = {
 }  # fmt: skip
 """Quantities that contacts alone hang on."""
 BALLS, LEDGER, COUNTED, MARK = "balls", "ledger", "counted", "sweetspot"
-WRITTEN = 5
+WRITTEN = 6
 """What a task writes, counted up when that changes: answers of an earlier form are computed anew."""
 SIZE_SEEN = 1 << 16
 """Bytes of a file's beginning and end that go into the fingerprint of a plan."""

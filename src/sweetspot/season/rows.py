@@ -38,11 +38,13 @@ POSSIBLE: Mapping[str, tuple[float, float]] = {
     "tilt": _RIGHT, "attack_direction": _RIGHT, "attack_to_right": _RIGHT, "launch_direction": _TURNS,
     "bearing": _TURNS, "axial_offset": (-1.0, 1.0), "plate_side": (-15 * FOOT, 15 * FOOT),
     "plate_height": (-15 * FOOT, 15 * FOOT), "distance": (0.0, 700 * FOOT), "hang_time": (0.0, 15.0),
-    "temperature": (-40.0, 60.0), "map_x": (-100.0, 400.0), "map_y": (-100.0, 400.0),
+    "temperature": (-40.0, 60.0), "pressure": (87e3, 108.5e3), "humidity": (0.0, 1.0),
+    "elevation": (-500.0, 9000.0), "map_x": (-100.0, 400.0), "map_y": (-100.0, 400.0),
     **{f"velocity_{axis}": (-200 * MPH, 200 * MPH) for axis in "xyz"},
     **{f"acceleration_{axis}": (-300 * FOOT, 300 * FOOT) for axis in "xyz"},
 }  # fmt: skip
-"""SI, what a measurement can be at all; beyond it stands for something missing (0, -9999) or a slip, and is missing.
+"""SI, what a measurement can be at all (a pressure: at sea level, what was ever measured); beyond it
+stands for something missing (0, -9999) or a slip, and is missing.
 Exit speed and launch angle decide by themselves whether a row counts."""
 DATES = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%d.%m.%Y", "%Y%m%d", "%m-%d-%Y", "%d-%b-%Y")
 SWAPPED = {"%m/%d/%Y": "%d/%m/%Y", "%m/%d/%y": "%d/%m/%y", "%m-%d-%Y": "%d-%m-%Y"}

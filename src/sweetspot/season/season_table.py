@@ -22,7 +22,7 @@ from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.flight.air import Air
+from sweetspot.flight.air import USUAL_AIR, Air
 from sweetspot.season.answers import (
     UNKNOWN_BAT,
     WHOSE_BAT,
@@ -117,14 +117,15 @@ def season_setting(
     ----------
     bats : of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's usual.
     others : bats that every swing is tried with.
-    air : temperature, humidity and pressure at sea level of all games; None: 72 degF and the usual.
+    air : of games whose weather the tables do not give, at the elevation of fields whose park is not known; None:
+        72 degF and the usual, at sea level.
     ball : name in the catalogue.
     contact : whether contacts are wanted beside flights.
     system : units of the columns.
     threads : workers of a task; None: one per core.
     """
     pitched: Ball = catalogue_ball(ball)
-    flight = FlightSetting(pitched, aerodynamics(ball), air or Air(temperature=22.2), threads=threads)
+    flight = FlightSetting(pitched, aerodynamics(ball), air or USUAL_AIR, threads=threads)
     known: dict[str, Bat] = {}
 
     def named(given: str | Bat) -> str:

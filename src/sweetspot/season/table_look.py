@@ -227,7 +227,7 @@ def _parts_off(headings: Headings) -> Iterator[str]:
     elif not (here("bearing") or here("launch_direction") or here("map_x", "map_y")):
         yield "no direction (hc_x and hc_y, Direction, bearing_deg): balls fly to centre field, no chances of home runs"
     elif not here("home_team"):
-        yield "no home club (home_team): no chance of a home run in the park itself; air as at sea level"
+        yield "no home club (home_team): no chance of a home run in the park itself; air as at sea level or --elevation"
     if not here("bat_speed"):
         yield "no bat speed (bat_speed): nothing of bats"
     elif not here("attack_angle"):

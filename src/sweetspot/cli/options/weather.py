@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 @Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
-class AirOptions:
-    """Weather and field; every quantity takes a unit."""
+class WeatherOptions:
+    """Weather and elevation; every quantity takes a unit."""
 
     temperature: Annotated[str, Parameter(help="Of the air: 70degF or 21degC.")] = "70degF"
     humidity: Annotated[str, Parameter(help="Relative humidity as a ratio: 0.5 or 50%.")] = "0.5"
@@ -26,6 +26,13 @@ class AirOptions:
     elevation: Annotated[
         str | None, Parameter(help="Of the field above the sea: 5200ft; default: the park's, or 0ft without one.")
     ] = None
+
+
+@Parameter(name="*", allow_leading_hyphen=True)
+@dataclass(frozen=True)
+class AirOptions(WeatherOptions):
+    """Weather and field; every quantity takes a unit."""
+
     wind_speed: Annotated[str, Parameter(help="Of the wind: 10mph.")] = "0mph"
     wind_direction: Annotated[
         str,
@@ -43,7 +50,18 @@ class AirOptions:
     )
 
 
-DEFAULT_AIR = AirOptions()
+@Parameter(name="*", allow_leading_hyphen=True)
+@dataclass(frozen=True)
+class GamesAirOptions(WeatherOptions):
+    """Weather of games whose table does not give it; every quantity takes a unit."""
+
+    temperature: Annotated[str, Parameter(help="Of the air, where no column gives it: 72degF.")] = "72degF"
+    elevation: Annotated[
+        str | None, Parameter(help="Of fields above the sea whose park is not known: 5200ft; default: 0ft.")
+    ] = None
+
+
+DEFAULT_AIR, DEFAULT_GAMES_AIR = AirOptions(), GamesAirOptions()
 
 
 def park_of(options: AirOptions) -> Park | None:
@@ -55,11 +73,15 @@ def park_of(options: AirOptions) -> Park | None:
 
 def air_of(options: AirOptions) -> Air:
     """Return the air that the options describe."""
+    park = park_of(options)
+    return weather_of(options, above_sea=0.0 if park is None else park.elevation)
+
+
+def weather_of(options: WeatherOptions, *, above_sea: float = 0.0) -> Air:
+    """Return the air that the options describe, at an elevation (m) where they name none."""
     from sweetspot.flight.air import Air
     from sweetspot.units import parse
 
-    park = park_of(options)
-    above_sea = 0.0 if park is None else park.elevation
     return Air(
         temperature=parse(options.temperature, "temperature", "--temperature"),
         pressure=pressure_of(options),
@@ -68,7 +90,7 @@ def air_of(options: AirOptions) -> Air:
     )
 
 
-def pressure_of(options: AirOptions) -> float:
+def pressure_of(options: WeatherOptions) -> float:
     """Return the barometer in Pa; where the elevation is said to be 0, one that was read at a high field is allowed."""
     from sweetspot.units import insisted, insisting, parse
 
