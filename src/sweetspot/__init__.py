@@ -9,7 +9,9 @@ Describe a real bat, find where it hits best and why. Names here load their modu
     result = analyse(bat, standard_conditions(bat))
     result.sweet_spots.max_exit_speed  # m from the knob end
 
-What to ask, and what to give. Everything is in SI units and radians, positions are metres from the knob end:
+What to ask, and what to give. Plain numbers are in SI units and radians, positions are metres from the knob end;
+`pint` quantities and texts with a unit (``"103 mph"``, ``"28 deg"``) are converted. Where a bat is wanted, its name in
+the catalogue or its file will do:
 
 - a bat or anything else that hits: `bat`, `implement`, `catalog`; its usual swing: `standard_conditions`;
 - where it hits best and why: `analyse`, or `standard_analysis` in one call; beside other bats: `compare`;
@@ -25,13 +27,14 @@ What to ask, and what to give. Everything is in SI units and radians, positions 
 
 from __future__ import annotations
 
+from types import FunctionType
+from typing import Any
+
 import lazy_loader
 
 from sweetspot.numerics.notebook_display import Renderer, ShownInNotebooks
 
 __version__ = "0.1.0"
-
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 
 def _reports() -> Renderer:
@@ -42,3 +45,16 @@ def _reports() -> Renderer:
 
 
 ShownInNotebooks.renderer = staticmethod(_reports)
+
+_attached, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def __getattr__(name: str) -> Any:
+    """Load a name when it is first used; a function's door takes names, files and quantities too."""
+    thing = _attached(name)
+    if isinstance(thing, FunctionType):
+        from sweetspot.front_door import opened
+
+        thing = opened(thing)
+    globals()[name] = thing
+    return thing

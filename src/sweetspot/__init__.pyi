@@ -18,7 +18,7 @@ from .dynamics.bending import bending_modes
 from .dynamics.hands import gripped
 from .dynamics.hoop import hoop_modes
 from .dynamics.mode_assembly import all_modes
-from .dynamics.reduction import ReducedBat
+from .dynamics.reduction import ReducedBat, reduced_bat
 from .dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
 from .equipment.ball import Ball, RestitutionLaw
 from .equipment.bat import Bat
@@ -90,6 +90,7 @@ __all__ = [
     "paper_rows",
     "play",
     "plays",
+    "reduced_bat",
     "rigid_body",
     "standard_analysis",
     "standard_conditions",

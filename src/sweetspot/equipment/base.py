@@ -6,8 +6,10 @@ import sys
 import unicodedata
 from collections.abc import Sequence
 from difflib import get_close_matches
+from functools import cache
 from inspect import Parameter, Signature
-from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, cast
+from types import NoneType
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, cast, get_args, get_origin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +18,7 @@ from pydantic_core import ErrorDetails
 
 from sweetspot.errors import ALMOST, InputError
 from sweetspot.units import shown_mass
+from sweetspot.units.quantities import KIND_OF, PLAIN, in_si
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass
@@ -86,7 +89,10 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     def __init__(self, **values: Any) -> None:
-        """Take fields by name, in SI; raises `InputError` that says what is wrong with them."""
+        """Take fields by name, in SI or with their units; raises `InputError` that says what is wrong with them."""
+        for name, value in values.items():
+            if type(value) not in PLAIN and name in KIND_OF and _is_number(type(self), name):
+                values[name] = in_si(value, name)
         try:
             super().__init__(**values)
         except ValidationError as error:
@@ -116,6 +122,20 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
         """Return a copy with some fields changed that is not validated: for many copies hardly unlike a valid one."""
         kept = {name: getattr(self, name) for name in type(self).model_fields}
         return cast("Self", self.model_construct(**{**kept, **changes}))
+
+
+@cache
+def _is_number(kind: type[Validated], name: str) -> bool:
+    """Return whether a field of a thing holds one number, or may hold none."""
+    field = kind.model_fields.get(name)
+    return field is not None and _types_of(field.annotation) <= {float, NoneType}
+
+
+def _types_of(annotation: Any) -> set[Any]:
+    """Return the types that an annotation allows, without their bounds."""
+    if get_origin(annotation) is Annotated:
+        return _types_of(get_args(annotation)[0])
+    return {one for part in get_args(annotation) for one in _types_of(part)} or {annotation}
 
 
 def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> str:

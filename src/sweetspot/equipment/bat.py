@@ -21,6 +21,7 @@ from sweetspot.equipment.shell import Shell, Stations, between, check_order
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, shown
+from sweetspot.units.quantities import in_si
 
 LENGTH_RANGE = (0.3, 1.3)
 MOST_COEFFICIENTS = 10
@@ -223,6 +224,7 @@ class Bat(OfMaterial):
 
     def diameter_at(self, position: ArrayLike) -> NDArray[np.float64]:
         """Return the outer diameter in m at positions in m (array in, array of the same shape out)."""
+        position = in_si(position, "position")
         if self.profile is not None:
             stations, diameters = zip(*self.profile, strict=True)
             return np.asarray(np.interp(np.asarray(position, float), stations, diameters))
@@ -239,7 +241,7 @@ class Bat(OfMaterial):
         """Return the thickness in m of a hollow bat's outer wall at positions in m; a solid bat has its radius."""
         if self.shell is None:
             return self.diameter_at(position) / 2
-        return self.shell.wall_at(np.asarray(position, float))
+        return self.shell.wall_at(np.asarray(in_si(position, "position"), float))
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the positions, 0 and length included, between which every outline is smooth."""

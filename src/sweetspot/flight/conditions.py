@@ -12,6 +12,7 @@ from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import CALM, Air, Airs, Wind
 from sweetspot.numerics.arrays import Array
+from sweetspot.units.quantities import in_si
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,6 +31,12 @@ class FlightConditions:
     aerodynamics: Aerodynamics
     air: Air | Airs | ArrayLike
     wind: Wind | ArrayLike = CALM
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.air, Air):
+            object.__setattr__(self, "air", in_si(self.air, "air"))
+        if not isinstance(self.wind, Wind):
+            object.__setattr__(self, "wind", in_si(self.wind, "wind"))
 
     @property
     def one_air(self) -> Air:

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import FOOT, check_angles
+from sweetspot.units.quantities import in_si
 
 USUAL_CONTACT = (0.0, 2 * FOOT, 3 * FOOT)
 """m, where a ball is met unless said otherwise: 2 ft in front of the plate's tip, 3 ft high. [Our choice.]"""
@@ -45,7 +46,7 @@ class BallMotion:
 
     def __post_init__(self) -> None:
         for name in ("position", "velocity", "spin"):
-            vector = np.asarray(getattr(self, name), float)
+            vector = np.asarray(in_si(getattr(self, name), name), float)
             if vector.shape != (3,) or not np.isfinite(vector).all():
                 raise InputError(f"{name} is {getattr(self, name)}; give three finite numbers: right, out and up")
             object.__setattr__(self, name, vector)
@@ -96,6 +97,10 @@ class BallMotions:
     spin: ArrayLike
     position: ArrayLike = (0.0, 0.6, 0.9)
 
+    def __post_init__(self) -> None:
+        for name in ("velocity", "spin", "position"):
+            object.__setattr__(self, name, in_si(getattr(self, name), name))
+
 
 @overload
 def launched(
@@ -140,8 +145,6 @@ def launched(
     >>> launched(speed=[40.0, 46.0], launch_angle=0.48, position=(0, 0, 1)).velocity.shape
     (2, 3)
     """
-    check_angles(launch_angle, "launch_angle")
-    check_angles(spray, "spray")
     try:
         given = [np.asarray(value, float) for value in (speed, launch_angle, spray, backspin, sidespin, gyrospin)]
         np.broadcast_shapes(*(value.shape for value in given))
@@ -152,6 +155,8 @@ def launched(
     names = ("speed", "launch_angle", "spray", "backspin", "sidespin", "gyrospin", "position")
     for name, value in zip(names, (*given, np.asarray(position, float)), strict=True):
         _check_known(value, name, several=value.ndim > (name == "position"))
+    check_angles(launch_angle, "launch_angle")
+    check_angles(spray, "spray")
     if any(value.ndim for value in given) or np.ndim(position) > 1:
         return _many_launched(np.broadcast_arrays(*map(np.atleast_1d, given)), position)
     speed, launch_angle, spray, backspin, sidespin, gyrospin = map(float, given)

@@ -75,6 +75,7 @@ USUAL: dict[str, Usual] = {
     "pitch_speed": Usual(10, 125, "mph", MPH, "pitches come with up to 110mph; for a ball at rest say tee", above=0),
     "release_speed": Usual(15, 125, "mph", MPH, above=15),
     "bat_speed": Usual(5, 150, "mph", MPH, above=0, below=MOST_BAT_SPEED),
+    "closing_speed": Usual(0, 275, "mph", MPH, "it is that of ball and bat together", above=0),
     "median_bat_speed": Usual(33, 95, "mph", MPH, FILE_UNITS),
     "median_exit_speed": Usual(33, 118, "mph", MPH, FILE_UNITS),
     "launch_angle": Usual(-89, 89, "deg", DEGREE, "0deg is level, 90deg straight up"),
