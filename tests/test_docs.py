@@ -13,7 +13,7 @@ import pytest
 
 import sweetspot
 from sweetspot import references
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.cli import main
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body

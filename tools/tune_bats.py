@@ -23,7 +23,7 @@ from scipy.optimize import least_squares
 from sweetspot import catalog
 from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED, bat_test
 from sweetspot.catalog.bats import bat_tables
-from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.catalog.records import unwrapped
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes

@@ -30,7 +30,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads on
 import numpy as np
 
 from sweetspot.analysis.position_scan import scan
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.standard_hit import standard_conditions

@@ -19,8 +19,7 @@ from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import described, unknowns_of
-from sweetspot.catalog.files.bat import bat_from_table
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import bat_from_table, implement_from_table
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.files.write_implement import implement_toml
 from sweetspot.catalog.standard_hit import standard_conditions

@@ -19,7 +19,7 @@ from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.bending import bending_frequencies

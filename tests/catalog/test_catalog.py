@@ -6,7 +6,7 @@ import pytest
 
 from sweetspot import catalog, references
 from sweetspot.catalog.bats import bat_tables
-from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.records import all_records, read_table
 from sweetspot.catalog.rules import league

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from sweetspot import catalog
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.errors import InputError
 from sweetspot.units import insisting

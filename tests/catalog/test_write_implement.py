@@ -7,7 +7,7 @@ import tomllib
 import pytest
 
 from sweetspot import catalog
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.files.write_implement import implement_toml
 from sweetspot.equipment.implement import AddedMass
 

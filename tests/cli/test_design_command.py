@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from sweetspot.catalog import load_implement
-from sweetspot.catalog.files.bat import read_bat
+from sweetspot.catalog.files.read import read_bat
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sweetspot import catalog
-from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material

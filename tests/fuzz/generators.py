@@ -25,7 +25,7 @@ from sweetspot.analysis.certification.shot_statistics import measure
 from sweetspot.analysis.certification.shots import read_shots
 from sweetspot.catalog.bats import bat_tables, other_tables
 from sweetspot.catalog.files.bat import table_of_text
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.records import unwrapped
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes

@@ -202,7 +202,7 @@ def _with_mass(bat: Bat, mass: float) -> Bat:
             f"{bat.name} weighs {shown_mass(lightest)} without its end cap; {shown_mass(mass)} needs a thinner wall"
         )
     shell = bat.shell.replaced(end_cap_mass=cap)
-    return bat.replaced(shell=shell, mass=None, balance_point=None, moi=None, original=bat.original or bat)
+    return bat.replaced(shell=shell, mass=None, balance_point=None, moi=None, original=bat.as_measured())
 
 
 def _answers(

@@ -13,7 +13,7 @@ from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import OF_BALL, Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName
 from sweetspot.catalog.bats import is_file
-from sweetspot.catalog.files.bat import read_toml
+from sweetspot.catalog.files.read import whole_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.catalog.files.write_implement import implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
@@ -121,8 +121,8 @@ def _record(written: Any, one: Value, unit: str) -> dict[str, Any]:
 
 
 def deviations_of(name_or_path: str) -> tuple[tuple[Unknown, ...], Array] | None:
-    """Return what the file of a calibrated bat holds of what is not known; None for any other bat."""
-    return known_deviations(read_toml(Path(name_or_path))) if is_file(name_or_path) else None
+    """Return what the file of a calibrated bat, or of one that is like it, holds of what is not known; or None."""
+    return known_deviations(whole_table(Path(name_or_path))) if is_file(name_or_path) else None
 
 
 def known_deviations(table: dict[str, Any]) -> tuple[tuple[Unknown, ...], Array] | None:

@@ -7,7 +7,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from sweetspot.catalog.files.bat import bat_from_table, read_bat, read_toml
+from sweetspot.catalog.files.bat import read_toml
+from sweetspot.catalog.files.read import bat_from_table, read_bat
 from sweetspot.catalog.records import FOLDER, canonical, entry
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError

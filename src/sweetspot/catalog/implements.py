@@ -8,7 +8,7 @@ from typing import Any
 
 from sweetspot.catalog.bats import bat_files, bat_tables, is_file, other_files, other_tables, refuse_slip
 from sweetspot.catalog.files.bat import read_toml
-from sweetspot.catalog.files.implement import implement_from_table, read_implement
+from sweetspot.catalog.files.read import implement_from_table, read_implement
 from sweetspot.catalog.records import entry
 from sweetspot.equipment.implement import Implement
 

@@ -88,12 +88,21 @@ def beam_model(bat: Implement) -> BeamModel:
     >>> round(rigid_body(beam_model(bat)).mass, 4), round(bat.mass, 4)  # kg: the line weighs what was measured
     (0.8788, 0.8788)
     """
-    measured = bat.as_measured()
-    known = measured.density_range
-    line = BeamModel(measured, 1.0, 0.0, measured.lumps()) if known is None else _fitted(measured, known)
-    line = line if measured is bat else replace(line, bat=bat, point_masses=bat.lumps())
+    line = _measured_line(bat)
     weights = [Lump(one.position, one.mass, roll_moi=one.mass * one.lateral**2) for one in bat.added]
     return replace(line, point_masses=(*line.point_masses, *weights)) if weights else line
+
+
+def _measured_line(bat: Implement) -> BeamModel:
+    """Return the line of an implement without added weights; one that was changed starts from that of what it was."""
+    if bat.original is None:
+        start = None
+    else:
+        start = replace(_measured_line(bat.original), bat=bat, point_masses=bat.lumps())
+        if bat.as_measured() is not bat:
+            return start
+    known = bat.density_range
+    return BeamModel(bat, 1.0, 0.0, bat.lumps()) if known is None else _fitted(bat, known, start)
 
 
 def turning_as(line: BeamModel, moi: float, *, axis: float) -> BeamModel:
@@ -162,17 +171,20 @@ def moments_with_roll(line: BeamModel) -> tuple[float, float, float, float]:
     return zeroth, first, second, roll
 
 
-def _fitted(bat: Implement, known: DensityRange) -> BeamModel:
-    """Fit density factor, gradient and grip to what was measured."""
+def _fitted(bat: Implement, known: DensityRange, start: BeamModel | None) -> BeamModel:
+    """Fit density factor, gradient and grip to what was measured, from a line's own on; None: from the drawing's."""
     gradient = bat.density_gradient if isinstance(bat, Bat) else 0.0
-    plain = BeamModel(bat, 1.0, gradient, bat.lumps())
-    if bat.mass is None:
+    plain = start or BeamModel(bat, 1.0, gradient, bat.lumps())
+    if bat.mass is None and start is None:
         if bat.balance_point is not None or bat.moi is not None:
             raise InputError(f"{bat.name} has a measured balance point or moi but no mass; weigh it and give the mass")
         return plain
-    others = _mass_of_others(plain)
-    line = replace(plain, density_factor=(bat.mass - others) / (moments(plain)[0] - others))
-    _check_density(line, known)
+    line = plain
+    if bat.mass is not None:
+        others = _mass_of_others(plain)
+        heavier = (bat.mass - others) / (moments(plain)[0] - others)
+        line = replace(plain, density_factor=plain.density_factor * heavier)
+        _check_density(line, known)
     if bat.balance_point is None and bat.moi is None:
         return line
     corrected = _corrected(line)
@@ -193,7 +205,7 @@ def _corrected(drawn: BeamModel) -> BeamModel:
     is_measured = np.isfinite(measured)
     plain = _balance_and_moi(drawn)
     scatter = np.array([BALANCE_SCATTER, MOI_SCATTER * plain[1]])
-    grip_mass = moments(replace(drawn, grip_excess=1.0))[0] - moments(drawn)[0]
+    grip_mass = moments(replace(drawn, grip_excess=drawn.grip_excess + 1.0))[0] - moments(drawn)[0]
     kinds = (
         ((1.0, 0.0), USUAL_GRADIENT, (-GRADIENT_LIMIT, GRADIENT_LIMIT)),
         ((0.0, 1.0), USUAL_GRIP_MASS / grip_mass, (LIGHTEST_GRIP, HEAVIEST_GRIP / grip_mass)),
@@ -214,8 +226,8 @@ def _corrected(drawn: BeamModel) -> BeamModel:
 
 def _shifted(line: BeamModel, gradient: float, grip: float) -> BeamModel:
     """Return a line of the same mass whose density changes along it; gradient and grip over the line's own density."""
-    gradient = line.density_gradient + gradient  # beyond what the drawing has
-    own = moments(line)[0] - _mass_of_others(line)
+    gradient, grip = line.density_gradient + gradient, line.grip_excess + grip  # beyond what the drawing has
+    own = moments(replace(line, density_gradient=0.0, grip_excess=0.0))[0] - _mass_of_others(line)
     added = moments(replace(line, density_gradient=gradient, grip_excess=grip))[0] - moments(line)[0]
     part = 1 - added / own
     return replace(
@@ -238,7 +250,7 @@ def _unplaced(line: BeamModel, measured: Array) -> tuple[float, float]:
     about = line.bat.moi_axis
     moi_known = not np.isnan(moi)
     total = moi + 2 * about * wanted - about**2 * mass if moi_known else second + (wanted**2 - first**2) / mass
-    return float(wanted - first), float(total - second)
+    return line.unplaced[0] + float(wanted - first), line.unplaced[1] + float(total - second)
 
 
 def _check_density(line: BeamModel, known: DensityRange) -> None:
@@ -278,7 +290,10 @@ def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) 
     """Return why a balance point and moi are refused that leave the material a density which it cannot have."""
     bat, measured = drawn.bat, np.array([drawn.bat.balance_point or np.nan, drawn.bat.moi or np.nan])
     part = corrected.density_factor / drawn.density_factor
-    amounts = corrected.density_gradient * part - drawn.density_gradient, corrected.grip_excess * part
+    amounts = (
+        corrected.density_gradient * part - drawn.density_gradient,
+        corrected.grip_excess * part - drawn.grip_excess,
+    )
     nearest, here, beyond = drawn, 0.0, 1.0  # parts of the way from the drawing to what was measured
     for _ in range(HALVINGS):
         part = (here + beyond) / 2
@@ -288,9 +303,9 @@ def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) 
         else:
             beyond = part
     return (
-        f"{bat.name}: at {shown_mass(bat.mass or 0.0)} the outline gives {_told(drawn, _balance_and_moi(drawn))}, but "
-        f"{_told(drawn, measured)} was measured, which it has {_only_at(corrected, known)}, so that the nearest that "
-        f"can be is {_told(drawn, _balance_and_moi(nearest))}. Check the profile or the measurement"
+        f"{bat.name}: at {shown_mass(moments(drawn)[0])} the outline gives {_told(drawn, _balance_and_moi(drawn))}, "
+        f"but {_told(drawn, measured)} was measured, which it has {_only_at(corrected, known)}, so that the nearest "
+        f"that can be is {_told(drawn, _balance_and_moi(nearest))}. Check the profile or the measurement"
     )
 
 
@@ -301,8 +316,8 @@ def _what_can_be(drawn: BeamModel, closest: BeamModel, measured: Array, scatter:
     possible = _balance_and_moi(closest) + np.clip(measured - _balance_and_moi(closest), -within, within)
 
     return (
-        f"{bat.name}: at {shown_mass(bat.mass or 0.0)} the outline gives {_told(drawn, _balance_and_moi(drawn))}, but "
-        f"{_told(drawn, measured)} was measured. With density that changes by {100 * GRADIENT_LIMIT:.0f} % "
+        f"{bat.name}: at {shown_mass(moments(drawn)[0])} the outline gives {_told(drawn, _balance_and_moi(drawn))}, "
+        f"but {_told(drawn, measured)} was measured. With density that changes by {100 * GRADIENT_LIMIT:.0f} % "
         f"towards the tip, and at the grip by {-100 * LIGHTEST_GRIP:.0f} % less or {shown_mass(HEAVIEST_GRIP)} more, "
         f"the nearest that can be is {_told(drawn, possible)}. Check the profile or the measurement"
     )

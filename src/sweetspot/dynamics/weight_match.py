@@ -198,7 +198,7 @@ def _mass_of(bat: Bat) -> float:
 def _made_with(bat: Bat, shell: Shell, name: str = "") -> Bat:
     """Return a bat made with another shell: what was measured on the original tells its density, and nothing else."""
     return bat.replaced(
-        name=name or bat.name, shell=shell, mass=None, balance_point=None, moi=None, original=bat.original or bat,
+        name=name or bat.name, shell=shell, mass=None, balance_point=None, moi=None, original=bat.as_measured(),
         remark="",
     )  # fmt: skip
 

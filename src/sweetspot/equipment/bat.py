@@ -86,14 +86,13 @@ class Bat(OfMaterial):
 
     Parameters
     ----------
-    name, sport, mass, balance_point, moi, moi_axis, fitted, choke : as for every `Implement`.
+    name, sport, mass, balance_point, moi, moi_axis, fitted, choke, original : as for every `Implement`.
     length : m, 0.3 to 1.3.
     material : of the body.
     profile : (position, diameter) stations in m from 0 to ``length``, positions increasing.
     linear_density : coefficients c0, c1, c2, ... of c0 + c1 x + c2 x^2 + ... in kg/m, x from the knob end.
     density_gradient : relative change of density from the middle of the bat to its tip, -0.25 to 0.25.
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
-    original : the bat as it was measured, when this one is that bat with something changed.
     remark : how the description was made to agree with what was measured; "": it did.
     drawn_shell : the shell as it was drawn, where that remark tells of another; None: as it is.
 
@@ -281,8 +280,10 @@ class Bat(OfMaterial):
         return DensityRange(usual, usual * light / material.density, usual * heavy / material.density)
 
     def as_measured(self) -> Bat:
-        """Return the bat as it was measured, before something was changed."""
-        return self.original or self
+        """Return the bat that the measured values belong to; see `Implement.as_measured`."""
+        measured = super().as_measured()
+        assert isinstance(measured, Bat)  # a bat was changed from a bat
+        return measured
 
     def as_drawn(self) -> Bat:
         """Return the bat as its file draws it, where walls or ends were changed so that it weighs what the file says.
@@ -292,7 +293,14 @@ class Bat(OfMaterial):
         if self.drawn_shell is None:
             return self
         return self.replaced(
-            shell=self.drawn_shell, drawn_shell=None, mass=None, balance_point=None, moi=None, fitted=(), remark=""
+            shell=self.drawn_shell,
+            drawn_shell=None,
+            mass=None,
+            balance_point=None,
+            moi=None,
+            fitted=(),
+            remark="",
+            original=None,
         )
 
     def section_at(self, position: Array, scale: Array) -> Section:
@@ -388,7 +396,7 @@ class Bat(OfMaterial):
     def _changed(self, name: str, **changes: object) -> Self:
         """Return a modified bat that remembers the bat its measured values belong to."""
         return self.replaced(
-            name=name, mass=None, balance_point=None, moi=None, original=self.original or self, **changes
+            name=name, mass=None, balance_point=None, moi=None, fitted=(), original=self.as_measured(), **changes
         )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from typing import Literal, NamedTuple, Self
 
 from numpy.typing import ArrayLike
@@ -77,6 +78,8 @@ class Implement(ShownInNotebooks, Validated, ABC):
     fitted : names of those of the three that were not measured but follow from what was.
     choke : m the grip is moved up from the butt end; shifts the default pivot and hands.
     added : small weights that were fixed to it after it was measured.
+    original : what it was before it was changed; None: it was not. What was measured on that one tells what this one is
+        made of.
     calibrated : whether what was measured counts even where the drawing has it only at an unusual density.
     """
 
@@ -90,6 +93,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
     fitted: tuple[str, ...] = ()
     choke: NonNegative = 0.0
     added: tuple[AddedMass, ...] = ()
+    original: Implement | None = None
     calibrated: bool = False
 
     @model_validator(mode="after")
@@ -170,7 +174,16 @@ class Implement(ShownInNotebooks, Validated, ABC):
 
     def as_measured(self) -> Implement:
         """Return the implement that the measured values belong to: this one, or what it was before it was changed."""
-        return self
+        if self.original is None or not (self.mass is self.balance_point is self.moi is None):
+            return self
+        return self.original
+
+    def lineage(self) -> Iterator[Implement]:
+        """Yield this implement, then what it was changed from, and so on back to the piece that it was made from."""
+        one: Implement | None = self
+        while one is not None:
+            yield one
+            one = one.original
 
     def lumps(self) -> tuple[Lump, ...]:
         """Return everything that sits at one place and is not part of the sections."""

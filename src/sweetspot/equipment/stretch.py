@@ -38,7 +38,7 @@ def _moved(stations: Stations, part: float) -> Stations:
 
 def _bat(bat: Bat, length: float) -> dict[str, Any]:
     if bat.profile is None:
-        raise InputError(f"{bat.name} has no outline to stretch; describe the bat in a file")
+        raise InputError(f"{bat.name} has no outline to stretch; give the profile of the longer or shorter one")
     part = length / bat.length
     places: dict[str, Any] = {
         "profile": _moved(bat.profile, part),

@@ -11,8 +11,8 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
-from sweetspot.catalog.files.bat import bat_from_table, table_of_text
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.bat import table_of_text
+from sweetspot.catalog.files.read import bat_from_table, implement_from_table
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import entry
 from sweetspot.catalog.standard_hit import standard_conditions

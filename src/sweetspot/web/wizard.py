@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml, legible
-from sweetspot.catalog.files.write_implement import changes_table
+from sweetspot.catalog.files.write_changes import changes_table
 from sweetspot.catalog.own_measures import Measures, made_to_measure, with_shaft
 from sweetspot.catalog.racket_stiffness import frequency_of_ra
 from sweetspot.catalog.rubbers import rubber

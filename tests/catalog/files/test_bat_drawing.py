@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.errors import InputError
 from sweetspot.units.usual import insisting
 

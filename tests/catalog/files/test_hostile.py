@@ -8,7 +8,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.catalog.files.bat import read_toml, table_of_text
-from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.errors import InputError
 
 BAT = {"name": "bat", "length": "33 in", "material": "white ash", "profile": [["0 in", "1 in"], ["33 in", "2.5 in"]]}

@@ -9,7 +9,8 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.catalog.bats import IMPLEMENT_FOLDER
-from sweetspot.catalog.files.implement import FILES, implement_from_table
+from sweetspot.catalog.files.implement import FILES
+from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import all_records
 from sweetspot.catalog.rubbers import rubber

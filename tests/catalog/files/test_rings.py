@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sweetspot import catalog
-from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.units import INCH
 

@@ -7,7 +7,7 @@ import tomllib
 import pytest
 
 from sweetspot import catalog
-from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.weight_match import with_wall_factor

@@ -11,13 +11,11 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from sweetspot.catalog.files.calibration import CalibrationTable
-from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import FileTable, parsed
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
-from sweetspot.catalog.usual_bodies import warn_of_doubts
 from sweetspot.dynamics.weight_match import weight_matched
 from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
@@ -32,7 +30,7 @@ Text = str
 Pairs = tuple[tuple[Text, Text], ...]
 MAX_BYTES = 250_000
 """Of a bat's file: ten times what the longest outline takes, and read in a tenth of a second."""
-COULD_BE_FITTED = ("mass", "balance_point", "moi")
+MEASURED = ("mass", "balance_point", "moi")
 """Values that count as measured where a file has them, unless it says that they were fitted."""
 DEEPEST_KEY = 40
 DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')\s*+\.\s*+){{{DEEPEST_KEY}}}""")
@@ -107,7 +105,7 @@ class ShellTable(FileTable):
 
 
 class PointMassTable(FileTable):
-    """[[point_mass]]: a small weight fixed to the bat."""
+    """[[point_mass]]: a small weight fixed to the bat; a mass in the same file is that of the bat with it."""
 
     position: Text
     mass: Text
@@ -150,7 +148,7 @@ class BatFile(FileTable):
         None, description="c0, c1, c2, ... of c0 + c1 x + c2 x^2 ... in kg/m with x in m from the knob end"
     )
     density_gradient: float = Field(0.0, description="relative change of density from the middle to the tip")
-    mass: Text | None = Field(None, description="measured; density is scaled to it")
+    mass: Text | None = Field(None, description="measured, with all that is on it; density is scaled to it")
     balance_point: Text | None = Field(None, description="measured, from the knob end")
     moi: Text | None = Field(None, description="measured moment of inertia about moi_axis")
     moi_axis: Text = Field("6 in", description="axis of moi, from the knob end")
@@ -160,16 +158,11 @@ class BatFile(FileTable):
     shell: ShellTable | None = None
     point_mass: Annotated[tuple[PointMassTable, ...], BeforeValidator(_listed)] = ()
     choke: Text = Field("0 in", description="how far the grip is moved up from the knob")
-    original: BatFile | None = Field(None, description="the bat as it was measured, when this one is that bat changed")
+    original: BatFile | None = Field(
+        None, description="the bat as it was measured, when this one is that bat changed; like = ... writes it"
+    )
     calibration: CalibrationTable | None = None
     note: str | None = Field(None, description="anything worth knowing about this bat")
-
-
-def read_bat(path: Path) -> Bat:
-    """Return the bat that a TOML file describes; raises `InputError` that says what is wrong in it."""
-    bat = bat_from_table(read_toml(path), str(path))
-    warn_of_doubts(bat)
-    return bat
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -191,9 +184,8 @@ def table_of_text(text: str, where: str) -> dict[str, Any]:
         raise InputError(f"{where} holds tables inside tables beyond all need; a bat has a few lines") from None
 
 
-def bat_from_table(table: dict[str, Any], where: str) -> Bat:
-    """Return the bat that a table describes; ``where`` names the file in messages."""
-    table = resolved(table)
+def bat_of_table(table: dict[str, Any], where: str) -> Bat:
+    """Return the bat that a table describes by itself; ``where`` names the file in messages."""
     if table.get("kind", "bat") != "bat":
         kind = str(table["kind"]).replace("-", " ")
         raise InputError(
@@ -220,7 +212,7 @@ def with_fitted(table: dict[str, Any]) -> dict[str, Any]:
     """Return a file's table that says under ``fitted`` what its records say was fitted, also of the original bat."""
     original = table.get("original")
     told = {**table, "original": with_fitted(original)} if isinstance(original, dict) else table
-    by_record = [name for name in COULD_BE_FITTED if isinstance(one := table.get(name), dict) and _is_fitted(one)]
+    by_record = [name for name in MEASURED if isinstance(one := table.get(name), dict) and _is_fitted(one)]
     return {**told, "fitted": by_record} if by_record else told
 
 
@@ -266,6 +258,8 @@ def _bat(file: BatFile) -> Bat:
         end = sizes["taper_end"] / length
         check_usual(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
         profile = turned_profile(length=length, **sizes)
+    original = None if file.original is None else _bat(file.original)
+    shell = None if file.shell is None else _shell(file.shell, own, length=file.length)
     bat = Bat(
         name=file.name,
         sport=file.sport,
@@ -276,7 +270,7 @@ def _bat(file: BatFile) -> Bat:
         density_gradient=file.density_gradient,
         bores=tuple(_bore(bore) for bore in file.bore),
         cup=None if file.cup is None else Cup(**_lengths(file.cup, "cup")),
-        shell=None if file.shell is None else _shell(file.shell, own, length=file.length),
+        shell=shell,
         point_masses=tuple(
             PointMass(
                 position=parse(weight.position, "length", "point_mass.position"),
@@ -291,13 +285,29 @@ def _bat(file: BatFile) -> Bat:
         moi_axis=parse(file.moi_axis, "length", "moi_axis"),
         fitted=file.fitted,
         choke=parse(file.choke, "length", "choke"),
-        original=None if file.original is None else _bat(file.original),
+        original=original,
         calibrated=file.calibration is not None,
     )
-    if bat.calibrated or bat.shell is None:
+    if shell is None:
+        return bat
+    if original is not None and original.shell is not None and original.drawn_shell is not None:
+        bat = _made_alike(bat, shell, original.shell, original.drawn_shell).replaced(remark=original.remark)
+    if bat.calibrated:
         return bat
     matched = weight_matched(bat, None if file.shell is None else file.shell.weight_by)
     return matched if matched is bat else matched.replaced(drawn_shell=bat.shell)
+
+
+def _made_alike(bat: Bat, shell: Shell, made: Shell, drawn: Shell) -> Bat:
+    """Return a bat whose shell is made as that of its original, which is not quite as that one was drawn.
+
+    Parameters
+    ----------
+    shell : as the bat's own file draws it; where that is as the original was drawn, it is as that one was made.
+    made, drawn : of the original.
+    """
+    same = {name: getattr(made, name) for name in Shell.model_fields if getattr(shell, name) == getattr(drawn, name)}
+    return bat.replaced(shell=shell.replaced(**same), drawn_shell=shell)
 
 
 def _pairs(pairs: Pairs, what: str) -> tuple[tuple[float, float], ...]:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from pathlib import Path
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -12,13 +11,11 @@ from pydantic import Field
 from sweetspot.catalog.files.bat import (
     BatFile,
     PlyTable,
-    bat_from_table,
+    bat_of_table,
     laminate_of,
-    read_toml,
     with_fitted,
 )
 from sweetspot.catalog.files.calibration import CalibrationTable
-from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import (
     FORCE,
@@ -39,7 +36,6 @@ from sweetspot.catalog.materials import material
 from sweetspot.catalog.racket_stiffness import frequency_of_ra
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.rubbers import rubber
-from sweetspot.catalog.usual_bodies import warn_of_doubts
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, Outline
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
@@ -76,8 +72,14 @@ class CommonTable(FileTable):
     fitted: tuple[str, ...] = Field((), description="which of mass, balance_point and moi were not measured but fitted")
     choke: Length = Field("0 cm", description="how far the grip is moved up from the butt end")
     note: str | None = Field(None, description="anything worth knowing about it")
-    point_mass: tuple[AddedTable, ...] = Field((), description="small weights added after it was measured: lead tape")
+    point_mass: tuple[AddedTable, ...] = Field(
+        (),
+        description="small weights, lead tape; mass is that before them, but with like = ... with them",
+    )
     calibration: CalibrationTable | None = None
+    original: dict[str, Any] | None = Field(
+        None, description="it as it was measured, when this one is that one changed; like = ... writes it"
+    )
 
 
 FirstFrequency = Annotated[
@@ -193,12 +195,11 @@ class TableTennisRacketFile(CommonTable):
     damping: float = 0.02
 
 
-def implement_from_table(table: dict[str, Any], where: str) -> Implement:
-    """Return the implement that a table describes by its ``kind``; ``where`` names the file in messages."""
-    table = resolved(table)
+def implement_of_table(table: dict[str, Any], where: str) -> Implement:
+    """Return the implement that a table describes by itself, by its ``kind``; ``where`` names the file in messages."""
     kind = table.get("kind", "bat")
     if kind == "bat":
-        return bat_from_table(table, where)
+        return bat_of_table(table, where)
     if not isinstance(kind, str) or kind not in KINDS:
         known = nearest_names(str(kind)[:40], sorted((*KINDS, "bat")))
         raise InputError(f"{where}: kind {repr(kind)[:60]} is not known. {known}")
@@ -215,13 +216,6 @@ def implement_from_table(table: dict[str, Any], where: str) -> Implement:
         raise InputError(f"{where}: {message}") from None
 
 
-def read_implement(path: Path) -> Implement:
-    """Return the implement that a TOML file describes; raises `InputError` that says what is wrong in it."""
-    implement = implement_from_table(read_toml(path), str(path))
-    warn_of_doubts(implement)
-    return implement
-
-
 def _unwrapped(value: Any) -> Any:
     """Return a value without provenance, tables inside it included."""
     plain = unwrapped(value)
@@ -229,14 +223,18 @@ def _unwrapped(value: Any) -> Any:
 
 
 def _common(file: CommonTable) -> dict[str, Any]:
-    left_out = ("kind", "note", "point_mass", "calibration")
+    left_out = ("kind", "note", "point_mass", "calibration", "original")
     fields = {name: value for name, value in in_si(file, implement=file.kind).items() if name not in left_out}
     fields["calibrated"] = file.calibration is not None
-    weights = [in_si(weight, "point_mass", implement=file.kind) for weight in file.point_mass]
-    fields["added"] = tuple(
-        AddedMass(position=one["position"], mass=one["mass"], lateral=one["beside"]) for one in weights
-    )
+    fields["original"] = None if file.original is None else implement_of_table(file.original, "original")
+    fields["added"] = added_masses(file.point_mass, file.kind)
     return fields
+
+
+def added_masses(weights: Sequence[AddedTable], kind: str) -> tuple[AddedMass, ...]:
+    """Return the weights of a file's [[point_mass]] tables; ``kind`` is that of the implement."""
+    each = [in_si(weight, "point_mass", implement=kind) for weight in weights]
+    return tuple(AddedMass(position=one["position"], mass=one["mass"], lateral=one["beside"]) for one in each)
 
 
 def _racket(file: RacketFile) -> Racket:

@@ -1,44 +1,108 @@
-"""Files that start from an entry of the catalogue: ``like = "tennis-racket"`` and what is different."""
+"""Files that start from another one: ``like = "tennis-racket"`` or ``like = "own.toml"``, and what is different.
+
+What such a file adds or changes is done to its parent, as a workshop does it: what was measured on the parent tells
+what it is made of, and the weight follows. What the file itself says was measured was measured on the changed one.
+"""
 
 from __future__ import annotations
 
-import tomllib
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
+from sweetspot.catalog.files.bat import MEASURED, read_toml, with_fitted
+from sweetspot.catalog.files.implement import AddedTable, added_masses, implement_of_table
+from sweetspot.catalog.files.write_implement import implement_table
+from sweetspot.catalog.own_measures import Measures, made_to_measure
 from sweetspot.catalog.records import FOLDER, canonical, entry, unwrapped
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.implement import AddedMass
+from sweetspot.equipment.stretch import stretched
+from sweetspot.errors import InputError
+from sweetspot.units import Kind, parse
 
 FOLDERS = ("bats", "implements")
 OUTLINES = frozenset({"profile", "turned", "linear_density"})
-"""Of these a bat has one: another in the file takes the place of the entry's."""
+"""Of these a bat has one: another in the file takes the place of the parent's."""
+ADDED_TO = ("point_mass", "bore", "ring")
+"""Lists that a file adds to; an empty one takes away what the parent has."""
+OF_THE_PARENT = ("note", "original", "fitted")
+"""What a parent's file says of that one alone."""
+KNOWN_BY_MEASURES = ("racket", "golf-club")
+"""Kinds that cannot be without what was measured, or its parts: what their files leave out keeps the parent's."""
+
+CHANGED = ", changed"
+"""What the name of a thing ends with that its file gives none."""
+UNITS: dict[str, tuple[Kind, str]] = {
+    "mass": ("mass", "kg"),
+    "balance_point": ("length", "m"),
+    "moi": ("moi", "kg*m^2"),
+}
+
+Table = dict[str, Any]
 
 
-def resolved(table: dict[str, Any]) -> dict[str, Any]:
-    """Return a file's table with what it leaves out taken from the catalogue's entry that ``like`` names.
+def resolved(table: Table, where: str, folder: Path | None = None, before: tuple[Path, ...] = ()) -> Table:
+    """Return a file's table with all that it leaves out taken from the parent that ``like`` names.
 
-    Tables inside it are completed the same way; lists are replaced whole.
+    Tables inside it are completed the same way. Holes, rings and weights are added to the parent's; other lists are
+    replaced whole. The parent as it was measured is the ``original`` of the changed one, unless that is of another
+    material.
+
+    Parameters
+    ----------
+    where : names the file in messages.
+    folder : of the file, which its ``like`` may name another file from; None: it may name none.
+    before : files that led to this one.
 
     Raises
     ------
     InputError
-        for a name that is not in the catalogue, with the nearest ones.
+        for a parent that is not there, or that is like this file.
 
-    >>> resolved({"like": "tennis-racket", "mass": "330 g"})["mass"]
-    '330 g'
+    >>> resolved({"like": "tennis-racket", "ra": 66}, "mine.toml")["mass"]
+    '318 g'
     """
     name = table.get("like")
     if not isinstance(name, str):
         return table
-    known = {canonical(path.stem): path for folder in FOLDERS for path in (FOLDER / folder).glob("*.toml")}
-    key, _ = entry({key: {} for key in known}, name, "bat")
-    with known[key].open("rb") as file:
-        base = _plain(tomllib.load(file))
-    changes = {field: value for field, value in table.items() if field != "like"}
-    if OUTLINES & changes.keys():
-        base = {field: value for field, value in base.items() if field not in OUTLINES}
-    base.pop("note", None)
-    if {"ra", "first_frequency"} & changes.keys():  # one of them is enough
-        base = {field: value for field, value in base.items() if field not in ("ra", "first_frequency")}
-    return _completed({**base, "name": f"{base['name']}, changed"[:100]}, changes)
+    changes = _plain(with_fitted({field: value for field, value in table.items() if field != "like"}))
+    try:
+        return _changed(_parent(name, folder, before), changes)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+
+
+def names_file(like: str) -> bool:
+    """Say whether what a file is like is meant as another file: it ends in ``.toml`` or holds a path separator."""
+    return like.lower().endswith(".toml") or "/" in like or "\\" in like
+
+
+def _parent(name: str, folder: Path | None, before: tuple[Path, ...]) -> Table:
+    """Return the whole table of a parent, without provenance."""
+    if names_file(name):
+        if folder is None:
+            raise InputError(
+                f"like = {name[:60]!r} names another file, and no file is opened from here. Name an entry of the "
+                "catalogue, or use the command line, where both files are"
+            )
+        path = folder / name
+        if not path.is_file():
+            raise InputError(f"like = {name[:60]!r}: there is no file {path}; it is looked for beside the file itself")
+    else:
+        known = {canonical(path.stem): path for folder in FOLDERS for path in (FOLDER / folder).glob("*.toml")}
+        path = known[entry({key: {} for key in known}, name, "bat")[0]]
+    path = path.resolve()
+    if path in before:
+        ring = " is like ".join(one.name for one in (*before[before.index(path) :], path))
+        raise InputError(f"{ring}: that has no beginning. Let one of them describe its bat without like")
+    table = _plain(with_fitted(read_toml(path)))
+    whole = resolved(table, str(path), path.parent, (*before, path))
+    if names_file(name):
+        implement_of_table(whole, str(path))  # it says itself what is wrong in it
+    return whole
 
 
 def _plain(value: Any) -> Any:
@@ -47,9 +111,132 @@ def _plain(value: Any) -> Any:
     return {key: _plain(item) for key, item in plain.items()} if isinstance(plain, dict) else plain
 
 
-def _completed(base: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+def _changed(parent: Table, changes: Table) -> Table:
+    """Return the whole table of what was changed from a parent."""
+    was_measured = any(name in parent for name in MEASURED) or "original" not in parent
+    measured_on = parent if was_measured else parent["original"]
+    before, after = parent.get("material"), changes.get("material")
+    changes = {**changes, **_whole_material(before, after)}
+    base = {**_base(_without(parent, *OF_THE_PARENT), changes), "name": _name(str(parent.get("name", "")))}
+    if OUTLINES & changes.keys():
+        base = _without(base, *OUTLINES)
+    if {"ra", "first_frequency"} & changes.keys():  # one of them is enough
+        base = _without(base, "ra", "first_frequency")
+    if parent.get("kind") in KNOWN_BY_MEASURES:
+        return {**_completed(base, _without(changes, *MEASURED, "moi_axis")), "original": measured_on}
+    base = _without(base, *MEASURED)
+    if _is_other_material(before, after):
+        return _completed(_without(base, "calibration", "density_gradient"), changes)
+    table = {**_completed(base, changes), "original": measured_on}
+    return table if parent.get("kind", "bat") == "bat" else {**table, **_before_added(table)}
+
+
+def _base(parent: Table, changes: Table) -> Table:
+    """Return the parent's table, at the length of the changed one, and measured as that where its kind needs it."""
+    length = parse(changes["length"], "length", "length") if "length" in changes else None
+    if length == parse(parent["length"], "length", "length"):
+        length = None
+    if parent.get("kind") in KNOWN_BY_MEASURES and (length is not None or set(MEASURED) & changes.keys()):
+        return _made_to_measure(parent, changes, length)
+    if length is None or (OUTLINES & changes.keys() and "shell" not in parent):  # a new outline has its own length
+        return parent
+    longer = implement_table(stretched(implement_of_table(parent, "its parent"), length))
+    return {**_kept(parent), **_without(longer, "original")}
+
+
+def _made_to_measure(parent: Table, changes: Table, length: float | None) -> Table:
+    """Return the table of a racket or club like its parent that has, with all its weights on it, what was measured."""
+    tool = implement_of_table(parent, "its parent")
+    more = _weights(changes, parent["kind"])
+    weights = more if changes.get("point_mass") == [] else (*tool.added, *more)
+    whole = rigid_body(beam_model(tool)).mass + sum(one.mass for one in more)
+    known = _bare(weights, changes, whole, tool.moi_axis)
+    plain = tool.replaced(added=())
+    made, _ = made_to_measure(plain, replace(known, length=length))
+    follows = [name for name in MEASURED if name not in changes and getattr(made, name) != getattr(plain, name)]
+    fitted = [name for name in MEASURED if name in follows or (name in tool.fitted and name not in changes)]
+    return {**_kept(parent), **implement_table(made.replaced(fitted=tuple(fitted)))}
+
+
+def _before_added(table: Table) -> Table:
+    """Return what was measured on an implement with its weights as its file has it: without them."""
+    own, weights = set(MEASURED) & table.keys(), _weights(table, table["kind"])
+    if not own or not weights:
+        return {}
+    whole = rigid_body(beam_model(implement_of_table(_without(table, *MEASURED), "its parent"))).mass
+    known = _bare(weights, table, whole, 0.0)
+    return {name: f"{getattr(known, name)!r} {UNITS[name][1]}" for name in own}
+
+
+def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float) -> Measures:
+    """Return what a file says was measured on an implement as it would be without its weights.
+
+    Parameters
+    ----------
+    whole : kg, with the weights, where the file does not say it.
+    axis : m from the butt end, of a moment of inertia, where the file does not say it.
+    """
+    mass, balance, moi = (
+        parse(table[name], kind, name) if name in table else None for name, (kind, _) in UNITS.items()
+    )
+    axis = parse(table["moi_axis"], "length", "moi_axis") if "moi_axis" in table else axis
+    added = sum(one.mass for one in weights)
+    own = (whole if mass is None else mass) - added
+    if balance is not None:
+        balance = (balance * (own + added) - sum(one.mass * one.position for one in weights)) / own
+    if moi is not None:
+        moi -= sum(one.mass * (one.position - axis) ** 2 for one in weights)
+    return Measures(mass=None if mass is None else own, balance_point=balance, moi=moi, moi_axis=axis)
+
+
+def _weights(table: Table, kind: str) -> tuple[AddedMass, ...]:
+    return added_masses(
+        [AddedTable(**one) for one in _listed(table.get("point_mass", [])) if isinstance(one, dict)], kind
+    )
+
+
+def _is_other_material(parent: Any, own: Any) -> bool:
+    """Say whether a material's name or density is another than the parent's; stiffer wood is still the same piece."""
+    if own is None or parent is None:
+        return False
+    before, after = (one if isinstance(one, dict) else {"like": one} for one in (parent, own))
+    name = after.get("like", before.get("like"))
+    return canonical(str(name)) != canonical(str(before.get("like"))) or "density" in after
+
+
+def _whole_material(parent: Any, own: Any) -> Table:
+    """Return a file's [material] with the parent's name where it gives values alone."""
+    if not isinstance(own, dict) or "like" in own or parent is None:
+        return {}
+    return {"material": {**(parent if isinstance(parent, dict) else {"like": parent}), **own}}
+
+
+def _completed(base: Table, changes: Table) -> Table:
     table = dict(base)
     for key, value in changes.items():
         own = table.get(key)
-        table[key] = _completed(own, value) if isinstance(own, dict) and isinstance(value, dict) else value
+        if isinstance(own, dict) and isinstance(value, dict) and value.get("like", own.get("like")) == own.get("like"):
+            table[key] = _completed(own, value)
+        elif key in ADDED_TO and value and own:
+            table[key] = [*_listed(own), *_listed(value)]
+        else:
+            table[key] = value
     return table
+
+
+def _name(parent: str) -> str:
+    return parent if parent.endswith(CHANGED) else f"{parent}{CHANGED}"[:100]
+
+
+def _kept(parent: Table) -> Table:
+    """Return what of a parent's file is not in the text of its implement, and the weights on it."""
+    return {name: parent[name] for name in ("calibration", "point_mass") if name in parent}
+
+
+def _without(table: Table, *names: str) -> Table:
+    return {field: value for field, value in table.items() if field not in names}
+
+
+def _listed(value: Any) -> list[Any]:
+    """Return one table as a list of one, as files may have it."""
+    return list(value) if isinstance(value, (list, tuple)) else [value]

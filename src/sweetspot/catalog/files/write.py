@@ -31,7 +31,7 @@ def bat_toml(bat: Bat) -> str:
 
 
 def bat_table(bat: Bat) -> dict[str, Any]:
-    """Return the bat file's content as `sweetspot.catalog.files.bat.bat_from_table` takes it.
+    """Return the bat file's content as `sweetspot.catalog.files.read.bat_from_table` takes it.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Any implement as the text of its file, in SI and to the last digit: whole, or what differs from the catalogue's."""
+"""Any implement as the text of its file, in SI and to the last digit."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def implement_toml(implement: Implement) -> str:
 
 
 def implement_table(implement: Implement) -> dict[str, Any]:
-    """Return the file's content as `sweetspot.catalog.files.implement.implement_from_table` takes it.
+    """Return the file's content as `sweetspot.catalog.files.read.implement_from_table` takes it.
 
     Raises
     ------
@@ -44,39 +44,6 @@ def implement_table(implement: Implement) -> dict[str, Any]:
         if isinstance(implement, made):
             return {"kind": kind, **_common(implement), **table(implement)}
     raise InputError(f"{implement.name} is of a kind whose file is not written; write it by hand")
-
-
-def changes_table(implement: Implement, *, like: str) -> dict[str, Any]:
-    """Return the content of a file that names an entry of the catalogue and says only what is different.
-
-    Parameters
-    ----------
-    like : name in the catalogue of an implement of the same kind.
-
-    Raises
-    ------
-    InputError
-        see `implement_toml`.
-
-    >>> from sweetspot import catalog
-    >>> changes_table(catalog.implement("tennis-racket").replaced(mass=0.305), like="tennis-racket")
-    {'like': 'tennis-racket', 'mass': '0.305 kg'}
-    """
-    from sweetspot.catalog.implements import implement as of_catalogue
-
-    return {"like": like, **_different(implement_table(implement), implement_table(of_catalogue(like)))}
-
-
-def _different(table: dict[str, Any], pattern: dict[str, Any]) -> dict[str, Any]:
-    """Return what of a table is not in the pattern's; of a table inside it, what of that is not."""
-    changed: dict[str, Any] = {}
-    for name, value in table.items():
-        known = pattern.get(name)
-        if isinstance(value, dict) and isinstance(known, dict) and value != known:
-            changed[name] = _different(value, known)
-        elif value != known:
-            changed[name] = value
-    return changed
 
 
 def _common(implement: Implement) -> dict[str, Any]:
@@ -94,6 +61,7 @@ def _common(implement: Implement) -> dict[str, Any]:
         **({"fitted": list(implement.fitted)} if implement.fitted else {}),
         "choke": length_text(implement.choke),
         **({"point_mass": weights} if weights else {}),
+        **({} if implement.original is None else {"original": implement_table(implement.original)}),
     }
 
 

@@ -56,7 +56,7 @@ def _assumed_balances(bats: Sequence[tuple[str, Bat]]) -> str:
 
 HOW_TO_SHOW = (
     '`sweetspot show NAME` prints any of them as a file to change; a file that begins with like = "NAME" needs only '
-    "what is different."
+    "what is different; what it adds is added to the weight, and a mass that it gives is that of the finished one."
 )
 
 
