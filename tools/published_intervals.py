@@ -21,7 +21,8 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
-from sweetspot.calibration.draws.drawn_reports import drawn_hit, drawn_report
+from sweetspot.answers.hit import HitQuestion, hit_answer
+from sweetspot.calibration.draws.drawn_reports import drawn_report
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -37,7 +38,8 @@ class Value:
     ----------
     source, what, printed : key of the source, the quantity, and the number as printed.
     name : of the implement in the catalogue.
-    answer : name of the draws' answer; several that are one list: with the number behind it.
+    answer : name of the draws' answer, or a field of `HitAnswer` for one hit; several that are one list: with the
+        number behind it.
     low, high : ends of what is printed, in ``unit`` (SI size); equal for one number.
     from_tip : m; where it is hit, None: the whole report is asked.
     closing : m/s; None: the sport's usual hit.
@@ -77,12 +79,12 @@ VALUES = (
           from_tip=0.25, closing=16.0),
     Value("cross_cricket", "node of mode 1, cm from the toe", "about 15", "cricket-bat", "tip/sweet_spots.node_1_m",
           14.5, 15.5, 0.01),
-    Value("cross1999racket", "contact time at 5 m/s, ms", "about 5", "tennis-racket", "contact_time_s", 4.5, 5.5, 1e-3,
+    Value("cross1999racket", "contact time at 5 m/s, ms", "about 5", "tennis-racket", "contact_time", 4.5, 5.5, 1e-3,
           from_tip=0.16, closing=5.0),
     Value("trackman_tour", "ball speed of the driver, mph", "167", "golf-driver", "best_hit.exit_speed_m_s", 166.5,
           167.5, MPH),
     Value("golf_smash_tour", "smash factor", "1.48 to 1.49", "golf-driver", "best_hit.smash_factor", 1.48, 1.49),
-    Value("cohen2015", "contact time of a shuttle, ms", "1", "badminton-racket", "contact_time_s", 0.5, 1.5, 1e-3,
+    Value("cohen2015", "contact time of a shuttle, ms", "1", "badminton-racket", "contact_time", 0.5, 1.5, 1e-3,
           from_tip=0.13, closing=20.0),
 )  # fmt: skip
 
@@ -119,7 +121,9 @@ def interval(value: Value) -> tuple[float, float, float]:
                 bat_speed=(value.closing - thrown) * (swing.measured_at - swing.pivot) / (place - swing.pivot)
             ),
         )  # fmt: skip
-        answers = drawn_hit(analysis.line, still, sources_of(analysis.bat, still), place)
+        question = HitQuestion(analysis.bat, still, place, sources=sources_of(analysis.bat, still))
+        sure = getattr(hit_answer(question), value.answer)
+        return tuple(end / value.unit for end in (sure.value, sure.low, sure.high))
     _, _, rest = value.answer.rpartition("tip/")
     name, _, number = rest.partition("/")
     low, high = (np.ravel(end)[int(number or 0)] for end in answers.ends(name))

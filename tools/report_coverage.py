@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Callable, Mapping
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only get in each other's way
 
@@ -21,8 +22,8 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.analysis.position_scan import scan
+from sweetspot.answers.hit import HitAnswer, HitQuestion, hit_answer
 from sweetspot.calibration.ball_doubt import ball_off
-from sweetspot.calibration.draws.drawn_reports import drawn_hit
 from sweetspot.calibration.draws.linear_doubt import speed_doubt
 from sweetspot.calibration.draws.sources import OF_BALL, PATCH, Sources, sources_of
 from sweetspot.calibration.implement_unknowns import as_described
@@ -34,12 +35,18 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import Interval, Number
 
 NAMES = (
     "r161-ash", "russell-b1", "youth-30", "college-alloy", "single-wall", "youth-alloy", "composite", "slow-pitch",
     "cricket-bat", "tennis-racket", "badminton-racket", "golf-driver", "hockey-stick",
 )  # fmt: skip
-TOLD = ("exit_speed_m_s", "collision_efficiency", "bbcor", "bat.moi_6in_kg_m2")
+TOLD: Mapping[str, Callable[[HitAnswer], Number]] = {
+    "exit_speed_m_s": lambda hit: hit.exit_speed,
+    "collision_efficiency": lambda hit: hit.collision_efficiency,
+    "bbcor": lambda hit: hit.bbcor,
+    "bat.moi_6in_kg_m2": lambda hit: hit.bat.moi_6in,
+}
 LEAST, MOST = 0.85, 0.95
 
 
@@ -74,13 +81,18 @@ def main() -> int:
         implement = catalog.load_implement(name)
         analysis = analyse(implement, standard_conditions(implement))
         sources = sources_of(implement, analysis.conditions)
-        answers = drawn_hit(analysis.line, analysis.conditions, sources, analysis.sweet_spots.max_exit_speed)
+        place = analysis.sweet_spots.max_exit_speed
+        answer = hit_answer(HitQuestion(implement, analysis.conditions, place, sources=sources))
+        intervals = {told: number(answer) for told, number in TOLD.items()}
         true = truths(analysis, sources, options.count, options.seed)
-        held = {told: np.mean((low <= true[told]) & (true[told] <= high)) for told in TOLD if told in answers.values
-                for low, high in [answers.ends(told)] if high > low}  # fmt: skip
+        held = {
+            told: np.mean((sure.low <= true[told]) & (true[told] <= sure.high))
+            for told, sure in intervals.items()
+            if isinstance(sure, Interval) and sure.high > sure.low
+        }
         doubt = speed_doubt(analysis, sources)
         assert doubt is not None
-        first = np.abs(true[TOLD[0]] - answers.values[TOLD[0]][0]) <= REACH * doubt.error
+        first = np.abs(true["exit_speed_m_s"] - float(answer.exit_speed)) <= REACH * doubt.error
         held["first sentence"] = np.mean(first)
         outside += sum(not LEAST <= share <= MOST for share in held.values())
         cells = [f"{100 * held[told]:.1f} %" if told in held else "" for told in (*TOLD, "first sentence")]

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREY, RED, new_figure
 from sweetspot import catalog
+from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.calibration.calibrated_file import calibrated_bat
-from sweetspot.calibration.draws.drawn_reports import drawn_hit
 from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
@@ -19,6 +19,7 @@ from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 from sweetspot.units import MPH
 
 STEPS = {
@@ -50,8 +51,10 @@ def worth_figure() -> Figure:
             posterior = calibrate(line, unknowns, so_far)
             covariance, known = posterior.covariance, calibrated_bat(posterior, None)
         open_yet = sources_of(known, conditions, known=(unknowns, covariance))  # with what the outline leaves open
-        low, high = drawn_hit(line, conditions, replace(open_yet, others=()), place, count=256).ends("exit_speed_m_s")
-        speed.append(float(high - low) / 2 / MPH)
+        question = HitQuestion(known, conditions, place, sources=replace(open_yet, others=()), draws=256)
+        sure = hit_answer(question).exit_speed
+        assert isinstance(sure, Interval)
+        speed.append((sure.high - sure.low) / 2 / MPH)
         moduli.append(100 * REACH * np.sqrt(covariance[0, 0]))
     figure, (left, right) = new_figure(7.5, 4.6, rows=2, sharex=True)
     left.bar(list(STEPS), speed, color=RED, width=0.55)

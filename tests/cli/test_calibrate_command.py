@@ -15,7 +15,7 @@ from scipy.io import wavfile
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.calibration.draws.drawn_plays import drawn_flight, drawn_play
-from sweetspot.calibration.draws.drawn_reports import drawn_hit, drawn_report
+from sweetspot.calibration.draws.drawn_reports import drawn_report
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt, comparison_with_doubt
@@ -177,7 +177,7 @@ def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path
 def few_draws(monkeypatch: pytest.MonkeyPatch) -> None:
     """A quarter of the draws: enough for which interval stands where."""
     functions: tuple[Any, ...] = (
-        drawn_report, drawn_hit, comparison_with_doubt, certificate_with_doubt, drawn_play, drawn_flight
+        drawn_report, comparison_with_doubt, certificate_with_doubt, drawn_play, drawn_flight
     )  # fmt: skip
     for function in functions:
         monkeypatch.setitem(function.__kwdefaults__, "count", 256)

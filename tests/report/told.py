@@ -112,7 +112,7 @@ def check_sentences(document: Document, readers: Iterable[Reader], allowed: Iter
 
 def _of_part(part: Part) -> Iterator[float]:
     if isinstance(part, (Slot, Doubtful)):
-        yield part.value
+        yield float(part.value)
     elif isinstance(part, (Span, Bounds)):
         yield from (part.low, part.high)
 
@@ -121,7 +121,7 @@ def _of_cell(cell: Cell) -> Iterator[float]:
     if isinstance(cell, (int, float)):
         yield float(cell)
     elif isinstance(cell, Slot):
-        yield cell.value
+        yield float(cell.value)
     elif isinstance(cell, Sentence):
         yield from numbers_in(cell)
 

@@ -24,45 +24,24 @@ def hit(
 ) -> int:
     """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
     from sweetspot import catalog
-    from sweetspot.analysis.bat_analysis import check_conditions, hit_at
-    from sweetspot.analysis.strain import damage
-    from sweetspot.calibration.ball_doubt import error_by_ball
+    from sweetspot.answers.hit import HitQuestion, hit_answer
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import present
-    from sweetspot.dynamics.beam import beam_model
-    from sweetspot.dynamics.mode_assembly import all_modes
-    from sweetspot.dynamics.rigid import rigid_body
-    from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import check_lateral, check_on_face, check_position
-    from sweetspot.report.hit.document import BattedHit, hit_document
+    from sweetspot.report.hit.document import hit_document
     from sweetspot.units import parse, parse_position
 
     implement = catalog.load_implement(bat)
     conditions = conditions_for(implement, swing)
-    line = beam_model(implement)
-    body = rigid_body(line)
-    check_conditions(implement, conditions, body=body)
     position = parse_position(at, length=implement.length, what="--at")
+    lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
     check_position(implement, position, "--at")
     check_on_face(implement, position, "--at")
     check_beyond_hands(position, conditions.hands.position, at)
-    modes = all_modes(line, conditions.ball)
-    lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
     check_lateral(implement, position, lateral)
-    impact = hit_at(position, modes=modes, conditions=conditions, lateral=lateral)
-    strains = damage(impact, line=line, modes=modes) if isinstance(implement, Bat) else None
-    error = None
-    if not uncertainty:  # which draws balls too
-        error = error_by_ball(implement, body=body, modes=modes, conditions=conditions, position=position)
-    document = hit_document(BattedHit(implement, body, conditions, impact, strains, error))
-    if uncertainty:
-        from sweetspot.calibration.draws.drawn_reports import drawn_hit
-        from sweetspot.report.uncertainty.uncertainty_section import uncertain
-
-        sources = sources_for(bat, implement, conditions, swing)
-        answers = drawn_hit(line, conditions, sources, position, impact=impact)
-        document = uncertain(document, answers, main="exit_speed_m_s", named="exit speed", where=sources.described)
-    return present(document, output)
+    sources = sources_for(bat, implement, conditions, swing) if uncertainty else None
+    answer = hit_answer(HitQuestion(implement, conditions, position, lateral, sources))
+    return present(hit_document(answer), output)
 
 
 def check_beyond_hands(position: float, hands: float, given: str) -> None:

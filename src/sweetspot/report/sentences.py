@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import Interval, Number
 from sweetspot.report.quantities import NOTHING, US, Reader
 from sweetspot.units import grouped
 
@@ -28,7 +28,7 @@ class Slot:
 
     Parameters
     ----------
-    value : SI.
+    value : SI; with its interval where it has one.
     scale : how it is shown, a name of `SCALES`.
     digits : None: as many as is usual.
     sign : whether a plus is written.
@@ -39,7 +39,7 @@ class Slot:
     reach : how far the interval goes below and above it, SI; None: there is none.
     """
 
-    value: float
+    value: Number
     scale: str
     digits: int | None = None
     sign: bool = False
@@ -50,26 +50,35 @@ class Slot:
 
     def read(self, reader: Reader) -> str:
         """Return the number as a reader sees it, its interval beside it."""
-        number = reader.number(self.value, self.scale, digits=self.digits, sign=self.sign)
+        value = float(self.value)
+        number = reader.number(value, self.scale, digits=self.digits, sign=self.sign)
         if number == NOTHING:
             return number
         unit = reader.behind(self.scale) if self.unit else ""
-        if self.reach is not None and all(map(math.isfinite, self.reach)) and sum(self.reach) > SHARP * abs(self.value):
-            return self._give_or_take(self.reach, reader) + unit
+        sides = self._sides
+        if sides is not None and all(map(math.isfinite, sides)) and sum(sides) > SHARP * abs(value):
+            return self._give_or_take(value, sides, reader) + unit
         return (number.removesuffix(".0") if self.round else number) + unit
 
-    def _give_or_take(self, reach: tuple[float, float], reader: Reader) -> str:
+    @property
+    def _sides(self) -> tuple[float, float] | None:
+        """How far the interval goes below and above the value; None where there is none."""
+        if isinstance(self.value, Interval):
+            return (self.value.value - self.value.low, self.value.high - self.value.value)
+        return self.reach
+
+    def _give_or_take(self, value: float, sides: tuple[float, float], reader: Reader) -> str:
         """Return number and interval, "103.9 ± 2.1" where it is as wide either way, else with its ends."""
-        below, above = reach
+        below, above = sides
         unit = reader.units[self.scale]
         places = unit.digits if self.digits is None else self.digits
         half = (below + above) / 2 / unit.size
         while half and places < MOST_DIGITS and round(half, places) == 0:
             places += 1
-        number = reader.number(self.value, self.scale, digits=places, sign=self.sign)
+        number = reader.number(value, self.scale, digits=places, sign=self.sign)
         if abs(above - below) <= LOPSIDED * (above + below):
             return f"{number} ± {grouped(half, places)}"
-        ends = (self.value - below, self.value + above)
+        ends = (value - below, value + above)
         low, high = (reader.number(end, self.scale, digits=places, sign=self.sign) for end in ends)
         return f"{number} ({low} to {high})"
 
@@ -145,7 +154,7 @@ class Bounds:
     def read(self, reader: Reader) -> str:
         """Return the brackets as a reader sees them."""
         value, low, high = (
-            replace(self.value.bare, value=end).read(reader) for end in (self.value.value, self.low, self.high)
+            replace(self.value.bare, value=end).read(reader) for end in (float(self.value.value), self.low, self.high)
         )
         return "" if value == low == high else f" ({low} to {high})"
 

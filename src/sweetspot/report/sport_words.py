@@ -5,6 +5,7 @@ from __future__ import annotations
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
+from sweetspot.numerics.interval import Number
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Part, Sentence, Slot, say
 
@@ -38,6 +39,6 @@ def arriving(words: Words, speed: float) -> Sentence:
     return in_words("a {incoming} at {speed}", words, speed=Slot(speed, "speed", round=True))
 
 
-def weight(mass: float, of: str = "") -> Slot:
+def weight(mass: Number, of: str = "") -> Slot:
     """Return a mass (kg), with a digit more where it is that of a small ball; ``of`` as in `Slot`."""
-    return Slot(mass, "mass", 1 if mass < LIGHT else None, of=of)
+    return Slot(mass, "mass", 1 if float(mass) < LIGHT else None, of=of)

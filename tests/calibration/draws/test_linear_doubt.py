@@ -9,8 +9,8 @@ import pytest
 
 from sweetspot import catalog, compare
 from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.calibration.draws.comparison_draws import drawn_comparison
-from sweetspot.calibration.draws.drawn_reports import drawn_hit
 from sweetspot.calibration.draws.linear_doubt import SpeedDoubt, comparison_reaches, speed_doubt
 from sweetspot.calibration.draws.sources import Sources, sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -18,12 +18,16 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 from sweetspot.report.bat.sure_words import doubt_words
 
 
 def half_of_draws(analysis: Analysis[Implement], sources: Sources) -> float:
-    drawn = drawn_hit(analysis.line, analysis.conditions, sources, analysis.sweet_spots.max_exit_speed)
-    return float(np.mean(np.diff(np.array(drawn.ends("exit_speed_m_s")), axis=0))) / 2
+    hit = hit_answer(
+        HitQuestion(analysis.bat, analysis.conditions, analysis.sweet_spots.max_exit_speed, sources=sources)
+    )
+    assert isinstance(hit.exit_speed, Interval)
+    return (hit.exit_speed.high - hit.exit_speed.low) / 2
 
 
 @pytest.mark.parametrize(

@@ -14,8 +14,10 @@ KINDS = ("translation", "rotation", "bending", "hoop", "face")
 """Parts of the ledger that are motion of the implement."""
 
 
-def drawn_ledger(draws: Draws, along: HitsAlong, column: int, impact: Impact) -> dict[str, Array]:
-    """Return the parts of the energy of one hit in J and as parts of it, by their names in a hit's data.
+def drawn_ledger(
+    draws: Draws, along: HitsAlong, column: int, impact: Impact
+) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Return the parts of the energy of one hit in J, and as parts of it, by the fields of `EnergyLedger`.
 
     Motion at release is each draw's own. What the implement's damping takes during contact, a thousandth, goes as its
     vibration; the rest is heat in the ball, which makes the sum right.
@@ -33,12 +35,12 @@ def drawn_ledger(draws: Draws, along: HitsAlong, column: int, impact: Impact) ->
     ringing = parts["bending"] + parts["hoop"] + parts["face"]
     parts["damping"] = known["damping"] * ringing / ringing[0] if ringing[0] > 0 else np.zeros(len(draws))
     parts["heat"] = incoming - sum(parts.values(), np.zeros(len(draws)))
-    ledger = {}
+    joules, shares = {}, {}
     for name, energy in parts.items():
         share = energy / incoming
-        ledger[f"energy_j.{name}"] = known[name] + energy - energy[0]
-        ledger[f"energy_share.{name}"] = known[name] / max(known["incoming"], 1e-300) + share - share[0]
-    return ledger
+        joules[name] = known[name] + energy - energy[0]
+        shares[name] = known[name] / max(known["incoming"], 1e-300) + share - share[0]
+    return joules, shares
 
 
 def _motions(draws: Draws, along: HitsAlong, column: int) -> dict[str, Array]:

@@ -16,11 +16,9 @@ from sweetspot.calibration.draws.drawn_spots import drawn_nodes, highest, missed
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.collision.impact import Impact
-from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.parabola import tops
@@ -42,26 +40,6 @@ OF_HIT = {
 """What is told of one hit."""
 DESCRIBED = ("bending", "hoop", "face")
 """Families of modes whose frequencies and nodes are told."""
-
-
-def drawn_hit(
-    line: BeamModel,
-    conditions: Conditions,
-    sources: Sources,
-    position: float,
-    *,
-    impact: Impact | None = None,
-    count: int = DRAWS,
-) -> DrawnAnswers:
-    """Return the answers of draws to one hit at a position in m from the knob end.
-
-    Parameters
-    ----------
-    impact : the hit as described, from which its draws' energies count; None: energies are not told.
-    """
-    draws = draws_of(line, conditions, sources, count=count)
-    values = _of_hit(draws, hits_along(draws, np.array([position])), 0, impact)
-    return DrawnAnswers(draws.normal, sources.names, {**values, **_of_ball(draws), **_weights(draws)})
 
 
 def drawn_report(
@@ -95,11 +73,13 @@ def drawn_report(
     return DrawnAnswers(draws.normal, sources.names, values)
 
 
-def _of_hit(draws: Draws, along: HitsAlong, column: int, impact: Impact | None) -> dict[str, Array]:
+def _of_hit(draws: Draws, along: HitsAlong, column: int, impact: Impact) -> dict[str, Array]:
     columns = {told: getattr(along, name)[:, column] for name, told in OF_HIT.items()}
     with np.errstate(divide="ignore", invalid="ignore"):
         columns["smash_factor"] = columns["exit_speed_m_s"] / columns["bat_speed_m_s"]
-    return columns if impact is None else {**columns, **drawn_ledger(draws, along, column, impact)}
+    energy, share = drawn_ledger(draws, along, column, impact)
+    parts = {"energy_j": energy, "energy_share": share}
+    return {**columns, **{f"{name}.{part}": values for name, own in parts.items() for part, values in own.items()}}
 
 
 def _curves(scan: Scan, along: HitsAlong) -> dict[str, Array]:

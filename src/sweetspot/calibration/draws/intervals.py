@@ -52,20 +52,11 @@ class DrawnAnswers:
 
     def reach(self, name: str) -> Reach:
         """Return how far the interval of an answer goes from what the described bat answers."""
-        low, high = self.ends(name)
-        centre = self.values[name][0]
-        return Reach(np.maximum(centre - low, 0.0), np.maximum(high - centre, 0.0))
+        return reach_of_draws(self.values[name])
 
     def ends(self, name: str) -> tuple[Array, Array]:
         """Return the ends of an answer's 90 % interval; draws without an answer are left out."""
-        values = self.values[name][1:]
-        if np.isfinite(values).all():  # most are, and many columns together take a tenth of the time
-            low, high = np.quantile(values, ENDS, axis=0)
-            return np.asarray(low), np.asarray(high)
-        known = np.isfinite(values).any(axis=0)
-        with np.errstate(all="ignore"):
-            low, high = np.nanquantile(np.where(known, values, 0.0), ENDS, axis=0)
-        return np.where(known, low, np.nan), np.where(known, high, np.nan)
+        return interval_ends(self.values[name][1:])
 
     @cached_property
     def reaches(self) -> Reaches:
@@ -88,6 +79,23 @@ class DrawnAnswers:
         if most is not None:
             kept &= values <= most
         return float(np.mean(kept))
+
+
+def interval_ends(values: Array) -> tuple[Array, Array]:
+    """Return the ends of the 90 % interval of draws, shape (draws, ...); those that are not finite are left out."""
+    if np.isfinite(values).all():  # most are, and many columns together take a tenth of the time
+        low, high = np.quantile(values, ENDS, axis=0)
+        return np.asarray(low), np.asarray(high)
+    known = np.isfinite(values).any(axis=0)
+    with np.errstate(all="ignore"):
+        low, high = np.nanquantile(np.where(known, values, 0.0), ENDS, axis=0)
+    return np.where(known, low, np.nan), np.where(known, high, np.nan)
+
+
+def reach_of_draws(values: Array) -> Reach:
+    """Return how far the interval of draws, shape (draws, ...), goes from the first, which is as described."""
+    low, high = interval_ends(values[1:])
+    return Reach(np.maximum(values[0] - low, 0.0), np.maximum(high - values[0], 0.0))
 
 
 def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[str, float]:

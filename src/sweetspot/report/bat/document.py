@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.answers.hit import hit_of
 from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.calibration.draws.linear_doubt import speed_doubt
 from sweetspot.calibration.draws.sources import Sources as Unknown
@@ -42,11 +43,11 @@ from sweetspot.report.bat.words import (
     why_intervals,
 )
 from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
-from sweetspot.report.hit.document import BattedHit, hit_picture, hit_table
+from sweetspot.report.hit.document import hit_picture, hit_table
 from sweetspot.report.hit.second_touch import touched_again_between
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
-from sweetspot.report.sport_words import in_words, reader_of, words_of
+from sweetspot.report.sport_words import in_words, reader_of, weight, words_of
 
 COLUMNS, ROWS = 120, 90
 """Places of the maps of a face: enough for the eye."""
@@ -174,7 +175,14 @@ def _drawn_sheet(analysis: Analysis[Implement], reading: Reader, *, reaches: Rea
 def _details(analysis: Analysis[Implement]) -> list[Block]:
     """Return the tables, which terminals show too."""
     words = words_of(analysis.bat)
-    best = BattedHit(analysis.bat, analysis.body, analysis.conditions, analysis.best)
+    best = hit_of(analysis.best, body=analysis.body, conditions=analysis.conditions)
+    masses = in_words(
+        "{implement} {tool}, {ball} {thrown}",
+        words,
+        tool=Slot(analysis.body.mass, "mass", of="bat.mass_kg"),
+        thrown=weight(analysis.conditions.ball.mass, "conditions.ball_mass_kg"),
+    )
+    table = hit_table(best, analysis.bat, masses, at="best_hit.")
     caption = in_words(
         "Left: the force between {ball} and {implement}. Right: the same force against the {ball}'s compression; the "
         "area inside the loop is heat. Below: the energy as a laboratory counts it that fires the {ball} at a "
@@ -186,7 +194,7 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
         Section("along", f"Along the {words.implement}", [along_table(analysis), *_touched_again(analysis)]),
         Section("mass", "Weight and balance", _mass(analysis.bat, analysis.body, told=True)),
         Section("modes", "How it rings", [modes_table(analysis.bat, analysis.modes)]),
-        Section("best-hit", where, [hit_table(best, at="best_hit."), hit_picture(analysis.best, words, caption)]),
+        Section("best-hit", where, [table, hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(analysis)]),
     ]
 

@@ -7,13 +7,15 @@ from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.face_maps import FaceMap, face_map
+from sweetspot.answers.hit import hit_of
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.report.hit.json import conditions_json, hit_json
+from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import cleaned
 
 WRITTEN_MODES = ("bending", "hoop", "face")
@@ -44,7 +46,7 @@ def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
                 "hand_impulse_n_s": along.hand_impulse,
                 "sting": along.sting,
             },
-            "best_hit": hit_json(analysis.best, body=analysis.body, conditions=analysis.conditions),
+            "best_hit": to_dict(hit_of(analysis.best, body=analysis.body, conditions=analysis.conditions)),
             "grip_effect": analysis.grip_effect,
             "conditions": conditions_json(analysis.conditions),
             **({} if analysis.bat.face is None else _face_json(analysis)),

@@ -100,7 +100,7 @@ def play_words(played: PlayedPitch) -> Sentence:
             speed=Slot(struck.bat_speed, "speed", of="bat_speed_m_s"),
         ),
         say("The ball leaves {launch}.", launch=launch_words(ball)),
-        *by_ball(played.error, sport(played.bat.sport).words),
+        *by_ball(None if played.error is None else REACH * played.error, sport(played.bat.sport).words),
         *([] if struck.impact is None else touched_again(struck.impact, sport(played.bat.sport).words)),
         "" if struck.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
         flight_words(played.play.flight),

@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from sweetspot.answers.answer import Uncertainty, uncertainty_of
+from sweetspot.answers.records import to_dict
 from sweetspot.calibration.draws.intervals import TOGETHER, DrawnAnswers
 from sweetspot.catalog.sports import sport, sport_names
-from sweetspot.numerics.confidence import LEVEL
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Slot, say
@@ -32,23 +33,29 @@ def uncertain(
     where : what the distribution of every source rests on, in words.
     """
     told = with_intervals(document, answers.reaches)
-    every = answers.shares(main)
-    shares = {name: share for name, share in every.items() if share >= LEAST_SHARE}
-    not_drawn = {name: 0.0 for name in where if name not in answers.names}
-    section = Section("how-sure", "How sure", [
+    known = uncertainty_of(answers.values[main], of=main, normal=answers.normal, names=answers.names, sources=where)
+    data = {**told.data, "uncertainty": cleaned(to_dict(known))}
+    return replace(told, blocks=[*told.blocks, how_sure(known, named)], data=data)
+
+
+def how_sure(known: Uncertainty, named: str) -> Section:
+    """Return what the intervals of an answer are, and what that of its main number comes from.
+
+    Parameters
+    ----------
+    named : what people call the main number.
+    """
+    shares = {name: share for name, share in known.shares.items() if share >= LEAST_SHARE}
+    not_drawn = {name: 0.0 for name in known.sources if name not in known.shares}
+    return Section("how-sure", "How sure", [
         Paragraph(say(
             "Numbers with ±, or with ends in brackets of which nothing else is said: {level} intervals from {count} "
             "draws of what is not known. What the interval of the {named} comes from (the rest of the conditions is "
             "taken as given):",
-            level=Slot(LEVEL, "share"), count=str(len(answers.normal) - 1), named=named,
+            level=Slot(known.interval_level, "share"), count=str(known.draws), named=named,
         )),
-        shares_table({**shares, **not_drawn}, where), shares_picture(shares, named),
+        shares_table({**shares, **not_drawn}, known.sources), shares_picture(shares, named),
     ])  # fmt: skip
-    data = {**told.data, "uncertainty": cleaned({
-        "interval_level": LEVEL, "draws": len(answers.normal) - 1, "of": main, "shares": every,
-        "sources": dict(where),
-    })}  # fmt: skip
-    return replace(told, blocks=[*told.blocks, section], data=data)
 
 
 def shares_table(shares: Mapping[str, float], where: Mapping[str, str]) -> Table:

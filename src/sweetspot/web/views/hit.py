@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.one_hit import quick_hit
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
@@ -91,20 +91,14 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
 
 def sure(state: HitFilmState) -> dict[str, Any]:
     """Return the hit of the free bat with an interval beside each number, and what they come from."""
-    from sweetspot.analysis.strain import damage
-    from sweetspot.calibration.draws.drawn_reports import drawn_hit
-    from sweetspot.report.hit.document import BattedHit, hit_document
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.answers.hit import HitQuestion, hit_answer
+    from sweetspot.report.hit.document import hit_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     reduced_bat, conditions, place = _asked(state)
-    line, modes = reduced_bat.line, reduced_bat.modes
-    impact = hit_at(place, modes=modes, conditions=conditions)
-    strains = damage(impact, line=line, modes=modes)
-    document = hit_document(BattedHit(reduced_bat.bat, reduced_bat.body, conditions, impact, strains))
     sources = sources_for(state, reduced_bat.bat, conditions)
-    answers = drawn_hit(line, conditions, sources, place, impact=impact, count=PAGE_DRAWS)
-    return told(uncertain(document, answers, main="exit_speed_m_s", named="exit speed", where=sources.described))
+    question = HitQuestion(reduced_bat.bat, conditions, place, sources=sources, draws=PAGE_DRAWS)
+    return told(hit_document(hit_answer(question)))
 
 
 def _asked(state: HitFilmState) -> tuple[ReducedBat[Bat], Conditions, float]:

@@ -1,0 +1,68 @@
+"""What every answer can do, and what the intervals of its numbers come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from sweetspot.answers.records import to_dict
+from sweetspot.calibration.draws.intervals import variance_shares
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import LEVEL
+from sweetspot.numerics.notebook_display import ShownInNotebooks
+from sweetspot.units.dimensions import System
+
+if TYPE_CHECKING:
+    import polars
+
+
+@dataclass(frozen=True)
+class Uncertainty:
+    """What the intervals of an answer are, and what that of its main number comes from.
+
+    Parameters
+    ----------
+    interval_level : probability that the true value lies inside an interval.
+    draws : how many answers to what may be meant the intervals come from.
+    of : the number whose variance is taken apart.
+    shares : part of that variance that each source causes, the greatest first.
+    sources : what the distribution of each source rests on.
+    """
+
+    interval_level: float
+    draws: int
+    of: str
+    shares: Mapping[str, float]
+    sources: Mapping[str, str]
+
+
+def uncertainty_of(
+    values: Array, *, of: str, normal: Array, names: tuple[str, ...], sources: Mapping[str, str]
+) -> Uncertainty:
+    """Return what the variance of one number comes from.
+
+    Parameters
+    ----------
+    values : of every draw, shape (draws,); the first is everything as described.
+    of : the number's name.
+    normal, names : standard normal numbers behind every draw, shape (draws, n), and the source of each.
+    sources : what each rests on.
+    """
+    shares = variance_shares(normal[1:], names, values[1:])
+    return Uncertainty(LEVEL, len(normal) - 1, of, shares, dict(sources))
+
+
+class Answer(ShownInNotebooks):
+    """An answer: a record that a notebook shows as its report, and that becomes a dictionary or a frame."""
+
+    def to_dict(self, units: System = "si") -> dict[str, Any]:
+        """Return all numbers, lists and texts with the unit in every key: "si" or "us"."""
+        return to_dict(self, units)
+
+    def to_frame(self, units: System = "si") -> polars.DataFrame:
+        """Return the numbers and texts that stand alone as a frame of one row."""
+        import polars
+
+        table = self.to_dict(units)
+        return polars.DataFrame({key: [value] for key, value in table.items() if not isinstance(value, (dict, list))})

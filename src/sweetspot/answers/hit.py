@@ -1,0 +1,299 @@
+"""One collision: how fast the ball leaves, how hard and how long it is pressed, and where the energy goes."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, replace
+from typing import Annotated, Any
+
+import numpy as np
+
+from sweetspot.analysis.bat_analysis import check_conditions, exit_speed_of, hit_at
+from sweetspot.analysis.strain import Damage, damage
+from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.implement import MassProperties, mass_columns, mass_properties
+from sweetspot.answers.records import (
+    INTERNAL,
+    Columns,
+    Force,
+    Length,
+    Mass,
+    Ratio,
+    Speed,
+    Time,
+    with_intervals,
+)
+from sweetspot.calibration.ball_doubt import error_by_ball
+from sweetspot.calibration.draws.drawn_energy import drawn_ledger
+from sweetspot.calibration.draws.drawn_hits import Draws, HitsAlong, draws_of, hits_along
+from sweetspot.calibration.draws.intervals import reach_of_draws
+from sweetspot.calibration.draws.sources import DRAWS, Sources
+from sweetspot.collision.closed_form import bbcor
+from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement, check_lateral, check_on_face, check_position
+from sweetspot.motion.swing import Conditions
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Number
+from sweetspot.units.dimensions import ENERGY, FORCE, LENGTH, TIME
+
+OF_DRAWS = (
+    "exit_speed",
+    "collision_efficiency",
+    "bbcor",
+    "bat_speed",
+    "contact_time",
+    "peak_force",
+    "peak_compression",
+)  # of both `Hit` and `HitsAlong`
+"""Fields of a hit that draws answer as they are."""
+
+
+@dataclass(frozen=True)
+class Energies:
+    """Where the energy of a hit goes; see `EnergyLedger`."""
+
+    incoming: Number
+    ball: Number
+    heat: Number
+    translation: Number
+    rotation: Number
+    bending: Number
+    hoop: Number
+    damping: Number
+    face: Number
+
+
+@dataclass(frozen=True)
+class HitHistory:
+    """Force and compression during contact, shape (steps,)."""
+
+    time: Annotated[Array, TIME]
+    force: Annotated[Array, FORCE]
+    compression: Annotated[Array, LENGTH]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Collision:
+    """One collision as the implement at rest sees it; see `Impact`.
+
+    Parameters
+    ----------
+    position, lateral : from the knob end and beside the line.
+    outcome, outcome_text : how it ended, for programs and for people.
+    energy, energy_share : parts of the energy, and as parts of what comes in.
+    energy_imbalance : what the parts miss of the whole, an error of the time steps.
+    unrecovered_gain : how much faster a ball leaves that has not recovered when it is touched again; None: it is not.
+    """
+
+    position: Length
+    lateral: Length
+    outcome: str
+    outcome_text: str
+    closing_speed: Speed
+    collision_efficiency: Ratio
+    contact_time: Time
+    release_time: Time
+    peak_force: Force
+    peak_compression: Length
+    energy: Annotated[Energies, ENERGY]
+    energy_share: Energies
+    energy_imbalance: float
+    history: HitHistory
+    unrecovered_gain: Speed | None = None
+
+
+def collision_of(impact: Impact) -> Collision:
+    """Return a collision without the swing that led to it."""
+    return Collision(**_collision_fields(impact))
+
+
+def _collision_fields(impact: Impact) -> dict[str, Any]:
+    energy, incoming = asdict(impact.energy), impact.energy.incoming
+    return {
+        "position": impact.position,
+        "lateral": impact.lateral,
+        "outcome": impact.outcome.name.lower(),
+        "outcome_text": impact.outcome.sentence,
+        "closing_speed": impact.closing_speed,
+        "collision_efficiency": impact.collision_efficiency,
+        "contact_time": impact.contact_time,
+        "release_time": impact.release_time,
+        "peak_force": impact.peak_force,
+        "peak_compression": impact.peak_compression,
+        "energy": Energies(**energy),
+        "energy_share": Energies(**{name: part / incoming if incoming else 0.0 for name, part in energy.items()}),
+        "energy_imbalance": impact.energy.imbalance,
+        "history": HitHistory(impact.times, impact.force, impact.compression),
+        "unrecovered_gain": None if impact.unrecovered is None else impact.unrecovered_gain,
+    }
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hit(Collision):
+    """One collision under its conditions.
+
+    Parameters
+    ----------
+    bat_speed : at the place of the hit, before it.
+    smash_factor : exit speed over bat speed; None where the bat stands.
+    exit_speed_unrecovered : of a ball that has not recovered when it is touched again; None: it is touched once.
+    """
+
+    bat_speed: Speed
+    exit_speed: Speed
+    bbcor: Ratio
+    smash_factor: Ratio | None
+    exit_speed_unrecovered: Speed | None = None
+
+
+def hit_of(impact: Impact, *, body: RigidBody, conditions: Conditions) -> Hit:
+    """Return a collision with what bat and ball did before and after it."""
+    return Hit(**_hit_fields(impact, body=body, conditions=conditions))
+
+
+def _hit_fields(impact: Impact, *, body: RigidBody, conditions: Conditions) -> dict[str, Any]:
+    leaves, swung = exit_speed_of(impact, conditions), conditions.swing.speed_at(impact.position)
+    again = impact.unrecovered
+    return {
+        **_collision_fields(impact),
+        "bat_speed": swung,
+        "exit_speed": leaves,
+        "bbcor": bbcor(impact.collision_efficiency, body=body, ball=conditions.ball, position=impact.position),
+        "smash_factor": leaves / swung if swung else None,
+        "exit_speed_unrecovered": None if again is None else exit_speed_of(again, conditions),
+    }
+
+
+def hit_columns(draws: Draws, along: HitsAlong, place: int, impact: Impact) -> Columns:
+    """Return what draws answer to one of the places that they hit, by the fields of `Hit`.
+
+    Parameters
+    ----------
+    along : hits of every draw.
+    place : number of the place.
+    impact : the hit as described, from which the draws' energies count.
+    """
+    columns: dict[str, Array] = {name: getattr(along, name)[:, place] for name in OF_DRAWS}
+    with np.errstate(divide="ignore", invalid="ignore"):
+        columns["smash_factor"] = columns["exit_speed"] / columns["bat_speed"]
+    energy, share = drawn_ledger(draws, along, place, impact)
+    return {**columns, "energy": energy, "energy_share": share}
+
+
+@dataclass(frozen=True)
+class Strains:
+    """Greatest strains of one hit as ratios; see `Damage`."""
+
+    handle_strain: Ratio
+    handle_position: Length
+    handle_strain_limit: float | None
+    wall_strain: Ratio | None
+    wall_strain_limit: float | None
+    warnings: tuple[str, ...]
+
+
+def strains_of(strains: Damage) -> Strains:
+    """Return the strains of a hit as people ask for them."""
+    return Strains(
+        handle_strain=strains.handle_strain,
+        handle_position=strains.handle_position,
+        handle_strain_limit=strains.strain_limit,
+        wall_strain=strains.wall_strain,
+        wall_strain_limit=strains.wall_limit,
+        warnings=strains.warnings,
+    )
+
+
+@dataclass(frozen=True)
+class HitQuestion:
+    """One collision that is asked for.
+
+    Parameters
+    ----------
+    position, lateral : m from the knob end and beside the line of a face.
+    sources : what is not known, for an interval beside every number; None: only what the ball leaves to the exit speed.
+    draws : how many answers the intervals come from, a power of two.
+    """
+
+    implement: Implement
+    conditions: Conditions
+    position: float
+    lateral: float = 0.0
+    sources: Sources | None = None
+    draws: int = DRAWS
+
+
+@dataclass(frozen=True, kw_only=True)
+class HitAnswer(Hit, Answer):
+    """One collision with what was put in.
+
+    Parameters
+    ----------
+    bat : what it weighs and how it balances.
+    damage : None for what is no bat.
+    exit_speed_half_by_ball : half of the interval that the ball alone leaves to the exit speed; None: not known, or
+        part of the interval that stands there.
+    uncertainty : what the intervals come from; None: there are none.
+    """
+
+    question: Annotated[HitQuestion, INTERNAL]
+    impact: Annotated[Impact, INTERNAL]
+    body: Annotated[RigidBody, INTERNAL]
+    bat: MassProperties
+    ball_mass: Mass
+    damage: Strains | None = None
+    exit_speed_half_by_ball: Speed | None = None
+    uncertainty: Uncertainty | None = None
+
+
+def hit_answer(question: HitQuestion) -> HitAnswer:
+    """Return one collision.
+
+    Raises
+    ------
+    InputError
+        for a place that is not on the implement, or a swing that does not go with it.
+    """
+    implement, conditions, position = question.implement, question.conditions, question.position
+    line = beam_model(implement)
+    body = rigid_body(line)
+    check_conditions(implement, conditions, body=body)
+    check_position(implement, position, "position")
+    check_on_face(implement, position, "position")
+    check_lateral(implement, position, question.lateral)
+    modes = all_modes(line, conditions.ball)
+    impact = hit_at(position, modes=modes, conditions=conditions, lateral=question.lateral)
+    error = None
+    if question.sources is None:  # which have the ball among them
+        error = error_by_ball(implement, body=body, modes=modes, conditions=conditions, position=position)
+    plain = HitAnswer(
+        **_hit_fields(impact, body=body, conditions=conditions),
+        question=question,
+        impact=impact,
+        body=body,
+        bat=mass_properties(implement, body),
+        ball_mass=conditions.ball.mass,
+        damage=strains_of(damage(impact, line=line, modes=modes)) if isinstance(implement, Bat) else None,
+        exit_speed_half_by_ball=None if error is None else REACH * error,
+    )
+    if question.sources is None:
+        return plain
+    draws = draws_of(line, conditions, question.sources, count=question.draws)
+    along = hits_along(draws, np.array([position]))
+    columns = {
+        **hit_columns(draws, along, 0, impact),
+        "bat": mass_columns(draws),
+        "ball_mass": draws.ball_mass,
+    }
+    uncertainty = uncertainty_of(
+        along.exit_speed[:, 0],
+        of="exit_speed",
+        normal=draws.normal,
+        names=question.sources.names,
+        sources=question.sources.described,
+    )
+    return with_intervals(replace(plain, uncertainty=uncertainty), columns, reach_of_draws)

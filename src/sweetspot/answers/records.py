@@ -1,0 +1,160 @@
+"""An answer's fields for other programs: names with units, intervals beside numbers, and how draws put them there.
+
+A record is a frozen dataclass of `Number`, `Curve`, texts, further records and tuples of them. The type of a field says
+its dimension, ``Annotated[Number, SPEED]``, or that it is for the package alone, ``Annotated[Impact, INTERNAL]``. A
+field that is None and may be absent (its default is None) has no key.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import Field, fields, is_dataclass, replace
+from functools import cache
+from types import UnionType
+from typing import Annotated, Any, Final, TypeVar, Union, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+from sweetspot.calibration.draws.intervals import Reach
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Band, Curve, Interval, Number
+from sweetspot.units.dimensions import (
+    ANGLE,
+    DISTANCE,
+    ENERGY,
+    FORCE,
+    FREQUENCY,
+    IMPULSE,
+    LENGTH,
+    MASS,
+    MOI,
+    RATIO,
+    SPEED,
+    SPIN,
+    TIME,
+    Dimension,
+    System,
+)
+
+INTERNAL: Final = "internal"
+"""Mark of a field that other programs do not see."""
+
+Speed = Annotated[Number, SPEED]
+Length = Annotated[Number, LENGTH]
+Distance = Annotated[Number, DISTANCE]
+Mass = Annotated[Number, MASS]
+MomentOfInertia = Annotated[Number, MOI]
+Time = Annotated[Number, TIME]
+Force = Annotated[Number, FORCE]
+Impulse = Annotated[Number, IMPULSE]
+Energy = Annotated[Number, ENERGY]
+Angle = Annotated[Number, ANGLE]
+Spin = Annotated[Number, SPIN]
+Frequency = Annotated[Number, FREQUENCY]
+Ratio = Number
+
+Columns = Mapping[str, "Array | Columns | Sequence[Columns]"]
+"""By a field's name what draws answer, shape (draws,) or (draws, n); a record's columns, or a tuple of such."""
+Record = TypeVar("Record")
+
+
+def visible_fields(kind: type) -> Iterator[tuple[Field[Any], Any, Dimension]]:
+    """Yield the fields that other programs see, each with its type and its dimension."""
+    hints = _hints(kind)
+    for field in fields(kind):
+        marks = list(_marks(hints[field.name]))
+        if INTERNAL not in marks:
+            yield field, hints[field.name], next((mark for mark in marks if isinstance(mark, Dimension)), RATIO)
+
+
+def _marks(hint: Any) -> Iterator[Any]:
+    """Yield what a type is annotated with, that of a part of a union included."""
+    if get_origin(hint) is Annotated:
+        yield from get_args(hint)[1:]
+    elif get_origin(hint) in (Union, UnionType):
+        for part in get_args(hint):
+            yield from _marks(part)
+
+
+@cache
+def _hints(kind: type) -> dict[str, Any]:
+    return get_type_hints(kind, include_extras=True)
+
+
+def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
+    """Return a record as plain numbers, texts, lists and dictionaries, with the unit in every key.
+
+    The ends of an interval stand beside its number, ``exit_speed_low_m_s`` and ``exit_speed_high_m_s``; what is not
+    finite is None.
+
+    Parameters
+    ----------
+    record : a dataclass as this module describes.
+    system : of units; angles in radians or degrees.
+    """
+    table: dict[str, Any] = {}
+    for field, _, dimension in visible_fields(type(record)):
+        value = getattr(record, field.name)
+        if value is None and field.default is None:
+            continue
+        table |= _entries(field.name, value, dimension, system)
+    return table
+
+
+def _entries(name: str, value: Any, dimension: Dimension, system: System) -> dict[str, Any]:
+    """Return one field's keys and values."""
+    if isinstance(value, (Interval, Band)):
+        ends = {name: value.value, f"{name}_low": value.low, f"{name}_high": value.high}
+        return {dimension.key(key, system): _plain(end, dimension, system) for key, end in ends.items()}
+    return {dimension.key(name, system): _plain(value, dimension, system)}
+
+
+def _plain(value: Any, dimension: Dimension, system: System) -> Any:
+    if is_dataclass(value):
+        if dimension is RATIO:
+            return to_dict(value, system)
+        # its fields have the unit that stands in the key above them
+        return {key: _plain(number, dimension, system) for key, number in to_dict(value).items()}
+    if isinstance(value, (np.ndarray, list, tuple)):
+        items = value.tolist() if isinstance(value, np.ndarray) else value
+        return [_plain(item, dimension, system) for item in items]
+    if isinstance(value, Mapping):
+        return {key: _plain(item, dimension, system) for key, item in value.items()}
+    if isinstance(value, float):
+        return dimension.counted(value, system) if math.isfinite(value) else None
+    return value
+
+
+def with_intervals(record: Record, drawn: Columns, reach: Callable[[Array], Reach]) -> Record:
+    """Return a record whose numbers have intervals.
+
+    Parameters
+    ----------
+    record : the answer as described.
+    drawn : what draws answer, by the record's fields; the first draw is everything as described.
+    reach : from all draws of a number to how far its interval goes below and above the first of them.
+    """
+    changed: dict[str, Any] = {}
+    for name, column in drawn.items():
+        value = getattr(record, name)
+        if value is None:
+            continue
+        if isinstance(column, Mapping):
+            changed[name] = with_intervals(value, column, reach)
+        elif isinstance(column, np.ndarray):
+            changed[name] = _around(value, reach(column))
+        else:
+            changed[name] = tuple(with_intervals(*pair, reach) for pair in zip(value, column, strict=True))
+    return replace(record, **changed)  # type: ignore[type-var]
+
+
+def _around(value: Any, reach: Reach) -> Number | Curve:
+    """Return a number or curve with its interval; as it is where no end is known."""
+    centre = value.value if isinstance(value, (Interval, Band)) else value
+    low, high = centre - reach.below, centre + reach.above
+    if isinstance(centre, np.ndarray):
+        return Band(centre, low, high)
+    if not (math.isfinite(low) and math.isfinite(high)):
+        return float(centre)
+    return Interval(float(centre), float(low), float(high))

@@ -1,0 +1,75 @@
+"""Kinds of quantities at the border: how a number's name ends in SI and in US units, and what one US unit is in SI.
+
+A field of an answer has its dimension in its type, ``exit_speed: Annotated[Number, SPEED]``; its key for other programs
+is then ``exit_speed_m_s``, or ``exit_speed_mph``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from sweetspot.units.factors import (
+    DEGREE,
+    FOOT,
+    INCH,
+    INCH_OF_MERCURY,
+    MPH,
+    OUNCE,
+    OUNCE_INCH_SQUARED,
+    POUND_FORCE,
+    RPM,
+)
+
+System = Literal["si", "us"]
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """How numbers of one kind are named and counted.
+
+    Parameters
+    ----------
+    si, us : what a key ends with in either system.
+    size : of the US unit, SI.
+    zero : of the US unit, SI.
+
+    >>> SPEED.key("exit_speed", "us"), SPEED.counted(44.704, "us")
+    ('exit_speed_mph', 100.0)
+    """
+
+    si: str
+    us: str
+    size: float = 1.0
+    zero: float = 0.0
+
+    def key(self, name: str, system: System) -> str:
+        """Return a name with the unit's ending."""
+        return name + (self.si if system == "si" else self.us)
+
+    def counted(self, value: float, system: System) -> float:
+        """Return a value in SI in units of a system."""
+        return value if system == "si" else (value - self.zero) / self.size
+
+
+def _same(ending: str) -> Dimension:
+    return Dimension(ending, ending)
+
+
+RATIO = _same("")
+TIME, IMPULSE, ENERGY, FREQUENCY = _same("_s"), _same("_n_s"), _same("_j"), _same("_hz")
+VIBRATION, MODULUS = _same("_m_s"), _same("_pa")
+SPEED = Dimension("_m_s", "_mph", MPH)
+SLOPE_PER_SPEED = Dimension("_s_m", "_per_mph", 1 / MPH)
+LENGTH = Dimension("_m", "_in", INCH)
+DISTANCE = Dimension("_m", "_ft", FOOT)
+CURVATURE = Dimension("_per_m", "_per_ft", 1 / FOOT)
+MASS = Dimension("_kg", "_oz", OUNCE)
+MOI = Dimension("_kg_m2", "_oz_in2", OUNCE_INCH_SQUARED)
+DENSITY = Dimension("_kg_m3", "_lb_ft3", 16 * OUNCE / FOOT**3)
+FORCE = Dimension("_n", "_lbf", POUND_FORCE)
+PRESSURE = Dimension("_pa", "_inhg", INCH_OF_MERCURY)
+TEMPERATURE = Dimension("_degc", "_degf", 5 / 9, -160 / 9)
+ACCELERATION = Dimension("_m_s2", "_ft_s2", FOOT)
+ANGLE = Dimension("_rad", "_deg", DEGREE)
+SPIN = Dimension("_rad_s", "_rpm", RPM)
