@@ -138,3 +138,20 @@ def test_a_league_is_pooled_and_says_by_how_much(run: Run, run_json: Callable[..
     code, text, said = run("fit-player", str(few), *given[2:])
     assert code == 0, said
     assert "fewer than five batters" in re.sub(r"\s+", " ", text) and "Alone and pooled" not in text
+
+
+def test_bats_by_the_sensors_own_names(run: Run, file: Path, tmp_path: Path) -> None:
+    """Two unknown names are two bats, one with BBCOR in its name is of metal, and --bat-is says which is which."""
+    heading, *rows = file.read_text(encoding="utf-8").splitlines()[:-1]
+    both = tmp_path / "both.csv"
+    names = ("Louisville C271", "Victus Nox BBCOR 33/30")
+    both.write_text("\n".join([f"{heading},bat", *(f"{row},{names[i % 2]}" for i, row in enumerate(rows))]), "utf-8")
+    code, text, said = run("fit-player", str(both), "--pitch-speed", "60mph")
+    words = re.sub(r"\s+", " ", text)
+    assert code == 0, said
+    assert "4 with Louisville C271, 4 with Victus Nox BBCOR 33/30" in words
+    assert "'Louisville C271' for R161, white ash, 'Victus Nox BBCOR 33/30' for BBCOR alloy" in words
+    given = ("--bat-is", f"{names[0]}=mlb-a", "--bat-is", f"{names[1].lower()}=composite")
+    code, text, said = run("fit-player", str(both), "--pitch-speed", "60mph", *given)
+    assert code == 0 and "taken for others" not in text and "MLB profile A" in text, said
+    assert run("fit-player", str(both), "--bat-is", "Nox")[0] == 2

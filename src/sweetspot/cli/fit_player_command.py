@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from sweetspot.player.swings import Swings
 
 ALL = "all"
-FASTEST = 110
-"""mph of a pitch at the plate."""
+BBCOR, COLLEGE_BAT = "bbcor", "college-alloy"
+"""What a bat that is not known has in its name, and the bat that it is then taken for."""
 
 
 @Parameter(name="*")
@@ -36,6 +36,10 @@ class FileOptions:
     bat: Annotated[
         str | None,
         Parameter(help="The player's bat, by name or TOML file; default: the one most swung in the file, or r161-ash."),
+    ] = None
+    bat_is: Annotated[
+        list[str] | None,
+        Parameter(help="Which bat a name in the file is: 'Victus Nox=nox.toml'; may be given again."),
     ] = None
     pitch_speed: Annotated[str | None, Parameter(help="At the plate, for rows without one: 82mph, or tee.")] = None
     file_units: Annotated[
@@ -162,7 +166,7 @@ def _ball_name(given: FileOptions, bat: Bat) -> str:
     return given.ball or catalog.sport(bat.sport).balls[0]
 
 
-def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
+def _read(file: Path, given: FileOptions, own: Bat | None = None) -> tuple[Swings, PlayerModel]:
     """Return the file's swings, those with unknown bats among the bad rows, and the model of the others."""
     from sweetspot import catalog
     from sweetspot.catalog.bats import DEFAULT_BAT
@@ -170,14 +174,19 @@ def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     from sweetspot.player.player_swing import check_enough
     from sweetspot.player.swings import MOST_SWINGS, evenly, read_swings
 
-    own = catalog.load_bat(given.bat or DEFAULT_BAT)
+    load, stand_in = _bat_names(given)
+    is_settled = own is not None
+    own = load(given.bat or DEFAULT_BAT) if own is None else own
     table = read_swings(
         file, length=own.length, units=given.file_units, pitch_speed=_arriving(given), batter=given.batter
     )
-    good, bats, bad, notes = bats_of(table.swings, load=catalog.load_bat)
-    if given.bat is None and bats:  # the file says itself what is swung
-        most = Counter(one.bat for one in good if one.bat in bats).most_common(1)[0][0]
-        return _read(file, replace(given, bat=most))
+    good, bats, bad, notes = bats_of(table.swings, load=load, stand_in=stand_in)
+    if given.bat is None and not is_settled:  # the file says itself what is swung
+        swung = Counter(one.bat for one in good if one.bat in bats).most_common(1)
+        if swung:
+            return _read(file, given, bats[swung[0][0]])
+        if good and BBCOR in good[0].bat.casefold():
+            return _read(file, given, stand_in(good[0].bat))
     _check_named(good, bats, given, file)
     place = _measured_at(own, given)
     same = {name for name, other in bats.items() if other == own}
@@ -186,11 +195,40 @@ def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     rows = tuple(sorted((*table.bad_rows, *bad), key=lambda row: row.row))
     check_enough(good, file, rows)
     good, thinned = evenly(good, MOST_SWINGS)
-    assumed = () if given.bat else (f"No bat was named: the swings are taken as made with {own.name}; say --bat.",)
+    assumed = (
+        ()
+        if given.bat or is_settled
+        else (f"No bat was named: the swings are taken as made with {own.name}; say --bat.",)
+    )
     swings = replace(table, swings=good, bad_rows=rows, notes=(*assumed, *table.notes, *notes, *thinned))
     ball = catalog.ball(_ball_name(given, own))
     law = catalog.swing_law(catalog.sport(own.sport).swing_law)
     return swings, player_model(good, bat=own, ball=ball, others=others, law=law, speed_from_tip=place)
+
+
+def _bat_names(given: FileOptions) -> tuple[Callable[[str], Bat], Callable[[str], Bat]]:
+    """Return what loads a bat by a name of the file, and what gives the bat that an unknown name is taken for."""
+    from sweetspot import catalog
+    from sweetspot.catalog.bats import DEFAULT_BAT
+    from sweetspot.player.swing_table import one_name
+
+    said = {}
+    for text in given.bat_is or []:
+        name, equals, bat = text.rpartition("=")
+        if not equals or not name.strip():
+            raise InputError(
+                f"--bat-is was given as {text!r}; write the file's name and the bat, 'Victus Nox=nox.toml'"
+            )
+        said[one_name(name)] = catalog.load_bat(bat.strip())
+
+    def load(name: str) -> Bat:
+        known = said.get(one_name(name))
+        return catalog.load_bat(name) if known is None else known
+
+    def stand_in(name: str) -> Bat:
+        return catalog.load_bat(given.bat or (COLLEGE_BAT if BBCOR in name.casefold() else DEFAULT_BAT))
+
+    return load, stand_in
 
 
 def _check_named(swings: tuple[PlayerSwing, ...], known: dict[str, Bat], given: FileOptions, file: Path) -> None:
@@ -217,12 +255,12 @@ def _measured_at(own: Bat, given: FileOptions) -> float:
 
 def _arriving(given: FileOptions) -> float | None:
     """Return the speed in m/s of pitches whose row has none; None: not said."""
-    from sweetspot.units import MPH, parse
+    from sweetspot.units import parse
 
     text = given.pitch_speed
     if text is None:
         return None
     arriving = 0.0 if text.strip().lower() == "tee" else parse(text, "speed", "--pitch-speed")
-    if not 0 <= arriving <= FASTEST * MPH:
-        raise InputError(f"--pitch-speed was given as {text}; allowed is tee, or up to {FASTEST}mph at the plate")
+    if arriving < 0:
+        raise InputError(f"--pitch-speed was given as {text}; allowed is tee, or a speed at the plate, as 82mph")
     return arriving

@@ -181,7 +181,8 @@ def table_rows(
     """
     beginning = "\n".join(text.splitlines()[:FIRST_LINES])
     try:
-        separator = next((one for one in SEPARATORS if any(map(is_heading, _cells(beginning, one)))), SEPARATORS[0])
+        headed = (one for one in SEPARATORS if any(map(is_heading, _cells(beginning, one))))
+        separator = next(headed, None) or _likely_separator(beginning)
         reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
         for cells in reader:
             if any(cell.strip() for cell in cells):
@@ -203,6 +204,16 @@ def harmless(cell: Any) -> Any:
     except ValueError:
         return f"'{cell}"
     return cell
+
+
+def _likely_separator(text: str) -> str:
+    """Return what parts the first line of a table into most cells, where none of its lines has headings that we know.
+
+    >>> _likely_separator("Schläger;Tempo (km/h)"), _likely_separator("nothing")
+    (';', ',')
+    """
+    first = next((line for line in text.splitlines() if line.strip()), "")
+    return max(SEPARATORS, key=first.count)
 
 
 def _cells(text: str, separator: str) -> list[list[str]]:

@@ -1,4 +1,4 @@
-"""What the columns of a swing file mean: names of Blast, HitTrax and Statcast and plain ones, and their units.
+"""What the columns of a swing file mean: names of measuring systems and plain ones, and their units.
 
 A plain name carries its unit (``bat_speed_mph``, ``Exit Velocity [km/h]``). Names that belong to one system are in
 the units of that system. Any other needs to be told whether the file is in US or metric units.
@@ -27,8 +27,11 @@ SPEEDS = {
     "kmh": 1 / 3.6,
     "kph": 1 / 3.6,
     "ft_s": FOOT,
+    "fps": FOOT,
 }
-ANGLES = dict.fromkeys(("deg", "degree", "degrees", "°"), math.pi / 180) | {"rad": 1.0}
+ANGLES = dict.fromkeys(("deg", "degree", "degrees", "°"), math.pi / 180) | dict.fromkeys(
+    ("rad", "radian", "radians"), 1.0
+)
 LENGTHS = {"in": INCH, "inch": INCH, "inches": INCH, "m": 1.0, "cm": 0.01, "mm": 0.001}
 PLACES = {
     f"{unit}_from_{end}": factor
@@ -111,6 +114,18 @@ SYSTEMS = (
          "batter": "batter", "user": "batter", "date": "date", "time_stamp": "date"},
     ),
     System(
+        "Trackman",
+        frozenset({"exitspeed", "angle"}),
+        {"exitspeed": "exit_speed", "angle": "launch_angle", "relspeed": "release_speed", "zonespeed": "pitch_speed",
+         "batspeed": "bat_speed", "verticalattackangle": "attack_angle", "attackangle": "attack_angle",
+         "batter": "batter", "date": "date", "pitchcall": "outcome"},
+    ),
+    System(
+        "Rapsodo",
+        frozenset({"exitvelocity", "launchangle"}),
+        {"exitvelocity": "exit_speed", "launchangle": "launch_angle", "date": "date"},
+    ),
+    System(
         "Blast",
         frozenset({"plane_score", "on_plane_efficiency"}),
         {"bat_speed": "bat_speed", "attack_angle": "attack_angle", "exit_velocity": "exit_speed",
@@ -122,13 +137,42 @@ SYSTEMS = (
 
 @dataclass(frozen=True)
 class Column:
-    """A column: place in the file, heading, quantity, size of its unit in SI, and whether it counts from the tip."""
+    """A column of a file.
+
+    Parameters
+    ----------
+    index, heading : its place in the file and its name there.
+    quantity : what it gives.
+    factor : size of its unit in SI.
+    from_tip : whether places count from the tip.
+    no_unit : what to say of a cell without a unit; "": the heading has one.
+    """
 
     index: int
     heading: str
     quantity: str
     factor: float
     from_tip: bool
+    no_unit: str = ""
+
+    def in_si(self, cell: str) -> float:
+        """Return a cell's number in SI, by the unit in the cell where it has one; raises ``ValueError`` for no number.
+
+        >>> round(Column(0, "Bat Speed", "bat_speed", MPH, False).in_si("66.1 km/h"), 2)
+        18.36
+        """
+        try:
+            number = float(cell)
+        except ValueError:
+            match = NUMBER_AND_UNIT.fullmatch(cell)
+            unit = simplified(match[2]) if match else ""
+            size_of = LENGTHS if self.quantity == "position" and not self.no_unit else UNITS[self.quantity]
+            if match is None or unit not in size_of:
+                raise ValueError(f"{self.heading} is {cell!r}, not a number") from None
+            return float(match[1]) * size_of[unit]
+        if self.no_unit:
+            raise InputError(self.no_unit)
+        return number * self.factor
 
 
 @dataclass(frozen=True)
@@ -138,6 +182,9 @@ class Columns:
     understood: dict[str, Column]
     ignored: tuple[str, ...]
     system: str
+
+
+NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+))\s*([^\d\s.,+-].*)")
 
 
 def simplified(heading: str) -> str:
@@ -164,12 +211,12 @@ def columns_of(headings: Sequence[str], *, units: Units | None, file_name: str) 
 
     Parameters
     ----------
-    units : of columns whose heading names none; None: refuse them unless the file is of a known system.
+    units : of columns whose heading names none; None: their cells must, unless the file is of a known system.
 
     Raises
     ------
     InputError
-        when two columns give the same quantity, a unit is missing or not known, or neither speed is there.
+        when two columns give the same quantity, a unit is not known, or neither speed is there.
     """
     names = [simplified(heading) for heading in headings]
     system = next((known for known in SYSTEMS if _belongs(names, known)), None)
@@ -242,10 +289,11 @@ def _column(
     if not unit:
         if units is None:
             example = f"{alias}_{next(iter(UNITS[named]))}"
-            raise InputError(
+            no_unit = (
                 f"{file_name}: column {heading} has no unit; write it into the heading, for example {example}, or say "
                 "--file-units us (mph, degrees, inches from the tip) or metric (m/s, degrees, cm from the tip)"
             )
+            return Column(index, heading, named, math.nan, True, no_unit)
         unit = (US_UNITS if units == "us" else METRIC_UNITS)[named]
     if unit not in UNITS[named]:
         allowed = ", ".join(f"{alias}_{known}" for known in UNITS[named])

@@ -12,7 +12,7 @@ from sweetspot.catalog.bats import bat_names
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.errors import InputError, maybe_meant
+from sweetspot.errors import InputError, maybe_meant, spelt_almost
 from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
@@ -169,16 +169,20 @@ def player_model(
     return PlayerModel(tuple(swings), tuple(tables), bat_of, ball, used, speed_from_tip, table)
 
 
+LONGEST_BAT_NAME = 100
+
+
 def bats_of(
-    swings: Sequence[PlayerSwing], *, load: Callable[[str], Bat]
+    swings: Sequence[PlayerSwing], *, load: Callable[[str], Bat], stand_in: Callable[[str], Bat] | None = None
 ) -> tuple[tuple[PlayerSwing, ...], dict[str, Bat], tuple[BadRow, ...], tuple[str, ...]]:
     """Return the swings that can be used, the bats they name, rows whose bat is not known, and notes.
 
-    One unknown name in the whole file is taken for the player's own bat; several cannot be.
+    One unknown name in the whole file is taken for the player's own bat; of several each is a bat of its own.
 
     Parameters
     ----------
     load : gives a bat by its name or raises `InputError`.
+    stand_in : gives the bat that one of several unknown names is taken for; None: their rows are left out.
     """
     names = sorted({one.bat for one in swings} - {""})
     bats: dict[str, Bat] = {}
@@ -190,13 +194,28 @@ def bats_of(
             unknown[name] = " ".join(str(error).split())
     if unknown and len(names) == 1:
         called = maybe_meant(names[0], bat_names())
+        like = "the bat that was given" if stand_in is None else stand_in(names[0]).name
         return tuple(swings), {}, (), (f"The file calls the bat {called}, which is not known here; it is taken for "
-                                       "the bat that was given.",)  # fmt: skip
+                                       f"{like}.",)  # fmt: skip
+    strangers = () if stand_in is None else [name for name in unknown if not _is_slip(name)]
+    notes: tuple[str, ...] = ()
+    if stand_in is not None and strangers:
+        of_like = {name: stand_in(name) for name in strangers}
+        bats |= {name: bat.replaced(name=name[:LONGEST_BAT_NAME]) for name, bat in of_like.items()}
+        unknown = {name: why for name, why in unknown.items() if name not in bats}
+        taken = ", ".join(f"{name!r} for {bat.name}" for name, bat in of_like.items())
+        notes = (f"Bats that are not known here are taken for others: {taken}. Their own weights and lengths do not "
+                 "count until you say --bat-is NAME=FILE.",)  # fmt: skip
     bad = tuple(BadRow(one.row, unknown[one.bat]) for one in swings if one.bat in unknown)
     good = tuple(one for one in swings if one.bat not in unknown)
     if not good:
         raise InputError(f"none of the bats in the file is known: {'; '.join(unknown.values())}")
-    return good, bats, bad, ()
+    return good, bats, bad, notes
+
+
+def _is_slip(name: str) -> bool:
+    """Return whether a name is meant as a file's, or is a catalogue's with a slip: then it has to be mended."""
+    return name.lower().endswith(".toml") or spelt_almost(name, bat_names()) is not None
 
 
 def _table(

@@ -12,10 +12,12 @@ from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.player.columns import NEEDED
-from sweetspot.units import INCH, MPH, check_usual, insisted, is_usual, shown
+from sweetspot.units import INCH, MPH, USUAL, check_usual, insisted, is_usual, shown
 
-FASTEST_BAT, FASTEST_BALL, FASTEST_PITCH = 100 * MPH, 130 * MPH, 110 * MPH
+FASTEST_BAT, FASTEST_BALL, FASTEST_PITCH = 100 * MPH, 130 * MPH, USUAL["pitch_speed"].high * MPH
 """m/s; faster ones are numbers in another unit."""
+TOO_FAST = "is more than any bat gives"
+"""Words of such a fault."""
 LIVELIEST = 0.45
 """Collision efficiency beyond any bat's; a faster ball is a wrong reading. Our choice."""
 FULL_SWING = 0.6
@@ -85,7 +87,7 @@ def fault_of(swing: PlayerSwing, length: float) -> str:
     fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat
     if ball > fastest:
         met = f"against {mph(pitch)}" if pitch else "off a tee"
-        return f"exit speed {mph(ball)} is more than any bat gives at {mph(bat)} {met} ({mph(fastest)})"
+        return f"exit speed {mph(ball)} {TOO_FAST} at {mph(bat)} {met} ({mph(fastest)})"
     if swing.position is not None and not insisted():
         there = bat * (length - swing.position) / (length - SPEED_FROM_TIP)  # near enough
         if ball > max(LIVELIEST * pitch + (1 + LIVELIEST) * there, 0.0) and swing.position > SPEED_FROM_TIP:

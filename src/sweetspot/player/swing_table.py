@@ -9,6 +9,7 @@ from __future__ import annotations
 import gzip
 import zlib
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -30,10 +31,43 @@ PARQUET = (".parquet", ".pq")
 ADVICE = "give a CSV file with the rows of one batter, or Parquet"
 
 
+SUMMARIES = {
+    "average",
+    "averages",
+    "avg",
+    "mean",
+    "median",
+    "total",
+    "totals",
+    "sum",
+    "max",
+    "maximum",
+    "min",
+    "minimum",
+}
+"""What spreadsheets and devices call a row below the others that sums them up, in lower case."""
+
+
+def one_name(name: str) -> str:
+    """Return a name as names are compared: small and large letters and the number of blanks make no difference.
+
+    >>> one_name("Jimmy  Smith ") == one_name("jimmy smith")
+    True
+    """
+    return " ".join(name.split()).casefold()
+
+
+def _sums_up(cells: Sequence[str]) -> bool:
+    """Return whether a row sums others up."""
+    return any(one_name(cell).rstrip(":.") in SUMMARIES for cell in cells)
+
+
 class SwingTable(ABC):
     """A table whose headings are known; rows are (line of the file, cells)."""
 
     headings: tuple[str, ...]
+    summaries: Lines = ()
+    """Rows below the swings that sum them up; they are not among the rows."""
 
     @abstractmethod
     def narrowed(self, columns: Columns) -> Columns:
@@ -57,8 +91,10 @@ class TextTable(SwingTable):
 
     def __init__(self, lines: Lines) -> None:
         self.headings = tuple(lines[0][1]) if lines else ()
-        self._lines = lines[1:]
-        self._parted: dict[int, dict[str, Lines]] = {}
+        rows = lines[1:]
+        whole = next((end for end in range(len(rows), 0, -1) if not _sums_up(rows[end - 1][1])), 0)
+        self._lines, self.summaries = rows[:whole], rows[whole:]
+        self._parted: dict[int, dict[str, tuple[str, Lines]]] = {}
 
     def narrowed(self, columns: Columns) -> Columns:
         """Return the columns as they are: cells stand as in the file."""
@@ -70,20 +106,23 @@ class TextTable(SwingTable):
 
     def rows(self, columns: Columns, batter: str | None = None) -> Lines:
         """Return the rows, of one batter where one is named."""
-        return self._lines if batter is None else self._by_batter(columns).get(batter, ())
+        return self._lines if batter is None else self._by_batter(columns).get(one_name(batter), ("", ()))[1]
 
     def batters(self, columns: Columns) -> list[str]:
         """Return the names of the batters, in the order of the alphabet."""
-        return sorted(set(self._by_batter(columns)) - {""})
+        return sorted(name for name, _ in self._by_batter(columns).values() if name)
 
-    def _by_batter(self, columns: Columns) -> dict[str, Lines]:
+    def _by_batter(self, columns: Columns) -> dict[str, tuple[str, Lines]]:
+        """Return every batter's name as it is first spelt and his rows, by the name as it is compared."""
         place = columns.understood["batter"].index
         if place not in self._parted:
             parts: dict[str, list[tuple[int, list[str]]]] = {}
+            spelt: dict[str, str] = {}
             for line, cells in self._lines:
                 name = cells[place].strip().removesuffix(".0") if place < len(cells) else ""
-                parts.setdefault(name, []).append((line, cells))
-            self._parted[place] = {name: tuple(rows) for name, rows in parts.items()}
+                spelt.setdefault(one_name(name), name)
+                parts.setdefault(one_name(name), []).append((line, cells))
+            self._parted[place] = {key: (spelt[key], tuple(rows)) for key, rows in parts.items()}
         return self._parted[place]
 
 
@@ -117,7 +156,8 @@ class ScannedTable(SwingTable):
     def rows(self, columns: Columns, batter: str | None = None) -> Lines:
         """Return the rows, of one batter where one is named; others are not read."""
         if batter is not None and self._all is not None:
-            return self._lines(self._all[batter]) if batter in self._all else ()
+            named = next((name for name in self._all if one_name(name) == one_name(batter)), None)
+            return () if named is None else self._lines(self._all[named])
         frame = self._frame
         if batter is not None:
             frame = frame.filter(self._is(columns, batter))
@@ -126,10 +166,20 @@ class ScannedTable(SwingTable):
     def batters(self, columns: Columns) -> list[str]:
         """Return the names of the batters; the rows of all are kept, for they will be asked for one after another."""
         if self._all is None:
+            import polars as pl
+
             named = self._named(columns).alias("who")
             frame = self._collected(self._frame.select(self.LINE, *self._cells(columns), named))
+            spelt: dict[str, str] = {}
+            for name in frame["who"].unique(maintain_order=True):
+                spelt.setdefault(one_name(name), name)
+            frame = frame.with_columns(
+                pl.col("who").replace({name: spelt[one_name(name)] for name in frame["who"].unique()})
+            )
             parts = frame.partition_by("who", as_dict=True, include_key=False)
-            self._all = {str(key[0]): part for key, part in parts.items() if key[0]}
+            self._all = {
+                str(key[0]): part for key, part in parts.items() if key[0] and one_name(key[0]) not in SUMMARIES
+            }
         return sorted(self._all)
 
     def _collected(self, frame: pl.LazyFrame) -> pl.DataFrame:
@@ -165,7 +215,7 @@ class ScannedTable(SwingTable):
         name = self.headings[columns.understood["batter"].index]
         if self._schema[name].is_integer() and batter.lstrip("-").isdigit():
             return pl.col(name) == int(batter)
-        return self._named(columns) == batter
+        return self._named(columns).str.to_lowercase().str.replace_all(r"\s+", " ") == " ".join(batter.split()).lower()
 
     def _lines(self, frame: pl.DataFrame) -> Lines:
         rows = ((int(line), list(cells)) for line, *cells in frame.iter_rows())

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
 from sweetspot.player.columns import (
+    NEEDED,
     TEXTS,
     Column,
     Columns,
@@ -20,9 +22,9 @@ from sweetspot.player.columns import (
     day_of,
     maybe_a_column,
 )
-from sweetspot.player.player_swing import PlayerSwing, check_speeds, fault_of, full_swings
-from sweetspot.player.swing_table import Lines, SwingTable, open_swings
-from sweetspot.units import shown, shown_speed
+from sweetspot.player.player_swing import TOO_FAST, PlayerSwing, check_speeds, fault_of, full_swings
+from sweetspot.player.swing_table import Lines, SwingTable, one_name, open_swings
+from sweetspot.units import insisted, shown, shown_speed
 
 FEW = 20
 """Swings below which the intervals are said to be wide."""
@@ -30,6 +32,9 @@ MOST_SWINGS = 400
 """Swings that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
 FOUL, BUNT = "foul", "bunt"
 """Words of an outcome, such as Statcast's description, that tell such a swing."""
+FEWEST_TOO_FAST, PART_TOO_FAST = 3, 0.1
+"""Rows, and part of all rows, from which balls too fast for the pitch speed say that it is wrong. Our choice."""
+ZERO = re.compile(r"[-+]?0*\.?0*(?:\s*[^\d\s.].*)?")
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 
 
@@ -87,11 +92,13 @@ def read_swings(
     understood = columns_of(table.headings, units=units, file_name=str(path))
     rows = _of_batter(table, understood, batter, path)
     columns, width = table.narrowed(understood), table.width(understood)
+    columns, unmeasured = _measured(rows, columns)
     read = [_read(line, cells, columns, width=width, length=length, pitch_speed=pitch_speed) for line, cells in rows]
     good = [one for one in read if isinstance(one, PlayerSwing)]
     bad = [one for one in read if isinstance(one, BadRow)]
     good, partial = full_swings(good)
     good, unknown = _with_pitch(good, path)
+    _check_pitch(bad, len(read), pitch_speed, path)
     bad = sorted([*bad, *partial, *unknown], key=lambda one: one.row)
     if not good:
         reasons = "; ".join(f"row {one.row}: {one.reason}" for one in bad[:3])
@@ -105,7 +112,7 @@ def read_swings(
         without_swing=sum(one is None for one in read),
         system=columns.system,
         ignored_columns=columns.ignored,
-        notes=_notes(good, columns, pitch_speed),
+        notes=(*unmeasured, *_notes(good, columns, pitch_speed), *_summaries(table)),
         first_day=days[0] if days else None,
         last_day=days[-1] if days else None,
     )
@@ -151,7 +158,7 @@ def _of_batter(table: SwingTable, columns: Columns, batter: str | None, path: Pa
     if batter is not None and (rows := table.rows(columns, batter)):
         return rows
     names = table.batters(columns)
-    if batter is not None and batter not in names:
+    if batter is not None and one_name(batter) not in map(one_name, names):
         raise InputError(f"batter {batter!r} is not in {path}. {nearest_names(batter, names)}")
     if len(names) > 1:
         shown_names = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
@@ -177,6 +184,8 @@ def _read(
     try:
         value = {name: _number(cells[column.index], column) for name, column in columns.understood.items()
                  if name not in TEXTS}  # fmt: skip
+    except InputError:  # of the whole column
+        raise
     except ValueError as fault:
         return BadRow(line, str(fault))
     if value.get("bat_speed") is None and value.get("exit_speed") is None:
@@ -205,17 +214,49 @@ def _read(
     return BadRow(line, wrong) if wrong else swing
 
 
+def _measured(rows: Lines, columns: Columns) -> tuple[Columns, tuple[str, ...]]:
+    """Return the columns without speeds that are 0 in every row, as devices write what they did not measure; notes."""
+    unmeasured = [
+        column
+        for name in NEEDED
+        if (column := columns.understood.get(name)) is not None
+        and (cells := [cells[column.index].strip() for _, cells in rows if column.index < len(cells)])
+        and {cell for cell in cells if cell.lower() not in EMPTY}
+        and all(cell.lower() in EMPTY or ZERO.fullmatch(cell) for cell in cells)
+    ]
+    gone = {column.quantity for column in unmeasured}
+    kept = {name: column for name, column in columns.understood.items() if name not in gone}
+    notes = tuple(f"Column {column.heading} is 0 in every row: taken as not measured." for column in unmeasured)
+    return replace(columns, understood=kept), notes
+
+
+def _summaries(table: SwingTable) -> tuple[str, ...]:
+    """Return a note on the rows at the end of a table that sum it up."""
+    lines = ", ".join(str(line) for line, _ in table.summaries)
+    return (f"Row {lines} sums the others up and is no swing.",) if lines else ()
+
+
+def _check_pitch(bad: Sequence[BadRow], count: int, pitch_speed: float | None, path: Path) -> None:
+    """Refuse a pitch that so many balls outrun that it was another: those left out would be the hardest hit."""
+    fast = [one for one in bad if TOO_FAST in one.reason]
+    if pitch_speed is None or insisted() or len(fast) < max(FEWEST_TOO_FAST, PART_TOO_FAST * count):
+        return
+    was = "was it a tee" if pitch_speed == 0 else f"was it {shown_speed(pitch_speed)}"
+    raise InputError(
+        f"{path}: {len(fast)} of {count} rows cannot be with the pitch speed that was given, and they are the hardest "
+        f"hit; the first is row {fast[0].row}: {fast[0].reason}. Say with --pitch-speed how fast pitches came: {was}? "
+        "Add --force to leave those rows out"
+    )
+
+
 def _number(cell: str, column: Column) -> float | None:
     text = cell.strip()
     if text.lower() in EMPTY:
         return None
-    try:
-        number = float(text)
-    except ValueError:
-        raise ValueError(f"{column.heading} is {text!r}, not a number") from None
+    number = column.in_si(text)
     if not math.isfinite(number):
         raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
-    return number * column.factor
+    return number
 
 
 def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing], list[BadRow]]:
