@@ -43,8 +43,12 @@ def first_line(error: BaseException) -> str:
     return str(error).strip().split("\n")[0][:200] or type(error).__name__
 
 
-def nearest_names(name: str, known: Sequence[str]) -> str:
+def nearest_names(name: str, known: Sequence[str], *, listed: Sequence[str] | None = None) -> str:
     """Return a hint that lists the known names spelt like ``name``, whole or by a word in them; else what there is.
+
+    Parameters
+    ----------
+    listed : what there is, where it is told otherwise than by the known names.
 
     >>> nearest_names("r161", ["r161-ash", "youth-30"]), nearest_names("asch", ["white-ash", "maple"])
     ('Did you mean r161-ash?', 'Did you mean white-ash?')
@@ -68,9 +72,10 @@ def nearest_names(name: str, known: Sequence[str]) -> str:
     close = [one for how, one in likely if how[0] >= enough][:MOST_MEANT]
     if close:
         return f"Did you mean {' or '.join(close)}?"
-    if len(known) <= MOST_LISTED:
-        return f"Known names: {', '.join(known)}."
-    return f"There are {len(known)}, for example {', '.join(known[:MOST_EXAMPLES])}."
+    listed = known if listed is None else listed
+    if len(listed) <= MOST_LISTED:
+        return f"Known names: {', '.join(listed)}."
+    return f"There are {len(listed)}, for example {', '.join(listed[:MOST_EXAMPLES])}."
 
 
 def maybe_meant(name: str, known: Iterable[str]) -> str:

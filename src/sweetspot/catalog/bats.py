@@ -11,11 +11,14 @@ from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.read import bat_from_table, read_bat
 from sweetspot.catalog.records import FOLDER, canonical, entry
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import LONGEST_NAME, near_file
 
 BAT_FOLDER, IMPLEMENT_FOLDER = FOLDER / "bats", FOLDER / "implements"
 DEFAULT_BAT = "r161-ash"
+WALL_DOUBT = 0.10
+"""Part by which a barrel's wall may be thinner or thicker than the catalogue's: no maker publishes one [our choice]."""
 
 
 @cache
@@ -111,3 +114,26 @@ def is_file(name_or_path: str) -> bool:
         return path.is_file()
     except (OSError, ValueError):  # longer than any file's name, or with a sign that none may have
         return False
+
+
+def wall_pattern(bat: Bat) -> str | None:
+    """Return the name of the catalogue's bat whose wall a hollow bat has; None: it is solid, or has one of its own.
+
+    Such a wall was not measured on this bat, however its weight and its balance point were.
+
+    >>> wall_pattern(bat("college-alloy").replaced(mass=0.85)), wall_pattern(bat())
+    ('college-alloy', None)
+    """
+    shell = bat.drawn_shell or bat.shell
+    return None if shell is None else _names_by_wall().get(shell.wall)
+
+
+def wall_doubt(bat: Bat) -> float:
+    """Return the part by which a bat's wall may be thinner or thicker, being the catalogue's; 0: it is its own."""
+    return WALL_DOUBT if wall_pattern(bat) else 0.0
+
+
+@cache
+def _names_by_wall() -> dict[Stations, str]:
+    drawn = {name: (one.drawn_shell or one.shell) for name in bat_names() for one in (bat(name),)}
+    return {shell.wall: name for name, shell in drawn.items() if shell is not None}

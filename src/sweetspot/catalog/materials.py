@@ -34,6 +34,7 @@ def material(name: str) -> Material:
     return Material(
         name=what,
         family=material_entry["family"],
+        laminated=material_entry.get("laminated", False),
         density=quantity(material_entry, "density", "density", what),
         longitudinal_modulus=quantity(material_entry, "longitudinal_modulus", "pressure", what),
         shear_modulus=quantity(material_entry, "shear_modulus", "pressure", what),

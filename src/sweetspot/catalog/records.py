@@ -59,9 +59,16 @@ def entry(table: Mapping[str, Entry], name: str, what: str) -> tuple[str, Entry]
     known = known_names(table)
     if key not in known:
         listed = f" {LISTED[what]} lists all." if what in LISTED else ""
-        hint = nearest_names(key[:60], sorted(map(canonical, table)))
+        hint = nearest_names(key[:60], sorted(known), listed=sorted(map(_also_called, table.items())))
         raise InputError(f"{what} {name[:60]!r} is not in the catalogue. {hint}{'' if hint.endswith('?') else listed}")
     return known[key], table[known[key]]
+
+
+def _also_called(described: tuple[str, Any]) -> str:
+    """Return the name of an entry with the others that it is known by behind it."""
+    key, content = described
+    also = content.get("also", ()) if isinstance(content, dict) else ()
+    return f"{canonical(key)} ({', '.join(also)})" if also else canonical(key)
 
 
 def known_names(table: Mapping[str, Any]) -> dict[str, str]:

@@ -7,13 +7,12 @@ from typing import Any
 
 from sweetspot.analysis.certification.rules import QUANTITIES, League, Rule
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
-from sweetspot.catalog.sports import sport
+from sweetspot.catalog.sports import RULES, sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
 from sweetspot.units import Kind
 
-FILE = "rules.toml"
 DEFAULT_LEAGUE, WOODEN_LEAGUE = "ncaa", "mlb"
 """Whose rules bats keep whose sport names none, and turned ones of a sport under the first."""
 KINDS: dict[str, Kind] = {"m": "length", "m/s": "speed", "kg m^2": "moi"}
@@ -22,7 +21,7 @@ KINDS: dict[str, Kind] = {"m": "length", "m/s": "speed", "kg m^2": "moi"}
 
 def league_names() -> list[str]:
     """Return the names of all leagues in the catalogue."""
-    return [canonical(name) for name in read_table(FILE)]
+    return [canonical(name) for name in read_table(RULES)]
 
 
 @cache
@@ -32,7 +31,7 @@ def league(name: str = DEFAULT_LEAGUE) -> League:
     >>> league("ncaa").rules[0].most  # BBCOR
     0.5
     """
-    key, described = entry(read_table(FILE), name, "league")
+    key, described = entry(read_table(RULES), name, "league")
     rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in described["rule"])
     return League(canonical(key), described["name"], described["ball"], rules, described.get("superseded", ""))
 

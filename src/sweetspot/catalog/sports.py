@@ -18,7 +18,7 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.units import MPH, Kind, parse
 from sweetspot.units.usual import Usual, refuse_unusual
 
-FILE = "sports.toml"
+FILE, RULES = "sports.toml", "rules.toml"
 DEFAULT_SPORT = "baseball"
 
 
@@ -58,7 +58,7 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
         usual_exit_speed=_bounds(sport_entry["usual_exit_speed"], f"{key} usual_exit_speed"),
         words=Words(**sport_entry.get("words", {})),
         speeds=tuple(_known(table) for table in sport_entry.get("speed", ())),
-        limits=tuple(Limit(**_values(table), side=table["side"]) for table in sport_entry.get("limit", ())),
+        limits=tuple(_limit(table) for table in sport_entry.get("limit", ())),
         marks=tuple(_mark(table) for table in sport_entry.get("mark", ())),
         drops=tuple(_drop(table) for table in sport_entry.get("drop", ())),
         facts=tuple(_known(table) for table in sport_entry.get("fact", ())),
@@ -144,6 +144,17 @@ def sport_implements(name: str) -> tuple[str, ...]:
 
 def _known(table: dict[str, Any]) -> Known:
     return Known(**_values(table))
+
+
+def _limit(table: dict[str, Any]) -> Limit:
+    """Return a limit of the rules; one that names a league's rule has that rule's record."""
+    if "rule" in table:
+        league, quantity_limited = table["rule"].split()
+        rules = read_table(RULES)[league]["rule"]
+        limits = next(rule for rule in rules if rule["quantity"] == quantity_limited)
+        side = next(side for side in ("least", "most") if side in limits)
+        table = {**limits[side], "side": side, "name": table["name"], "of": table.get("of", "speed")}
+    return Limit(**_values(table), side=table["side"])
 
 
 def _values(table: dict[str, Any]) -> dict[str, Any]:

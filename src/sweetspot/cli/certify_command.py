@@ -58,13 +58,12 @@ def certify(
 ) -> int:
     """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when one fails or none can be decided."""
     from sweetspot import catalog
-    from sweetspot.analysis.certification.rules import check_rules, construction_findings
     from sweetspot.catalog.rules import DEFAULT_LEAGUE
     from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
     from sweetspot.report.certification.document import tested_document
-    from sweetspot.report.certification.tested_bat import TestedBat, tested_by_model
+    from sweetspot.report.certification.tested_bat import held_to_rules, tested_by_model
 
     if bat is None:
         raise InputError("certify needs a bat: BBCOR takes the recoil from its weight, balance and moment of inertia")
@@ -79,9 +78,7 @@ def certify(
     else:
         body = rigid_body(beam_model(described))
         read, test = _measured(shots, described, body=body, ball=chosen, standard=standard_ball_cor)
-        findings = {**construction_findings(described, body=body), **test.findings()}
-        checks = [(one, check) for one in leagues for check in check_rules(one, bat=described, findings=findings)]
-        tested = TestedBat(described, chosen, body, test, read, checks)
+        tested = held_to_rules(described, leagues, ball=chosen, body=body, test=test, shots=read)
     if wall_that_passes:
         with patience():
             tested = replace(tested, walls=_walls(leagues, described, chosen))

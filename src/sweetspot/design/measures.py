@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED, BPF_SPEED, bpf
+from sweetspot.analysis.certification.simulated_test import BPF_SPEED, bpf, swung_test
 from sweetspot.analysis.hand_weighting import velocity_weight
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.collision.closed_form import restitution_from_efficiency
@@ -182,7 +182,8 @@ class Bench:
             **weights_of(bending),
         }
         if self.tested:
-            fast, slow = (self._fired(bats, position, one) for one in (BBCOR_SPEED, BPF_SPEED))
+            game = swung_test(self.space.present, ball).closing_speed
+            fast, slow = (self._fired(bats, position, one) for one in (game, BPF_SPEED))
             values |= {"bbcor": fast, "bpf": bpf(1.0, ball_restitution=ball.restitution.at(BPF_SPEED)) * slow}
         if self.breaking is not None and handles is not None:
             hits = BatterHits(done, position, pitch + speed, ball.mass)

@@ -25,6 +25,7 @@ class Material(Validated):
     Parameters
     ----------
     name : what people call it.
+    laminated : whether wood of it is glued from several pieces, as bamboo always is; False: one piece.
     density : kg/m^3, > 0.
     longitudinal_modulus : Pa, along the bat, > 0.
     shear_modulus : Pa, in the plane of the axis and a diameter, > 0; None for isotropic materials.
@@ -37,6 +38,7 @@ class Material(Validated):
 
     name: str
     family: Literal["wood", "metal", "filler", "laminate"] = "wood"
+    laminated: bool = False
     density: Positive
     longitudinal_modulus: Positive
     shear_modulus: Positive | None = None

@@ -22,13 +22,14 @@ from sweetspot.analysis.certification.rules import (
 )
 from sweetspot.analysis.certification.simulated_test import certify
 from sweetspot.catalog.records import read_table
-from sweetspot.catalog.rules import FILE, league, league_names
+from sweetspot.catalog.rules import league, league_names
+from sweetspot.catalog.sports import RULES
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat, PointMass
 from sweetspot.errors import InputError
-from sweetspot.units import INCH
+from sweetspot.units import INCH, MPH
 
 KEYS = set(references.keys())
 WOOD_BATS = (
@@ -65,7 +66,7 @@ def test_every_rule_has_a_source_and_says_how_it_was_read(name: str) -> None:
 
 
 def test_limits_are_specified_records() -> None:
-    for entry in read_table(FILE).values():
+    for entry in read_table(RULES).values():
         for one in entry["rule"]:
             for side in ("least", "most"):
                 if side in one:
@@ -79,22 +80,67 @@ def test_the_numbers_are_those_of_the_sources() -> None:
     assert most["mlb", "diameter"] == pytest.approx(2.61 * INCH)
     assert most["mlb", "length"] == pytest.approx(42 * INCH)
     assert (most["ncaa", "bbcor"], most["ncaa", "drop"]) == (0.5, 3.0)
-    assert most["ncaa", "length"] == pytest.approx(36 * INCH)
-    assert most["ncaa", "diameter"] == most["usabat", "diameter"] == pytest.approx(2.625 * INCH)
+    ncaa = {(one.quantity, one.construction): one.most for one in league("ncaa").rules}  # ncaa_bat_rule, 1-12
+    assert ncaa["length", "not wood"] == pytest.approx(36 * INCH) and ncaa["length", "wood"] == pytest.approx(42 * INCH)
+    assert ncaa["diameter", "not wood"] == most["usabat", "diameter"] == pytest.approx(2.625 * INCH)
+    assert ncaa["diameter", "wood"] == pytest.approx(2.75 * INCH)
     assert most["ncaa-1999", "besr"] == 0.728
     assert (most["usssa", "bpf"], most["little-league", "bpf"], most["softball", "bpf"]) == (1.15, 1.15, 1.2)
-    assert most["ncaa", "moi"] is None and most["asa", "batted_ball_speed"] is None
+    assert most["ncaa", "moi"] is None and most["asa", "batted_ball_speed"] == pytest.approx(98 * MPH)
+    assert next(one for one in league("asa").rules).undecided
+
+
+def test_a_limit_stands_once() -> None:
+    """What a sport says of its limits is the league's own record."""
+    limits = {
+        limit.name: limit for name in ("baseball", "softball", "slow-pitch") for limit in catalog.sport(name).limits
+    }
+    assert limits["batted-ball speed of the bat test"].value == league("asa").rules[0].most
+    assert limits["bat performance factor"].value == league("softball").rules[0].most == 1.2
+    assert limits["BBCOR of bats not made of one piece of wood"].value == league("ncaa").rules[0].most == 0.5
 
 
 @pytest.mark.parametrize("name", WOOD_BATS)
-def test_wood_bats_pass(name: str, baseball: Ball) -> None:
-    """ncaa_bbcor: the limit lies above the best wood bat."""
+def test_wood_bats_need_not_meet_bbcor_and_would(name: str, baseball: Ball) -> None:
+    """ncaa_bbcor: the limit lies above the best wood bat; ncaa_bat_rule, nfhs_bat_rule: one piece of wood is exempt."""
     bat = catalog.bat(name)
-    found = checks("ncaa", bat, **certify(bat, ball=baseball).findings())
-    assert found["bbcor"].verdict is Verdict.PASS
-    assert 0.0 < (found["bbcor"].margin or 0) < 0.014
+    findings = certify(bat, ball=baseball).findings()
+    found = checks("ncaa", bat, **findings)
+    assert found["bbcor"].verdict is Verdict.NOT_APPLICABLE and "one piece of wood" in found["bbcor"].reason
+    glued = checks("ncaa", bat.replaced(material=bat.material.replaced(laminated=True)), **findings)["bbcor"]
+    assert glued.verdict is Verdict.PASS
+    assert 0.0 < (glued.margin or 0) < 0.014
     assert found["drop"].verdict is Verdict.NOT_APPLICABLE  # stated for bats that are not wood
-    assert found["moi"].verdict is Verdict.NOT_DECIDABLE and "not in the catalogue" in found["moi"].reason
+    assert found["moi"].verdict is Verdict.NOT_APPLICABLE  # of the certification, which wood does not need
+    assert found["length"].verdict is found["diameter"].verdict is found["unaltered"].verdict is Verdict.PASS
+
+
+@pytest.mark.parametrize("name", ["torpedo", "r161-ash"])
+def test_a_lively_one_piece_bat_is_no_fail_and_bamboo_is(name: str) -> None:
+    bat, lively = catalog.bat(name), Finding(0.51)
+    assert checks("nfhs", bat, bbcor=lively)["bbcor"].verdict is Verdict.NOT_APPLICABLE
+    bamboo = checks("nfhs", bat.with_material(catalog.material("bamboo")), bbcor=lively)
+    assert bamboo["bbcor"].verdict is Verdict.FAIL and bamboo["ring_gauge"].verdict is Verdict.NOT_DECIDABLE
+    assert checks("mlb", bat.with_material(catalog.material("bamboo")))["solid_wood"].verdict is Verdict.FAIL
+
+
+@pytest.mark.parametrize("name", ["mlb", "ncaa", "usssa", "softball"])
+@pytest.mark.parametrize("fill", [None, "cork"])
+def test_an_altered_bat_is_forbidden_whatever_its_number(name: str, fill: str | None, r161: Bat) -> None:
+    own = None if fill is None else catalog.material(fill)
+    holed = (
+        r161.drilled(diameter=0.0254, depth=0.2) if own is None else r161.corked(diameter=0.0254, depth=0.2, fill=own)
+    )
+    assert checks(name, holed, bbcor=Finding(0.3))["unaltered"].verdict is Verdict.FAIL
+    assert checks(name, r161)["unaltered"].verdict is Verdict.PASS
+
+
+def test_metal_has_its_own_sizes_and_wood_its_own() -> None:
+    metal, wood = catalog.bat("russell-b5"), catalog.bat("r161-ash")
+    for bat, longest in ((metal, 36), (wood, 42)):
+        known = construction_findings(bat, body=rigid_body(beam_model(bat)))
+        held = [one for one in check_rules(league("ncaa"), bat=bat, findings=known) if one.rule.quantity == "length"]
+        assert [one.rule.most for one in held] == [pytest.approx(longest * INCH)]
 
 
 def test_one_piece_of_solid_wood(r161: Bat) -> None:
@@ -176,8 +222,7 @@ def test_a_doubt_beats_a_value(r161: Bat) -> None:
     ("changes", "message"),
     [
         ({"quantity": "colour"}, "known quantities"),
-        ({"most": None}, "either a limit or the reason"),
-        ({"undecided": "why"}, "either a limit or the reason"),
+        ({"most": None}, "a limit or the reason"),
         ({"reading": "recalled"}, "only from memory"),
     ],
 )
@@ -189,3 +234,5 @@ def test_impossible_rules_are_refused(changes: dict[str, object], message: str) 
 def test_an_unknown_league_names_the_nearest() -> None:
     with pytest.raises(InputError, match="ncaa"):
         league("nca")
+    with pytest.raises(InputError, match=r"ncaa \(nfhs, high-school"):
+        league("xyzzy")

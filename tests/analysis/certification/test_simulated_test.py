@@ -9,15 +9,16 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.analysis.certification.simulated_test import (
+    BASEBALL_TEST,
     BBCOR_SPEED,
     CLAMP,
-    OLD_BALL_SPEED,
-    OLD_BAT_SPEED,
+    SOFTBALL_TESTS,
     _parabola,
     bat_test,
     besr,
     bpf,
     certify,
+    swung_test,
 )
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
 from sweetspot.dynamics.beam import beam_model
@@ -49,7 +50,8 @@ def test_the_limit_of_1999_is_three_ways_of_saying_one_thing() -> None:
     assert besr(q) == pytest.approx(0.728, abs=5e-4)
     assert besr((96 - 66) / 136) == pytest.approx(0.7206, abs=5e-5)
     assert exit_speed(q, ball_speed=70, bat_speed=66) == pytest.approx(97)
-    assert pytest.approx(OLD_BALL_SPEED + OLD_BAT_SPEED) == BBCOR_SPEED
+    assert pytest.approx(BASEBALL_TEST.closing_speed) == BBCOR_SPEED
+    assert BASEBALL_TEST.batted_ball_speed(q) == pytest.approx(97 * MPH)
     assert pytest.approx(136 * MPH) == BBCOR_SPEED
 
 
@@ -65,6 +67,37 @@ def test_besr_turns_speeds_into_exit_speed(efficiency: float, ball_speed: float,
 def test_efficiency_and_restitution_are_inverse(restitution: float, recoil: float) -> None:
     q = collision_efficiency(restitution, recoil=recoil)
     assert restitution_from_efficiency(q, recoil=recoil) == pytest.approx(restitution, rel=1e-12)
+
+
+@pytest.mark.parametrize(("name", "closing"), [("slow-pitch", 110), ("fast-pitch", 120)])
+def test_a_softball_bat_is_swung_as_in_softball(name: str, closing: float) -> None:
+    """ncaanews2005: 25 mph pitch and 85 mph swing, 60 and 60; a baseball's 70 and 66 mph say nothing of it."""
+    bat = catalog.bat(name)
+    game = catalog.sport(bat.sport)
+    done = certify(bat, ball=catalog.ball(game.balls[0]))
+    assert done.swung == SOFTBALL_TESTS[bat.sport] and done.fast.closing_speed == pytest.approx(closing * MPH)
+    assert done.swung.bat_speed == pytest.approx(game.stroke.swing_speed.value)
+    assert done.swung.ball_speed == pytest.approx(game.stroke.ball_speed.value)
+    direct = exit_speed(done.fast.best_efficiency, ball_speed=done.swung.ball_speed, bat_speed=done.swung.bat_speed)
+    assert done.batted_ball_speed == pytest.approx(direct)
+
+
+def test_a_softball_fired_at_any_bat_is_a_softball(r161: Bat) -> None:
+    softball, baseball = catalog.ball("softball-11in"), catalog.ball()
+    assert swung_test(r161, softball) == SOFTBALL_TESTS["slow-pitch"]
+    assert swung_test(r161, baseball) == swung_test(catalog.bat("slow-pitch"), baseball) == BASEBALL_TEST
+
+
+def test_a_wall_that_was_not_measured_leaves_more_open(baseball: Ball) -> None:
+    bat = catalog.bat("college-alloy")
+    measured, pattern = (certify(bat, ball=baseball, wall_doubt=doubt) for doubt in (0.0, 0.1))
+    assert measured.bbcor == pattern.bbcor and not measured.wall_spreads
+    low, high = pattern.wall_spreads["bbcor"]
+    assert low < pattern.bbcor - 0.002 and high > pattern.bbcor + 0.002
+    known, unknown = (done.findings()["bbcor"].interval for done in (measured, pattern))
+    assert known is not None and unknown is not None
+    assert unknown[0] < known[0] and unknown[1] > known[1]
+    assert "a wall that was not measured" in pattern.findings()["bbcor"].interval_is
 
 
 def test_bpf_is_a_ratio() -> None:

@@ -21,7 +21,7 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, OUNCE
 
-Construction = Literal["any", "wood", "not wood", "composite", "cricket bat"]
+Construction = Literal["any", "wood", "not wood", "not one piece of wood", "composite", "cricket bat"]
 Reading = Literal["primary", "secondary", "recalled"]
 SLACK = 1e-6
 """Part of a limit that a value may lie beyond it and still keep it: rounding of units, nothing else."""
@@ -35,6 +35,7 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "cup_depth": ("depth of the cupped end", "m"),
     "cup_diameter": ("width of the cupped end", "m"),
     "solid_wood": ("one piece of solid wood", "yes or no"),
+    "unaltered": ("no drilling, no filling", "yes or no"),
     "bbcor": ("BBCOR", "-"),
     "besr": ("BESR", "-"),
     "bpf": ("BPF", "-"),
@@ -49,10 +50,13 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "youth_performance": ("performance like wood", "-"),
 }
 """What a rule can limit: name for people, unit."""
+PERFORMANCE = frozenset({"bbcor", "besr", "bpf", "batted_ball_speed"})
+"""Of these what a test of a bat measures: how lively it is."""
 STATED_FOR: dict[Construction, str] = {
     "any": "every bat",
     "wood": "wood bats",
     "not wood": "bats that are not wood",
+    "not one piece of wood": "bats that are not made of one piece of wood; this one is",
     "composite": "composite bats",
     "cricket bat": "cricket bats",
 }
@@ -80,7 +84,7 @@ class Rule:
     quantity : key of `QUANTITIES`.
     least, most : the limits in SI; None: none on that side.
     construction : the bats that the source states it for.
-    undecided : why the rule can never be decided here; "": it can.
+    undecided : why the rule can never be decided here, though its limit may be known; "": it can.
     doubt_beyond : why a value beyond the limit is not yet a fail; "": it is.
     source, where, year : where the limit was read; ``year`` None where the source gives none.
     reading : primary (the text itself), secondary (quoted elsewhere) or recalled (then there is no limit).
@@ -101,8 +105,8 @@ class Rule:
         if self.quantity not in QUANTITIES:
             raise InputError(f"rule on {self.quantity!r}; known quantities: {', '.join(QUANTITIES)}")
         limited = self.least is not None or self.most is not None
-        if limited == bool(self.undecided):
-            raise InputError(f"rule on {self.quantity}: give either a limit or the reason why there is none")
+        if not limited and not self.undecided:
+            raise InputError(f"rule on {self.quantity}: give a limit or the reason why there is none")
         if limited and self.reading == "recalled":
             raise InputError(f"rule on {self.quantity}: a limit known only from memory is no limit")
 
@@ -178,8 +182,16 @@ class Check:
 
 
 def check_rules(league: League, *, bat: Implement, findings: Mapping[str, Finding]) -> list[Check]:
-    """Return every rule of a league held against a bat and what is known about it."""
-    return [check_rule(rule, bat=bat, finding=findings.get(rule.quantity)) for rule in league.rules]
+    """Return every rule of a league held against a bat and what is known about it.
+
+    A quantity with one limit for wood and another for the rest is checked by the one that applies.
+    """
+    limited = {rule.quantity for rule in league.rules if applies(rule, bat)}
+    return [
+        check_rule(rule, bat=bat, finding=findings.get(rule.quantity))
+        for rule in league.rules
+        if applies(rule, bat) or rule.quantity not in limited
+    ]
 
 
 def check_rule(rule: Rule, *, bat: Implement, finding: Finding | None) -> Check:
@@ -202,7 +214,8 @@ def check_rule(rule: Rule, *, bat: Implement, finding: Finding | None) -> Check:
         reason = (finding.doubt if finding else "") or f"nothing is known about this bat's {title(rule)}"
         return Check(rule, Verdict.NOT_DECIDABLE, None, None, reason)
     verdict, reason = _verdict(rule, value, finding)
-    return Check(rule, verdict, value, None if rule.quantity == "solid_wood" else _margin(rule, value), reason)
+    margin = None if QUANTITIES[rule.quantity][1] == "yes or no" else _margin(rule, value)
+    return Check(rule, verdict, value, margin, reason)
 
 
 def applies(rule: Rule, bat: Implement) -> bool:
@@ -218,10 +231,16 @@ def applies(rule: Rule, bat: Implement) -> bool:
         "any": True,
         "wood": wood and not laminate,
         "not wood": not wood or laminate,
+        "not one piece of wood": not is_one_piece(bat),
         "composite": laminate,
         "cricket bat": False,
     }
     return stated[rule.construction]
+
+
+def is_one_piece(bat: Bat) -> bool:
+    """Return whether a bat was turned from a single piece of wood, whatever was drilled into it afterwards."""
+    return bat.material.family == "wood" and not bat.material.laminated and bat.shell is None
 
 
 def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
@@ -241,6 +260,7 @@ def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
         "drop": Finding(bat.length / INCH - body.mass / OUNCE),
         "moi": Finding(moi, interval=(moi - doubt, moi + doubt) if doubt else None),
         "solid_wood": _solid_wood(bat),
+        "unaltered": Finding(0.0 if bat.bores else 1.0),
         "grip_length": Finding(None, "a bat file does not say how far the grip reaches"),
     }
     if bat.cup is None:
@@ -256,7 +276,7 @@ def title(rule: Rule) -> str:
 
 
 def _solid_wood(bat: Bat) -> Finding:
-    if bat.material.family != "wood" or bat.shell is not None or bat.bores:
+    if not is_one_piece(bat) or bat.bores:
         return Finding(0.0)
     if not all(weight.on_surface for weight in bat.point_masses):
         return Finding(

@@ -13,12 +13,12 @@ from sweetspot.analysis.certification.simulated_test import (
     BBCOR_SPEED,
     BPF_SPEED,
     CLAMP,
-    OLD_BALL_SPEED,
-    OLD_BAT_SPEED,
+    SwungTest,
     besr,
     bpf,
+    swung_test,
 )
-from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
+from sweetspot.collision.closed_form import collision_efficiency, restitution_from_efficiency
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody, effective_mass
 from sweetspot.equipment.ball import Ball
@@ -93,7 +93,8 @@ class Measured:
     raw_bbcor : as measured.
     efficiency : q that goes with `bbcor`.
     bpf : as measured at 60 mph, over each ball's own restitution there; None where the shots do not give it.
-    batted_ball_speed : m/s for a 70 mph ball and a 66 mph bat.
+    swung : what the batted-ball speed is worked out for.
+    batted_ball_speed : m/s.
     without_outliers : BBCOR without the hits that stand out; None where none does.
     standard_restitution : ball restitution that BBCOR is normalised to; None: not normalised.
     slowest, fastest : closing speeds at the best place, m/s.
@@ -110,6 +111,7 @@ class Measured:
     raw_bbcor: Estimate
     efficiency: Estimate
     bpf: Estimate | None
+    swung: SwungTest
     batted_ball_speed: Estimate
     outliers: tuple[Outlier, ...]
     without_outliers: Estimate | None
@@ -130,7 +132,7 @@ class Measured:
         values = {
             "bbcor": self._finding(self.bbcor, fast or few),
             "besr": Finding(besr(self.efficiency.mean), fast, (low, high)),
-            "batted_ball_speed": Finding(self.batted_ball_speed.mean, fast),
+            "batted_ball_speed": Finding(self.batted_ball_speed.mean, self._speed_doubt(self.swung.closing_speed)),
             "bpf": Finding(None, slow or "the file has no ball_cor, which BPF is a ratio to"),
         }
         if self.bpf is not None:
@@ -192,8 +194,8 @@ def measure(
     named = {outlier.row for outlier in outliers}
     kept = [hit.normalised for hit in best if hit.shot.row not in named]
     efficiency = estimate([_normalised_efficiency(hit, body, ball) for hit in best])
-    speeds = [exit_speed(_normalised_efficiency(hit, body, ball), ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED)
-              for hit in best]  # fmt: skip
+    swung = swung_test(bat, ball)
+    speeds = [swung.batted_ball_speed(_normalised_efficiency(hit, body, ball)) for hit in best]
     slow = all(_near(hit.shot.closing_speed, BPF_SPEED) for hit in best)
     own = [(hit.bbcor, hit.shot.ball_cor) for hit in best if slow and hit.shot.ball_cor is not None]
     factors = [bpf(value, ball_restitution=cor) for value, cor in own]
@@ -207,6 +209,7 @@ def measure(
         raw_bbcor=estimate([hit.bbcor for hit in best]),
         efficiency=efficiency,
         bpf=estimate(factors) if factors else None,
+        swung=swung,
         batted_ball_speed=estimate(speeds),
         outliers=outliers,
         without_outliers=estimate(kept) if outliers and len(kept) > 1 else None,

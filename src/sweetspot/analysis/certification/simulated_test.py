@@ -8,12 +8,12 @@ left [nathan2000], so the clamp enters only through the moment of inertia that B
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import hypot
+from math import hypot, pi
 
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Finding
-from sweetspot.collision.closed_form import bbcor, exit_speed
+from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel, beam_model, turning_as
 from sweetspot.dynamics.bending import bending_modes
@@ -22,8 +22,11 @@ from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.patch import PATCH_SPREAD
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.weight_match import with_barrel_wall
 from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.base import Real
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
@@ -35,10 +38,38 @@ from sweetspot.units import INCH, MPH, shown
 CLAMP = STANDARD_AXIS
 """m from the knob end."""
 BBCOR_SPEED = 136 * MPH
-"""Closing speed of the BBCOR test, and of the older test: a 70 mph ball and a 66 mph bat [nathan2003sabr]."""
+"""Closing speed of the BBCOR test."""
 BPF_SPEED = 60 * MPH
-OLD_BALL_SPEED, OLD_BAT_SPEED = 70 * MPH, 66 * MPH
-"""The bat's speed holds 6 in from the tip."""
+
+
+@dataclass(frozen=True)
+class SwungTest:
+    """The swing and the pitch that a test stands for: the batted-ball speed is worked out for them.
+
+    Parameters
+    ----------
+    ball_speed, bat_speed : m/s towards each other; the bat's holds 6 in from the tip.
+    """
+
+    ball_speed: float
+    bat_speed: float
+
+    @property
+    def closing_speed(self) -> float:
+        """Speed in m/s at which the ball is fired at the bat at rest."""
+        return self.ball_speed + self.bat_speed
+
+    def batted_ball_speed(self, efficiency: Real) -> Real:
+        """Return the exit speed in m/s for a collision efficiency q: q (v_ball + v_bat) + v_bat."""
+        return efficiency * self.closing_speed + self.bat_speed
+
+
+BASEBALL_TEST = SwungTest(70 * MPH, 66 * MPH)
+"""Closing at `BBCOR_SPEED` [nathan2003sabr]."""
+SOFTBALL_TESTS = {"slow-pitch": SwungTest(25 * MPH, 85 * MPH), "softball": SwungTest(60 * MPH, 60 * MPH)}
+"""By the bat's sport, slow pitch and fast pitch [ncaanews2005]; the usual strokes of these sports in the catalogue."""
+SMALLEST_SOFTBALL = 10 * INCH
+"""Round a ball: a baseball has 9 in, the smallest softball 11 in."""
 NEAR, FAR, PLACES = 2 * INCH, 10 * INCH, 33
 """Places of the scan, from the tip: every quarter of an inch."""
 SHORTEST = 18 * INCH
@@ -76,20 +107,24 @@ class Certification(ShownInNotebooks):
 
     Parameters
     ----------
-    fast : the test at 136 mph, for BBCOR and the older BESR.
+    swung : what the fast test stands for: a baseball's or a softball's swing and pitch.
+    fast : the test at its closing speed: a baseball's 136 mph, for BBCOR and the older BESR.
     slow : the test at 60 mph, for BPF.
     other_patches : both tests again with the smallest and the largest patch that a ball can press (`PATCH_SPREAD`).
     other_mois : both tests again with the ends of the 90 % interval of the moment of inertia; none where it was
         measured.
+    other_walls : both tests again with a thinner and a thicker wall of the barrel; none where it was measured.
     """
 
     bat: Bat
     ball: Ball
     body: RigidBody
+    swung: SwungTest
     fast: BatTest
     slow: BatTest
     other_patches: tuple[tuple[BatTest, BatTest], ...] = ()
     other_mois: tuple[tuple[BatTest, BatTest], ...] = ()
+    other_walls: tuple[tuple[BatTest, BatTest], ...] = ()
 
     def __repr__(self) -> str:
         """Return the measures, short."""
@@ -112,13 +147,13 @@ class Certification(ShownInNotebooks):
 
     @property
     def batted_ball_speed(self) -> float:
-        """Exit speed in m/s at the best place for a 70 mph ball and a bat at 66 mph there [nathan2003sabr]."""
-        return _batted_ball_speed_of(self.fast)
+        """Exit speed in m/s at the best place for the ball's and the bat's speed of ``swung``."""
+        return self.swung.batted_ball_speed(self.fast.best_efficiency)
 
     @property
     def spreads(self) -> dict[str, tuple[float, float]]:
         """Least and greatest value of each measure that the size of the ball's patch leaves open, by its name."""
-        return _spreads(((self.fast, self.slow), *self.other_patches))
+        return self._spreads(((self.fast, self.slow), *self.other_patches))
 
     @property
     def moi_spreads(self) -> dict[str, tuple[float, float]]:
@@ -127,37 +162,43 @@ class Certification(ShownInNotebooks):
         A bat that turns less easily gives more back: BESR and the batted-ball speed rest on it. From BBCOR and BPF the
         recoil is taken out.
         """
-        return _spreads(((self.fast, self.slow), *self.other_mois)) if self.other_mois else {}
+        return self._spreads(((self.fast, self.slow), *self.other_mois)) if self.other_mois else {}
+
+    @property
+    def wall_spreads(self) -> dict[str, tuple[float, float]]:
+        """The same for what a wall of the barrel leaves open that was not measured; {}: it was, or the bat is solid."""
+        return self._spreads(((self.fast, self.slow), *self.other_walls)) if self.other_walls else {}
 
     def findings(self) -> dict[str, Finding]:
         """Return the measures as rules take them; a best place at an end of the scan decides nothing."""
         doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond" if self.fast.at_edge else ""
-        by = "what the size of the ball's patch leaves open"
-        if self.other_mois:
-            by = "what the size of the ball's patch and a moment of inertia that was not measured leave open"
+        unknown = ["the size of the ball's patch"]
+        unknown += ["a moment of inertia that was not measured"] if self.other_mois else []
+        unknown += ["a wall that was not measured"] if self.other_walls else []
+        listed = " and ".join(part for part in (", ".join(unknown[:-1]), unknown[-1]) if part)
+        by = f"what {listed} leave{'s' if len(unknown) == 1 else ''} open"
         return {
-            name: Finding(value := getattr(self, name), doubt, self._both(name, value), interval_is=by)
+            name: Finding(value := getattr(self, name), doubt, self._together(name, value), interval_is=by)
             for name in self.spreads
         }
 
-    def _both(self, name: str, value: float) -> tuple[float, float] | None:
-        """Return between which a measure lies by patch and moment of inertia together, independent doubts."""
-        ranges = [spreads[name] for spreads in (self.spreads, self.moi_spreads) if spreads]
+    def _together(self, name: str, value: float) -> tuple[float, float] | None:
+        """Return between which a measure lies by patch, moment of inertia and wall together, independent doubts."""
+        ranges = [spreads[name] for spreads in (self.spreads, self.moi_spreads, self.wall_spreads) if spreads]
         if not self.other_patches:
             return None
         below, above = (hypot(*(value - each[end] for each in ranges)) for end in (0, 1))
         return value - below, value + above
 
-
-def _spreads(tests: tuple[tuple[BatTest, BatTest], ...]) -> dict[str, tuple[float, float]]:
-    """Return least and greatest value of each measure among (fast, slow) tests."""
-    values = {
-        "bbcor": [fast.best_bbcor for fast, _ in tests],
-        "besr": [besr(fast.best_efficiency) for fast, _ in tests],
-        "bpf": [_bpf_of(slow) for _, slow in tests],
-        "batted_ball_speed": [_batted_ball_speed_of(fast) for fast, _ in tests],
-    }
-    return {name: (min(numbers), max(numbers)) for name, numbers in values.items()}
+    def _spreads(self, tests: tuple[tuple[BatTest, BatTest], ...]) -> dict[str, tuple[float, float]]:
+        """Return least and greatest value of each measure among (fast, slow) tests."""
+        values = {
+            "bbcor": [fast.best_bbcor for fast, _ in tests],
+            "besr": [besr(fast.best_efficiency) for fast, _ in tests],
+            "bpf": [_bpf_of(slow) for _, slow in tests],
+            "batted_ball_speed": [self.swung.batted_ball_speed(fast.best_efficiency) for fast, _ in tests],
+        }
+        return {name: (min(numbers), max(numbers)) for name, numbers in values.items()}
 
 
 def besr(efficiency: float) -> float:
@@ -178,8 +219,23 @@ def bpf(restitution: float, *, ball_restitution: float) -> float:
     return restitution / ball_restitution
 
 
-def certify(bat: Bat, *, ball: Ball) -> Certification:
-    """Return the measures of a bat from simulated tests at 136 mph and 60 mph.
+def swung_test(bat: Implement, ball: Ball) -> SwungTest:
+    """Return the swing and the pitch that a test with this ball stands for: a softball is never a baseball.
+
+    >>> from sweetspot import catalog
+    >>> test = swung_test(catalog.bat("slow-pitch"), catalog.ball("softball-12in"))
+    >>> round(test.closing_speed / 0.44704)
+    110
+    """
+    if 2 * pi * ball.radius < SMALLEST_SOFTBALL:
+        return BASEBALL_TEST
+    return SOFTBALL_TESTS.get(bat.sport, SOFTBALL_TESTS["slow-pitch"])
+
+
+def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
+    """Return the measures of a bat from simulated tests at a game's closing speed and at 60 mph.
+
+    The game is that of bat and ball, see `swung_test`: 136 mph with a baseball, 110 or 120 mph with a softball.
 
     The bat is at rest, free to turn about a clamp 6 in from the knob end, and balls are fired at it place by place.
 
@@ -187,6 +243,7 @@ def certify(bat: Bat, *, ball: Ball) -> Certification:
     ----------
     bat : from `catalog.bat`, a file, or made in Python.
     ball : the one that is fired: `catalog.ball()`, or the ball of a league.
+    wall_doubt : part by which the wall of a hollow barrel may be thinner or thicker; 0: it was measured.
 
     Returns
     -------
@@ -197,22 +254,27 @@ def certify(bat: Bat, *, ball: Ball) -> Certification:
     >>> round(certify(catalog.bat("r161-ash"), ball=catalog.ball()).bbcor, 2)  # allowed is 0.50
     0.5
     """
-    line = beam_model(bat)
+    line, swung = beam_model(bat), swung_test(bat, ball)
     body = rigid_body(line)
 
     def both(modes: Modes, body: RigidBody) -> tuple[BatTest, BatTest]:
         fast, slow = (
-            bat_test(line, body=body, modes=modes, ball=ball, closing_speed=speed) for speed in (BBCOR_SPEED, BPF_SPEED)
+            bat_test(line, body=body, modes=modes, ball=ball, closing_speed=speed)
+            for speed in (swung.closing_speed, BPF_SPEED)
         )
         return fast, slow
 
     usual, *others = (all_modes(line, ball, patch_factor=factor) for factor in (1.0, *PATCH_SPREAD))
     moi, doubt = body.moi(CLAMP), REACH * moi_doubt(bat, body, CLAMP)
+    walls = [] if bat.shell is None or not wall_doubt else [
+        beam_model(with_barrel_wall(bat, 1 + change)) for change in (-wall_doubt, wall_doubt)
+    ]  # fmt: skip
     turning = [turning_as(line, moi + change, axis=CLAMP) for change in (-doubt, doubt) if doubt]
     return Certification(
-        bat, ball, body, *both(usual, body),
+        bat, ball, body, swung, *both(usual, body),
         other_patches=tuple(both(modes, body) for modes in others),
         other_mois=tuple(both(_bending_as(usual, one), rigid_body(one)) for one in turning),
+        other_walls=tuple(both(all_modes(one, ball), rigid_body(one)) for one in walls),
     )  # fmt: skip
 
 
@@ -226,10 +288,6 @@ def _bending_as(modes: Modes, line: BeamModel) -> Modes:
 
 def _bpf_of(slow: BatTest) -> float:
     return bpf(slow.best_bbcor, ball_restitution=slow.ball_restitution)
-
-
-def _batted_ball_speed_of(fast: BatTest) -> float:
-    return exit_speed(fast.best_efficiency, ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED)
 
 
 def bat_test(

@@ -9,13 +9,10 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.analysis.certification.simulated_test import (
-    BBCOR_SPEED,
     BPF_SPEED,
     CLAMP,
     FAR,
     NEAR,
-    OLD_BALL_SPEED,
-    OLD_BAT_SPEED,
     PLACES,
     Certification,
     besr,
@@ -24,7 +21,7 @@ from sweetspot.analysis.certification.simulated_test import (
 from sweetspot.calibration.draws.drawn_hits import Draws, draws_of
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, OF_BALL, PITCH, SWING, Sources
-from sweetspot.collision.closed_form import exit_speed, restitution_from_efficiency
+from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
@@ -51,7 +48,7 @@ def drawn_test(
     tested : the test of the bat as described; draws are counted from its measures.
     """
     draws = draws_of(line, conditions, sources, count=count)
-    efficiency, best, place = _fired(draws, BBCOR_SPEED)
+    efficiency, best, place = _fired(draws, tested.swung.closing_speed)
     _, slow, slow_place = _fired(draws, BPF_SPEED)
     restitution = conditions.ball.restitution.at(BPF_SPEED)
     values = {
@@ -62,9 +59,7 @@ def drawn_test(
         "moi": draws.moi(CLAMP),
         "best_position_m": place, "fast.best_position_m": place, "slow.best_position_m": slow_place,
     }  # fmt: skip
-    values["batted_ball_speed_m_s"] = exit_speed(
-        values["collision_efficiency"], ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED
-    )
+    values["batted_ball_speed_m_s"] = tested.swung.batted_ball_speed(values["collision_efficiency"])
     told = {f"test.{name}": value for name, value in values.items() if name != "moi"}
     body = draws.bats.bending
     weight = {"bat.mass_kg": body.mass, "bat.balance_point_m": body.balance_point, "bat.moi_6in_kg_m2": values["moi"]}

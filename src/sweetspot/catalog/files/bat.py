@@ -132,6 +132,7 @@ class MaterialTable(FileTable):
     transverse_modulus: Text | None = None
     poisson_ratio: float | None = None
     damping_ratio: float | None = None
+    laminated: bool | None = Field(None, description="true where the wood is glued from several pieces")
 
 
 class BatFile(FileTable):
@@ -386,7 +387,7 @@ def _material(given: str | MaterialTable, *, measured: bool) -> Material:
         text = getattr(given, name)
         if text is not None:
             changes[name] = parse(text, "pressure", f"material.{name}")
-    for name in ("poisson_ratio", "damping_ratio"):
+    for name in ("poisson_ratio", "damping_ratio", "laminated"):
         if getattr(given, name) is not None:
             changes[name] = getattr(given, name)
     return own.replaced(**changes)

@@ -19,6 +19,7 @@ OWN_VALUES = {
     "transverse_modulus": "Pa",
     "poisson_ratio": "",
     "damping_ratio": "",
+    "laminated": "",
 }
 """What a [material] table may set on its own, with the unit it is written in."""
 

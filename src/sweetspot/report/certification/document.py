@@ -9,14 +9,27 @@ from sweetspot.analysis.certification.passing_wall import PassingWall
 from sweetspot.analysis.certification.rules import Check, League, Verdict, title
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
-from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, BatTest, Certification
+from sweetspot.analysis.certification.simulated_test import (
+    BASEBALL_TEST,
+    CLAMP,
+    BatTest,
+    Certification,
+    SwungTest,
+)
 from sweetspot.calibration.draws.drawn_tests import RULED
 from sweetspot.catalog.balls import ball
+from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.certification.limits_shown import limit_shown, marked_verdict, unsure_words, value_shown
+from sweetspot.report.certification.limits_shown import (
+    broken_words,
+    limit_shown,
+    marked_verdict,
+    unsure_words,
+    value_shown,
+)
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Block, Bullets, Cell, Cited, Column, Document, Paragraph, Picture, Table
@@ -32,6 +45,10 @@ MOI_NOTE = (
     "By the MOI: it was not measured but follows from the outline, and ± is half of its 90 % interval. A bat that "
     "turns less easily gives more back; from BBCOR and BPF that recoil is taken out. Measure it and give moi in the "
     "bat file."
+)
+ONE_PIECE = (
+    " It is taken as one piece of wood, which need not meet BBCOR; of glued wood or bamboo say laminated = true in its "
+    "[material]."
 )
 MANY = 14
 """Rules from which on a printed table is set smaller."""
@@ -108,25 +125,47 @@ def _passing(tested: TestedBat, league: League, wall: PassingWall) -> Sentence:
 
 
 def _headline(tested: TestedBat) -> Sentence:
-    broken = [
-        say("{rule} of {league} ({value}, allowed {limit})", rule=title(check.rule), league=league.name,
-            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
-        for league, check in tested.failed
-    ]  # fmt: skip
-    unsure = unsure_words([check for _, check in (tested.failed or tested.checks)])
-    if broken:
-        return say("{bat} fails: {rules}." + unsure, bat=tested.bat.name, rules=joined(broken, "; "))
-    kept = sum(check.verdict is Verdict.PASS for _, check in tested.checks)
-    open_ones = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
-    if not kept:
-        return say("No rule could be decided for {bat}, so nothing is passed.", bat=tested.bat.name)
+    exempt = any(
+        check.verdict is Verdict.NOT_APPLICABLE and check.rule.construction == "not one piece of wood"
+        for _, check in tested.checks
+    )
+    return (_broken(tested) if tested.failed else _kept(tested)) + (ONE_PIECE if exempt else "")
+
+
+def _broken(tested: TestedBat) -> Sentence:
+    """Return the rules that a bat breaks; where none is broken surely, those that it breaks as far as is known."""
+    bat, sure = tested.bat.name, [(league, check) for league, check in tested.failed if check.sure]
+    rules = joined([broken_words(league, check) for league, check in (sure or tested.failed)], "; ")
+    if not sure:
+        return say(
+            "{bat} fails as far as is known, but not surely: {rules}. What is not known reaches across the limit.",
+            bat=bat, rules=rules,
+        )  # fmt: skip
+    unsure = unsure_words([check for _, check in tested.checks], verdict=Verdict.FAIL)
+    return say("{bat} fails: {rules}." + unsure, bat=bat, rules=rules)
+
+
+def _kept(tested: TestedBat) -> Sentence:
+    """Return how many rules a bat surely keeps, and those that are not sure or left open."""
+    bat, checks = tested.bat.name, [check for _, check in tested.checks]
+    if tested.untested:
+        rules = joined(dict.fromkeys(title(check.rule) for _, check in tested.untested), " and ")
+        return say(
+            "{bat} is not passed: this test does not decide {rules}: {reason}.",
+            bat=bat, rules=rules, reason=tested.untested[0][1].reason,
+        )  # fmt: skip
+    kept, unsure = sum(check.sure for check in checks), unsure_words(checks)
+    counted = sum(check.verdict is not Verdict.NOT_APPLICABLE for check in checks)
+    if not kept and not unsure:
+        return say("No rule could be decided for {bat}, so nothing is passed.", bat=bat)
     if all(league.superseded for league, _ in tested.checks):
-        return say("{bat} keeps limits that hold no more; they say nothing about today." + unsure, bat=tested.bat.name)
-    if not open_ones:
-        return say("{bat} keeps every rule." + unsure, bat=tested.bat.name)
+        return say("{bat} keeps limits that hold no more; they say nothing about today." + unsure, bat=bat)
+    if kept == counted:
+        return say("{bat} keeps every rule.", bat=bat)
+    left = [title(check.rule) for check in checks if check.verdict is Verdict.NOT_DECIDABLE]
     return say(
-        "{bat} keeps every rule that can be decided here, {kept} of {all}." + unsure + " Not decidable: {open}.",
-        bat=tested.bat.name, kept=kept, all=kept + len(open_ones), open=joined(open_ones, "; "),
+        "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}", bat=bat, kept=kept, all=counted,
+        unsure=unsure, left=f" Not decidable: {'; '.join(left)}." if left else "",
     )  # fmt: skip
 
 
@@ -160,34 +199,57 @@ def _simulated(test: Certification) -> list[Block]:
 
     none: list[Cell] = [""] * len(open_by)
     turning = with_doubt(test.body.moi(CLAMP), moi_doubt(test.bat, test.body, CLAMP), "moi", of="bat.moi_6in_kg_m2")
+    besr: list[Cell] = [
+        "BESR", Slot(test.besr, "ratio", 4, of="test.besr"), *ranges("besr"), _place(fast, length, "fast"), "q + 1/2"
+    ]  # fmt: skip
+    game = "BBCOR of the test" if test.swung == BASEBALL_TEST else "ball-bat restitution"
     rows: list[list[Cell]] = [
-        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4, of="test.bbcor"), *ranges("bbcor"),
+        [game, Slot(test.bbcor, "ratio", 4, of="test.bbcor"), *ranges("bbcor"),
          _place(fast, length, "fast"),
          say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))],
         ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4, of="test.collision_efficiency"), *none,
          _place(fast, length, "fast"), "there"],
-        ["BESR", Slot(test.besr, "ratio", 4, of="test.besr"), *ranges("besr"), _place(fast, length, "fast"),
-         "q + 1/2"],
+        *([besr] if test.swung == BASEBALL_TEST else []),
         ["BPF", Slot(test.bpf, "ratio", of="test.bpf"), *ranges("bpf", digits=3), _place(slow, length, "slow"),
          say("ball at {speed}, whose own restitution is {own}", speed=Slot(slow.closing_speed, "speed", 0),
              own=Slot(slow.ball_restitution, "ratio", 4))],
         ["batted-ball speed", Slot(test.batted_ball_speed, "speed", of="test.batted_ball_speed_m_s"),
-         *ranges("batted_ball_speed", "speed", 1), _place(fast, length, "fast"), _old_test()],
+         *ranges("batted_ball_speed", "speed", 1), _place(fast, length, "fast"), _swung(test.swung)],
         ["MOI", turning, *none, "", "the clamp's axis"],
     ]  # fmt: skip
     columns = [Column("measure"), Column("value", right=True), Column("by the patch", right=True)]
     columns += [Column("by the MOI", right=True) for _ in open_by[1:]]
     columns += [Column("from the tip", "length"), Column("test")]
-    notes = [PATCH_NOTE, *([MOI_NOTE] if test.other_mois else [])]
+    notes: list[Words] = [*_wall_note(test), PATCH_NOTE, *([MOI_NOTE] if test.other_mois else [])]
     return [Table("Simulated test", columns, rows, name="certified"), *(Paragraph(note, "note") for note in notes)]
+
+
+def _wall_note(test: Certification) -> list[Words]:
+    """Return whose wall was tested, and what another one would give; nothing for a bat with a wall of its own."""
+    pattern = wall_pattern(test.bat)
+    if pattern is None or not test.other_walls:
+        return []
+    measure = "bbcor" if test.swung == BASEBALL_TEST else "bpf"
+    low, high = test.wall_spreads[measure]
+    return [
+        say(
+            "The wall is that of the catalogue's {pattern}; it was not measured on this bat, and {measure} is the "
+            "model's for that wall. A barrel wall {part} % thinner or thicker gives {spread}: measure yours and give "
+            "[shell] in the bat file.",
+            pattern=pattern,
+            measure=measure.upper(),
+            part=f"{100 * WALL_DOUBT:.0f}",
+            spread=Sentence((Span(low, high, "ratio", 4, unit=False),)),
+        )
+    ]
 
 
 def _range(spread: tuple[float, float], scale: str = "ratio", digits: int = 4) -> Sentence:
     return Sentence((Span(*spread, scale, digits, unit=False),))
 
 
-def _old_test() -> Sentence:
-    ball, bat = Slot(OLD_BALL_SPEED, "speed", 0), Slot(OLD_BAT_SPEED, "speed", 0)
+def _swung(test: SwungTest) -> Sentence:
+    ball, bat = Slot(test.ball_speed, "speed", 0), Slot(test.bat_speed, "speed", 0)
     return say("{ball} ball, {bat} bat", ball=ball, bat=bat)
 
 
@@ -205,7 +267,11 @@ def _measured(measured: Measured, shots: Shots, *, length: float) -> list[Block]
     if measured.without_outliers is not None:
         rows.append(_estimate("BBCOR without outliers", measured.without_outliers))
     rows.append(_estimate("collision efficiency q", measured.efficiency))
-    rows.append(_estimate(say("batted-ball speed, {old}", old=_old_test()), measured.batted_ball_speed, "speed", 1))
+    rows.append(
+        _estimate(
+            say("batted-ball speed, {swung}", swung=_swung(measured.swung)), measured.batted_ball_speed, "speed", 1
+        )
+    )
     if measured.bpf is not None:
         rows.append(_estimate("BPF", measured.bpf, digits=3))
     heading = say(

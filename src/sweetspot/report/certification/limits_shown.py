@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sweetspot.analysis.certification.rules import QUANTITIES, Check, Verdict, title
+from sweetspot.analysis.certification.rules import QUANTITIES, Check, League, Verdict, title
 from sweetspot.report.document import Marked
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
 
@@ -20,16 +20,36 @@ def marked_verdict(check: Check) -> Marked:
     return Marked(check.words, MARKS[check.verdict] if check.sure else "")
 
 
-def unsure_words(checks: Sequence[Check]) -> str:
-    """Return which verdicts are not sure: a first sentence must not look surer than they are."""
-    names = dict.fromkeys(title(check.rule) for check in checks if check.decided and not check.sure)
-    return f" Not sure: {' and '.join(names)}; what is not known reaches across the limit." if names else ""
+BROKEN = {
+    "solid_wood": "it is not one piece of solid wood",
+    "unaltered": "it is drilled or filled, which no rule allows",
+}
+"""What is wrong with a bat whose value says nothing beside the rule's name."""
+
+
+def broken_words(league: League, check: Check) -> Sentence:
+    """Return a broken rule with its league, since another league's rules may be kept, and by what it is broken."""
+    if check.rule.quantity in BROKEN:
+        return say("{fault} ({league})", fault=BROKEN[check.rule.quantity], league=league.name)
+    return say(
+        "{rule} of {league} ({value}, allowed {limit})", rule=title(check.rule), league=league.name,
+        value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check),
+    )  # fmt: skip
+
+
+def unsure_words(checks: Sequence[Check], *, verdict: Verdict = Verdict.PASS) -> str:
+    """Return which rules are kept or broken only as far as is known: they are not counted among those that are."""
+    names = dict.fromkeys(title(check.rule) for check in checks if check.verdict is verdict and not check.sure)
+    if not names:
+        return ""
+    does = "passes" if verdict is Verdict.PASS else "fails"
+    return f" Not sure: {' and '.join(names)}. It just {does}; what is not known reaches across the limit."
 
 
 def limit_shown(check: Check) -> Words:
     """Return the limit of a rule with the side it is on."""
     rule = check.rule
-    if rule.quantity == "solid_wood":
+    if QUANTITIES[rule.quantity][1] == "yes or no":
         return "yes"
     sides = [("at least", rule.least), ("at most", rule.most)]
     return joined(

@@ -23,6 +23,7 @@ def simulated_json(done: Certification) -> dict[str, Any]:
         "batted_ball_speed_m_s": done.batted_ball_speed,
         "spread": _by_name(done.spreads),
         **({"spread_by_moi": _by_name(done.moi_spreads)} if done.moi_spreads else {}),
+        **({"spread_by_wall": _by_name(done.wall_spreads)} if done.wall_spreads else {}),
         "best_position_m": done.fast.best_position,
         "fast": _scan_json(done.fast),
         "slow": _scan_json(done.slow),

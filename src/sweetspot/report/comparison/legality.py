@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from sweetspot.analysis.certification.rules import NOT_SURE, Check, Verdict, title
-from sweetspot.report.certification.limits_shown import MARKS, limit_shown, value_shown
+from sweetspot.report.certification.limits_shown import MARKS, broken_words, limit_shown, value_shown
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Cell, Column, Marked, Table
@@ -14,8 +14,6 @@ from sweetspot.report.sentences import Sentence, joined, say
 
 TOLD = ("league", "quantity", "verdict", "sure", "value", "unit")
 """Of a decided rule in the JSON."""
-NAMED = {"solid_wood"}
-"""Rules whose value says nothing beside their name."""
 
 
 def legality_table(tested: Sequence[tuple[str, TestedBat]]) -> Table:
@@ -57,30 +55,24 @@ def _word(tested: TestedBat) -> Verdict:
 def reason(tested: TestedBat) -> Sentence:
     """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
     if tested.failed:
-        return joined([_broken(league.name, check) for league, check in tested.failed], "; ")
+        return joined([broken_words(league, check) + say(_doubt(check)) for league, check in tested.failed], "; ")
     lively = [
         say("{rule} of the test {value}, allowed {limit}{doubt}", rule=title(check.rule),
             value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check), doubt=_doubt(check))
         for _, check in tested.checks
         if check.verdict is Verdict.PASS and check.rule.quantity in ("bbcor", "bpf", "besr")
     ]  # fmt: skip
+    lively += [
+        say("one piece of wood, which {league} do not hold to {rule}", league=league.name, rule=title(check.rule))
+        for league, check in tested.checks
+        if check.verdict is Verdict.NOT_APPLICABLE and check.rule.quantity == "bbcor"
+    ]
     left = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
     return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
 
 
 def _doubt(check: Check) -> str:
     return "" if check.sure else NOT_SURE
-
-
-def _broken(league: str, check: Check) -> Sentence:
-    """Return a broken rule with its league, since another league's rules may be kept, and its doubt."""
-    if check.rule.quantity in NAMED:
-        return say("{rule} ({league})", rule=title(check.rule), league=league)
-    return say(
-        "{rule} of {league} {value}, allowed {limit}{doubt}", rule=title(check.rule), league=league,
-        value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check),
-        doubt=_doubt(check),
-    )  # fmt: skip
 
 
 def _leagues(tested: TestedBat) -> str:

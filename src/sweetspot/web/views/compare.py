@@ -11,10 +11,11 @@ from markupsafe import escape
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.analysis.certification.rules import League, check_rules, construction_findings, title
+from sweetspot.analysis.certification.rules import League, title
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
+from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.corking import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -23,7 +24,7 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.certification.numbers import check_json
-from sweetspot.report.certification.tested_bat import TestedBat
+from sweetspot.report.certification.tested_bat import held_to_rules
 from sweetspot.report.comparison.document import comparison_json
 from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict, wall_verdict
 from sweetspot.report.quantities import SYSTEMS
@@ -127,10 +128,8 @@ def rules_sure(state: CompareState) -> dict[str, Any]:
     for number, (own, reduction, label) in enumerate(bats, start=1):
         bat = _unheld(reduction.bat)
         done = _certified(bat, every[0].ball)
-        findings = {**construction_findings(bat, body=reduction.body), **done.findings()}
-        checks = [(one, check) for one in leagues for check in check_rules(one, bat=bat, findings=findings)]
         conditions = standard_conditions(bat).replaced(ball=done.ball)
-        tested = TestedBat(bat, done.ball, done.body, done, checks=checks)
+        tested = held_to_rules(bat, leagues, ball=done.ball, body=reduction.body, test=done)
         document = certificate_with_doubt(tested, conditions, sources_for(own, bat, conditions), count=PAGE_DRAWS)
         for system, page in told(document, mark=f"-{number}")["html"].items():
             pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
@@ -249,11 +248,10 @@ def _certification(state: CompareState, reductions: list[ReducedBat], labels: li
         bat, checks, measures = reduction.bat, [], {}
         for each in leagues:
             done = _certified(_unheld(bat), each.ball)
-            known = {**construction_findings(bat, body=reduction.body), **done.findings()}
             measures = {"bbcor": done.bbcor, "besr": done.besr, "bpf": done.bpf, "ball": done.ball.name}
             checks += [
                 {**check_json(each.key, check), "league_name": each.name, "title": title(check.rule)}
-                for check in check_rules(each, bat=bat, findings=known)
+                for _, check in held_to_rules(bat, [each], ball=done.ball, body=reduction.body, test=done).checks
             ]
         rows.append({"label": label, **measures, "checks": checks})
     return rows
@@ -261,7 +259,7 @@ def _certification(state: CompareState, reductions: list[ReducedBat], labels: li
 
 @lru_cache(maxsize=128)
 def _certified(bat: Bat, ball: str) -> Certification:
-    return certify(bat, ball=catalog.ball(ball))
+    return certify(bat, ball=catalog.ball(ball), wall_doubt=wall_doubt(bat))
 
 
 def recipe(state: CompareState) -> dict[str, str]:
