@@ -14,7 +14,10 @@ import pytest
 Run = Callable[..., tuple[int, str, str]]
 
 HEADINGS = "ball_in_mph,ball_out_mph,position_in_from_tip,ball_cor"
-SIX = [f"136,{out},6.0,0.5444" for out in (27.9, 28.1, 28.0, 28.2, 27.8, 28.0)]
+OUT = (27.9, 28.1, 28.0, 28.2, 27.8, 28.0)
+SIX = [f"136,{out},6.0,0.5444" for out in OUT]
+BESIDE = [f"136,{out - 4:.1f},{place},0.5444" for out in OUT for place in (5.0, 7.0)]
+"""Lower places on both sides of the best."""
 
 
 def written(folder: Path, *rows: str, headings: str = HEADINGS) -> str:
@@ -170,11 +173,11 @@ def test_csv_has_one_row_per_rule(run: Run) -> None:
 
 
 def test_shots_that_pass(run: Run, tmp_path: Path) -> None:
-    code, out, err = run("certify", "college-alloy", "--shots", written(tmp_path, *SIX), "--format", "json")
+    code, out, err = run("certify", "college-alloy", "--shots", written(tmp_path, *SIX, *BESIDE), "--format", "json")
     assert code == 0, err
     result = json.loads(out)
     shots = result["shots"]
-    assert shots["good_rows"] == 6 and shots["bad_rows"] == []
+    assert shots["good_rows"] == 18 and shots["bad_rows"] == []
     assert shots["bbcor"]["count"] == 6
     assert shots["bbcor"]["low"] < shots["bbcor"]["mean"] < shots["bbcor"]["high"] < 0.5
     assert {"mean_m_s", "standard_error_m_s", "low_m_s", "high_m_s", "count"} == set(shots["batted_ball_speed"])
@@ -185,8 +188,68 @@ def test_shots_that_fail(run: Run, tmp_path: Path) -> None:
     lively = [f"136,{out},6.0,0.5444" for out in (32.9, 33.1, 33.0, 33.2, 32.8, 33.0)]
     code, out, _ = run("certify", "college-alloy", "--shots", written(tmp_path, *lively))
     assert code == 1 and "fail" in out
-    dead = run("certify", "college-alloy", "--shots", written(tmp_path, *lively), "--standard-ball-cor", "0.50")
+    beside = [f"136,{out},{place},0.5444" for out in (28.9, 29.1) for place in (5.0, 7.0)]
+    dead = run(
+        "certify", "college-alloy", "--shots", written(tmp_path, *lively, *beside), "--standard-ball-cor", "0.50"
+    )
     assert dead[0] == 0  # the same shots as from livelier balls
+
+
+def test_a_fail_stands_on_one_place(run: Run, tmp_path: Path) -> None:
+    """A place beside it can only be livelier."""
+    code, out, _ = run("certify", "russell-b5", "--shots", law_file(tmp_path, [6.0], peak=0.225))
+    assert code == 1 and "fails: BBCOR of NCAA and NFHS (0.5" in " ".join(out.split())
+
+
+def law_file(
+    folder: Path,
+    places: list[float],
+    *,
+    heading: str = "position_in_from_tip",
+    dead: bool = False,
+    unit: float = 1.0,
+    peak: float = 0.205,
+) -> str:
+    """Return a file of six shots a place by one made-up law, q = peak - 0.011 (x - 6)^2 with x in in from the tip."""
+    rows = [
+        f"{136 * unit:.2f},{0 if dead else 136 * unit * (peak - 0.011 * (x - 6) ** 2 + error):.3f},{x}"
+        for x in places
+        for error in (-0.002, -0.001, 0.0, 0.0, 0.001, 0.002)
+    ]
+    return written(folder, *rows, headings=f"ball_in_mph,ball_out_mph,{heading}")
+
+
+EVERY_HALF = [4.0, 4.5, 5.0, 5.5, 6.0, 6.5, 7.0]
+MEASURED_BAT = 'like = "college-alloy"\nmass = "30.2 oz"\nmoi = "9700 oz*in^2"\n'
+
+
+@pytest.mark.parametrize(
+    ("places", "how", "told"),
+    [
+        ([9.5], {}, "Either its best place was not hit"),
+        ([8.0, 8.5, 9.0, 9.5], {}, "(7 in) from the tip, nearer to the tip, was not hit"),
+        ([*EVERY_HALF, 27.5], {"heading": "position_in_from_knob"}, "is it counted from the other end"),
+        (EVERY_HALF, {"dead": True}, "the gate that times the rebound"),
+        (EVERY_HALF, {"unit": 0.44704}, "looks like a column of speeds in another unit"),
+        ([6.0, 9.0], {}, "(7 in) from the tip, nearer to the hands, was not hit"),
+    ],
+    ids=["one place", "edge", "from the knob", "dead gate", "unit", "gap"],
+)
+def test_what_was_not_measured_is_not_certified(
+    places: list[float], how: dict[str, Any], told: str, run: Run, tmp_path: Path
+) -> None:
+    """A limit holds for the greatest value along the bat: lower places on both sides show it, and most rows count."""
+    bat = tmp_path / "mine.toml"
+    bat.write_text(MEASURED_BAT, encoding="utf-8")
+    code, out, _ = run("certify", str(bat), "--shots", law_file(tmp_path, places, **how))
+    first = " ".join(out.split("\n\n")[1].split())
+    assert code == 1 and "is not passed: this test does not decide BBCOR" in first and told in first
+
+
+def test_a_file_of_faults_is_no_test(run: Run, tmp_path: Path) -> None:
+    faults = ["136,,6,0.5444"] * 10
+    code, out, _ = run("certify", "college-alloy", "--shots", written(tmp_path, *SIX, *BESIDE, *faults))
+    assert code == 1 and "only 18 of 28 rows could be used" in " ".join(out.split())
 
 
 def test_bad_rows_are_printed(run: Run, tmp_path: Path) -> None:

@@ -144,4 +144,6 @@ def _measured(path: Path, bat: Bat, *, body: RigidBody, ball: Ball, standard: st
 
     read = read_shots(path, length=bat.length)
     wanted = None if standard is None else parse(standard, "ratio", "--standard-ball-cor")
-    return read, measure(read.shots, bat=bat, body=body, ball=ball, standard_restitution=wanted)
+    return read, measure(
+        read.shots, bat=bat, body=body, ball=ball, standard_restitution=wanted, unused=read.bad_rows
+    )  # fmt: skip

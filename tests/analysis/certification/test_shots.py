@@ -123,8 +123,11 @@ def test_the_best_place_wins_and_lone_hits_do_not() -> None:
     assert found.rows == tuple(range(6, 12))
     assert [place.count for place in found.places] == [1, 6, 6]
     assert any("hit only once" in note for note in found.notes)
-    assert not any("last that was hit" in note for note in found.notes)
-    assert any("last that was hit" in note for note in measured(shots[:-1]).notes)
+    lone = found.doubt_within  # 7 in gave more in the one hit that it got
+    assert "(7 in) from the tip, nearer to the hands, gave no less" in lone and "not hit" not in lone
+    assert "(7 in) from the tip, nearer to the hands, was not hit" in measured(shots[:-1]).doubt_within
+    lower = [shot(0.48, row=row, from_tip=7 * INCH) for row in range(13, 19)]
+    assert measured(shots[:-1] + lower).doubt_within == ""
 
 
 def test_outliers_are_named_and_counted() -> None:

@@ -136,6 +136,7 @@ class Finding:
     ----------
     value : in SI; None: nothing.
     doubt : why it cannot decide a rule; "": it can.
+    doubt_within : why a value within the limits is not yet a pass, though one beyond them is a fail; "": it is.
     interval : between which the value lies, by ``interval_is``.
     absent : what the bat does not have, so that no rule on it applies; "": it has it.
     interval_is : what the interval is, in words.
@@ -146,6 +147,7 @@ class Finding:
     interval: tuple[float, float] | None = None
     absent: str = ""
     interval_is: str = "the 90 % interval"
+    doubt_within: str = ""
 
     def moved_to(self, value: float) -> Finding:
         """Return another value of which as much is known."""
@@ -295,6 +297,8 @@ def _verdict(rule: Rule, value: float, finding: Finding) -> tuple[Verdict, str]:
     if rule.quantity == "drop":
         slack = WEIGHING
     if _margin(rule, value) >= -slack:
+        if finding.doubt_within:
+            return Verdict.NOT_DECIDABLE, finding.doubt_within
         return Verdict.PASS, _straddles(rule, finding)
     if rule.doubt_beyond:
         return Verdict.NOT_DECIDABLE, rule.doubt_beyond

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from statistics import fmean, median, stdev
 
+from sweetspot.analysis.certification.bracketing import Place, pass_doubt, rows_doubt
 from sweetspot.analysis.certification.rules import Finding
-from sweetspot.analysis.certification.shots import Shot
+from sweetspot.analysis.certification.shots import BadRow, Shot
 from sweetspot.analysis.certification.simulated_test import (
+    BASEBALL_TEST,
     BBCOR_SPEED,
     BPF_SPEED,
     CLAMP,
@@ -37,6 +39,8 @@ OUTLIER = 3.5
 """Robust standard deviations beyond which a hit is named."""
 FINEST = 0.001
 """Least robust standard deviation of BBCOR; smaller ones are rounding."""
+FAR_FROM_TEST = 0.25
+"""Part by which the speed of shots differs from the test's when a column in another unit is suspected."""
 COR_SPEED = 60 * MPH
 """Speed at which a ball's own restitution is measured [astm_f1887]."""
 
@@ -72,15 +76,6 @@ class Outlier:
 
 
 @dataclass(frozen=True)
-class Place:
-    """Hits at one place: m from the knob end, how many, mean normalised BBCOR."""
-
-    position: float
-    count: int
-    bbcor: float
-
-
-@dataclass(frozen=True)
 class Measured:
     """The measures of a bat from shots.
 
@@ -100,6 +95,7 @@ class Measured:
     slowest, fastest : closing speeds at the best place, m/s.
     ball_stiffness : mean N/m at the best place, reported and not corrected for; None: not measured.
     notes : what to keep in mind.
+    doubt_within : why a value within a limit is no pass yet, and what to shoot next; "": it is one.
     by_moi : half of the 90 % interval of BBCOR, as a part of it, that a moment of inertia computed from the outline
         leaves open; 0: it was measured.
     """
@@ -121,6 +117,7 @@ class Measured:
     ball_stiffness: float | None
     notes: tuple[str, ...]
     by_moi: float = 0.0
+    doubt_within: str = ""
 
     def findings(self) -> dict[str, Finding]:
         """Return the measures as rules take them, with the reason where the shots cannot decide."""
@@ -131,8 +128,12 @@ class Measured:
         low, high = besr(self.efficiency.low), besr(self.efficiency.high)
         values = {
             "bbcor": self._finding(self.bbcor, fast or few),
-            "besr": Finding(besr(self.efficiency.mean), fast, (low, high)),
-            "batted_ball_speed": Finding(self.batted_ball_speed.mean, self._speed_doubt(self.swung.closing_speed)),
+            "besr": Finding(besr(self.efficiency.mean), fast, (low, high), doubt_within=self.doubt_within),
+            "batted_ball_speed": Finding(
+                self.batted_ball_speed.mean,
+                self._speed_doubt(self.swung.closing_speed),
+                doubt_within=self.doubt_within,
+            ),
             "bpf": Finding(None, slow or "the file has no ball_cor, which BPF is a ratio to"),
         }
         if self.bpf is not None:
@@ -147,19 +148,27 @@ class Measured:
             value.mean + math.hypot(value.high - value.mean, by_moi),
         )
         of = "the 90 % interval, in which the moment of inertia was not measured" if by_moi else Finding.interval_is
-        return Finding(value.mean, doubt, interval, interval_is=of)
+        return Finding(value.mean, doubt, interval, interval_is=of, doubt_within=self.doubt_within)
 
     def _speed_doubt(self, speed: float) -> str:
         if _near(self.slowest, speed) and _near(self.fastest, speed):
             return ""
-        return (
+        told = (
             f"the shots closed at {self.slowest / MPH:.1f} to {self.fastest / MPH:.1f} mph, and the limit holds for "
             f"{speed / MPH:.0f} mph"
         )
+        other_unit = ", which looks like a column of speeds in another unit"
+        return told + (other_unit if abs(self.fastest / speed - 1) > FAR_FROM_TEST else "")
 
 
 def measure(
-    shots: Iterable[Shot], *, bat: Bat, body: RigidBody, ball: Ball, standard_restitution: float | None = None
+    shots: Iterable[Shot],
+    *,
+    bat: Bat,
+    body: RigidBody,
+    ball: Ball,
+    standard_restitution: float | None = None,
+    unused: Sequence[BadRow] = (),
 ) -> Measured:
     """Return BBCOR, BESR, BPF and batted-ball speed at the best place, with uncertainty.
 
@@ -172,6 +181,7 @@ def measure(
     body : the bat's mass, balance and moment of inertia.
     ball : gives the mass where a shot has none.
     standard_restitution : to normalise to, in (0, 1]; None: the ball's at 60 mph.
+    unused : rows of the file that are no shots.
 
     Raises
     ------
@@ -219,6 +229,15 @@ def measure(
         ball_stiffness=fmean(stiff) if stiff else None,
         notes=_notes(groups, best, by_moi=by_moi, normalised=all(given), stiff=bool(stiff)),
         by_moi=by_moi,
+        doubt_within=rows_doubt(len(hits), unused)
+        or pass_doubt(
+            [_place(group) for group in groups],
+            _place(best),
+            efficiency=efficiency.mean,
+            ball_restitution=ball.restitution.at(fmean(hit.shot.closing_speed for hit in best)),
+            softball=swung != BASEBALL_TEST,
+            length=bat.length,
+        ),
     )
 
 
@@ -329,9 +348,6 @@ def _notes(
         "Ball stiffness is reported; no correction for it is made.": stiff,
         "A place hit only once gave a greater BBCOR than the best place; repeat it.": any(
             len(group) == 1 and group[0].normalised > top.bbcor for group in groups
-        ),
-        "The best place is the last that was hit on its side: beyond it the bat may give more; hit it there too.": (
-            len(groups) > 1 and best in (groups[0], groups[-1])
         ),
     }
     return tuple(text for text, holds in facts.items() if holds)

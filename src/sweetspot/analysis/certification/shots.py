@@ -263,7 +263,10 @@ def _fault(shot: Shot, length: float) -> str:
             not 0 <= shot.position <= length,
             f"position is {shown(shot.position)} from the knob end, off the bat of {shown(length)}",
         ),
-        (shot.position <= CLAMP, "position is at the clamp, 6 in from the knob end, or behind it"),
+        (
+            shot.position <= CLAMP,
+            "position is at the clamp, 6 in from the knob end, or behind it; is it counted from the other end?",
+        ),
         (
             shot.ball_cor is not None and not CORS[0] <= shot.ball_cor <= CORS[1],
             f"ball_cor is not that of a ball on a rigid wall, {CORS[0]:g} to {CORS[1]:g}",
