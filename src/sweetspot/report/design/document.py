@@ -24,6 +24,8 @@ from sweetspot.report.design.words import (
     moved_words,
     rules_words,
     tool_of,
+    unbounded_words,
+    wall_words,
     warning_words,
     worth_words,
 )
@@ -51,8 +53,8 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
     complete : whether the search ran to its end.
     """
     present = design.bench.space.present
-    words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
-    words += [*breaking_words(design), *rules_words(design)]
+    words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
+    words += [*wall_words(design), effort_words(design), *breaking_words(design), *rules_words(design)]
     reading = reader(None, sport(present.sport).words)
     picture = Picture(
         "design", partial(_drawn, design),
@@ -68,7 +70,7 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
     bat = design.bat
     details: list[Block] = [
         *_materials(design), _front(design), *([_rules(design)] if design.checks else []), *_limits(design),
-        *([sizes_table(bat)] if isinstance(bat, Bat) else []), *tolerance_paragraph(design),
+        *([sizes_table(bat)] if isinstance(bat, Bat) and bat.shell is None else []), *tolerance_paragraph(design),
     ]  # fmt: skip
     return Document(
         name="design", title=bat.name, kind="Design", subtitle=_subtitle(design),

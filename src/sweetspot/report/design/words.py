@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sweetspot.analysis.certification.rules import Verdict, title
+from sweetspot.analysis.certification.rules import PERFORMANCE, Verdict, title
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
@@ -198,6 +198,41 @@ def rules_words(design: Designed) -> list[Sentence]:
     )  # fmt: skip
     left = say(" Left open: {left}.", left=", ".join(open_ones)) if open_ones else say("")
     return [kept + say(unsure_words(design.checks)) + left]
+
+
+def unbounded_words(design: Designed) -> list[Sentence]:
+    """Return that no rule of performance bounds the wall of a hollow bat; nothing where one does, or it has no wall."""
+    bounded = {limit.measure for limit in design.question.limits}
+    if not design.bench.tested or bounded & PERFORMANCE:
+        return []
+    left = [check for check in design.checks if check.rule.quantity in PERFORMANCE]
+    why = (
+        say("nobody's rules were asked for") if not design.checks else say("its league limits none that can be tested")
+    )
+    if left:
+        why = say("{rule} is not decidable: {reason}", rule=title(left[0].rule), reason=left[0].reason)
+    return [
+        say(
+            "No rule of performance bounds this wall, so the gain below says nothing of a legal bat: {why}. A thinner "
+            "wall usually hits harder: take a league that limits BBCOR or BPF (--league), or leave the wall as it is.",
+            why=why,
+        )
+    ]  # fmt: skip
+
+
+def wall_words(design: Designed) -> list[Sentence]:
+    """Return what of a hollow bat's wall and end cap to change; nothing for other implements."""
+    if not design.bench.tested:
+        return []
+    changes = [
+        say(
+            "{label} {place}from {before} to {after}", label=one.label,
+            place=say("{place} from the tip ", place=Slot(one.from_tip, "place")) if one.from_tip is not None else "",
+            before=Slot(one.start, one.scale, 2).bare, after=Slot(value, one.scale, 2),
+        )
+        for one, value in zip(design.bench.space.variables, design.numbers.tolist(), strict=True)
+    ]  # fmt: skip
+    return [say("What to change: {changes}. The outside stays as it is.", changes=joined(changes, "; "))]
 
 
 def effort_words(design: Designed) -> Sentence:

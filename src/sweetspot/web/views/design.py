@@ -10,7 +10,7 @@ from pathlib import Path
 from shlex import quote
 from typing import Any, TypeVar
 
-from sweetspot.analysis.certification.rules import check_rules, title
+from sweetspot.analysis.certification.rules import Check, League, check_rules, title
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.design.answer import Designed, findings_of
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
@@ -32,7 +32,14 @@ from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.design.document import compared
 from sweetspot.report.design.sizes import drawing, tolerance_words
-from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words
+from sweetspot.report.design.words import (
+    effort_words,
+    moved_words,
+    unbounded_words,
+    wall_words,
+    warning_words,
+    worth_words,
+)
 from sweetspot.report.quantities import SCALES, SYSTEMS
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, described, reduced
@@ -142,14 +149,18 @@ def _light(limit: Limit, measured: Measured) -> dict[str, Any]:
             "miss": max(0.0, miss) * measure.grain}  # fmt: skip
 
 
-def _rules(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> list[dict[str, Any]]:
+def _checks(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> list[tuple[League, Check]]:
     league = league_of(state, request)
     if league is None:
         return []
     known = findings_of(bat, measured, like=_present(request), ball=request.bench.conditions.ball)
+    return [(league, check) for check in check_rules(league, bat=bat, findings=known)]
+
+
+def _rules(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> list[dict[str, Any]]:
     return [
         {**check_json(league.key, check), "title": title(check.rule), "league_name": league.name}
-        for check in check_rules(league, bat=bat, findings=known)
+        for league, check in _checks(state, request, bat, measured)
     ]
 
 
@@ -169,7 +180,8 @@ def gain(state: DesignState) -> dict[str, Any]:
     """Return what the bat gains in this batter's hands beside wood that differs, in words and as a band."""
     request = asked(state)
     design = _designed(state, request)
-    words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
+    words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
+    words += [*wall_words(design), effort_words(design)]
     tolerance = tolerance_words(design)
     every = [*words, *([] if tolerance is None else [tolerance])]
     band = REACH * design.gain.noise[::-1]
@@ -192,7 +204,8 @@ def _designed(state: DesignState, request: Asked) -> Designed:
     bat, measured = _made(request, numbers, own=own)
     front = Front(numbers[None], measured, 0, numbers[None])
     gain = gain_of(bench, numbers, measured, request.now)
-    return Designed(bench, question_of(state), front, 0, request.now, gain, bat, checks=(), bent=None)
+    checks = tuple(check for _, check in _checks(state, request, bat, measured))
+    return Designed(bench, question_of(state), front, 0, request.now, gain, bat, checks=checks, bent=None)
 
 
 def files(state: DesignState) -> dict[str, Any]:
