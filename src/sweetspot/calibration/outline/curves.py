@@ -34,6 +34,10 @@ TOO_BENT = 0.03
 little (assumed)."""
 APART = 0.1
 """Of the height of a closed curve, by which another one lies beside it and is another bat."""
+MOST_CURVES, MOST_POINTS = 2000, 200_000
+"""Of a drawing, and points of all its curves: joining them takes the square of their number."""
+REACH = 1e-9, 1e12
+"""Units of a drawing that it is large, and that its numbers reach: between them squares of all can be computed with."""
 INSIDE = 1e-9
 """Of the length, by which the first and last place lie inside a flat end."""
 
@@ -58,6 +62,8 @@ def outline_of_curves(
     InputError
         when no curve looks like a bat, or nothing says how large it is.
     """
+    check_drawn(curves, what)
+    curves = [curve for curve in curves if np.ptp(curve, axis=0).max() > 0]  # others are points
     chains = joined_curves(curves)
     flanks, lines = _flanks(chains, what)
     if unit is None and length is None:
@@ -80,6 +86,28 @@ def outline_of_curves(
         notes.append(f"The drawing's own units make it {1e3 * unit * size:.1f} mm long; it was scaled to --length.")
     along[[0, -1]] = 0.0, drawn
     return Outline(simplified(along, diameter, TOLERANCE), (), tuple(notes))
+
+
+def check_drawn(curves: Sequence[Array], what: str) -> None:
+    """Refuse curves that are too many, or whose places are no numbers that one can compute with.
+
+    Raises
+    ------
+    InputError
+        which says of what there is too much.
+    """
+    if len(curves) > MOST_CURVES or sum(map(len, curves)) > MOST_POINTS:
+        raise InputError(
+            f"{what} has {len(curves)} curves of {sum(map(len, curves))} points; an outline has no more than "
+            f"{MOST_CURVES} of {MOST_POINTS}. Keep only the bat's outline"
+        )
+    if not curves:
+        return
+    points = np.vstack(curves)
+    if not np.abs(points).max() < REACH[1] or np.ptp(points, axis=0).max() < REACH[0]:
+        raise InputError(
+            f"{what} has curves beyond {REACH[1]:g} units, or of less than {REACH[0]:g}; scale it to a bat"
+        )
 
 
 def joined_curves(curves: Sequence[Array]) -> list[Array]:

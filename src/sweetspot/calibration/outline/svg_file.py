@@ -49,7 +49,8 @@ def svg_curves(path: Path) -> tuple[list[Array], float | None]:
     if _tag(root) != "svg":
         raise InputError(f"{path} is not an SVG drawing: it begins with <{_tag(root)}>")
     try:
-        elements = list(_shapes(root, IDENTITY))
+        with np.errstate(all="ignore"):  # `check_drawn` refuses what is no number
+            elements = list(_shapes(root, IDENTITY))
         chosen = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED] or elements
         if not chosen and any(_tag(one) == "use" for one in root.iter()):
             raise InputError(
@@ -59,14 +60,16 @@ def svg_curves(path: Path) -> tuple[list[Array], float | None]:
         letters = sum(len(element.get("d", "")) + len(element.get("points", "")) for element, _ in chosen)
         if letters > LONGEST_CURVES:
             raise InputError(f"{path} has {grouped(letters)} letters of curves; keep only the bat's outline")
-        curves = [curve for element, matrix in chosen for curve in _curves(element, matrix)]
+        with np.errstate(all="ignore"):
+            curves = [curve for element, matrix in chosen for curve in _curves(element, matrix)]
+        unit = _unit(root)
     except InputError:
         raise
     except RecursionError:
         raise InputError(f"{path} has groups within groups within groups; keep only the bat's outline") from None
-    except (ValueError, IndexError, TypeError, AssertionError, NotImplementedError) as error:
+    except (ValueError, ArithmeticError, LookupError, TypeError, AssertionError, NotImplementedError) as error:
         raise InputError(f"{path} has a curve that cannot be understood: {error}") from None
-    return curves, _unit(root)
+    return curves, unit
 
 
 def _tag(element: ElementTree.Element) -> str:
