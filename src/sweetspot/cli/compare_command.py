@@ -115,7 +115,7 @@ def compare(
             described, conditions=conditions_for(described[0], swing), law=law, labels=LABELS if corked else None
         )
     with patience():
-        tested = [_tested(one) for one in described if isinstance(one, Bat)]
+        tested = [_tested(one) if isinstance(one, Bat) else None for one in described]
         sources = _sources(comparison, bats, swing)
         if not uncertainty:
             document = comparison_document(comparison, corking=corked, tested=tested, sources=sources)

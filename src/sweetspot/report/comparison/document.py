@@ -55,7 +55,7 @@ def comparison_document(
     comparison: Comparison[Implement],
     *,
     corking: bool = False,
-    tested: Sequence[TestedBat] = (),
+    tested: Sequence[TestedBat | None] = (),
     sources: Sequence[Sources] | None = None,
     reaches: Reaches | None = None,
 ) -> Document:
@@ -64,7 +64,8 @@ def comparison_document(
     Parameters
     ----------
     corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
-    tested : every bat held against the rules, in the comparison's order; none: no rules were asked.
+    tested : every bat held against the rules of its own sport, in the comparison's order, None of what has no such
+        rules; none: no rules were asked.
     sources : what is not known, bat by bat; None: what is not of bats of these descriptions.
     reaches : of the intervals of draws, see `drawn_comparison`; None: they are worked out without draws.
     """
@@ -77,6 +78,7 @@ def comparison_document(
     reference = comparison.reference.analysis
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(comparison.compared)
+    ruled = [(one.label, test) for one, test in zip(comparison.compared, tested, strict=False) if test is not None]
     words = verdict(comparison, sources=sources) + (cork_verdict(comparison, by_law=False) if corking else [])
     picture = Picture(
         "curves", lambda reading: _drawn(comparison, reaches, reading),
@@ -93,15 +95,14 @@ def comparison_document(
                 *([PLUS_MINUS] if _has_doubt(comparison.compared) else []),
             ]
         ),
-        *([BBCOR_OF_PLAY.format(where=WITH_RULES if tested else WITHOUT)] if isinstance(reference.bat, Bat) else []),
+        *([BBCOR_OF_PLAY.format(where=WITH_RULES if ruled else WITHOUT)] if isinstance(reference.bat, Bat) else []),
     ]
     return Document(
         name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
         subtitle=_effort(comparison), kind="Comparison",
         blocks=[
             *map(Paragraph, words), picture, _things(comparison.compared), _in_play(comparison.compared),
-            *([legality_table([(one.label, test) for one, test in zip(comparison.compared, tested, strict=True)])]
-              if tested else []),
+            *([legality_table(ruled)] if ruled else []),
             *(Paragraph(note, "note") for note in notes),
         ],
         data=_data(comparison, [read(sentence, reading) for sentence in words], interval_is, tested),
@@ -110,11 +111,12 @@ def comparison_document(
 
 
 def _data(
-    comparison: Comparison[Implement], words: Sequence[str], interval_is: str, tested: Sequence[TestedBat]
+    comparison: Comparison[Implement], words: Sequence[str], interval_is: str, tested: Sequence[TestedBat | None]
 ) -> dict[str, Any]:
     data = comparison_json(comparison, words, interval_is)
     for bat, test in zip(data["bats"], tested, strict=False):
-        bat["rules"] = cleaned(legality_json(test))
+        if test is not None:
+            bat["rules"] = cleaned(legality_json(test))
     return data
 
 

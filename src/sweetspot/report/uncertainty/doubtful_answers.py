@@ -27,7 +27,7 @@ def comparison_with_doubt(
     sources: list[Sources],
     *,
     corking: bool = False,
-    tested: Sequence[TestedBat] = (),
+    tested: Sequence[TestedBat | None] = (),
     count: int = DRAWS,
 ) -> Document:
     """Return a comparison with intervals, and how sure each bat's gain over the first is.
