@@ -73,3 +73,10 @@ def test_help_and_version_are_commands_to_those_who_type_them_so(run: Run) -> No
     whole, of_hit = run("--help")[1], run("hit", "--help")[1]
     assert run("help") == (0, whole, "") and run("help", "hit") == (0, of_hit, "")
     assert run("version")[1] == run("-V")[1] == run("--version")[1]
+
+
+@pytest.mark.parametrize("columns", ["0", "1", "2", "3", "10", "40"])
+def test_help_ends_however_narrow_the_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, columns: str) -> None:
+    for command in EXAMPLES:
+        monkeypatch.setenv("COLUMNS", columns)
+        assert run(command, "--help")[0] == 0

@@ -20,6 +20,8 @@ SERVER = "app"
 """The command that is done when somebody ends it."""
 UNTIDIED = 100_000
 """New objects between two looks for garbage: a command makes a million that stay, and looking takes a tenth of it."""
+NARROWEST_HELP = 20
+"""Letters of a line of help at least: in one or two, rich looks for room in its boxes and never ends."""
 FORCE = "--force"
 """Takes every number as it is given, whatever is usual; every command understands it."""
 
@@ -32,6 +34,8 @@ def main(arguments: list[str] | None = None) -> None:
     """
     gc.set_threshold(UNTIDIED, *gc.get_threshold()[1:])
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # our matrices are small; threads only get in each other's way
+    if (columns := os.environ.get("COLUMNS", "")).isdigit() and int(columns) < NARROWEST_HELP:
+        os.environ["COLUMNS"] = str(NARROWEST_HELP)
     from cyclopts import CycloptsError
 
     from sweetspot.cli.app import app, load_all
