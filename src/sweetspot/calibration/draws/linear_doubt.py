@@ -38,13 +38,15 @@ class SpeedDoubt:
 
 
 def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt | None:
-    """Return how sure the best hit's exit speed is; None where nothing is known of its doubt.
+    """Return how sure the best hit's exit speed is; None where it has none, or nothing is known of its doubt.
 
     The place stays that of the bat as described.
     """
     count = len(sources.names)
     draws = draws_of(analysis.line, analysis.conditions, sources, count=2 * count, normal=_one_by_one(count))
     hit = hits_along(draws, np.array([analysis.sweet_spots.max_exit_speed]))
+    if not np.isfinite(hit.exit_speed).all():
+        return None
     up, down = hit.exit_speed[1:].reshape(2, count)
     variances = dict.fromkeys(sources.names, 0.0)
     for name, half in zip(sources.names, ((up - down) / 2).tolist(), strict=True):
