@@ -242,8 +242,18 @@ def check_angle(value: float, what: str) -> None:
     Traceback (most recent call last):
     ...
     sweetspot.errors.InputError: launch_angle is 28 rad; angles are in radians: write math.radians(28)
+    >>> check_angle(7, "wind")
+    Traceback (most recent call last):
+    ...
+    sweetspot.errors.InputError: wind is 7 rad, more than a whole turn; write 0.7168, or math.radians(7) if degrees
     """
     if not math.isfinite(value):
         raise InputError(f"{what} is {value:g}; give a finite number of radians, or leave that row out")
+    if math.tau < abs(value) < 2 * math.tau:
+        within = math.remainder(value, math.tau)
+        raise InputError(
+            f"{what} is {value:g} rad, more than a whole turn; write {within:.4g}, "
+            f"or math.radians({value:g}) if degrees"
+        )
     if abs(value) > math.tau:
         raise InputError(f"{what} is {value:g} rad; angles are in radians: write math.radians({value:g})")

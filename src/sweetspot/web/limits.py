@@ -80,6 +80,10 @@ class Bucket:
         return max(0.0, (1 - self._left) / self._rate)
 
 
+NO_HOST = frozenset("@#/?\\")
+"""Letters that no Host header has: in an address they end or begin its name."""
+
+
 def host_allowed(host: str, names: Iterable[str]) -> bool:
     """Say whether a Host header names this server: a number address, or one of the allowed names.
 
@@ -88,6 +92,8 @@ def host_allowed(host: str, names: Iterable[str]) -> bool:
 
     >>> [host_allowed(host, ["localhost"]) for host in ("localhost:8000", "127.0.0.1", "[::1]:80", "evil.example")]
     [True, True, True, False]
+    >>> [host_allowed(host, []) for host in ("evil.example@127.0.0.1", "127.0.0.1#evil.example", "127.0.0.1/x")]
+    [False, False, False]
     """
     name = _name(host)
     if name is None:
@@ -117,6 +123,9 @@ def origin_allowed(origin: str | None, host: str) -> bool:
 
 
 def _name(host: str) -> str | None:
+    """Return the name in a Host header, which is only that and a port; None where it holds what else addresses do."""
+    if NO_HOST.intersection(host):
+        return None
     try:
         return urlsplit(f"//{host}").hostname
     except ValueError:
