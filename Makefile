@@ -6,7 +6,7 @@ BAT := r161-ash
 OUT := report
 unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
-.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants bench bench-quick format lock fuzz clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants bench bench-quick format lock fuzz house clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -99,6 +99,9 @@ bench-quick: $(VENV)/.dev browser
 
 golden: $(VENV)/.dev  ## keep the numbers that every command answers now; say why in the changelog
 	$(BIN)/python tools/golden.py --write
+
+house: $(VENV)/.dev  ## how much there is of what should be little, beside its goals
+	$(BIN)/python tools/house.py
 
 golden-check: $(VENV)/.dev  ## list numbers that changed by more than 1e-9
 	$(BIN)/python tools/golden.py
