@@ -1,6 +1,6 @@
 """A season's table, Parquet to Parquet: carry, thirty parks, everything; beside pandas and pybaseball's flight.
 
-Rows are made by `tools/season_rows.py`: each its own, with the shape of tracked balls where those are at hand
+Rows are made by `studies/season_rows.py`: each its own, with the shape of tracked balls where those are at hand
 (`SWEETSPOT_DATA`) and of made-up ones where not. A part of the season is run first, so that compiling does not count.
 """
 
@@ -19,10 +19,10 @@ from typing import Any
 import pytest
 
 from benchmarks.cases import QUICK
+from studies import season_rows
 from sweetspot.season.answers import SeasonSetting
 from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.standings import all_standings
-from tools import season_rows
 
 BALLS = 4_000 if QUICK else 118_000
 MANY = 8_000 if QUICK else 1_000_000

@@ -152,7 +152,7 @@ def read_pitches(folder: Path) -> Pitches:
     for name in PITCHES:
         rows = read(folder / name)
         values = {field: column(rows, field) for field in ("vx0", "vy0", "vz0", "ax", "ay", "az", "release_pos_y")}
-        whole: NDArray[np.bool_] = np.isfinite(np.stack(list(values.values()))).all(axis=0)
+        whole: NDArray[np.bool_] = np.asarray(np.isfinite(np.stack(list(values.values()))).all(axis=0))
         rows = [row for row, good in zip(rows, whole, strict=True) if good]
         velocity, acceleration = (
             FOOT * np.stack([values[field][whole] for field in fields], axis=-1)
@@ -226,7 +226,7 @@ def fit_shape(pitches: Pitches, law: Aerodynamics, rows: NDArray[np.bool_] | Non
     game, kind = (np.unique(names[sound], return_inverse=True)[1] for names in (pitches.game, pitches.kind))
     known = np.stack([within(values[sound], game, kind) for values in (active, thinner)], axis=-1)
     wanted = within(seen[sound], game, kind)
-    found: Array = np.linalg.lstsq(known, wanted, rcond=None)[0]
+    found: Array = np.asarray(np.linalg.lstsq(known, wanted, rcond=None)[0], float)
     left = wanted - known @ found
     inverse = np.linalg.inv(known.T @ known)
     sums = np.stack([np.bincount(game, left * side) for side in known.T], axis=-1)  # errors go together in a game

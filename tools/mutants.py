@@ -71,7 +71,9 @@ class Mutation:
 def mutations() -> list[Mutation]:
     """Return every mistake of `mutations.toml`."""
     groups = tomllib.loads(Path(__file__).with_suffix("").with_name("mutations.toml").read_text("utf-8"))["group"]
-    return [Mutation(*entry, tuple(group["tests"])) for group in groups for entry in group["mutations"]]
+    return [
+        Mutation(where, old, new, tuple(group["tests"])) for group in groups for where, old, new in group["mutations"]
+    ]
 
 
 def applied(mutation: Mutation, package: Path = PACKAGE) -> tuple[Path, str]:

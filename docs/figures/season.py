@@ -12,7 +12,7 @@ from figures.style import BLUE, GREY, RED, new_figure
 
 PAGE = Path(__file__).parents[1] / "theory" / "season_evidence.md"
 ROW = re.compile(r"^\| ([^|]+) \| ([\d,]+) \| ([\d.]+) \| ([\d.]+) \| [\d.]+ \|$", re.MULTILINE)
-"""A row of the page's table, which holds what ``tools.held_out`` prints."""
+"""A row of the page's table, which holds what ``studies.held_out`` prints."""
 SHOWN = ("bat speed", "attack angle", "pitch outside", "turned up", "all")
 """Beginnings of the rows that are drawn."""
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from studies.recorder_bats import PLACES, Ringing, descriptions, hollow, judged, tapped_body, wood, youth
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import of_tones
@@ -18,7 +19,6 @@ from sweetspot.calibration.tap_analysis import FAMILIES, TapTest, _like_a_bat, t
 from sweetspot.calibration.tap_modes import free_damping, modes_to_name
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
-from tools.recorder_bats import PLACES, Ringing, descriptions, hollow, judged, tapped_body, wood, youth
 
 AUDIBLE = 0.02
 """Level of a tone that is heard."""

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from studies.calibrated_bats import tried
 from sweetspot import catalog
-from tools.calibrated_bats import tried
 
 FAR = 3.0
 """Sigma: each of these values misses by more once in 400."""

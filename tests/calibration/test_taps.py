@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import scipy.signal
 
+from studies.recorder_taps import beam_frequencies, plate_frequencies
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.bar import ROOTS, SHEAR_SHAPE, Bar, frequency_factor
 from sweetspot.calibration.bar_naming import named_bar
@@ -44,7 +45,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.section import shear_coefficient
 from sweetspot.errors import InputError
 from tests.real_data import real_file
-from tools.recorder_taps import beam_frequencies, plate_frequencies
 
 STEEL_BAR = Bar(Measured(0.11436, 1e-5), Measured(0.02544, 1e-5), Measured(0.00312, 1e-5), Measured(0.0713, 1e-4))
 
@@ -549,7 +549,7 @@ def test_a_tap_whose_ring_fills_the_recording(lead: float, damping: float) -> No
 
 
 def test_shear_draws_the_tones_of_a_thick_wooden_bar_together() -> None:
-    """A spruce brace of 12.8 GPa, E/G 16.7, by Ritz's method (`tools.recorder_taps`): f2/f1 is 2.57 and not 2.76."""
+    """A spruce brace of 12.8 GPa, E/G 16.7, by Ritz's method (`studies.recorder_taps`): f2/f1 is 2.57 and not 2.76."""
     brace = Bar(Measured(0.3414, 5e-4), Measured(0.00876, 1e-4), Measured(0.01778, 2e-5), Measured(0.01970, 1e-4))
     tones = [
         Tone(Measured(one, 0.0015 * one), Measured(0.008, 1e-4), level, 3)

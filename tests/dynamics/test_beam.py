@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
 import re
-import sys
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from studies.measured_bats import simulated
 from sweetspot import catalog
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.dynamics.beam import beam_model, density_scale
@@ -232,18 +229,7 @@ def test_a_weighted_grip_is_found_by_its_balance(mass: float, left: float) -> No
 
 @pytest.mark.parametrize(("balance", "moi"), [(0.05, 0.005), (0.1, 0.01)])
 def test_simulated_measured_bats(balance: float, moi: float) -> None:
-    """A sample of what tools/measured_bats.py does with 2,000: nearly half of them once ended in a traceback."""
-    result = tool("measured_bats").simulated(12, balance_noise=balance, moi_noise=moi)
+    """A sample of what studies/measured_bats.py does with 2,000: nearly half of them once ended in a traceback."""
+    result = simulated(12, balance_noise=balance, moi_noise=moi)
     assert result.failed == result.refused == []
     assert result.close == 1.0
-
-
-def tool(name: str) -> Any:
-    """Return a script of the repository's tools as a module."""
-    spec = importlib.util.spec_from_file_location(name, Path(__file__).parents[2] / "tools" / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    spec.loader.exec_module(module)
-    return module

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tools.unlike_seasons import UNLIKE, Unlike, heavy_scatter, row_of, two_humps, unlike_season
+from studies.unlike_seasons import UNLIKE, Unlike, heavy_scatter, row_of, two_humps, unlike_season
 
 
 @pytest.mark.parametrize("scatter", [heavy_scatter, two_humps])

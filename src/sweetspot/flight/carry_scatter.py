@@ -30,7 +30,7 @@ SPIN_SCATTER = 400 * RPM
 """rad/s that backspin scatters by about the usual line: what tracked distances of line drives, 10 to 25 deg, of games
 of even number scatter by beyond drag and the stated errors of the launch, 419 +- 50 rpm, to the nearest fifty. Games of
 odd number, held out, say 358, and 92 % of theirs lie within the intervals of 90 %; all games together say 390 +- 32
-[savant_2022rays]. `tools/tracked_flights.py` repeats it."""
+[savant_2022rays]. `studies/tracked_flights.py` repeats it."""
 HOME_RUN = (103.8 * MPH, 28.1 * DEGREE)
 """Mean exit speed and launch angle of home runs [savant_2019homeruns]: the ball for which the scatter of drag was told,
 with everything else in it."""

@@ -96,7 +96,7 @@ LIKE_THE_LEAGUE = MadeSeason(
     offset_between=0.15, level_between=0.01, noise=1.65,
 )  # fmt: skip
 """Swings that scatter as tracked ones do [sure2026], of players who differ by what makes exit speed, the league's rate
-of squared-up balls and that of blasts as reliable at 34 balls as the league's are; `tools/reliability.py` finds it."""
+of squared-up balls and that of blasts as reliable at 34 balls as the league's; `studies/reliability.py` finds it."""
 
 
 def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, seed: int = 1) -> pl.DataFrame:

@@ -47,7 +47,7 @@ USUAL_NOISES = np.array([-1.06, -0.07, -0.05, 0.04, 0.04, -0.07, 0.05, 0.08, -0.
 USUAL_MARGINAL = 5.57 * INCH, 2.74 * INCH
 """Before a table is read: weights learned from 20,188 tracked balls of the league [sure2026] with the usual ash bat,
 over `PLACE`, `SPREAD`, `LEVEL` and `NOISE`, and mean and standard deviation of all places
-(``python -m tools.held_out --usual`` prints them)."""
+(``python -m studies.held_out --usual`` prints them)."""
 PLACE_WIDTHS = np.array([0.7, 1.0, *[0.5] * 5, *[0.25] * (len(PLACE) - 7)]) * INCH
 SPREAD_WIDTHS = np.array([0.25, *[0.1] * (len(SPREAD) - 1)])
 LEVEL_WIDTHS = np.array([0.02, 0.01, 0.05, 0.02, 0.05, 0.05])

@@ -44,7 +44,7 @@ ASKED_ALWAYS = (*DOUBTFUL, "velocity_y", "release_speed", "plate_speed")
 DOUBTED = 4096
 """Balls of a part that are looked at for that, evenly drawn."""
 HIGH = 1000.0
-"""m above the sea; of a park above it, Denver's, counts and lists say more than is told (`tools/park_ranking.py`)."""
+"""m above the sea; of a park above it, Denver's, counts and lists say more than is told (`studies/park_ranking.py`)."""
 LEVEL, FAIR = math.radians(1.6), math.radians(50)
 """rad; no launch angle above the first: they are written in radians; bearings beyond the second are foul."""
 MOST_FOUL = 0.3

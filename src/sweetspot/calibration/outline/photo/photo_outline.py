@@ -29,7 +29,7 @@ TOO_UNSETTLED = 0.05
 handle, which is 40 % of its stiffness (assumed)."""
 STEEPEST, BODY = 1.5, slice(8, 92)
 """How fast a bat's diameter may change with the place along it, and in which hundredths of its length: made-up bats of
-wood and metal reach 0.5 there, and 5 where a part is lost that is as dark as the ground (`tools/photographs.py`)."""
+wood and metal reach 0.5 there, and 5 where a part is lost that is as dark as the ground (`studies/photographs.py`)."""
 TOO_BENT = 0.03
 """Of what a bat's diameters differ by, the rms of its middle about a straight line: 1.2 mm, more than bats are warped
 and lenses bend (assumed). It is 0.003 of a real bat, and 0.05 of a made-up one of which a flank was not seen."""

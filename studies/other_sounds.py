@@ -1,6 +1,6 @@
-"""Sounds that are no taps and taps that are some, made another way than those of `tools.tap_trials`.
+"""Sounds that are no taps and taps that are some, made another way than those of `studies.tap_trials`.
 
-    .venv/bin/python -m tools.other_sounds --count 20 --seed 1
+    .venv/bin/python -m studies.other_sounds --count 20 --seed 1
 
 No limit of `sweetspot.calibration` was set on these. A voice is a tube of ten sections whose areas glide from one vowel
 to another, driven by the flow through a glottis that opens and closes (Kelly and Lochbaum's lines, Rosenberg's pulse);
@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numba
 import numpy as np
@@ -42,7 +42,7 @@ IMPLEMENTS = (
 )  # fmt: skip
 
 
-@numba.njit(cache=False)  # type: ignore[untyped-decorator]
+@numba.njit(cache=False)
 def _tract(flow: Array, areas: Array) -> Array:
     """Return the sound at the lips of a tube with areas (n, sections), driven by a glottal flow (n,)."""
     count = areas.shape[1]
@@ -190,7 +190,7 @@ def box(generator: np.random.Generator) -> Array:
     at = ((far - direct) / SPEED_OF_SOUND * RATE).astype(int)
     inside = at < int(seconds * RATE)
     size = (keeps ** np.asarray(bounces).ravel() * direct / far)[inside]
-    return np.bincount(at[inside], weights=size, minlength=int(seconds * RATE))
+    return np.asarray(np.bincount(at[inside], weights=size, minlength=int(seconds * RATE)), float)
 
 
 def recorded(generator: np.random.Generator, sound: Array, *, live: bool) -> Array:
@@ -233,17 +233,18 @@ def series(name: str, seed: int) -> tuple[tuple[Tap, ...], list[float], Modes]:
     return find_taps(Recording(name, samples, RATE), band=usual_band(modes), held=usual_held(modes)), when, modes
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print the rates."""
-    parser = argparse.ArgumentParser()
+    parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
-    asked = parser.parse_args()
+    parser.add_argument("--only", choices=[*SOUNDS, *IMPLEMENTS], help="one sound or one implement")
+    asked = parser.parse_args(arguments)
     seeds = range(1000 * asked.seed, 1000 * asked.seed + asked.count)
-    for kind in SOUNDS:
+    for kind in (kind for kind in SOUNDS if asked.only in (None, kind)):
         taken = [any(tap.good for tap in false_taps(kind, seed)) for seed in seeds]
         print(f"{kind}: {sum(taken)} of {len(taken)} recordings have a false tap", flush=True)
-    for name in IMPLEMENTS:
+    for name in (name for name in IMPLEMENTS if asked.only in (None, name)):
         found, given, faults = 0, 0, Counter[str]()
         for seed in range(seeds.start, seeds.start + max(1, asked.count // 5)):
             taps, when, _ = series(name, seed)

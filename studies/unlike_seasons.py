@@ -1,4 +1,4 @@
-"""Intervals of seasons unlike what the model supposes: ``python -m tools.unlike_seasons``.
+"""Intervals of seasons unlike what the model supposes: ``python -m studies.unlike_seasons``.
 
 A season is made up by the collision and flight kernels, then measured and written down in ways that the model does not
 suppose, each by itself and all together. Printed is how often intervals of 50 and 90 % hold places along the bat, exit
@@ -9,7 +9,7 @@ their balls by itself, whose truth is what they do in all the others.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -17,6 +17,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import polars as pl
 
+from studies.held_out import told
 from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
 from sweetspot.season import contact_kernel as kernel
@@ -29,7 +30,6 @@ from sweetspot.season.season_table import Season, analyse_season, season_setting
 from sweetspot.season.standings import BOUNDS
 from sweetspot.season.swings import USUAL_ERRORS, Errors
 from sweetspot.units import DEGREE, MPH
-from tools.held_out import told
 
 BAT = "r161-ash"
 Scatter = Callable[[np.random.Generator, int], Array]
@@ -169,18 +169,19 @@ def _season(frame: pl.DataFrame, folder: Path) -> Season:
     return analyse_season([folder / "season.parquet"], setting=season_setting(bats={"": BAT}), folder=folder / "out")
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print the table."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--players", type=int, default=60)
     options.add_argument("--balls", type=int, default=100, help="of each player that answers are of")
     options.add_argument("--truth", type=int, default=900, help="more balls of each, told of and truth in turn")
     options.add_argument("--seasons", type=int, default=2)
-    given = options.parse_args()
+    options.add_argument("--only", choices=UNLIKE, help="one way to be unlike")
+    given = options.parse_args(arguments)
     print("| | places, 50 % | 90 % | exit speeds, 50 % | 90 % | players' means, 50 % | 90 % | rates, 50 % | 90 % |")
     print("|---|---|---|---|---|---|---|---|---|")
-    for name, unlike in UNLIKE.items():
-        row = row_of(unlike, players=given.players, balls=given.balls, truth=given.truth, seeds=given.seasons)
+    for name in [given.only] if given.only else UNLIKE:
+        row = row_of(UNLIKE[name], players=given.players, balls=given.balls, truth=given.truth, seeds=given.seasons)
         print(f"| {name} | {' | '.join(f'{value:.1f}' for value in row)} |", flush=True)
 
 

@@ -1,4 +1,4 @@
-"""How often a player's intervals hold the truth: ``python tools/player_coverage.py --players 100``.
+"""How often a player's intervals hold the truth: ``python -m studies.player_coverage --players 100``.
 
 The players are made up by another simulator than the fit's own: every swing is an oblique collision in space with a
 pitch of its own speed, descent and spin and a tilt of its own, no table is read, and bat speeds have a tail of
@@ -9,6 +9,7 @@ hold the truth.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -87,7 +88,7 @@ def swings_of(
     )  # fmt: skip
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print, for every parameter, how many of the intervals held the truth."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--players", type=int, default=100)
@@ -95,7 +96,7 @@ def main() -> None:
     options.add_argument("--protective", type=float, default=PROTECTIVE, help="part of swings that are slower")
     options.add_argument("--unsteady", type=float, default=1.0, help="times the scatter of tilt, descent and spin")
     options.add_argument("--seed", type=int, default=11, help="of the players and of their swings")
-    given = options.parse_args()
+    given = options.parse_args(arguments)
     inside = np.zeros((given.players, len(NAMES)), bool)
     rank = np.zeros((given.players, len(NAMES)))
     apart = np.zeros((given.players, len(NAMES)))

@@ -1,6 +1,6 @@
 """How often `sweetspot tap` names the tones of made-up bats rightly, by bat, recorder and description.
 
-    .venv/bin/python -m tools.recorder_bats --count 3 --seed 1
+    .venv/bin/python -m studies.recorder_bats --count 3 --seed 1
 
 Bats, free or held, are solved by their own finite elements (`struck_beams`), which share nothing with the model that
 names the tones; Russell's youth bat has the tones and nodes that were measured; hoop tones and other sports' are drawn
@@ -13,7 +13,7 @@ from __future__ import annotations
 import argparse
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -22,6 +22,8 @@ import scipy.signal
 import soundfile
 import tomli_w
 
+from studies.recorder_taps import Array, Body, Recorder, recorders, sound
+from studies.struck_beams import FREE, GRIPS, Beam, Grip, free_shapes, ring_frequency, shaken
 from sweetspot import catalog
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.recording import read_recording
@@ -29,8 +31,6 @@ from sweetspot.calibration.tap_analysis import TapTest, tap_test
 from sweetspot.calibration.tap_modes import modes_to_name, usual_band, usual_held
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
-from tools.recorder_taps import Array, Body, Recorder, recorders, sound
-from tools.struck_beams import FREE, GRIPS, Beam, Grip, free_shapes, ring_frequency, shaken
 
 INCH = 0.0254
 SAME = 0.012
@@ -66,6 +66,7 @@ class Ringing:
 
 
 def bending_names(count: int) -> tuple[ModeName, ...]:
+    """Return the names of the lowest bending modes."""
     return tuple(ModeName("bending", number + 1) for number in range(count))
 
 
@@ -90,6 +91,7 @@ def held_beam(beam: Beam, damping: float, generator: np.random.Generator, grip: 
 
 
 def bat_file(name: str, length: float, mass: float, outline: Array, **more: object) -> dict[str, object]:
+    """Return the table of a bat file; lengths and diameters in m, the mass in kg."""
     profile = [[f"{place:.5f} m", f"{diameter:.5f} m"] for place, diameter in outline]
     return {"name": name, "length": f"{length:.5f} m", "mass": f"{mass:.4f} kg", "profile": profile, **more}
 
@@ -288,7 +290,7 @@ def judged(one: Ringing, test: TapTest) -> tuple[Counter[str], list[str]]:
     return counts, wrong
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print a line per bat, place, recorder and description."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=1, help="of each bat and recorder")
@@ -297,7 +299,7 @@ def main() -> None:
     parser.add_argument("--kinds", default=",".join(KINDS), help="of implements, with commas")
     parser.add_argument("--grip", default="free", choices=sorted(GRIPS), help="how it is held")
     parser.add_argument("--planes", action="store_true", help="modes differ between the two planes")
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     total: dict[tuple[str, str], Counter[str]] = {}
     for name, record in {**recorders(), **faulty_recorders()}.items():
         if options.only and options.only not in name:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from studies.calibration_coverage import measured
 from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.posterior import calibrate
@@ -28,7 +29,6 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
-from tools.calibration_coverage import measured
 
 CASES = (("mlb-c", (), False), ("mlb-c", (1,), False), ("single-wall", (1, 2), True))
 DOZEN = 12
@@ -106,14 +106,17 @@ def ranked_dozens(name: str, bending: Sequence[int], hoop: bool, *, count: int, 
             chances.append(one.best_chance)
             won.append(one.name == best)
             inside.append(abs(one.exit_speed.value - truths[one.name]) < REACH * one.exit_speed.error)
-    return Outcome(*(np.array(each, float) for each in (first, first_won, chances, won, inside)), same)
+    told, told_won, chance, every_won, held = (
+        np.array(each, float) for each in (first, first_won, chances, won, inside)
+    )
+    return Outcome(told, told_won, chance, every_won, held, same)
 
 
-def main() -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
     """Print a line per case; return 1 when one is off."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=100, help="dozens per case")
-    count, bad = parser.parse_args().count, False
+    count, bad = parser.parse_args(arguments).count, False
     for name, bending, hoop in CASES:
         found = ranked_dozens(name, bending, hoop, count=count)
         told, came = float(found.first.mean()), float(found.first_won.mean())

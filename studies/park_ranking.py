@@ -1,4 +1,4 @@
-"""Chances of home runs park by park, beside what was counted: ``python -m tools.park_ranking``.
+"""Chances of home runs park by park, beside what was counted: ``python -m studies.park_ranking``.
 
 The same tracked flies of 2022 are judged in every park, at 72 degF. Their number in a park, over the mean of all, is
 set beside home runs at home against those on the road (2019), a public index of home runs and a public list of how much
@@ -8,11 +8,14 @@ half and as a fixed one. The last lines ask Denver: what elevation does to its c
 
 from __future__ import annotations
 
+import argparse
 import csv
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot import catalog
 from sweetspot.flight.air import Air
@@ -61,10 +64,11 @@ def published() -> Published:
     )
 
 
-def tracked_flies() -> tuple[BallMotions, Array]:
+def tracked_flies(most: int | None = None) -> tuple[BallMotions, NDArray[np.bool_]]:
     """Return how the flies of 2022 set out, and which of them were hit at 95 mph and more and 22 to 35 degrees."""
     hits = read_hits(FOLDER)
     hits = hits.where(np.abs(hits.bearing) < FAIR)
+    hits = hits.where(np.arange(len(hits.bearing)) < (most or len(hits.bearing)))
     through = FlightConditions(ball=BALL, aerodynamics=LAW, air=hits.density)
     spray, _ = launched_to(hits.bearing, exit_speed=hits.exit_speed, launch_angle=hits.launch_angle, bats=hits.bats,
                            conditions=through)  # fmt: skip
@@ -76,10 +80,10 @@ def chances(balls: BallMotions, parks: list[Park], scatter: Scatter, own_elevati
     """Return the logarithms of how many home runs the balls would be, shape (parks,)."""
     through = FlightConditions(ball=BALL, aerodynamics=LAW, air=Air(temperature=TEMPERATURE))
     found = home_run_chances(balls, through, parks=parks, own_elevation=own_elevation, scatter=scatter)
-    return np.log(found.chance.sum(axis=0))
+    return np.asarray(np.log(found.chance.sum(axis=0)))
 
 
-def mean_carries(balls: BallMotions, far: Array, parks: list[Park], scatter: Scatter) -> Array:
+def mean_carries(balls: BallMotions, far: NDArray[np.bool_], parks: list[Park], scatter: Scatter) -> Array:
     """Return the mean carry of the far balls in each park, m."""
     carries = []
     for park in parks:
@@ -90,9 +94,11 @@ def mean_carries(balls: BallMotions, far: Array, parks: list[Park], scatter: Sca
     return np.array(carries)
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Rank the parks, and ask Denver."""
-    known, (balls, far) = published(), tracked_flies()
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--flies", type=int, default=None, help="take only so many of the tracked ones")
+    known, (balls, far) = published(), tracked_flies(options.parse_args(arguments).flies)
     then, now = ([catalog.park(club, year) for club in known.clubs] for year in (2019, NOW))
     moves = np.array([park.roof == "retractable" for park in now])
     print("| a closed roof that moves is | counts of 2019 | public index | public carry | ft, roofs that move |")
@@ -113,7 +119,7 @@ def main() -> None:
     denver(balls, far, now[known.clubs.index(DENVER)], float(ours.mean()))
 
 
-def denver(balls: BallMotions, far: Array, park: Park, mean: float) -> None:
+def denver(balls: BallMotions, far: NDArray[np.bool_], park: Park, mean: float) -> None:
     """Print what elevation does to carries and chances in Denver, and what less drag would."""
     here, there = mean_carries(balls, far, [park, catalog.park(SEA_LEVEL)], NONE)
     high, low = (np.exp(chances(balls, [park], USUAL, own)[0]) for own in (True, False))

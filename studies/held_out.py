@@ -1,4 +1,4 @@
-"""Exit speeds foretold of balls that nothing was learned from: ``python -m tools.held_out``.
+"""Exit speeds foretold of balls that nothing was learned from: ``python -m studies.held_out``.
 
 A table of tracked swings is cut into two halves, one after the other. Where balls are met is learned from one half and
 told of the other. Printed is how often exit speed falls into its intervals of 50 and 90 %, by everything that swing,
@@ -11,6 +11,7 @@ from the whole table, which `place_relation` has as the usual ones.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -46,9 +47,9 @@ BANDS: tuple[tuple[str, str, tuple[float, ...]], ...] = (
 )
 
 
-def balls_in(path: Path) -> Balls:
+def balls_in(path: Path, most: int | None = None) -> Balls:
     """Return the balls of a table that are used and have a bat speed."""
-    frame = pl.read_csv(path)
+    frame = pl.read_csv(path, n_rows=most)
     rows = rows_of(frame, headings_of(frame.columns))
     return balls_of(rows.filter((pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()))
 
@@ -99,18 +100,19 @@ def held(rank: Array) -> str:
     return f"{len(rank)} | {inside[0]:.1f} | {inside[1]:.1f} | {rank.mean():.2f} |"
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print the table."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--places-to", type=float, default=None, help="in from the tip")
     options.add_argument("--learn-from", type=int, default=None, help="balls")
     options.add_argument("--usual", action="store_true")
-    given = options.parse_args()
+    options.add_argument("--balls", type=int, default=None, help="take only so many of the table")
+    given = options.parse_args(arguments)
     setting = season_setting().contact
     assert setting is not None
     if given.places_to is not None:
         setting = replace(setting, surfaces=(shortened(setting.surfaces[0], given.places_to * INCH),))
-    balls = balls_in(TABLE)
+    balls = balls_in(TABLE, given.balls)
     first = np.arange(len(balls)) < len(balls) // 2
     if given.usual:
         print_usual(balls, setting)

@@ -1,6 +1,6 @@
 """How often a sound that is no tap counts as one, and a tap as none, on made-up sounds of which no limit was set.
 
-    .venv/bin/python tools/tap_trials.py --count 40 --seed 1
+    .venv/bin/python -m studies.tap_trials --count 40 --seed 1
 
 Speech is voiced by pulses of a gliding pitch through gliding formants; steps, claps, creaks and slams are bursts of
 coloured noise through resonances of low Q. Taps are those of bars, plates and bats in noise of every colour, in rooms.
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import scipy.signal
@@ -186,14 +186,15 @@ def true_tap(seed: int) -> tuple[tuple[Tap, ...], Array]:
     return find_taps(Recording("tap", samples, RATE), band=BAT_BAND), tones
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print the rates."""
-    parser = argparse.ArgumentParser()
+    parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
-    asked = parser.parse_args()
+    parser.add_argument("--only", choices=SOUNDS, help="of the sounds that are no taps")
+    asked = parser.parse_args(arguments)
     seeds = range(1000 * asked.seed, 1000 * asked.seed + asked.count)
-    for kind in SOUNDS:
+    for kind in [asked.only] if asked.only else SOUNDS:
         taken = [any(tap.good for tap in false_taps(kind, seed)) for seed in seeds]
         print(f"{kind}: {sum(taken)} of {len(taken)} recordings have a false tap")
     found, faults, wrong, tones = 0, Counter[str](), 0, 0

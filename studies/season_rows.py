@@ -1,4 +1,4 @@
-"""Write a table of as many balls in play as wanted, none twice: ``python tools/season_rows.py FILE --rows 1000000``.
+"""Write a table of as many balls in play as wanted, none twice: ``python -m studies.season_rows FILE --rows 1000000``.
 
 Swings, exit speeds and launch angles are drawn from tracked balls (36-SURE 2026), and where they came down and how they
 were pitched from tracked balls of 2022 that were hit alike; each number is moved by a little about the one drawn (a
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import argparse
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -70,9 +70,8 @@ def drawn_from(data: Path) -> pl.DataFrame:
         stand=pl.when(pl.col("is_stand_left") == 1).then(pl.lit("L")).otherwise(pl.lit("R")),
         p_throws=pl.when(pl.col("is_throw_left") == 1).then(pl.lit("L")).otherwise(pl.lit("R")),
     )  # fmt: skip
-    return pl.concat([own, matched], how="horizontal").with_columns(
-        attack_direction=np.random.default_rng(5).normal(-2, 9, len(own))
-    )
+    both: pl.DataFrame = pl.concat([own, matched], how="horizontal")
+    return both.with_columns(attack_direction=np.random.default_rng(5).normal(-2, 9, len(own)))
 
 
 def drawn_from_made_up() -> pl.DataFrame:
@@ -136,7 +135,7 @@ def write_rows(path: Path, rows: int, *, base: pl.DataFrame, seed: int = 1) -> N
     register_io_source(made, schema=schema).sink_parquet(path, row_group_size=BLOCK, engine="streaming")
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Write the table that was asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("file", type=Path)
@@ -144,7 +143,7 @@ def main() -> None:
     parser.add_argument("--data", type=Path, default=DATA)
     parser.add_argument("--made-up", action="store_true")
     parser.add_argument("--seed", type=int, default=1)
-    asked = parser.parse_args()
+    asked = parser.parse_args(arguments)
     base = drawn_from_made_up() if asked.made_up else drawn_from(asked.data)
     write_rows(asked.file, asked.rows, base=base, seed=asked.seed)
 

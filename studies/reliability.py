@@ -1,4 +1,4 @@
-"""How reliable is squared-up against the bat? ``python -m tools.reliability``: some minutes.
+"""How reliable is squared-up against the bat? ``python -m studies.reliability``: some minutes.
 
 No public table has both batter and bat speed, so by how much real players differ is asked of numbers of the league:
 at 34 balls of 209 players the reliabilities of exit speed, of the league's rate of squared-up balls and of its blasts,
@@ -12,6 +12,7 @@ without errors, and hit without balls that differ.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -84,7 +85,8 @@ def told(made: MadeSeason, seed: int) -> dict[str, float]:
     found["explained_with_ratio"] = _explained(halves, "exit_speed", ["bat_speed", "ratio"])
     found["ratio_told_by_itself"] = _explained(halves, "ratio", ["ratio"]) ** 0.5
     found["ratio_told_with_bat_speed"] = _explained(halves, "ratio", ["ratio", "bat_speed"]) ** 0.5
-    found["rate_against_bat_speed"] = float(np.corrcoef(*_means(table, "bat_speed", "league_rate"))[0, 1])
+    speed_and_rate = np.array(_means(table, "bat_speed", "league_rate"))
+    found["rate_against_bat_speed"] = float(np.asarray(np.corrcoef(speed_and_rate))[0, 1])
     return found | {"level_between": made.level_between, "wilder": made.wilder}
 
 
@@ -130,12 +132,12 @@ def limits(leagues: int) -> None:
         print(f"{words}: {mean[0]:.3f} +- {error[0]:.3f}, the other half told with bat speed {mean[1]:.3f}")
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print what was found, for players who all swing this bat and for such whose bats differ."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--leagues", type=int, default=300)
     parser.add_argument("--limits", type=int, default=30, help="leagues like the real one; 0: none")
-    asked: Any = parser.parse_args()
+    asked: Any = parser.parse_args(arguments)
     for bats in (False, True):
         rng = np.random.default_rng(7)
         leagues = [told(drawn(rng, bats), seed=1000 + number) for number in range(asked.leagues)]

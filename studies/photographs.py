@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -223,14 +224,14 @@ def report(title: str, readings: list[Reading], refused: list[str], count: int) 
         print(f"    refused: {reason}")
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print two lines per kind of ground: with the camera's distance told, and without."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=20, help="pictures per kind")
     parser.add_argument("--pixel", type=float, default=0.58, help="mm of a pixel")
     parser.add_argument("--only", choices=list(PAINT), help="one kind of ground")
     parser.add_argument("--verbose", action="store_true", help="a line per picture")
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     for ground in [options.only] if options.only else PAINT:
         told: list[Reading] = []
         untold: list[Reading] = []

@@ -4,7 +4,7 @@ A truth is drawn at random from what the report says is not known. Its beam, wal
 where the report's draws follow them by slope and bend from the bat as described. Counted is how often the 90 % interval
 of the draws, and that of the first sentence, hold it.
 
-Run: .venv/bin/python tools/report_coverage.py [--count 200] [NAME ...]. Exit 1 when a share of all truths of an
+Run: .venv/bin/python -m studies.report_coverage [--count 200] [NAME ...]. Exit 1 when a share of all truths of an
 implement is not within 85 to 95 %.
 """
 
@@ -13,7 +13,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only get in each other's way
 
@@ -68,13 +68,13 @@ def truths(analysis: Analysis[Implement], sources: Sources, count: int, seed: in
     return dict(zip(TOLD, np.array(rows).T, strict=True))
 
 
-def main() -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
     """Print a row for every implement."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("--count", type=int, default=200, help="truths of every implement")
     parser.add_argument("--seed", type=int, default=11)
     parser.add_argument("names", nargs="*", default=NAMES)
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     outside = 0
     print("| implement | " + " | ".join((*TOLD, "first sentence")) + " |")
     for name in options.names:

@@ -90,12 +90,12 @@ def coverage(name: str, bending: Sequence[int], hoop: bool, *, count: int, wider
     return Coverage({str(one.name): part for one, part in zip(unknowns, parts, strict=True)}, contradicting, refused)
 
 
-def main() -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
     """Print a line per case and one per property; return 1 when one is outside."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=200, help="bats per case")
     parser.add_argument("--wider", type=float, default=1.0, help="times the spreads supposed that the bats differ by")
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     bad = False
     for name, bending, hoop in CASES:
         found = coverage(name, bending, hoop, count=options.count, wider=options.wider)

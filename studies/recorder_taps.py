@@ -1,6 +1,6 @@
 """How often the answers of `sweetspot tap` hold what made-up bars, braces and plates were made with, by recorder.
 
-    .venv/bin/python -m tools.recorder_taps --count 3 --seed 1
+    .venv/bin/python -m studies.recorder_taps --count 3 --seed 1
 
 A bar or brace is solved by Ritz's method (Legendre polynomials in the deflection and the rotation of a Timoshenko
 beam), which shares nothing with Goens' formula; a strip and a plate of wood by the same polynomials in both directions.
@@ -14,7 +14,7 @@ from __future__ import annotations
 import argparse
 import math
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -315,13 +315,13 @@ def held(body: Body, test: TapTest) -> tuple[int, int, str]:
     return right, tones, f"E {1e-9 * test.bar.modulus.value:.1f} GPa, {100 * part:+.1f} % ({off:+.1f} sigma)"
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print a line per body and way to record."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=1, help="of each body and recorder")
     parser.add_argument("--seed", type=int, default=1, help="of the first")
     parser.add_argument("--only", help="recorders whose name has this in it")
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     for name, record in recorders().items():
         if options.only and options.only not in name:
             continue

@@ -1,6 +1,6 @@
 """Whether `sweetspot calibrate` finds made-up bats that another code solved: weighed, balanced, hung and tapped.
 
-    .venv/bin/python -m tools.calibrated_bats --count 10 --seed 1
+    .venv/bin/python -m studies.calibrated_bats --count 10 --seed 1
 
 Bats are those of `struck_beams`, which share nothing with our beam, and are recorded as in `recorder_bats`. What scale,
 balance and pendulum say, and the drawing, have the errors that are told to the command. `--case` says what the user got
@@ -20,6 +20,7 @@ import math
 import os
 import tempfile
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -29,6 +30,20 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads on
 import numpy as np
 import tomli_w
 
+from studies.recorder_bats import (
+    INCH,
+    PLACES,
+    Ringing,
+    bat_file,
+    bending_names,
+    drawn_outline,
+    faulty_recorders,
+    held_beam,
+    hollow,
+    tapped_body,
+)  # fmt: skip
+from studies.recorder_taps import recorders
+from studies.struck_beams import FREE, GRIPS, Beam, Grip
 from sweetspot.calibration.calibrated_file import deviations_of
 from sweetspot.calibration.draws.linear_doubt import speed_doubt
 from sweetspot.calibration.draws.sources import Sources
@@ -41,20 +56,6 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS, STANDARD_GRAVITY
 from sweetspot.numerics.piecewise import cubic_spline
-from tools.recorder_bats import (
-    INCH,
-    PLACES,
-    Ringing,
-    bat_file,
-    bending_names,
-    drawn_outline,
-    faulty_recorders,
-    held_beam,
-    hollow,
-    tapped_body,
-)  # fmt: skip
-from tools.recorder_taps import recorders
-from tools.struck_beams import FREE, GRIPS, Beam, Grip
 
 WOODS = {"white ash": (0.077, 0.109), "sugar maple": (0.063, 0.111)}
 """G over E in the two planes."""
@@ -222,14 +223,14 @@ def tried(kind: str, seed: int, case: str, folder: Path) -> tuple[str, dict[str,
     return f"{'warned' if err else 'answered'} [{err[:150]} {', '.join(names[3:])}]", off
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print a line per bat and case, and what became of them."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=5, help="of each kind")
     parser.add_argument("--seed", type=int, default=1, help="of the first")
     parser.add_argument("--kinds", default=",".join([*WOODS, "hollow"]), help="with commas")
     parser.add_argument("--case", default="right", choices=CASES, help="what the user got wrong")
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     for kind in options.kinds.split(","):
         became: Counter[str] = Counter()
         inside: dict[str, list[bool]] = {}

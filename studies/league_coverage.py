@@ -1,17 +1,19 @@
-"""What partial pooling does to a made-up league: ``python -m tools.league_coverage --players 100 --swings 40``.
+"""What partial pooling does to a made-up league: ``python -m studies.league_coverage --players 100 --swings 40``.
 
 Players of one league with known truth are fitted from half of their swings, alone and pooled. Told are how often the 50
 and 90 % intervals hold the truth, how far both fits are from it, and how well both foretell the mean exit speed of
 the other half of the swings. ``--simulator full`` takes full collisions in space, of which the fit's model knows only
-the rule (`tools/player_coverage.py`); ``--simulator own`` takes the fit's own rules, for which intervals must hold.
+the rule (`studies/player_coverage.py`); ``--simulator own`` takes the fit's own rules, for which intervals must hold.
 """
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 
 import numpy as np
 
+from studies.player_coverage import PITCH, swings_of
 from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.expected import expectation
@@ -23,7 +25,6 @@ from sweetspot.player.posterior import Posterior, fit_player, refitted
 from sweetspot.player.prior import NAMES, natural, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import MPH
-from tools.player_coverage import PITCH, swings_of
 
 MEAN = np.array([0.35, 0.2, 0.0, -0.2, 0.3, 0.1, 0.0, 0.2, 0.4, 0.2])
 SPREAD = np.array([0.35, 0.4, 0.6, 0.5, 0.5, 0.5, 0.5, 0.6, 0.3, 0.5])
@@ -50,13 +51,13 @@ def held(fits: list[Posterior], truth: Array, part: float) -> Array:
     return np.asarray(np.mean((draws[:, 0] <= truth) & (truth <= draws[:, 1]), axis=0))
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print coverage and errors, alone and pooled."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--players", type=int, default=100)
     options.add_argument("--swings", type=int, default=40, help="of each player in the half that is fitted")
     options.add_argument("--simulator", choices=("full", "own"), default="full")
-    given = options.parse_args()
+    given = options.parse_args(arguments)
     random = np.random.default_rng(17)
     standard = MEAN + SPREAD * random.standard_normal((given.players, len(NAMES)))
     alone, other = [], []

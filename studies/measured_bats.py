@@ -3,13 +3,14 @@
 The noise is normal, with the stated standard deviation of the balance point and of the moi. Counted are the bats
 answered, refused and failed, and the answered ones whose first three modes lie within 1 % of the true bat's.
 
-Run: .venv/bin/python tools/measured_bats.py [COUNT]
+Run: .venv/bin/python -m studies.measured_bats --count 2000
 """
 
 from __future__ import annotations
 
+import argparse
 import os
-import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only get in each other's way
@@ -92,9 +93,11 @@ def simulated(count: int, *, balance_noise: float, moi_noise: float, seed: int =
     return result
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Print one line a level of noise."""
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--count", type=int, default=2000, help="bats of each level of noise")
+    count = options.parse_args(arguments).count
     print("balance  moi     answered  refused  failed  modes within 1 %  largest miss")
     for balance, moi in NOISE:
         result = simulated(count, balance_noise=balance, moi_noise=moi)

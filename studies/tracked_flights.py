@@ -1,4 +1,4 @@
-"""Compare flights with tables of tracked balls: ``python tools/tracked_flights.py FILES``.
+"""Compare flights with tables of tracked balls: ``python -m studies.tracked_flights FILES``.
 
 Prints how distances come out by launch angle, what scatter of backspin line drives tell (all games, and halves of them
 apart, each shown on the other), and, where a table has hang times, how flights agree with them and whether the bars are
@@ -8,6 +8,7 @@ met.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -18,6 +19,7 @@ import polars as pl
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from sweetspot.flight.air import Air
 from sweetspot.flight.carry_scatter import SPIN_SCATTER, TRACKED, CarryErrors, LaunchErrors, carry_errors
 from sweetspot.flight.home_runs import USUAL
 from sweetspot.season.balls import balls_of
@@ -135,12 +137,15 @@ def angles(balls: pl.DataFrame) -> None:
                 print(f"  {low:2} to {high} deg, {name}: {long.mean():+5.1f} ft, SD {long.std():4.1f}, n {len(long)}")
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Read, fly, compare."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("files", type=Path, nargs="+", help="tables of tracked balls")
-    setting = replace(season_setting(contact=False).flight, parks=False)
-    for path in options.parse_args().files:
+    options.add_argument("--temperature", type=float, default=72.0, help="degF, of balls that a table has none of")
+    given = options.parse_args(arguments)
+    air = Air(temperature=(given.temperature - 32) * 5 / 9)
+    setting = replace(season_setting(contact=False, air=air).flight, parks=False)
+    for path in given.files:
         rows = table_of(path)
         balls, caught = compared(rows, setting)
         print(f"{path.name}: {len(balls)} balls of 80 mph and more")

@@ -4,13 +4,15 @@ Each line asks the draws of `--uncertainty` as the source did. A value printed a
 interval and the range meet, and "about 6" is 5.5 to 6.5. What a bat or a ball of the catalogue was fitted to is left
 out.
 
-Run: .venv/bin/python tools/published_intervals.py
+Run: .venv/bin/python -m studies.published_intervals [--only NAME]
 """
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only get in each other's way
@@ -135,18 +137,22 @@ def interval(value: Value) -> tuple[float, float, float]:
     return said, least, most
 
 
-def main() -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
     """Print a row for every value, and how many are held."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--only", help="values of this implement")
+    only = options.parse_args(arguments).only
+    values = [value for value in VALUES if only in (None, value.name)]
     held = 0
     print("| source | what | of | printed | ours | 90 % interval | held |\n| --- | --- | --- | --- | --- | --- | --- |")
-    for value in VALUES:
+    for value in values:
         said, least, most = interval(value)
         holds = least <= value.high and value.low <= most
         held += holds
         where = f"[{value.source}](#source-{value.source})"
         print(f"| {where} | {value.what} | `{value.name}` | {value.printed} | {said:.4g} | {least:.4g} to {most:.4g} | "
               f"{'yes' if holds else 'no'} |", flush=True)  # fmt: skip
-    print(f"\n{held} of {len(VALUES)} are held")
+    print(f"\n{held} of {len(values)} are held")
     return 0
 
 
