@@ -79,7 +79,11 @@ def check_fence(text: str, fence: Mapping[str, Any] | None) -> None:
         assert "its top:" not in text
         return
     over = fence["clearance_m"] > 0
-    assert f"{'over' if over else 'below'} its top: {fence['outcome']}" in text
+    said = fence["outcome"]
+    if chance := re.search(r"Of a hundred like it (\d+) are home runs", text):  # the words follow it
+        likely = int(chance[1]) > 50
+        said = said if over == likely else f"such balls {'go out' if likely else 'stay in'} more often than not"
+    assert f"{'over' if over else 'below'} its top: {said}" in text
     assert (fence["outcome"] == "home run") == over
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,10 @@ from polars.testing import assert_frame_equal
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.carry_scatter import MORE_DRAG, braked, usual_launch
 from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.kernel import STEP as FINE
 from sweetspot.flight.kernel import flights
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.numerics.arrays import Array
 from sweetspot.report.quantities import US
 from sweetspot.report.season.left_over import left_over_by, left_over_words
 from sweetspot.season.balls import balls_of
@@ -39,23 +43,30 @@ def test_balls_set_out_so_that_they_come_down_where_they_did() -> None:
     assert np.isfinite(found.launch_direction).mean() > 0.97  # choppers come down beside the plate
     launch = usual_launch(balls.exit_speed, balls.launch_angle, np.nan_to_num(found.launch_direction), left=balls.left)
 
-    def through(law: Aerodynamics) -> FlightConditions:
-        return FlightConditions(ball=setting.ball, aerodynamics=law, air=airs)
+    def flown(change: Callable[[Aerodynamics], Aerodynamics], step: float = FINE) -> tuple[Array, Array, Array]:
+        """Carry, bearing and landing angle, each ball by the law of its park."""
+        found = np.empty((3, len(balls)))
+        for law, rows in fields.laws(setting.aerodynamics):
+            own = BallMotions(velocity=launch.velocity[rows], spin=launch.spin[rows], position=launch.position)
+            through = FlightConditions(ball=setting.ball, aerodynamics=change(law), air=airs.at(rows))
+            one = flights(own, through, step=step, threads=1)
+            found[:, rows] = one.carry, one.bearing, one.landing_angle
+        return found[0], found[1], found[2]
 
-    again, slowed = (
-        flights(launch, through(law), threads=1) for law in (setting.aerodynamics, braked(setting.aerodynamics))
-    )
+    def same(law: Aerodynamics) -> Aerodynamics:
+        return law
+
+    (carry, bearing, _), (slower, _, _) = flown(same), flown(braked)
     known = np.isfinite(found.launch_direction)
-    missed = np.abs(again.bearing - balls.bearing)[known]
+    missed = np.abs(bearing - balls.bearing)[known]
     assert (missed < CLOSE).mean() > 0.997
     up = known & (balls.launch_angle > 0)
-    coarse = flights(launch, through(setting.aerodynamics), step=STEP, threads=1)
-    fine = flights(launch, through(setting.aerodynamics), step=STEP / 8, threads=1)
-    off = np.abs(coarse.carry - fine.carry)[known]
+    coarse, fine = flown(same, STEP), flown(same, STEP / 8)
+    off = np.abs(coarse[0] - fine[0])[known]
     assert np.quantile(off, 0.99) < 0.02 * FOOT and off.max() < 0.15 * FOOT
-    off = np.abs(coarse.landing_angle - fine.landing_angle)[known]
+    off = np.abs(coarse[2] - fine[2])[known]
     assert off.max() < 0.1 * DEGREE
-    exact = (slowed.carry - again.carry) / np.log1p(MORE_DRAG)
+    exact = (slower - carry) / np.log1p(MORE_DRAG)
     off = np.abs(found.carry_per_drag - exact)[up]
     assert np.quantile(off, 0.99) < 0.6  # m, of 20 to 50
 

@@ -31,6 +31,8 @@ THIN = 800.0
 """m of elevation above which a park's air is too thin to be told with that of the others; only Denver's is."""
 ALIKE = 1e-4
 """Part of the pressure by which the airs that a ball is flown in differ at least."""
+LIKELY = 0.5
+"""Chance above which a home run is likelier than not."""
 DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
 
 
@@ -69,6 +71,11 @@ USUAL = Scatter()
 and +0.006: the fence asks 3 ft more of a ball than its carry says."""
 NONE = Scatter(roof=0.0, open=0.0, roof_shift=0.0, open_shift=0.0)
 """Every ball flies by the law: chances are 0 or 1."""
+
+
+def is_likely(chance: float) -> bool:
+    """Return whether a home run is likelier than not: what words call a home run, and counts of parks count."""
+    return chance > LIKELY
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import fields as dataclass_fields
 from functools import cache
@@ -11,8 +11,10 @@ import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
+from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.catalog.ballparks import park, parks_of_season
 from sweetspot.errors import InputError
+from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air, Airs
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.numerics.arrays import Array
@@ -56,6 +58,18 @@ class Fields:
             given[one.name] = np.where(np.isnan(values), getattr(air, one.name), values)
         parks = np.array([*(one.elevation for one in self.parks), 0.0])[self.index]
         return Airs(**given | {"elevation": np.where(self.index < 0, given["elevation"], parks)})
+
+    def laws(self, law: Aerodynamics, part: slice = slice(None)) -> Iterator[tuple[Aerodynamics, NDArray[np.intp]]]:
+        """Yield every law that balls fly by, and which of a part fly by it.
+
+        Parameters
+        ----------
+        law : in the open; under a roof that never opens `aerodynamics_in` holds.
+        """
+        each = [*(aerodynamics_in(park, law) for park in self.parks), law]
+        number = np.array([each.index(one) for one in each])[self.index[part]]
+        for one in np.unique(number):
+            yield each[one], (part.start or 0) + np.flatnonzero(number == one)
 
 
 def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:

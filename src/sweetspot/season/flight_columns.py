@@ -25,7 +25,7 @@ from sweetspot.flight.carry_scatter import (
     usual_launch,
 )
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.home_runs import USUAL, home_run_chances
+from sweetspot.flight.home_runs import LIKELY, USUAL, home_run_chances
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array, IntArray
@@ -64,7 +64,7 @@ class FlightSetting:
     Parameters
     ----------
     ball : of the catalogue.
-    aerodynamics : its law.
+    aerodynamics : its law in the open; under a roof that never opens `aerodynamics_in` holds.
     air : of balls whose table gives no weather; its elevation where neither the park's nor the table's is known.
     parks : whether chances of home runs are wanted.
     errors : of the measurements.
@@ -93,7 +93,7 @@ class FlightColumns:
     carry_per_drag : m by which the carry grows with the logarithm of drag; negative.
     home_run_here : chance in the park it was hit in.
     home_runs : expected number over the thirty parks of the season.
-    home_run_parks : in how many of them the mean ball is out.
+    home_run_parks : in how many of them it is likelier a home run than not.
     """
 
     launch_direction: Array
@@ -122,31 +122,32 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, airs: A
     alone = replace(setting, threads=1)
 
     def work(part: slice) -> None:
-        here = replace(fields, index=fields.index[part])
-        own = _flown_balls(taken(balls, part), here, alone, airs.at(part))
-        for name, values in vars(own).items():
-            getattr(columns, name)[part] = values
+        for law, rows in fields.laws(setting.aerodynamics, part):
+            here = replace(fields, index=fields.index[rows])
+            own = _flown_balls(taken(balls, rows), here, alone, airs.at(rows), law)
+            for name, values in vars(own).items():
+                getattr(columns, name)[rows] = values
 
     in_parts(work, len(balls), size=CHUNK, threads=setting.threads)
     return columns
 
 
-def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Airs) -> FlightColumns:
-    density = airs.density
-    expected = expected_of(
-        balls, np.nan_to_num(balls.bearing), ball=setting.ball, aerodynamics=setting.aerodynamics, density=density
-    )
-    solved, flown, known = _launched(balls, density, expected, setting)
-    per_drag = _per_drag(balls, solved, density, flown, expected, setting)
-    shift, spread = np.array([*(USUAL.of(park) for park in fields.parks), (0.0, USUAL.open)]).T[:, fields.index]
+def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Airs, law: Aerodynamics) -> FlightColumns:
+    """Return the flights of balls that fly by one law; chances start from the setting's, which is that in the open."""
+    density, there = airs.density, replace(setting, aerodynamics=law)
+    bearing = np.nan_to_num(balls.bearing)
+    expected = expected_of(balls, bearing, ball=setting.ball, aerodynamics=law, density=density)
+    solved, flown, known = _launched(balls, density, expected, there)
+    per_drag = _per_drag(balls, solved, density, flown, expected, there)
+    spread = np.array([*(USUAL.drag(park) for park in fields.parks), USUAL.open])[fields.index]
     errors = LaunchErrors(setting.errors.exit_speed, setting.errors.launch_angle)
-    doubt = _carry_errors(setting.ball, setting.aerodynamics, errors, setting.spin_scatter)
+    doubt = _carry_errors(setting.ball, law, errors, setting.spin_scatter)
     carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
     reach = THINNER * flown.carry - SURE * USUAL.open * per_drag
     reach = np.where(known, reach, 0.0)
     here, everywhere, count = _chances(balls, solved, fields, airs, setting, bearing=flown.bearing, reach=reach)
     return FlightColumns(
-        launch_direction=np.where(known, solved, np.nan), carry=flown.carry + shift * per_drag,
+        launch_direction=np.where(known, solved, np.nan), carry=flown.carry,
         carry_spread=carry_spread, hang_time=flown.hang_time, apex_height=flown.apex_height,
         landing_angle=flown.landing_angle, carry_per_drag=per_drag,
         home_run_here=np.where(known & flown.landed & (fields.index >= 0), here, np.nan),
@@ -231,7 +232,7 @@ def _replaced(flown: Flights, rows: np.ndarray, again: Flights) -> Flights:
 def _chances(
     balls: Balls, spray: Array, fields: Fields, airs: Airs, setting: FlightSetting, *, bearing: Array, reach: Array
 ) -> tuple[Array, Array, Array]:
-    """Return the chance here, the expected number over thirty parks, and in how many the mean ball is out.
+    """Return the chance here, the expected number over thirty parks, and in how many it is above one half.
 
     Balls that come down at a bearing and reach no farther than the fences there have none.
     """
@@ -250,7 +251,7 @@ def _chances(
             _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), step=STEP, threads=setting.threads
         )
         everywhere[mine] = chances.chance[:, : len(thirty)].sum(axis=1)
-        count[mine] = (chances.chance[:, : len(thirty)] > 0.5).sum(axis=1)
+        count[mine] = (chances.chance[:, : len(thirty)] > LIKELY).sum(axis=1)
         place = {park: number for number, park in enumerate((*thirty, *extra))}
         columns = np.array([*(place[park] for park in fields.parks), 0])[fields.index[mine]]
         here[mine] = chances.chance[np.arange(len(mine)), columns]

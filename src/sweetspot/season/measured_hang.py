@@ -78,13 +78,18 @@ def hang_check(rows: pl.DataFrame, setting: FlightSetting, *, caught: NDArray[np
     here &= np.isfinite(flown.launch_direction) & np.isfinite(flown.hang_time)
     if here.sum() < FEW:
         return None
-    law = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=airs.at(here))
-    launch = usual_launch(
-        balls.exit_speed[here], balls.launch_angle[here], flown.launch_direction[here], left=balls.left[here]
-    )
-    paths = flights(launch, law, path_points=POINTS)
-    apart = _distance_at(measured[here], paths.times, paths.positions) - balls.distance[here]
-    hang = flown.hang_time[here] - caught[here] * GLOVE / -paths.landing_velocity[:, 2] - measured[here]
+    far, sinking = np.empty((2, len(rows)))
+    for law, those in fields.laws(setting.aerodynamics):
+        mine = those[here[those]]
+        launch = usual_launch(
+            balls.exit_speed[mine], balls.launch_angle[mine], flown.launch_direction[mine], left=balls.left[mine]
+        )
+        conditions = FlightConditions(ball=setting.ball, aerodynamics=law, air=airs.at(mine))
+        paths = flights(launch, conditions, path_points=POINTS)
+        far[mine] = _distance_at(measured[mine], paths.times, paths.positions)
+        sinking[mine] = -paths.landing_velocity[:, 2]
+    apart = far[here] - balls.distance[here]
+    hang = flown.hang_time[here] - caught[here] * GLOVE / sinking[here] - measured[here]
     return HangCheck(
         int(here.sum()), float(hang.mean()), float(hang.std()), float(apart.mean()), float(apart.std()),
         _by_sixths(balls, here, apart),

@@ -65,7 +65,7 @@ def _part(part: str, rows: str) -> tuple[OutputColumn, ...]:
 FLIGHT = _part("flight", """
 flight_outcome     | text     | flown; direction unknown: flown to centre field, no chances; no launch angle: no flight
 launch_direction   | angle    | in which it set out, from centre field, positive to right field; solved from its bearing
-carry              | distance | to the ground, of the mean ball launched so in that park
+carry              | distance | to the ground, of the mean ball launched so in that park; what fly says
 carry_spread       | distance | standard deviation of single flights about it
 hang_time          | time     | to the ground
 apex               | distance | highest point
@@ -73,8 +73,8 @@ landing_angle      | angle    | how steeply it comes down
 carry_above        | distance | tracked distance less carry; fly balls and line drives only, caught ones to a glove
 home_run_here      | ratio    | chance of a home run in the park it was hit in
 home_runs_in_30    | count    | expected number of home runs over the thirty parks of that season
-home_run_parks     | count    | in how many of the thirty parks the mean ball is out
-home_run_kind      | text     | no doubter: the mean ball is out in all thirty parks; mostly gone: 8 to 29; doubter
+home_run_parks     | count    | in how many of the thirty parks a home run is likelier than not
+home_run_kind      | text     | by those parks: no doubter all thirty; mostly gone 8 to 29; doubter fewer
 """)  # fmt: skip
 
 CONTACT = _part("contact", """

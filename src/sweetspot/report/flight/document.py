@@ -10,12 +10,11 @@ from sweetspot import catalog
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Sport
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import Landing, landing
 from sweetspot.flight.hit_alike import carry_spread
 from sweetspot.flight.home_runs import USUAL as SCATTER
-from sweetspot.flight.home_runs import home_run_chances
+from sweetspot.flight.home_runs import home_run_chances, is_likely
 from sweetspot.flight.park import Park
 from sweetspot.flight.sweep import BattedBall, directed
 from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
@@ -49,7 +48,8 @@ class BattedFlight:
 
     Parameters
     ----------
-    out_in, parks : in how many of how many parks it is a home run; 0 of 0 where nobody asked for a park.
+    out_in, parks : in how many of how many parks it is likelier a home run than not; 0 of 0 without a
+        park.
     chance, expected_out_in : of a home run in the park, and in how many parks on average, with the scatter of balls,
         spin and weather.
     spread : m, standard deviation of the carry of balls hit alike; 0 where it is not known.
@@ -100,18 +100,13 @@ def batted_flight(
     if park is None or flight.outcome is not FlightOutcome.LANDED:
         return flown
     motion, parks = hit.motion, catalog.parks()
-    out_in = 0
-    for one in parks:
-        there = catalog.conditions_in(one, outdoors, own_elevation=own_elevation)
-        (ends,) = landings_everywhere(motion, there, parks=(one,), own_elevation=False)
-        out_in += bool(ends.out.all())
     chances = [  # each in its own air; their scatter knows of roofs
         float(home_run_chances(motion, outdoors, parks=(one,), own_elevation=own_elevation).chance[0, 0])
         for one in (park, *parks)
     ]
     return replace(
-        flown, park=park, landing=landing(flight.positions, park), out_in=out_in, parks=len(parks),
-        chance=chances[0], expected_out_in=sum(chances[1:]),
+        flown, park=park, landing=landing(flight.positions, park), parks=len(parks),
+        out_in=sum(map(is_likely, chances[1:])), chance=chances[0], expected_out_in=sum(chances[1:]),
     )  # fmt: skip
 
 
@@ -181,10 +176,10 @@ def _words(flown: BattedFlight) -> Sentence:
     if flown.spread:
         sentences.append(alike_words(flown.spread, spin_known=flown.hit.backspin is not None))
     if flown.park is not None and flown.landing is not None:
-        sentences.append(landing_words(flown.landing, flown.park))
+        sentences.append(landing_words(flown.landing, flown.park, chance=flown.chance))
         sentences.append(
             say(
-                "It is a home run in {out} of {all} parks. Of a hundred like it "
+                "It is likelier than not a home run in {out} of {all} parks. Of a hundred like it "
                 "{chance} are home runs here, and each in {expected} parks on average.",
                 out=flown.out_in, all=flown.parks, chance=round(100 * flown.chance),
                 expected=f"{flown.expected_out_in:.0f}",
@@ -225,7 +220,7 @@ def _note(flown: BattedFlight) -> Sentence:
     """Return the air and what came of the hit, for the head of its picture."""
     if flown.park is None or flown.landing is None:
         return _weather(flown)
-    return joined([_weather(flown), landing_words(flown.landing, flown.park)])
+    return joined([_weather(flown), landing_words(flown.landing, flown.park, chance=flown.chance)])
 
 
 def _picture(flight: Flight, park: Park | None, *, ballpark: bool = True, note: Words = "") -> Picture:

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from sweetspot.flight.fence import Landing
+from sweetspot.flight.home_runs import is_likely
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import Flight, FlightOutcome
 from sweetspot.motion.ball_motion import BallMotion
@@ -91,17 +92,25 @@ def small_or_far(margin: float) -> Slot:
     return Slot(abs(margin), "place" if abs(margin) < NEAR else "distance")
 
 
-def landing_words(landing: Landing, park: Park) -> Sentence:
-    """Return in a sentence what that is in a park."""
+def landing_words(landing: Landing, park: Park, *, chance: float | None = None) -> Sentence:
+    """Return in a sentence what that is in a park.
+
+    Parameters
+    ----------
+    chance : of a home run there, with which the words agree; None: nobody knows how such balls scatter.
+    """
     if landing.outcome == "foul":
         return say("At {park} it is foul.", park=park.name)
     if landing.clearance is None:
         return say("At {park} it stays in the field of play.", park=park.name)
+    outcome: str = landing.outcome
+    if chance is not None and (outcome == "home run") != is_likely(chance):
+        outcome = f"such balls {'go out' if is_likely(chance) else 'stay in'} more often than not"
     return say(
         "At {park} it reaches the fence {distance} away {clearance} {side} its top: {outcome}.",
         park=park.name, distance=Slot(landing.distance, "distance"),
         clearance=small_or_far(landing.clearance), side="over" if landing.clearance > 0 else "below",
-        outcome=landing.outcome,
+        outcome=outcome,
     )  # fmt: skip
 
 

@@ -108,7 +108,7 @@ def play_words(played: PlayedPitch) -> Sentence:
     if played.spread:
         sentences.append(alike_words(played.spread, spin_known=True))
     if played.landing is not None and played.park is not None:
-        sentences.append(landing_words(played.landing, played.park))
+        sentences.append(landing_words(played.landing, played.park, chance=played.chance))
     if played.chance is not None:
         sentences.append(say("Of a hundred like it {chance} are home runs.", chance=round(100 * played.chance)))
     return joined(sentences)
