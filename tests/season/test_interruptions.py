@@ -69,7 +69,7 @@ def season(*arguments: object) -> int:
 
 def done_in(folder: Path) -> dict[str, int]:
     """Return when the balls of every task were written whose last file is there: others may be half done."""
-    names = [path.name for path in (folder / "counted").glob("[0-9]*.parquet")]
+    names = [f"{path.stem}.parquet" for path in (folder / "done").glob("[0-9]*.json")]
     return {name: (folder / "balls" / name).stat().st_mtime_ns for name in names}
 
 

@@ -32,10 +32,12 @@ from numba.core.runtime.nrt import rtsys
 from numba.core.serialize import dumps
 from numba.misc.appdirs import AppDirs
 
+from sweetspot.numerics.digests import DIGEST_SIZE, digest
 from sweetspot.numerics.whole_files import written_whole
 
 PACKAGE = Path(__file__).parents[1]
-DIGEST_SIZE = 16
+FINGERPRINT = 32
+"""Hexadecimal digits of the hash of a function."""
 PATIENCE = 120.0
 """s that another process is waited for which compiles the same: longer than any kernel takes, on a slow machine too."""
 LOOKS = 0.05
@@ -86,10 +88,8 @@ ADDRESS = " at 0x"
 
 def fingerprint(function: Callable[..., Any]) -> str:
     """Return a hash of everything in a function's package that goes into its machine code."""
-    digest = hashlib.blake2b(digest_size=DIGEST_SIZE)
-    for part in sorted(set(_reached(function, function.__module__.partition(".")[0], set()))):
-        digest.update(len(part).to_bytes(8, "big") + part)
-    return digest.hexdigest()
+    parts = sorted(set(_reached(function, function.__module__.partition(".")[0], set())))
+    return digest(b"".join(len(part).to_bytes(8, "big") + part for part in parts)).hex()[:FINGERPRINT]
 
 
 class _KernelFiles(NullCache):
@@ -145,7 +145,7 @@ class _KernelFiles(NullCache):
     def _keep(self, path: Path, content: bytes) -> None:
         try:
             with written_whole(path) as file:
-                file.write(hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() + content)
+                file.write(digest(content) + content)
             for other in path.parent.glob(f"{self.name}-*.kernel"):
                 if not other.name.startswith(f"{self.name}-{self.fingerprint}-"):
                     other.unlink(missing_ok=True)
@@ -160,8 +160,7 @@ def _whole(path: Path) -> bytes | None:
     except OSError:
         return None
     content = stored[DIGEST_SIZE:]
-    whole = hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() == stored[:DIGEST_SIZE]
-    return content if whole else None
+    return content if digest(content) == stored[:DIGEST_SIZE] else None
 
 
 def turn_at(path: Path) -> ExitStack:

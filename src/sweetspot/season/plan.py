@@ -1,8 +1,9 @@
 """What is to be computed, as one plan that any number of workers can do their part of, in any order, again and again.
 
 A task is some rows of one table. Its answer is one Parquet file of used rows, one of the ledger and one of what is
-counted, each written beside its name first and then moved there whole, with the plan's fingerprint inside; done again,
-it is the same bytes.
+counted, each written beside its name first and then moved there whole; done again, it is the same bytes. A note of the
+plan's fingerprint and of the digests of all three, written last, says that a task is done: what differs from it by a
+byte is done again.
 """
 
 from __future__ import annotations
@@ -10,15 +11,17 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
+from sweetspot.numerics.digests import file_digest
 from sweetspot.numerics.whole_files import refusal, sweep, written_whole
 from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.counted import counted_rows
@@ -38,11 +41,10 @@ ONLY_CONTACTS = {
     "intercept_ahead",
 }  # fmt: skip
 """Quantities that contacts alone hang on."""
-BALLS, LEDGER, COUNTED, MARK = "balls", "ledger", "counted", "sweetspot"
-WRITTEN = 6
+BALLS, LEDGER, COUNTED, NOTES = "balls", "ledger", "counted", "done"
+FOLDERS = (BALLS, LEDGER, COUNTED, NOTES)
+WRITTEN = 7
 """What a task writes, counted up when that changes: answers of an earlier form are computed anew."""
-SIZE_SEEN = 1 << 16
-"""Bytes of a file's beginning and end that go into the fingerprint of a plan."""
 
 
 @dataclass(frozen=True)
@@ -92,11 +94,15 @@ class Plan:
         balls, ledger, counted = (self.folder / name / task.name for name in (BALLS, LEDGER, COUNTED))
         return balls, ledger, counted
 
+    def note(self, task: Task) -> Path:
+        """Return the file that says that a task is done."""
+        return (self.folder / NOTES / task.name).with_suffix(".json")
+
 
 def sweep_plan(plan: Plan) -> None:
     """Remove what killed processes left half written among the answers of a plan."""
-    for name in (BALLS, LEDGER, COUNTED):
-        sweep(plan.folder / name, "[0-9]*.parquet")
+    for name in FOLDERS:
+        sweep(plan.folder / name, "[0-9]*.*")
 
 
 def serial(plan: Plan) -> Plan:
@@ -108,17 +114,17 @@ def serial(plan: Plan) -> Plan:
 
 
 def is_done(plan: Plan, task: Task) -> bool:
-    """Return whether the files of a task are there, whole, and of this very plan."""
-    for path in plan.paths(task):
-        try:
-            text = pl.read_parquet_metadata(path).get(MARK, "")
-            rows = pl.scan_parquet(path).select(pl.len()).collect().item()
-            mark = json.loads(text)
-        except (OSError, pl.exceptions.PolarsError, ValueError):
-            return False
-        if mark["plan"] != plan.fingerprint or mark["rows"] != rows:
-            return False
-    return True
+    """Return whether the files of a task are there, byte for byte as this very plan wrote them."""
+    try:
+        return plan.note(task).read_bytes() == _note(plan, task)
+    except OSError:
+        return False
+
+
+def _note(plan: Plan, task: Task) -> bytes:
+    """Return what is noted of a task whose files are there."""
+    digests = {path.parent.name: file_digest(path) for path in plan.paths(task)}
+    return json.dumps({"plan": plan.fingerprint, **digests}).encode()
 
 
 def reader_of(plan: Plan) -> TableReader:
@@ -149,10 +155,12 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
     source = pl.Series("table", [table.path.name], dtype=pl.String)
     own = [column for column in kept.get_columns() if column.name not in {*names, "table", "table_row"}]
     balls, ledger, counted = plan.paths(task)
-    _write(pl.DataFrame([source.new_from_index(0, len(row)), row, *own, *columns]), balls, plan)
+    _write(pl.DataFrame([source.new_from_index(0, len(row)), row, *own, *columns]), balls)
     _write(every.select(source.new_from_index(0, len(every)), _numbered(every, table),
-                        reason=pl.col("reason").cast(pl.Categorical)), ledger, plan)  # fmt: skip
-    _write(counted_rows(rows, answers, table.headings), counted, plan)
+                        reason=pl.col("reason").cast(pl.Categorical)), ledger)  # fmt: skip
+    _write(counted_rows(rows, answers, table.headings), counted)
+    with _room_for(plan.note(task)) as file:
+        file.write(_note(plan, task))
     return task.rows
 
 
@@ -160,12 +168,18 @@ def _numbered(rows: pl.DataFrame, table: TableFile) -> pl.Series:
     return pl.Series("table_row", table.numbers(rows["row"].to_numpy()), dtype=pl.UInt32)
 
 
-def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
+def _write(frame: pl.DataFrame, path: Path) -> None:
+    with _room_for(path) as file:
+        # packed is a fifth smaller, and slower; least and greatest values of columns are half the work of numbers
+        frame.write_parquet(file, compression="uncompressed", statistics=False)
+
+
+@contextmanager
+def _room_for(path: Path) -> Iterator[BinaryIO]:
+    """Yield a file that is written whole; a full disk is said in one line."""
     try:
         with written_whole(path) as file:
-            mark = {MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})}
-            # packed is a fifth smaller, and slower; least and greatest values of columns are half the work of numbers
-            frame.write_parquet(file, compression="uncompressed", statistics=False, metadata=mark)
+            yield file
     except (pl.exceptions.PolarsError, OSError) as error:
         refused = refusal(error)
         reason = refused[1] if refused else str(error).lower()
@@ -199,13 +213,5 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
         digest.update(repr((keys, contact.mois, contact.law, contact.errors, relation)).encode())
     for table in tables:
         digest.update(repr((table.path.name, table.rows, sorted(table.headings.columns.items()))).encode())
-        digest.update(_ends(table.path))
+        digest.update(file_digest(table.path).encode())
     return digest.hexdigest()
-
-
-def _ends(path: Path) -> bytes:
-    size = path.stat().st_size
-    with path.open("rb") as file:
-        first = file.read(SIZE_SEEN)
-        file.seek(max(0, size - SIZE_SEEN))
-        return f"{size}".encode() + first + file.read()

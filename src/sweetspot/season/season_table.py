@@ -40,7 +40,18 @@ from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.flight_columns import FlightSetting
 from sweetspot.season.output_columns import System
 from sweetspot.season.place_relation import PlaceRelation
-from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint, reader_of, serial, sweep_plan
+from sweetspot.season.plan import (
+    BALLS,
+    COUNTED,
+    FOLDERS,
+    LEDGER,
+    Plan,
+    do_task,
+    plan_fingerprint,
+    reader_of,
+    serial,
+    sweep_plan,
+)
 from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
 from sweetspot.season.table_file import frame_headings
@@ -185,7 +196,7 @@ def analyse_season(
         when there is no room for the copy of a CSV file.
     """
     folder = Path(folder)
-    replaced = [(folder / name).resolve() for name in (BALLS, LEDGER, COUNTED)]
+    replaced = [(folder / name).resolve() for name in FOLDERS]
     if among := [path for path in paths if Path(path).resolve().parent in replaced]:
         raise InputError(f"{among[0]} is one of the answers in {folder}, which are replaced; write to another folder")
     staging = folder / ".tables"
@@ -206,7 +217,7 @@ def analyse_season(
     if resume:
         sweep_plan(plan)
     else:
-        for name in (BALLS, LEDGER, COUNTED):
+        for name in FOLDERS:
             shutil.rmtree(folder / name, ignore_errors=True)
     try:
         (run or run_here)(plan, progress)
