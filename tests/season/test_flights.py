@@ -47,7 +47,8 @@ def test_balls_set_out_so_that_they_come_down_where_they_did() -> None:
         """Carry, bearing and landing angle, each ball by the law of its park."""
         found = np.empty((3, len(balls)))
         for law, rows in fields.laws(setting.aerodynamics):
-            own = BallMotions(velocity=launch.velocity[rows], spin=launch.spin[rows], position=launch.position)
+            velocity, spin = np.asarray(launch.velocity)[rows], np.asarray(launch.spin)[rows]
+            own = BallMotions(velocity=velocity, spin=spin, position=launch.position)
             through = FlightConditions(ball=setting.ball, aerodynamics=change(law), air=airs.at(rows))
             one = flights(own, through, step=step, threads=1)
             found[:, rows] = one.carry, one.bearing, one.landing_angle

@@ -10,8 +10,10 @@ from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.flight.air import USUAL_AIR
 from sweetspot.flight.fence import landing
 from sweetspot.flight.sweep import BattedBall
+from sweetspot.report.document import Paragraph
 from sweetspot.report.flight.document import batted_document, batted_flight
 from sweetspot.report.quantities import US
+from sweetspot.report.sentences import Sentence
 from sweetspot.season.season_table import season_columns, season_setting
 from sweetspot.units import DEGREE, FOOT, MPH
 
@@ -52,7 +54,9 @@ def test_no_home_run_is_called_one_that_has_a_chance_of_a_third() -> None:
         hit, ball=catalog.ball(), sport=catalog.sport("baseball"), aerodynamics=aerodynamics(), park=park
     )
     assert landing(flown.flight.positions, park).outcome == "home run" and 0.2 < flown.chance < 0.45
-    said = " ".join(str(block.words.read(US)) for block in batted_document(flown).blocks if hasattr(block, "words"))
+    first = batted_document(flown).blocks[0]
+    assert isinstance(first, Paragraph) and isinstance(first.words, Sentence)
+    said = first.words.read(US)
     assert "top: such balls stay in more often than not" in said and "home run." not in said.split("likelier")[0]
     counted = season_columns(
         pl.DataFrame({"launch_speed": [103.0], "launch_angle": [28.0], "bearing_deg": [0.0], "home_team": ["CHC"]}),

@@ -6,10 +6,12 @@ import re
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import polars as pl
 import pytest
 
+from sweetspot.errors import InputError
 from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.table_warnings import WARNINGS
 from tests.season.conftest import made_up
@@ -85,6 +87,47 @@ def test_a_trap_is_named_with_its_rows(name: str, tmp_path: Path) -> None:
     season = analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
     found = [one for one in season.survey.warnings if one.name == name]
     assert [(one.count, one.rows[:3]) for one in found] == [(count, rows)]
+
+
+UNITS: dict[str, tuple[dict[str, pl.Expr], str]] = {
+    "bat speed in m/s": ({"bat_speed": pl.col("bat_speed") * 0.447}, r"bat_speed is 31\.\d mph .* are they m_s\?"),
+    "bat speed in km/h": ({"bat_speed": pl.col("bat_speed") * 1.609}, r"bat_speed is 114 mph .* are they km_h\?"),
+    "exit speed in m/s": ({"launch_speed": pl.col("launch_speed") * 0.447}, r"launch_speed is 3\d.* are they m_s\?"),
+    "exit speeds, a third of them too fast": ({"launch_speed": pl.col("launch_speed") * 1.3}, "many exit speeds"),
+    "pitch speed in m/s": ({"release_speed": pl.col("release_speed") * 0.447}, r"release_speed is .* are they m_s\?"),
+    "attack angle in radians": ({"attack_angle": pl.col("attack_angle") * 0.01745}, "no attack_angle .* radians"),
+    "tilt in radians": ({"swing_path_tilt": pl.col("swing_path_tilt") * 0.01745}, "no swing_path_tilt .* radians"),
+    "place in m": ({"plate_z": pl.col("plate_z") * 0.3048}, r"plate_z is 0\.7\d+ ft .* are they m\?"),
+    "distance in m": ({"hit_distance_sc": pl.col("hit_distance_sc") * 0.3048}, r"hit_distance_sc is 12\d ft .*"),
+    "Celsius as Fahrenheit": ({"temperature_f": pl.lit(25.0)}, "temperature_f is 25 °F .* are they degc"),
+    "pressure at the field": ({"pressure_hpa": pl.lit(975.0)}, "pressure_hpa is 975 hPa .* reduced to sea level"),
+    "humidity as a ratio": ({"humidity_%": pl.lit(0.5)}, r"humidity_% is 0\.5 % .* are they ratio"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("ending", ["csv", "parquet"])
+@pytest.mark.parametrize("what", UNITS)
+def test_a_column_in_another_unit_is_doubted(what: str, ending: str, tmp_path: Path) -> None:
+    """And no other column with it; a Parquet file tells ranges by itself, so not all columns are read."""
+    change, words = UNITS[what]
+    made = made_up(300).with_columns(**change)
+    path = tmp_path / f"table.{ending}"
+    made.write_csv(path) if ending == "csv" else made.write_parquet(path)
+    season = analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
+    (found,) = [one for one in season.survey.warnings if one.name in ("unit", "swapped")]
+    assert found.name == "unit" and re.match(words, found.detail), found
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"launch_speed": pl.col("launch_speed") * 1.609}, "launch_speed is 1[56]\\d mph in the median.* are they km_h"),
+    ({"launch_speed": "launch_angle", "launch_angle": "launch_speed"}, "exit speed and launch angle"),
+])  # fmt: skip
+def test_a_table_of_which_most_cannot_be_is_refused(change: dict[str, Any], words: str, tmp_path: Path) -> None:
+    """In km/h, and with speeds and angles exchanged; what is left would be no sample of anything."""
+    path = tmp_path / "table.csv"
+    made_up(300).with_columns(pl.col("launch_speed") * 1.15).with_columns(**change).write_csv(path)
+    with pytest.raises(InputError, match=f"of 300 balls .*cannot be.*{words}.*--column"):
+        analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
 
 
 def test_a_table_without_traps_has_few_warnings(tmp_path: Path) -> None:

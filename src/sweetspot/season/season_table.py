@@ -36,6 +36,7 @@ from sweetspot.season.balls import balls_of
 from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
 from sweetspot.season.csv_copy import LEFT_OUT
+from sweetspot.season.doubts import ENOUGH
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.flight_columns import FlightSetting
 from sweetspot.season.output_columns import System
@@ -249,7 +250,7 @@ def _withdraw(staging: Path, fresh: Sequence[Path]) -> None:
 
 
 def _require_balls(survey: Survey) -> None:
-    """Refuse tables of which none can be read, or none holds a ball in play."""
+    """Refuse tables of which none can be read, or none holds a ball in play, or most balls cannot be."""
     if not survey.tables:
         raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
     if not any(counts[USED] for counts in survey.counts):
@@ -259,6 +260,14 @@ def _require_balls(survey: Survey) -> None:
             f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
             f"{'; '.join(one for one in why if not one.startswith('0 '))}{_unread(survey)}. Look at its columns with "
             "--show-columns"
+        )
+    refused, used = (sum(counts.get(reason, 0) for counts in survey.counts) for reason in ("impossible", USED))
+    if refused >= max(ENOUGH, used):
+        doubts = (one.detail for one in survey.warnings if one.name in ("swapped", "unit"))
+        raise InputError(
+            f"{survey.tables[0].path}: {refused} of {refused + used} balls in play have an exit speed or launch angle "
+            f"that cannot be ({next(doubts, 'allowed is 1 to 125 mph and -90 to 90 degrees')}). Mend the headings, or "
+            "say what the columns are, as in --column exit_speed=HEADING:km/h"
         )
 
 

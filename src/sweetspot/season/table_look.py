@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from sweetspot.flight.bearing import bearing_of_place
 from sweetspot.season.balls import FIRST_MIDDLE_SEASON
+from sweetspot.season.doubts import ANGLES, DOUBTFUL, ENOUGH, IMPOSSIBLE, LEVEL, exchanged, unusual
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.fields import ELSEWHERE, home_park
 from sweetspot.season.headings import Headings
@@ -20,7 +21,7 @@ from sweetspot.season.rows import BUNTED, DATED, POSSIBLE, REASONED, REASONS, SI
 from sweetspot.season.same_pitch import tells_pitches
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_warnings import TableWarning
-from sweetspot.units import DEGREE, MPH, grouped, is_usual
+from sweetspot.units import DEGREE, MPH, grouped
 
 LOOKED_AT = (*POSSIBLE, "home_team", "game_kind", *REASONED, *SIDED, *DATED)
 """Quantities that the first look asks of every row; of the others only whether they hold anything."""
@@ -35,18 +36,14 @@ FEW = 50
 """Balls below which their ending alike may be chance."""
 LONGEST_GAP = 5
 """Days without a game inside a table before it is said; an all-star break has four."""
-ENOUGH_TO_DOUBT = 30
-"""Balls of a part of a table from which columns are doubted."""
-DOUBTFUL = ("exit_speed", "bat_speed", "launch_angle", "map_x", "map_y")
-"""Quantities whose columns are doubted."""
-ASKED_ALWAYS = (*DOUBTFUL, "velocity_y", "release_speed", "plate_speed")
+ASKED_ALWAYS = (*(name for name in DOUBTFUL if name not in ANGLES), "velocity_y")
 """Quantities of which a first look asks in which rows they are missing, or more."""
 DOUBTED = 4096
 """Balls of a part that are looked at for that, evenly drawn."""
 HIGH = 1000.0
 """m above the sea; of a park above it, Denver's, counts and lists say more than is told (`studies/park_ranking.py`)."""
-LEVEL, FAIR = math.radians(1.6), math.radians(50)
-"""rad; no launch angle above the first: they are written in radians; bearings beyond the second are foul."""
+FAIR = math.radians(50)
+"""rad; bearings beyond are foul."""
 MOST_FOUL = 0.3
 """Part of the balls in play that may come down foul; caught ones are a tenth at most."""
 
@@ -74,11 +71,13 @@ class TableLook:
         looked_at = [name for name in LOOKED_AT if name not in self.sure]
         return list(dict.fromkeys((*looked_at, *self.texts, *unseen)))
 
-    def _note(self, name: str, rows: pl.DataFrame, condition: pl.Expr | None = None, detail: str = "") -> None:
+    def _note(
+        self, name: str, rows: pl.DataFrame, condition: pl.Expr | None = None, detail: str = "", of: str = ""
+    ) -> None:
         row = pl.col("row")
         where = rows.select(row if condition is None else row.filter(condition))["row"]
         if len(where):
-            warning = self.seen.setdefault(name, TableWarning(name, self.number, detail=detail))
+            warning = self.seen.setdefault(f"{name} {of}".strip(), TableWarning(name, self.number, detail=detail))
             warning.count += len(where)
             warning.rows += self.table.numbers(where.head(SHOWN - len(warning.rows)).to_numpy()).tolist()
 
@@ -121,8 +120,7 @@ class TableLook:
             self._note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~told)
         if headings.has("home_team"):
             self._note_parks(used)
-        doubted = used.select(name for name in DOUBTFUL if headings.has(name))
-        self._doubt(used, doubted.gather_every(max(1, len(used) // DOUBTED)))
+        self._doubt(rows.filter(pl.col("reason").is_in([USED, "impossible"])) if "impossible" in counts else used)
         if headings.has("event"):
             self.endings |= set(used["event"].drop_nulls().unique())
 
@@ -157,27 +155,27 @@ class TableLook:
             )
             self._note("placeholders", pairs, pl.col("pair").is_in(found.tolist()), detail=shown)
 
-    def _doubt(self, used: pl.DataFrame, some: pl.DataFrame) -> None:
-        """Note columns that seem to stand in each other's place, or in another unit, by some of the balls."""
-        has = self.table.headings.has
-        if len(some) < ENOUGH_TO_DOUBT:
+    def _doubt(self, played: pl.DataFrame) -> None:
+        """Note columns that seem to stand in each other's place, or in another unit, by some of the balls in play."""
+        has, columns = self.table.headings.has, self.table.headings.columns
+        some = played.select(name for name in ("reason", *DOUBTFUL) if name in played.columns)
+        some = some.gather_every(max(1, len(played) // DOUBTED))
+        if len(some) < ENOUGH:
             return
-
-        def middle(name: str) -> float:
-            return float(some[name].median() or 0.0) if has(name) else 0.0  # type: ignore[arg-type]
-
-        ball, bat = middle("exit_speed"), middle("bat_speed")
-        if bat and ball and bat > ball:
-            self._note("swapped", used, detail="bats faster than the balls they hit: bat speed and exit speed")
-        if ball and not is_usual(ball, "median_exit_speed"):
-            self._note("unit", used, detail=f"exit speeds are {ball / MPH:.0f} mph in the median")
-        if has("launch_angle") and 0 < float(some["launch_angle"].abs().max() or 0.0) < LEVEL:  # type: ignore[arg-type]
-            self._note("unit", used, detail="no launch angle is above 1.6 degrees: are they radians?")
+        place, units = exchanged(some), dict(unusual(some, columns))
+        if place and not ("bats" in place and {"bat_speed", "exit_speed"} & set(units)):
+            self._note("swapped", played, detail=place)
+            for name in ("exit_speed", "launch_angle"):
+                units.pop(name, None)
+        if not place and "exit_speed" not in units and (some["reason"] != USED).mean() > IMPOSSIBLE:  # type: ignore[operator]
+            units["exit_speed"] = "many exit speeds or launch angles cannot be"
+        for name, words in units.items():
+            self._note("unit", played, detail=words, of=name)
         if has("map_x") and has("map_y"):
             places = some.select("map_x", "map_y").drop_nulls()
             bearing = bearing_of_place(places["map_x"].to_numpy(), places["map_y"].to_numpy())
-            if len(places) >= ENOUGH_TO_DOUBT and float((abs(bearing) > FAIR).mean()) > MOST_FOUL:
-                self._note("swapped", used, detail="most balls in play came down foul: hc_x and hc_y")
+            if len(places) >= ENOUGH and float((abs(bearing) > FAIR).mean()) > MOST_FOUL:
+                self._note("swapped", played, detail="most balls in play came down foul: hc_x and hc_y", of="map")
 
     def warnings(self) -> list[TableWarning]:
         table, number = self.table, self.number
@@ -252,7 +250,8 @@ def _surely_possible(table: TableFile, schema: pl.Schema) -> set[str]:
         if name in POSSIBLE and name not in ASKED_ALWAYS and column.heading in table.footer.ranges:
             least, most = POSSIBLE[name]
             ends = sorted(column.zero + column.factor * end for end in table.footer.ranges[column.heading])
-            if least <= ends[0] <= ends[1] <= most and schema[column.heading].is_float():
+            told = name not in ANGLES or max(-ends[0], ends[1]) > LEVEL  # else they are looked at: are they radians?
+            if told and least <= ends[0] <= ends[1] <= most and schema[column.heading].is_float():
                 sure.add(name)
     return sure
 

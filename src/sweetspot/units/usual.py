@@ -77,7 +77,6 @@ USUAL: dict[str, Usual] = {
     "bat_speed": Usual(5, 150, "mph", MPH, above=0, below=MOST_BAT_SPEED),
     "closing_speed": Usual(0, 275, "mph", MPH, "it is that of ball and bat together", above=0),
     "median_bat_speed": Usual(33, 95, "mph", MPH, FILE_UNITS),
-    "median_exit_speed": Usual(33, 118, "mph", MPH, FILE_UNITS),
     "launch_angle": Usual(-89, 89, "deg", DEGREE, "0deg is level, 90deg straight up"),
     "spray": Usual(-90, 90, "deg", DEGREE, "0deg is centre field, 45deg the right foul line"),
     "bearing": Usual(-90, 90, "deg", DEGREE, "0deg is centre field, 45deg the right foul line"),
