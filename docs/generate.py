@@ -30,6 +30,7 @@ from figures import (
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
+from sweetspot.answers.report import report_of
 from sweetspot.report.bat.figure import report_figure
 
 HERE = Path(__file__).resolve().parent
@@ -39,7 +40,7 @@ SVG = {"svg.hashsalt": "sweetspot", "svg.fonttype": "path", "font.family": "Deja
 def figures() -> dict[str, Callable[[], Figure]]:
     """Return every figure by the name of its file."""
     return {
-        "flagship": lambda: report_figure(analysed()),
+        "flagship": lambda: report_figure(report_of(analysed())),
         "axes": axes.axes_figure,
         "sweet_spots": spots.sweet_spots_figure,
         "modes": spots.modes_figure,

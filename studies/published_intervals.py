@@ -18,17 +18,16 @@ from dataclasses import dataclass
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only get in each other's way
 
 from functools import cache
-
-import numpy as np
+from typing import Any
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.answers.hit import HitQuestion, hit_answer
-from sweetspot.calibration.draws.drawn_reports import drawn_report
-from sweetspot.calibration.draws.intervals import DrawnAnswers
+from sweetspot.answers.report import ReportAnswer, report_of
 from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.interval import Interval
 from sweetspot.units import INCH, MPH
 
 
@@ -40,8 +39,8 @@ class Value:
     ----------
     source, what, printed : key of the source, the quantity, and the number as printed.
     name : of the implement in the catalogue.
-    answer : name of the draws' answer, or a field of `HitAnswer` for one hit; several that are one list: with the
-        number behind it.
+    answer : fields and numbers on the way to it in `ReportAnswer`, or in `HitAnswer` for one hit; behind "tip/":
+        counted from the tip.
     low, high : ends of what is printed, in ``unit`` (SI size); equal for one number.
     from_tip : m; where it is hit, None: the whole report is asked.
     closing : m/s; None: the sport's usual hit.
@@ -60,32 +59,32 @@ class Value:
 
 
 VALUES = (
-    Value("russell_bendsweet", "frequency of mode 2, Hz", "670", "youth-30", "modes.1.frequency_hz", 670, 670),
-    Value("russell_bendsweet", "frequency of mode 3, Hz", "1252", "youth-30", "modes.2.frequency_hz", 1252, 1252),
-    Value("russell_batvibes", "frequency of mode 1, Hz", "170", "r161-ash", "modes.0.frequency_hz", 170, 170),
-    Value("russell_batvibes", "node of mode 1, in from the knob", "about 6", "r161-ash", "modes.0.nodes_m/0", 5.5,
+    Value("russell_bendsweet", "frequency of mode 2, Hz", "670", "youth-30", "modes/1/frequency", 670, 670),
+    Value("russell_bendsweet", "frequency of mode 3, Hz", "1252", "youth-30", "modes/2/frequency", 1252, 1252),
+    Value("russell_batvibes", "frequency of mode 1, Hz", "170", "r161-ash", "modes/0/frequency", 170, 170),
+    Value("russell_batvibes", "node of mode 1, in from the knob", "about 6", "r161-ash", "modes/0/nodes/0", 5.5,
           6.5, INCH),
     Value("nathan2003", "greatest exit speed, in from the tip", "4 to 6", "r161-ash",
-          "tip/sweet_spots.max_exit_speed_m", 4, 6, INCH),
+          "tip/sweet_spots/max_exit_speed", 4, 6, INCH),
     Value("nathan2003", "greatest q, in from the tip", "4 to 6", "r161-ash",
-          "tip/sweet_spots.max_collision_efficiency_m", 4, 6, INCH),
+          "tip/sweet_spots/max_collision_efficiency", 4, 6, INCH),
     Value("nathan2003", "greatest exit speed, in from the tip", "4 to 6", "russell-b1",
-          "tip/sweet_spots.max_exit_speed_m", 4, 6, INCH),
+          "tip/sweet_spots/max_exit_speed", 4, 6, INCH),
     Value("nathan2011corked", "greatest q at 164 mph", "0.214", "r161-ash", "collision_efficiency", 0.214, 0.214,
           from_tip=6.7 * INCH, closing=164 * MPH),
     Value("nathan_slides", "exit speed per pitch speed and bat speed: q", "0.2", "r161-ash",
-          "best_hit.collision_efficiency", 0.2, 0.2),
+          "best_hit/collision_efficiency", 0.2, 0.2),
     Value("hockey2012", "q 2 cm from the toe, 19 m/s", "-0.32 ± 0.05", "hockey-stick", "collision_efficiency", -0.37,
           -0.27, from_tip=0.02, closing=19.0),
     Value("hockey2012", "q on the shaft, 16 m/s", "-0.18 ± 0.02", "hockey-stick", "collision_efficiency", -0.20, -0.16,
           from_tip=0.25, closing=16.0),
-    Value("cross_cricket", "node of mode 1, cm from the toe", "about 15", "cricket-bat", "tip/sweet_spots.node_1_m",
+    Value("cross_cricket", "node of mode 1, cm from the toe", "about 15", "cricket-bat", "tip/sweet_spots/node_1",
           14.5, 15.5, 0.01),
     Value("cross1999racket", "contact time at 5 m/s, ms", "about 5", "tennis-racket", "contact_time", 4.5, 5.5, 1e-3,
           from_tip=0.16, closing=5.0),
-    Value("trackman_tour", "ball speed of the driver, mph", "167", "golf-driver", "best_hit.exit_speed_m_s", 166.5,
+    Value("trackman_tour", "ball speed of the driver, mph", "167", "golf-driver", "best_hit/exit_speed", 166.5,
           167.5, MPH),
-    Value("golf_smash_tour", "smash factor", "1.48 to 1.49", "golf-driver", "best_hit.smash_factor", 1.48, 1.49),
+    Value("golf_smash_tour", "smash factor", "1.48 to 1.49", "golf-driver", "best_hit/smash_factor", 1.48, 1.49),
     Value("cohen2015", "contact time of a shuttle, ms", "1", "badminton-racket", "contact_time", 0.5, 1.5, 1e-3,
           from_tip=0.13, closing=20.0),
 )  # fmt: skip
@@ -99,17 +98,17 @@ def analysed(name: str) -> Analysis[Implement]:
 
 
 @cache
-def reported(name: str) -> DrawnAnswers:
-    """Return the draws of an implement's report."""
+def reported(name: str) -> ReportAnswer:
+    """Return an implement's report with intervals."""
     analysis = analysed(name)
-    return drawn_report(analysis, sources_of(analysis.bat, analysis.conditions))
+    return report_of(analysis, sources_of(analysis.bat, analysis.conditions), drawn=True)
 
 
 def interval(value: Value) -> tuple[float, float, float]:
     """Return what the program says of it and the ends of its interval, in the value's unit."""
     analysis = analysed(value.name)
     if value.from_tip is None:
-        answers = reported(value.name)
+        found: Any = reported(value.name)
     else:
         assert value.closing is not None
         place, swing, thrown = (
@@ -124,17 +123,11 @@ def interval(value: Value) -> tuple[float, float, float]:
             ),
         )  # fmt: skip
         question = HitQuestion(analysis.bat, still, place, sources=sources_of(analysis.bat, still))
-        sure = getattr(hit_answer(question), value.answer)
-        return tuple(end / value.unit for end in (sure.value, sure.low, sure.high))
-    _, _, rest = value.answer.rpartition("tip/")
-    name, _, number = rest.partition("/")
-    low, high = (np.ravel(end)[int(number or 0)] for end in answers.ends(name))
-    centre = np.ravel(answers.values[name][0])[int(number or 0)]
-    ends = (centre, low, high)
-    if value.answer.startswith("tip/"):
-        ends = tuple(analysis.bat.length - one for one in (centre, high, low))
-    said, least, most = (float(one) / value.unit for one in ends)
-    return said, least, most
+        found = hit_answer(question)
+    for step in value.answer.removeprefix("tip/").split("/"):
+        found = found[int(step)] if step.isdigit() else getattr(found, step)
+    sure: Interval = analysis.bat.length - found if value.answer.startswith("tip/") else found
+    return sure.value / value.unit, sure.low / value.unit, sure.high / value.unit
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 import pytest
 
-from sweetspot.answers.records import INTERNAL, Length, Mass, Ratio, Speed, to_dict, with_intervals
+from sweetspot.answers.records import INTERNAL, Columns, Length, Mass, Ratio, Speed, to_dict, with_intervals
 from sweetspot.calibration.draws.intervals import Reach, reach_of_draws
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve, Interval, Number
@@ -77,7 +77,7 @@ def test_us_units_change_keys_and_numbers_alike() -> None:
 def test_draws_put_intervals_beside_numbers_curves_and_those_of_inner_records() -> None:
     draws = np.concatenate([[10.0], np.linspace(8.0, 12.0, 401)])
     nodes = np.stack([draws / 100, draws / 50], axis=1)
-    columns = {"speed": draws, "parts": {"heat": draws / 5}, "modes": ({"nodes": nodes}, {}), "mass": draws}
+    columns: Columns = {"speed": draws, "parts": {"heat": draws / 5}, "modes": ({"nodes": nodes}, {}), "mass": draws}
     found = with_intervals(thrown(), columns, reach_of_draws)
     assert isinstance(found.speed, Interval)
     assert (found.speed.low, found.speed.value, found.speed.high) == pytest.approx((8.2, 10.0, 11.8))

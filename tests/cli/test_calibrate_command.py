@@ -13,9 +13,9 @@ import pytest
 from scipy.io import wavfile
 
 from sweetspot import catalog
+from sweetspot.answers.report_draws import drawn_report
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.calibration.draws.drawn_plays import drawn_flight, drawn_play
-from sweetspot.calibration.draws.drawn_reports import drawn_report
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt, comparison_with_doubt

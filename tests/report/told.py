@@ -10,6 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.answers.report import ReportAnswer, report_of
+from sweetspot.calibration.draws.sources import sources_of
+from sweetspot.equipment.implement import Implement
 from sweetspot.report.document import Block, Bullets, Cards, Cell, Document, Paragraph, Question, Section, Table
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Bounds, Doubtful, Part, Sentence, Slot, Span, Words, read
@@ -96,6 +100,11 @@ def unknown_numbers(document: Document, allowed: Iterable[float] = ()) -> list[t
         for number in numbers_in(words)
         if not (math.isfinite(number) and np.isclose(known, abs(number), rtol=1e-6, atol=1e-9).any())
     ]
+
+
+def reported(analysis: Analysis[Implement]) -> ReportAnswer:
+    """Return the report of an analysis as `sweetspot report` gives it without draws."""
+    return report_of(analysis, sources_of(analysis.bat, analysis.conditions))
 
 
 def check_sentences(document: Document, readers: Iterable[Reader], allowed: Iterable[float] = ()) -> None:

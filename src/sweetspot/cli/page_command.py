@@ -41,9 +41,9 @@ def prepare() -> None:
     from sweetspot.web.first_answers import prepare as prepare_all
 
     prepare_all(answer_json, lambda words: print(f"sweetspot: {words}", file=sys.stderr))
-    from sweetspot.calibration.draws.drawn_reports import drawn_report
+    from sweetspot.answers.report import report_of
     from sweetspot.calibration.draws.sources import sources_of
     from sweetspot.catalog.standard_hit import standard_analysis
 
     analysis = standard_analysis("r161-ash")
-    drawn_report(analysis, sources_of(analysis.bat, analysis.conditions), count=4)  # compiles what --uncertainty needs
+    report_of(analysis, sources_of(analysis.bat, analysis.conditions), drawn=True, draws=4)  # compiles what draws need

@@ -25,6 +25,7 @@ def report(
     """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import analyse_reduced, check_swing, outweighed
+    from sweetspot.answers.report import report_of
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.reduction import reduced_bat
@@ -44,17 +45,5 @@ def report(
             return present(unhit_document(reduced, conditions), output, long=appendix)
         analysis = analyse_reduced(reduced, conditions)
         sources = sources_for(bat, implement, analysis.conditions, swing)
-        if not uncertainty:
-            document = report_document(analysis, sources=sources)
-        else:
-            from sweetspot.calibration.draws.drawn_reports import drawn_report
-            from sweetspot.report.bat.words import misses_of
-            from sweetspot.report.uncertainty.uncertainty_section import uncertain
-
-            misses = misses_of(analysis)
-            answers = drawn_report(analysis, sources, misses=misses)
-            document = uncertain(
-                report_document(analysis, misses=misses, reaches=answers.reaches), answers,
-                main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described,
-            )  # fmt: skip
+        document = report_document(report_of(analysis, sources, drawn=uncertainty))
     return present(document, output, long=appendix)

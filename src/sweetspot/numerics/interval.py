@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+
+import numpy as np
 
 from sweetspot.numerics.arrays import Array
 
@@ -37,6 +40,10 @@ class Interval:
     def __rsub__(self, exact: float) -> Interval:
         return (-self).shifted(exact)
 
+    def __rmul__(self, exact: float) -> Interval:
+        ends = sorted((exact * self.low, exact * self.high))
+        return Interval(exact * self.value, *ends)
+
 
 @dataclass(frozen=True)
 class Band:
@@ -46,8 +53,24 @@ class Band:
     low: Array
     high: Array
 
+    def __getitem__(self, index: int) -> Number:
+        value, low, high = (float(side[index]) for side in (self.value, self.low, self.high))
+        return Interval(value, low, high) if math.isfinite(low) and math.isfinite(high) else value
+
 
 Number = float | Interval
 """A number, with its interval where one is known."""
 Curve = Array | Band
 """A curve, with its interval where one is known."""
+
+
+def values_of(curve: Curve) -> Array:
+    """Return a curve without its intervals."""
+    return curve.value if isinstance(curve, Band) else curve
+
+
+def interpolated(curve: Curve, places: Array, at: float) -> Number:
+    """Return a curve's number between its points, with its interval, where the curve has one."""
+    if isinstance(curve, Band):
+        return Interval(*(float(np.interp(at, places, side)) for side in (curve.value, curve.low, curve.high)))
+    return float(np.interp(at, places, curve))

@@ -8,6 +8,8 @@ from typing import Any
 from fastapi import APIRouter
 
 from sweetspot import catalog
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.ballparks import field_names
 from sweetspot.catalog.deliveries import delivery_names, other_delivery_names
 from sweetspot.catalog.rules import league, league_names
@@ -15,7 +17,6 @@ from sweetspot.catalog.word_meanings import terms as all_terms
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.quantity_table import quantity_data, words_in_both_systems
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
@@ -139,6 +140,6 @@ def _by_name(implement: tuple[str, str, str]) -> tuple[str, str]:
 
 
 def _facts(key: str, bat: Bat) -> BatFacts:
-    known = bat_json(bat.name, bat.length, rigid_body(beam_model(bat)))
+    known = to_dict(mass_properties(bat, rigid_body(beam_model(bat))))
     facts = {name: known[name] for name in BatFacts.model_fields if name in known}
     return BatFacts(key=key, hollow=bat.shell is not None, sport=bat.sport, **facts)

@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
@@ -14,7 +16,6 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.report.bat.json import bat_json
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import swung, usual
 from sweetspot.web.one_system import in_one_system
@@ -27,7 +28,7 @@ POINTS = 120
 def bat_picture(state: BatState, reduced: ReducedBat) -> dict[str, Any]:
     """Return a state's bat: its facts, its outline, how far its controls may go, and what is usual in its sport."""
     return {
-        **bat_json(reduced.bat.name, reduced.bat.length, reduced.body),
+        **to_dict(mass_properties(reduced.bat, reduced.body)),
         "moi_6in_half_kg_m2": moi_half(reduced.bat, reduced.body),
         **outline(reduced.bat),
         "bounds": bounds(state, reduced.bat),

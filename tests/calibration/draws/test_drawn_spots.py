@@ -9,10 +9,10 @@ import pytest
 
 from sweetspot import analyse, catalog
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.analysis.miss_cost import Loss
 from sweetspot.analysis.sweet_spot import max_exit_speed, miss_cost, sweet_zone
+from sweetspot.answers.report import Miss
+from sweetspot.answers.report_draws import DESCRIBED
 from sweetspot.calibration.draws.drawn_hits import draws_of
-from sweetspot.calibration.draws.drawn_reports import DESCRIBED
 from sweetspot.calibration.draws.drawn_spots import drawn_nodes, highest, missed, zones
 from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
@@ -21,6 +21,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Interval
 
 
 @pytest.fixture(scope="module")
@@ -57,23 +58,23 @@ def test_places_and_zones_are_those_of_every_bat_alone(analysis: Analysis[Bat], 
 
 def test_misses_cost_what_they_cost_every_bat_alone(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
     speed, position = curves[0], analysis.scan.position
-    exact, none = Loss(1.0, 1.0, 1.0), Loss(np.nan, np.nan, np.nan)
-    found = missed(position, speed, [(0.05, exact, exact), (0.5, exact, none)])
+    near, far = missed(position, speed, [Miss(0.05, 1.0, 1.0), Miss(0.5, 1.0, np.nan)])
     for row, one in enumerate(speed):
         alone = miss_cost(replace(analysis.scan, exit_speed=one), 0.05)
-        assert (found["misses.0.inside_m_s"][row], found["misses.0.outside_m_s"][row]) == pytest.approx(alone)
-    assert np.isnan(found["misses.1.outside_m_s"]).all()
+        assert (near["inside"][row], near["outside"][row]) == pytest.approx(alone)
+    assert np.isnan(far["outside"]).all()
 
 
 def test_another_law_of_the_ball_widens_what_misses_cost(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
     """Draws reach evenly from our law to the other one, which may cost more or less; the first draw is ours."""
     speed, position = np.repeat(curves[0][:1], 65, axis=0), analysis.scan.position
     value = miss_cost(analysis.scan, 0.05)[0]
-    found = missed(position, speed, [(0.05, Loss(value, value, value + 2.0), Loss(value, value - 2.0, value))])
-    more = found["misses.0.inside_m_s"] - value
+    inside, outside = Interval(value, value, value + 2.0), Interval(value, value - 2.0, value)
+    (found,) = missed(position, speed, [Miss(0.05, inside, outside)])
+    more = found["inside"] - value
     assert more[0] == pytest.approx(0.0)
     assert (more[1:].min(), more[1:].mean(), more[1:].max()) == pytest.approx((0.0, 1.0, 2.0), abs=0.05)
-    assert found["misses.0.outside_m_s"][np.argmax(more)] < found["misses.0.outside_m_s"][0] - 1.9
+    assert found["outside"][np.argmax(more)] < found["outside"][0] - 1.9
 
 
 @pytest.mark.parametrize("name", ["r161-ash", "college-alloy", "tennis-racket", "golf-driver"])

@@ -13,19 +13,19 @@ import numpy as np
 import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
+from sweetspot.answers.report import misses_of, report_of
 from sweetspot.calibration.draws.linear_doubt import speed_doubt
 from sweetspot.calibration.draws.sources import sources_of as unknown_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 from sweetspot.references import keys
 from sweetspot.report import file_set
 from sweetspot.report.bat.beside_published import _predicts, chosen
 from sweetspot.report.bat.document import report_document
-from sweetspot.report.bat.json import report_json
 from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
-from sweetspot.report.bat.words import misses_of
 from sweetspot.report.document import Section
 from sweetspot.report.file_set import check_folder, files_of, write_folder
 from sweetspot.report.files import write_document
@@ -36,6 +36,7 @@ from sweetspot.report.sport_words import words_of
 from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.report.terminal import to_terminal
 from sweetspot.units import INCH, MPH, OUNCE
+from tests.report.told import reported
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
 NAMES = files_of("report")
@@ -87,7 +88,7 @@ class Page(HTMLParser):
 
 
 def write_report(analysis: Analysis, folder: Path) -> list[Path]:
-    return write_document(report_document(analysis), folder, reader=US)
+    return write_document(report_document(reported(analysis)), folder, reader=US)
 
 
 @pytest.fixture(scope="module")
@@ -122,7 +123,7 @@ def test_all_files_are_there_and_nothing_else(written: dict[str, Path]) -> None:
 def test_json_is_the_border_contract(written: dict[str, Path], analysis: Analysis) -> None:
     told = json.loads(written["report.json"].read_text())
     half = told["best_hit"].pop("exit_speed_half_m_s")
-    assert told == json.loads(json.dumps(report_json(analysis)))
+    assert told == json.loads(json.dumps(report_of(analysis).to_dict()))
     doubt = speed_doubt(analysis, unknown_of(analysis.bat, analysis.conditions))
     assert doubt is not None and half == pytest.approx(REACH * doubt.error)
 
@@ -182,13 +183,14 @@ def test_other_numbers_are_the_analysis_s(read: Page, analysis: Analysis) -> Non
     speed = exit_speed_of(analysis.best, analysis.conditions)
     assert read.row("exit speed") == ["exit speed", f"{speed / MPH:.1f} mph"]
     for miss, name in zip(misses_of(analysis), ("1 in", "2 in", "3 in"), strict=True):
-        costs = [f"{loss.value / MPH:.1f} mph ({loss.low / MPH:.1f} to {loss.high / MPH:.1f})" for loss in miss[1:]]
+        sides = [side for side in (miss.inside, miss.outside) if isinstance(side, Interval)]
+        costs = [f"{side.value / MPH:.1f} mph ({side.low / MPH:.1f} to {side.high / MPH:.1f})" for side in sides]
         assert read.row(name) == [name, *costs]
     assert read.row("pitch")[1] == "90.0 mph"
 
 
 def test_the_same_page_in_si(analysis: Analysis) -> None:
-    text = page(report_document(analysis), SI)
+    text = page(report_document(reported(analysis)), SI)
     visible = re.sub(r"<style>.*?</style>|<svg.*?</svg>", " ", text, flags=re.DOTALL)
     visible = visible[: visible.index("Beside published values")]
     assert " mph" not in visible and " oz" not in visible and "cm from the tip" in visible
@@ -196,7 +198,7 @@ def test_the_same_page_in_si(analysis: Analysis) -> None:
 
 
 def test_the_appendix_opens_when_asked(analysis: Analysis) -> None:
-    document = report_document(analysis)
+    document = report_document(reported(analysis))
     assert '<details class="appendix">' in page(document, US)
     assert '<details class="appendix" open>' in page(document, US, long=True)
 
@@ -326,14 +328,14 @@ def test_a_held_bat_is_not_called_free(analysis: Analysis) -> None:
 
     held = analysis.conditions.replaced(hands=Hands(position=0.15, mass=0.3, stiffness=2e4, damping=100.0))
     gripped = analyse(analysis.bat, held)
-    free, tight = (page(report_document(one), US) for one in (analysis, gripped))
+    free, tight = (page(report_document(reported(one)), US) for one in (analysis, gripped))
     assert "The bat is free" in free and "The bat is free" not in tight
     assert "mass, spring and damper each" in tight and "mass, spring and damper each" not in free
 
 
 def test_a_terminal_does_not_wait_for_the_appendix(analysis: Analysis) -> None:
     """Published numbers are judged for a page only, which takes as long as the analysis itself."""
-    document = report_document(analysis)
+    document = report_document(reported(analysis))
     assert to_terminal(document, US).renderables
     assert "appended" not in vars(document)
     assert "sources" in {block.name for block in document.appended if isinstance(block, Section)}

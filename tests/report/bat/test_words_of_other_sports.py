@@ -9,12 +9,13 @@ from sweetspot.report.bat.document import report_document
 from sweetspot.report.document import Paragraph, Picture
 from sweetspot.report.quantities import SI
 from sweetspot.report.sentences import read
+from tests.report.told import reported
 
 
 @pytest.mark.parametrize(("name", "zone"), [("badminton-racket", ""), ("tennis-racket", "Shaded: the power zone.")])
 def test_a_shuttle_is_no_ball_and_only_a_zone_is_shaded(name: str, zone: str) -> None:
     racket = catalog.implement(name)
-    document = report_document(analyse(racket, standard_conditions(racket)))
+    document = report_document(reported(analyse(racket, standard_conditions(racket))))
     text = " ".join(read(one.words, SI) for one in document.blocks if isinstance(one, Paragraph))
     assert ("a shuttle that loses its energy" in text) == (name == "badminton-racket")
     assert ("a ball that loses its energy" in text) == (name == "tennis-racket")

@@ -14,13 +14,14 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.bat.sheet_picture import sheet_figure
-from sweetspot.report.bat.words import answer
+from sweetspot.report.bat.words import answer_words
 from sweetspot.report.flight.park_picture import parks_figure
 from sweetspot.report.notebook import figure_of
 from sweetspot.report.pictures import ruler
 from sweetspot.report.sport_words import reader_of, words_of
 from sweetspot.report.sweet_spots import SPOTS
 from tests.report.pictures.labels import check_labels, texts
+from tests.report.told import reported
 
 OTHERS = [name for name in catalog.implement_names() if name not in catalog.bat_names()]
 
@@ -31,7 +32,7 @@ def analysed(request: pytest.FixtureRequest) -> Analysis[Implement]:
 
 
 def test_a_report_picture_of_any_sport(analysed: Analysis[Implement]) -> None:
-    figure = report_figure(analysed)
+    figure = report_figure(reported(analysed))
     check_labels(figure)
     words = " ".join(text for text, _ in texts(figure))
     assert ("Shaded" in words) == (analysed.sweet_spots.zone is not None)
@@ -43,7 +44,7 @@ def test_a_report_picture_of_any_sport(analysed: Analysis[Implement]) -> None:
 
 
 def test_a_report_s_sheet_of_any_sport(analysed: Analysis[Implement]) -> None:
-    figure = sheet_figure(analysed, reader_of(analysed.bat))
+    figure = sheet_figure(reported(analysed), reader_of(analysed.bat))
     check_labels(figure)
     assert figure.get_figheight() < 6.8  # on the sheet it is shown in four fifths of its size and more
 
@@ -51,7 +52,7 @@ def test_a_report_s_sheet_of_any_sport(analysed: Analysis[Implement]) -> None:
 def test_a_hand_is_one_and_a_shuttle_no_ball(analysed: Analysis[Implement]) -> None:
     """A racket is held in one hand, and what is told of its places names what it hits."""
     own = words_of(analysed.bat)
-    words = " ".join(one.read(reader_of(analysed.bat)) for one in answer(analysed, []))
+    words = " ".join(one.read(reader_of(analysed.bat)) for one in answer_words(reported(analysed)))
     told = " ".join(spot.explained(own) for spot in SPOTS.values())
     assert (" hands " in words, "top hand" in told) == (own.hands == "hands", own.hands == "hands")
     assert (" ball" in words + told) == (own.ball == "ball")
@@ -71,14 +72,14 @@ def test_labels_of_a_bat_drawn_from_the_tip() -> None:
     assert bat.profile is not None
     turned = tuple((bat.length - place, diameter) for place, diameter in reversed(bat.profile))
     backwards = Bat(name="from the tip", length=bat.length, material=bat.material, profile=turned)
-    check_labels(report_figure(sweetspot.analyse(backwards, sweetspot.standard_conditions(backwards))))
+    check_labels(report_figure(reported(sweetspot.analyse(backwards, sweetspot.standard_conditions(backwards)))))
 
 
 def test_spots_of_a_face_lie_on_its_line(analysed: Analysis[Implement]) -> None:
     """Exact: a place along the line has no height across it."""
     if analysed.bat.outline is None:
         return
-    axes = report_figure(analysed).axes[0]
+    axes = report_figure(reported(analysed)).axes[0]
     places = {round(getattr(analysed.sweet_spots, field), 9) for field in SPOTS}
     dots = [line for line in axes.get_lines() if line.get_marker() == "o"]
     assert {round(float(np.asarray(line.get_xdata())[0]), 9) for line in dots} == places

@@ -32,6 +32,7 @@ from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH
 from tests.conftest import FEWER_DOTS
 from tests.report.pictures.labels import check_labels, texts
+from tests.report.told import reported
 
 
 def _corked() -> Bat:
@@ -77,7 +78,7 @@ def analysed(request: pytest.FixtureRequest) -> Analysis:
 
 @pytest.fixture(scope="module")
 def picture(analysed: Analysis) -> Figure:
-    figure = report_figure(analysed)
+    figure = report_figure(reported(analysed))
     figure.draw_without_rendering()
     return figure
 
@@ -169,7 +170,7 @@ def test_names_cover_every_field() -> None:
 
 def test_a_bat_without_a_zone_says_so(analysis: Analysis) -> None:
     without = replace(analysis, sweet_spots=replace(analysis.sweet_spots, zone=None))
-    figure = report_figure(without)
+    figure = report_figure(reported(without))
     assert "no sweet zone" in [text for text, _ in texts(figure)]
     assert not figure.findobj(lambda artist: artist.get_gid() == "zone")
 
@@ -196,7 +197,7 @@ def test_a_picture_has_200_dots_an_inch(analysis: Analysis, monkeypatch: pytest.
 def test_a_name_in_another_script_is_no_trouble(analysis: Analysis) -> None:
     bat = analysis.bat.replaced(name="\u6728\u306e\u30d0\u30c3\u30c8")
     assert png_bytes(bat_figure(replace(analysis, bat=bat)))
-    assert png_bytes(report_figure(replace(analysis, bat=bat)))
+    assert png_bytes(report_figure(reported(replace(analysis, bat=bat))))
 
 
 def test_saving_refuses_what_it_cannot_do(analysis: Analysis, tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.files import write_document
 from sweetspot.report.html import page
 from sweetspot.report.pictures.files import svg_bytes
+from tests.report.told import reported
 
 Run = Callable[..., tuple[int, str, str]]
 
@@ -30,7 +31,7 @@ def racket() -> Analysis[Implement]:
 
 
 def test_the_page_speaks_the_sports_language(racket: Analysis[Implement], tmp_path: Path) -> None:
-    document = report_document(racket)
+    document = report_document(reported(racket))
     written = write_document(document, tmp_path, reader=document.reader)
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert [path.name for path in written] == ["report.html", "report.json", "report.png", "report.svg"]
@@ -42,7 +43,7 @@ def test_the_page_speaks_the_sports_language(racket: Analysis[Implement], tmp_pa
 
 
 def test_the_pictures_axis_counts_in_centimetres(racket: Analysis[Implement]) -> None:
-    figure = report_figure(racket)
+    figure = report_figure(reported(racket))
     words = {text.get_text() for axes in figure.axes for text in axes.texts} | {
         axes.get_xlabel() for axes in figure.axes
     }
@@ -53,7 +54,7 @@ def test_the_pictures_axis_counts_in_centimetres(racket: Analysis[Implement]) ->
 @pytest.mark.parametrize("name", ["golf-driver", "table-tennis-racket", "cricket-bat", "hockey-stick"])
 def test_every_sport_has_a_page(name: str) -> None:
     found: Implement = catalog.implement(name)
-    document = report_document(analyse(found, standard_conditions(found)))
+    document = report_document(reported(analyse(found, standard_conditions(found))))
     text = page(document, document.reader)
     assert "nan" not in re.sub(r"<[^>]+>", " ", text).split()
     assert ("smash factor" in text) == (name == "golf-driver")

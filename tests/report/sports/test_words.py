@@ -9,12 +9,13 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse, dead_spot
+from sweetspot.answers.report import report_of
 from sweetspot.catalog.sports import sport, sport_implements, sport_names
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
 from sweetspot.paper.sports import face_share, sport_rows
 from sweetspot.report.bat.provenance import assumed_of_ball
-from sweetspot.report.bat.words import answer, misses_of
+from sweetspot.report.bat.words import answer_words
 from sweetspot.report.quantities import SI
 from sweetspot.report.sport_words import arriving, reader_of
 
@@ -23,7 +24,7 @@ OTHERS = [name for name in sport_names() if sport(name).words.incoming != "pitch
 
 
 def told(found: Analysis[Implement]) -> str:
-    return " ".join(paragraph.read(reader_of(found.bat)) for paragraph in answer(found, misses_of(found)))
+    return " ".join(paragraph.read(reader_of(found.bat)) for paragraph in answer_words(report_of(found)))
 
 
 @cache

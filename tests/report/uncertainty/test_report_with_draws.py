@@ -9,29 +9,28 @@ from typing import Any
 import pytest
 
 from sweetspot import analyse, catalog
-from sweetspot.calibration.draws.drawn_reports import drawn_report
-from sweetspot.calibration.draws.intervals import Reaches
+from sweetspot.answers.report import ReportAnswer, report_of
 from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.numerics.interval import Interval
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.figure import report_figure
-from sweetspot.report.bat.words import misses_of
 from sweetspot.report.document import Document, Paragraph, Section
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import Bounds, Slot, read
-from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
 
 @pytest.fixture(scope="module")
-def drawn() -> tuple[Document, Reaches, Any]:
+def report() -> ReportAnswer:
     bat = catalog.bat("college-alloy")
     analysis = analyse(bat, standard_conditions(bat))
-    misses = misses_of(analysis)
     sources = sources_of(bat, analysis.conditions, bat_speed_error=0.3, pitch_speed_error=0.3)
-    answers = drawn_report(analysis, sources, misses=misses, count=32)
-    plain = report_document(analysis, misses=misses, reaches=answers.reaches)
-    told = uncertain(plain, answers, main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described)
-    return told, answers.reaches, analysis
+    return report_of(analysis, sources, drawn=True, draws=32)
+
+
+@pytest.fixture(scope="module")
+def document(report: ReportAnswer) -> Document:
+    return report_document(report)
 
 
 def slots(part: Any) -> Iterator[Slot | Bounds]:
@@ -46,40 +45,40 @@ def slots(part: Any) -> Iterator[Slot | Bounds]:
             yield from slots(getattr(part, field.name))
 
 
-def test_every_number_of_the_answer_has_its_interval(drawn: tuple[Document, Reaches, Any]) -> None:
+def test_every_number_of_the_answer_has_its_interval(document: Document) -> None:
     """But distances of misses, the zone's measure, and soft defaults, which are given; brackets of other laws go."""
-    document, _, _ = drawn
     found = [one for block in document.blocks if not isinstance(block, Section) for one in slots(block)]
     assert not any(isinstance(one, Bounds) for one in found)
-    without = [one for one in found if isinstance(one, Slot) and one.reach is None and not one.round]
-    assert not [(one.value, one.of) for one in without]
+    without = [one for one in found if isinstance(one, Slot) and not isinstance(one.value, Interval) and not one.round]
+    assert not [(one.value, one.scale) for one in without]
 
 
-@pytest.mark.parametrize("name", ["sweet-spots", "along", "mass", "modes", "best-hit"])
-def test_every_number_of_the_tables_has_its_interval(drawn: tuple[Document, Reaches, Any], name: str) -> None:
-    document, _, _ = drawn
+GIVEN = {"sweet-spots": 2, "along": 18, "mass": 2, "modes": 6, "best-hit": 1}
+"""By table, how many of its numbers are given (measure of the zone, places, length, axes, what a sum may miss), and of
+nodes those that are another one's for a drawn bat, both from the tip and from the knob."""
+
+
+@pytest.mark.parametrize("name", list(GIVEN))
+def test_every_number_of_the_tables_has_its_interval(document: Document, name: str) -> None:
     section = next(one for one in document.details if isinstance(one, Section) and one.name == name)
     table = section.blocks[0]
-    found = [one for one in slots(getattr(table, "rows")) if isinstance(one, Slot) and one.of]  # noqa: B009 - any block
+    found = [one for one in slots(getattr(table, "rows")) if isinstance(one, Slot)]  # noqa: B009 - any block
     assert found
-    lacking = {one.of for one in found if one.reach is None}
-    assert all("nodes" in of for of in lacking), lacking  # one that is another one for a drawn bat has none
-    assert len(lacking) <= 3
+    lacking = [one for one in found if not isinstance(one.value, Interval)]
+    assert len(lacking) <= GIVEN[name], lacking
 
 
-def test_words_are_told_with_ends(drawn: tuple[Document, Reaches, Any]) -> None:
-    document, _, _ = drawn
+def test_words_are_told_with_ends(document: Document) -> None:
     words = [block.words for block in document.blocks if isinstance(block, Paragraph)]
     text = " ".join(read(one, US) for one in words)
     assert "reaches from" in text and "± 0." in text.split("reaches from")[1].split("wide")[0]
     assert "These intervals reach from a ball" in text and "allows as well" not in text
 
 
-def test_the_picture_has_bands(drawn: tuple[Document, Reaches, Any]) -> None:
-    _, reaches, analysis = drawn
-    figure = report_figure(analysis, US, reaches)
+def test_the_picture_has_bands(report: ReportAnswer) -> None:
+    figure = report_figure(report, US)
     bands = [one for axes in figure.axes for one in axes.collections if one.get_gid() == "band"]
     assert len(bands) == 4
     assert any("±" in text.get_text() and "mph" in text.get_text() for text in figure.texts)
-    plain = report_figure(analysis, US)
+    plain = report_figure(report_of(report.analysis), US)
     assert not [one for axes in plain.axes for one in axes.collections if one.get_gid() == "band"]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from itertools import pairwise
+from typing import Protocol
 
 import numpy as np
 
-from sweetspot.analysis.miss_cost import Loss
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING, held_speeds
 from sweetspot.calibration.draws.bat_draws import DrawnBats
 from sweetspot.calibration.draws.drawn_hits import Draws
@@ -16,6 +16,7 @@ from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import bending_batch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Interval, Number
 from sweetspot.numerics.parabola import tops
 
 NEWTON_STEPS, FARTHEST = 3, 0.02
@@ -71,8 +72,19 @@ def _crossing(values: Array, inside: int, outside: int) -> float:
     return inside + (outside - inside) * good / (good - bad)
 
 
-def missed(position: Array, speed: Array, misses: Sequence[tuple[float, Loss, Loss]]) -> dict[str, Array]:
-    """Return what misses cost every draw, m/s, shape (draws,), by their names in a report's data.
+class MissCost(Protocol):
+    """What a miss by ``distance`` (m) costs the described bat, m/s, towards the hands and towards the tip."""
+
+    @property
+    def distance(self) -> Number: ...
+    @property
+    def inside(self) -> Number: ...
+    @property
+    def outside(self) -> Number: ...
+
+
+def missed(position: Array, speed: Array, misses: Sequence[MissCost]) -> list[dict[str, Array]]:
+    """Return what each miss costs every draw, m/s, shape (draws,): "inside", towards the hands, and "outside".
 
     Which law the ball loses its energy by is not known either: a draw stands anywhere between ours and the other one's
     cost, evenly and whatever else is drawn.
@@ -80,21 +92,22 @@ def missed(position: Array, speed: Array, misses: Sequence[tuple[float, Loss, Lo
     Parameters
     ----------
     position, speed : see `zones`.
-    misses : distance in m, and what it costs the described bat towards the hands and towards the tip.
+    misses : of the described bat, with the interval that both laws span.
     """
     step = float(position[1] - position[0])
     held = held_speeds(speed, step=step)
     place, _ = tops(held)
     top = _at(held, place)
     between = np.random.default_rng(1).permutation((np.arange(len(speed)) + 0.5) / len(speed))
-    costs = {}
-    for number, (distance, *sides) in enumerate(misses):
-        for way, name, loss in zip((-1, 1), ("inside", "outside"), sides, strict=True):
-            there = place + way * distance / step
-            lost = top - _at(held, there)
-            other = loss.low + loss.high - 2 * loss.value  # the other law's cost less ours
-            lost[1:] += between[1:] * other
-            costs[f"misses.{number}.{name}_m_s"] = lost
+    costs = []
+    for miss in misses:
+        sides = {}
+        for way, name, loss in ((-1, "inside", miss.inside), (1, "outside", miss.outside)):
+            lost = top - _at(held, place + way * float(miss.distance) / step)
+            if isinstance(loss, Interval):
+                lost[1:] += between[1:] * (loss.low + loss.high - 2 * loss.value)  # the other law's cost less ours
+            sides[name] = lost
+        costs.append(sides)
     return costs
 
 

@@ -12,9 +12,10 @@ from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.calibration.draws.intervals import Reaches
+from sweetspot.answers.report import ReportAnswer
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Band, Curve
 from sweetspot.report.modes.picture import draw_dot, draw_mode, label_mode
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.style import (
@@ -31,18 +32,17 @@ from sweetspot.report.pictures.style import (
 from sweetspot.report.quantities import GREEN, ORANGE, PURPLE, RED, SCALES, Reader, Unit
 from sweetspot.report.sentences import Slot
 from sweetspot.report.sport_words import words_of
-from sweetspot.report.uncertainty.document_intervals import reached
 
 MODES_SHOWN = 3
-NO_REACHES: Reaches = {}
 KM_H = Unit("km/h", 1 / 3.6, 1)
 TRIED = (0.3, 0.55, 0.7, 0.85, 0.97, 0.15, 0.05)
 """Parts of the horizontal axis where a label may stand when its first place is taken."""
 
 
 @styled
-def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
+def exit_speed(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the exit speed along the bat: the reader's unit on the left, another on the right, the rigid bat dashed."""
+    analysis = report.analysis
     scan, words, unit = analysis.scan, words_of(analysis.bat), reading.units["speed"]
     speed, rigid = scan.exit_speed / unit.size, scan.rigid_exit_speed / unit.size
     _prepare(
@@ -54,7 +54,7 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
     )
     axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, speed, color=RED)
-    high = _band(axes, analysis, "exit_speed_m_s", reaches, RED, size=unit.size)
+    high = _band(axes, report, report.scan.exit_speed, RED, size=unit.size)
     top = float(np.nanmax(np.concatenate([speed, rigid, high])))
     axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.22 * top)
     axes.set_ylabel(unit.name)
@@ -66,10 +66,8 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
     spots = analysis.sweet_spots
     best = float(np.interp(spots.max_exit_speed, scan.position, speed))
     draw_dot(axes, spots.max_exit_speed, best, RED)
-    told = reached(Slot(best * unit.size, "speed", 1, of="best_hit.exit_speed_m_s"), reaches).read(reading)
-    place = reached(
-        Slot(analysis.bat.length - spots.max_exit_speed, "place", of="-sweet_spots.max_exit_speed_m"), reaches
-    ).read(reading)
+    told = Slot(report.best_hit.exit_speed, "speed", 1).read(reading)
+    place = Slot(analysis.bat.length - report.sweet_spots.max_exit_speed, "place").read(reading)
     axes.annotate(
         f"{told}, {place} from the {words.tip}", (spots.max_exit_speed, best),
         xytext=(spots.max_exit_speed - 0.08 * (axes.get_xlim()[1] - axes.get_xlim()[0]), 1.1 * top), textcoords="data",
@@ -83,8 +81,9 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
 
 
 @styled
-def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
+def efficiency(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
+    analysis = report.analysis
     scan, words = analysis.scan, words_of(analysis.bat)
     _prepare(
         axes,
@@ -96,13 +95,13 @@ def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
     axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, scan.collision_efficiency, color=ORANGE)
     axes.axhline(0, color=MUTED, linewidth=0.7)
-    high = _band(axes, analysis, "collision_efficiency", reaches, ORANGE)
+    high = _band(axes, report, report.scan.collision_efficiency, ORANGE)
     both = np.concatenate([scan.collision_efficiency, scan.rigid_efficiency, high])
     _limits(axes, both, room=0.14)
     place = analysis.sweet_spots.max_collision_efficiency
     best = float(np.interp(place, scan.position, scan.collision_efficiency))
     draw_dot(axes, place, best, ORANGE)
-    most = reached(Slot(best, "ratio", of="told.max_collision_efficiency"), reaches).read(reading)
+    most = Slot(report.greatest_efficiency, "ratio").read(reading)
     axes.annotate(
         most, (place, best), xytext=(2, -10), textcoords="offset points", ha="right", va="top", weight="bold",
         path_effects=halo(),
@@ -110,8 +109,9 @@ def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
 
 
 @styled
-def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
+def hand_impulse(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
+    analysis = report.analysis
     scan, words = analysis.scan, words_of(analysis.bat)
     tool = words.implement
     _prepare(
@@ -124,15 +124,16 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader, rea
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
     axes.plot(scan.position, scan.hand_impulse, color=GREEN)
-    _band(axes, analysis, "hand_impulse_n_s", reaches, GREEN)
+    _band(axes, report, report.scan.hand_impulse, GREEN)
     _limits(axes, scan.hand_impulse, room=0.3)
     axes.set_ylabel("N s")
     draw_dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
 
 
 @styled
-def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
+def sting(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the vibration that the hands feel after a hit."""
+    analysis = report.analysis
     scan = analysis.scan
     _prepare(
         axes,
@@ -143,7 +144,7 @@ def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: R
     )
     axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
     axes.plot(scan.position, scan.sting, color=PURPLE)
-    high = _band(axes, analysis, "sting", reaches, PURPLE)
+    high = _band(axes, report, report.scan.sting, PURPLE)
     axes.set_ylim(0, 1.14 * float(np.nanmax(np.concatenate([scan.sting, high]))))
     axes.set_ylabel("m/s")
     place = analysis.sweet_spots.min_sting
@@ -151,9 +152,11 @@ def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: R
 
 
 @styled
-def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
+def mode_shapes(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw how the bat bends in its first modes, each on its own line, nodes as dots."""
+    analysis = report.analysis
     bat, modes = analysis.bat, analysis.modes
+    tones = [one.frequency for one in report.modes if one.family == "bending"]
     ruler.set_limits(axes, bat.length)
     hands = analysis.conditions.hands
     held = "held" if any((hands.mass, hands.stiffness, hands.damping)) else "free"
@@ -166,30 +169,22 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader, reac
     shown = modes.of_family("bending")[:MODES_SHOWN]
     for row, index in enumerate(shown):
         draw_mode(axes, modes, index, row, places, modes.shape_at(places)[:, index])
-        told = Slot(float(modes.frequency[index]), "frequency", of=f"modes.{row}.frequency_hz")
-        rings = reached(told, reaches).read(reading).replace(" ± ", "\n± ").replace(" (", "\n(")
+        rings = Slot(tones[row], "frequency").read(reading).replace(" ± ", "\n± ").replace(" (", "\n(")
         label_mode(axes, row, f"mode {modes.harmonics[index]}", rings)
     axes.set_ylim(-len(shown) + 0.45, 0.55)
 
 
-def _band(
-    axes: Axes, analysis: Analysis[Implement], name: str, reaches: Reaches, colour: str, *, size: float = 1.0
-) -> Array:
+def _band(axes: Axes, report: ReportAnswer, curve: Curve, colour: str, *, size: float = 1.0) -> Array:
     """Draw the interval around a curve of the scan as a band, and return its upper end; empty where there is none.
 
     Parameters
     ----------
-    name : of the curve in the data.
     size : of the unit that is drawn.
     """
-    reach = reaches.get(f"scan.{name}")
-    if reach is None:
+    if not isinstance(curve, Band):
         return np.zeros(0)
-    scan = analysis.scan
-    values = {"exit_speed_m_s": scan.exit_speed, "collision_efficiency": scan.collision_efficiency,
-              "hand_impulse_n_s": scan.hand_impulse, "sting": scan.sting}[name]  # fmt: skip
-    low, high = (values - reach.below) / size, (values + reach.above) / size
-    axes.fill_between(scan.position, low, high, color=colour, alpha=0.22, linewidth=0, zorder=1.5, gid="band")
+    low, high = curve.low / size, curve.high / size
+    axes.fill_between(report.scan.position, low, high, color=colour, alpha=0.22, linewidth=0, zorder=1.5, gid="band")
     return np.asarray(high)
 
 

@@ -8,10 +8,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
-from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
-from sweetspot.calibration.draws.intervals import Reaches
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.answers.report import ReportAnswer
 from sweetspot.catalog.swing_weights import swing_weight
-from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
@@ -19,7 +18,7 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat import along_picture as along
 from sweetspot.report.bat.made_of import made_of_words
 from sweetspot.report.bat.outline_picture import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
-from sweetspot.report.bat.words import BEST_SPEED
+from sweetspot.report.bat.tables import moment
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.ruler import from_the_tip
 from sweetspot.report.pictures.style import (
@@ -34,9 +33,8 @@ from sweetspot.report.pictures.style import (
     styled,
 )
 from sweetspot.report.quantities import RED, Reader
-from sweetspot.report.sentences import Slot, read, with_doubt
+from sweetspot.report.sentences import Slot, read
 from sweetspot.report.sport_words import arriving, reader_of, words_of
-from sweetspot.report.uncertainty.document_intervals import reached
 
 HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34
 """Inches of paper for the title, the rulers at the foot, and between panels."""
@@ -55,15 +53,9 @@ PANELS = (
 
 
 @styled
-def report_figure(
-    analysis: Analysis[Implement], reading: Reader | None = None, reaches: Reaches | None = None
-) -> Figure:
-    """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis.
-
-    Parameters
-    ----------
-    reaches : of the intervals that are drawn as bands and put beside numbers; None: none.
-    """
+def report_figure(report: ReportAnswer, reading: Reader | None = None) -> Figure:
+    """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
+    analysis = report.analysis
     bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat)
     across = WIDTH - 2 * SIDE
     height = (
@@ -75,7 +67,7 @@ def report_figure(
         + FOOTER
     )
     figure = Figure(figsize=(WIDTH, height))
-    _header(figure, analysis, reading, height, reaches=reaches)
+    _header(figure, report, reading, height)
     top = HEADER
     axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
@@ -85,7 +77,7 @@ def report_figure(
     for draw, tall in PANELS:
         top += between
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
-        draw(axes, analysis, reading, reaches or {})
+        draw(axes, report, reading)
         top += tall
     ruler.show_from_tip(axes, bat.length, reading)
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
@@ -93,28 +85,25 @@ def report_figure(
     foot_of_bat = HEADER + panel.height + RULER
     if not zoomed:
         _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
-    _footer(figure, analysis, height, banded=reaches is not None)
+    _footer(figure, analysis, height, banded=report.uncertainty is not None)
     return figure
 
 
-def _header(
-    figure: Figure, analysis: Analysis[Implement], reading: Reader, height: float, *, reaches: Reaches | None
-) -> None:
+def _header(figure: Figure, report: ReportAnswer, reading: Reader, height: float) -> None:
     """Write the bat's name, its sizes and the answer."""
-    bat, body, conditions = analysis.bat, analysis.body, analysis.conditions
+    bat, conditions = report.analysis.bat, report.analysis.conditions
     left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
     words = words_of(bat)
-    leaves = Slot(exit_speed_of(analysis.best, conditions), "speed", digits=0, of=BEST_SPEED)
-    speed = reached(leaves, reaches or {}).read(reading)
+    speed = Slot(report.best_hit.exit_speed, "speed", digits=0).read(reading)
     figure.text(right, 1 - 0.45 / height, speed, size=HUGE, weight="bold", color=RED, ha="right")
     name, size = fitted(bat.name, width=WIDTH - 2 * SIDE - SPEED_ROOM, size=HUGE)
     figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
     quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
-    mass = reached(Slot(body.mass, "mass", of="bat.mass_kg"), reaches or {}).read(reading)
+    mass = Slot(report.bat.mass, "mass").read(reading)
     sizes = f"{reading.shown(bat.length, 'length')}  ·  {mass}  ·  {read(made_of_words(bat), reading)}"
     sizes, size = fitted(sizes, width=WIDTH - 2 * SIDE - SWING_ROOM, size=NORMAL, smallest=SMALL, bold=False)
     figure.text(left, 1 - 0.68 / height, sizes, **{**quiet, "size": size})
-    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis, reading, reaches), **quiet)
+    figure.text(left, 1 - 0.86 / height, _swing_weight(report, reading), **quiet)
     swing = conditions.swing
     swung = f"{arriving(words, conditions.pitch.speed).read(reading)}, {words.implement} at "
     swung += reading.shown(swing.bat_speed, "speed")
@@ -123,19 +112,14 @@ def _header(
     figure.text(right, 1 - 0.86 / height, at, ha="right", **quiet)
 
 
-def _swing_weight(analysis: Analysis[Implement], reading: Reader, reaches: Reaches | None) -> str:
+def _swing_weight(report: ReportAnswer, reading: Reader) -> str:
     """Say how heavy the swing is, as the sport weighs it."""
-    bat, body = analysis.bat, analysis.body
+    bat = report.analysis.bat
     if isinstance(bat, Bat):
-        value = body.moi(STANDARD_AXIS)
-        moi = (
-            with_doubt(value, moi_doubt(bat, body, STANDARD_AXIS), "moi").read(reading)
-            if reaches is None
-            else reached(Slot(value, "moi", of="bat.moi_6in_kg_m2"), reaches).read(reading)
-        )
+        moi = moment(report.bat.moi_6in, float(report.bat.moi_6in_doubt)).read(reading)
         return f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat).butt}"
     convention = swing_weight(bat.sport)
-    return f"{convention.name} {convention.shown(body)}".replace("^2", "²")
+    return f"{convention.name} {convention.shown(report.analysis.body)}".replace("^2", "²")
 
 
 def _guides(

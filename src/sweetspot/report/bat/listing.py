@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from sweetspot import catalog
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.sports import sport_implements, sport_names
 from sweetspot.catalog.swing_weights import swing_weight
@@ -14,7 +16,6 @@ from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.sentences import PLUS_MINUS, Slot, with_doubt
@@ -28,7 +29,7 @@ def catalogue_document() -> Document:
     for key, bat in bats:
         body = rigid_body(beam_model(bat))
         doubt = {"moi_6in_doubt_kg_m2": moi_doubt(bat, body, STANDARD_AXIS)}
-        rows.append({"key": key, **bat_json(bat.name, bat.length, body), **doubt})
+        rows.append({"key": key, **to_dict(mass_properties(bat, body)), **doubt})
     columns = [
         Column("name"), Column("what"), Column("length", "length", 1), Column("mass", "mass"),
         Column("balance point", "length"), Column("moment of inertia", right=True),
@@ -65,7 +66,7 @@ def _other_rows(bats: set[str]) -> list[dict[str, Any]]:
     rows = []
     for key in (key for key in catalog.implement_names() if key not in bats):
         implement = catalog.implement(key)
-        described = bat_json(implement.name, implement.length, rigid_body(beam_model(implement)))
+        described = to_dict(mass_properties(implement, rigid_body(beam_model(implement))))
         rows.append({"key": key, "sport": implement.sport, **described})
     return rows
 

@@ -6,9 +6,7 @@ import textwrap
 
 from matplotlib.figure import Figure
 
-from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.calibration.draws.intervals import Reaches
-from sweetspot.equipment.implement import Implement
+from sweetspot.answers.report import ReportAnswer
 from sweetspot.report.bat import along_picture as along
 from sweetspot.report.bat.figure import what_lines_are
 from sweetspot.report.bat.outline_picture import RULER, bat_panel, draw_bat_panel, shade_zone
@@ -29,17 +27,13 @@ LINE = 112
 
 
 @styled
-def sheet_figure(analysis: Analysis[Implement], reading: Reader, reaches: Reaches | None = None) -> Figure:
-    """Return bat and curves in letters that can be read on paper; the page around them says whose they are.
-
-    Parameters
-    ----------
-    reaches : as in `report_figure`.
-    """
+def sheet_figure(report: ReportAnswer, reading: Reader) -> Figure:
+    """Return bat and curves in letters that can be read on paper; the page around them says whose they are."""
+    analysis, banded = report.analysis, report.uncertainty is not None
     bat = analysis.bat
     zoomed = ruler.is_zoomed(bat)
     between = BETWEEN + (ZOOMED if zoomed else 0.0)
-    room = (ROOM if reaches is None else ROOM_BESIDE_DOUBT) - RULER - FOOT
+    room = (ROOM_BESIDE_DOUBT if banded else ROOM) - RULER - FOOT
     across = SHEET - 2 * SIDE
     panel = bat_panel(bat, across)
     if panel.height > room - PANELS[0][1] - between:  # a face as wide as the sheet is high
@@ -57,12 +51,12 @@ def sheet_figure(analysis: Analysis[Implement], reading: Reader, reaches: Reache
     for draw, tall in shown:
         top += between
         axes = axes_in_inches(figure, left=side, top=top, width=across, height=tall)
-        draw(axes, analysis, reading, reaches or {})
+        draw(axes, report, reading)
         if not zoomed:
             along.draw_guides(axes, analysis)
         top += tall
     ruler.show_from_tip(axes, bat.length, reading)
     axes.set_xlabel(ruler.from_the_tip(bat, reading), labelpad=2)
-    meaning = textwrap.fill(what_lines_are(analysis, banded=reaches is not None), LINE)
+    meaning = textwrap.fill(what_lines_are(analysis, banded=banded), LINE)
     figure.text(SIDE / SHEET, 0.04 / height, meaning, color=MUTED, size=SMALL, parse_math=False)
     return figure

@@ -9,8 +9,10 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
+from sweetspot.answers.implement import MassProperties
+from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_weights import swing_weight
-from sweetspot.dynamics.modes import Family, Modes
+from sweetspot.dynamics.modes import Family
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.dynamics.swing_weight import SwingWeight
@@ -18,10 +20,10 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.report.bat.json import WRITTEN_MODES
-from sweetspot.report.bat.words import Miss, cost, from_tip, hand_and_tip
+from sweetspot.numerics.interval import Curve, Interval, Number, interpolated, values_of
+from sweetspot.report.bat.words import cost, from_tip
 from sweetspot.report.document import Cell, Column, Marked, Table
-from sweetspot.report.sentences import Slot, UnitName, joined, say, with_doubt
+from sweetspot.report.sentences import Sentence, Slot, UnitName, joined, say, with_doubt
 from sweetspot.report.sport_words import in_words, weight, words_of
 from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH
@@ -34,43 +36,41 @@ SHOWN_MODES: dict[Family, int] = {"bending": 5, "hoop": 3, "face": 2}
 """By family."""
 
 
-def spots_table(analysis: Analysis[Implement]) -> Table:
+def spots_table(report: ReportAnswer) -> Table:
     """Return every meaning of "sweet spot" with its place."""
-    words, spots = words_of(analysis.bat), analysis.sweet_spots
-    ends = _ends(analysis.bat)
-    table = places_table(analysis.bat, {field: getattr(spots, field) for field in SPOTS})
-    rows = list(table.rows)
+    bat, spots = report.analysis.bat, report.sweet_spots
+    words, ends = words_of(bat), _ends(bat)
+    table = places_table(bat, {field: getattr(spots, field) for field in SPOTS})
     measure = say(
         "within {loss} of the best, and less than {sting} of the mean sting", loss=Slot(ZONE_LOSS, "speed", round=True),
         sting=Slot(ZONE_STING, "share"),
     )  # fmt: skip
+    zone: list[Cell]
     if spots.zone is None:
-        rows.append([Marked(words.zone, "zone"), "none", "none", say("no place is {measure}", measure=measure)])
+        zone = [Marked(words.zone, "zone"), "none", "none", say("no place is {measure}", measure=measure)]
     else:
-        inner, outer = (
-            (place, f"sweet_spots.zone_{name}_m") for place, name in zip(spots.zone, ("start", "end"), strict=True)
-        )
-        reaches = [joined((_from(end, place, of).bare for place, of in order), " to ")
+        inner, outer = spots.zone[0], spots.zone[1]
+        reaches = [joined((_from(end, place).bare for place in order), " to ")
                    for (_, end), order in zip(ends, ((outer, inner), (inner, outer)), strict=True)]  # fmt: skip
-        rows.append([Marked(words.zone, "zone"), *reaches, measure])
-    return replace(table, rows=rows)
+        zone = [Marked(words.zone, "zone"), *reaches, measure]
+    return replace(table, rows=[*table.rows, zone])
 
 
-def places_table(bat: Implement, places: Mapping[str, float]) -> Table:
+def places_table(bat: Implement, places: Mapping[str, Number]) -> Table:
     """Return some of the meanings, by field of `SweetSpots`, with their places in m from the butt end."""
     words = words_of(bat)
     ends = _ends(bat)
     heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
     rows: list[list[Cell]] = []
     for field, place in places.items():
-        numbers = [_from(end, place, f"sweet_spots.{field}_m").bare for _, end in ends]
+        numbers = [_from(end, place).bare for _, end in ends]
         rows.append([Marked(SPOTS[field].named(words), field), *numbers, SPOTS[field].explained(words)])
     return Table("", [Column("sweet spot"), *heads, Column("what it means")], rows, name="spots")
 
 
-def _from(end: float, place: float, of: str) -> Slot:
-    """Return how far a place is from an end of the implement, m from the butt; ``of`` as in `Slot`."""
-    return Slot(abs(place - end), "place", of=f"-{of}" if end else of)
+def _from(end: float, place: Number) -> Slot:
+    """Return how far a place is from an end of the implement, m from the butt."""
+    return Slot(end - place if end else place, "place")
 
 
 def _ends(bat: Implement) -> list[tuple[str, float]]:
@@ -79,33 +79,28 @@ def _ends(bat: Implement) -> list[tuple[str, float]]:
     return [(words.tip, bat.length), (words.butt, 0.0)]
 
 
-def along_table(analysis: Analysis[Implement]) -> Table:
+def along_table(report: ReportAnswer) -> Table:
     """Return what a hit does at even places from the tip."""
-    scan, words, length = analysis.scan, words_of(analysis.bat), analysis.bat.length
-
-    def at(values: Array, place: float) -> float:
-        return float(np.interp(length - place, scan.position, values))
-
+    scan, bat = report.scan, report.analysis.bat
+    words, rigid = words_of(bat), bat.face is None
     columns = [
         Column(say("{unit} from the {tip}", unit=UnitName("place"), tip=words.tip), right=True),
         Column(words.exit_speed, "speed"), Column("if it were rigid", "speed"), Column("q", "ratio"),
-        *([Column("BBCOR at this speed", "ratio")] if analysis.bat.face is None else []),
+        *([Column("BBCOR at this speed", "ratio")] if rigid else []),
         Column("jolt", "impulse", sign=True), Column("vibration", "vibration"),
     ]  # fmt: skip
     curves = [
-        (scan.exit_speed, "speed", "exit_speed_m_s"), (scan.rigid_exit_speed, "speed", "rigid_exit_speed_m_s"),
-        (scan.collision_efficiency, "ratio", "collision_efficiency"),
-        *([(scan.bbcor, "ratio", "bbcor")] if analysis.bat.face is None else []),
-        (scan.hand_impulse, "impulse", "hand_impulse_n_s"), (scan.sting, "vibration", "sting"),
+        (scan.exit_speed, "speed"), (scan.rigid_exit_speed, "speed"), (scan.collision_efficiency, "ratio"),
+        *([(scan.bbcor, "ratio")] if rigid else []), (scan.hand_impulse, "impulse"), (scan.sting, "vibration"),
     ]  # fmt: skip
 
-    def cell(values: Array, scale: str, name: str, place: float) -> Slot:
-        of = f"scan.{name}@{length - place!r}" if name else ""
-        return Slot(at(values, place), scale, sign=scale == "impulse", unit=False, of=of)
+    def cell(curve: Curve, scale: str, place: float) -> Slot:
+        number = interpolated(curve, scan.position, bat.length - place)
+        return Slot(number, scale, sign=scale == "impulse", unit=False)
 
     rows: list[list[Cell]] = [
         [Slot(place, "place", round=True).bare, *(cell(*curve, place) for curve in curves)]
-        for place in stations(analysis).tolist()
+        for place in stations(report.analysis).tolist()
     ]
     return Table("", columns, rows)
 
@@ -120,17 +115,17 @@ def stations(analysis: Analysis[Implement]) -> Array:
     return np.asarray(places[:MOST_STATIONS])
 
 
-def misses_table(misses: Sequence[Miss], implement: Implement) -> Table:
+def misses_table(report: ReportAnswer) -> Table:
     """Return what hitting beside the best place costs, either way."""
-    words = words_of(implement)
+    words, drawn = words_of(report.analysis.bat), report.uncertainty is not None
     off = f"off the {words.implement}"
     rows: list[list[Cell]] = [
         [
             Slot(one.distance, "place", round=True),
-            cost(one.inside, hand_and_tip(number)[0]),
-            off if np.isnan(one.outside.value) else cost(one.outside, hand_and_tip(number)[1]),
+            cost(one.inside, drawn=drawn),
+            off if np.isnan(float(one.outside)) else cost(one.outside, drawn=drawn),
         ]
-        for number, one in enumerate(misses)
+        for one in report.misses
     ]
     columns = [
         Column("miss by"),
@@ -140,25 +135,40 @@ def misses_table(misses: Sequence[Miss], implement: Implement) -> Table:
     return Table("", columns, rows)
 
 
-def mass_table(bat: Implement, body: RigidBody) -> Table:
-    """Return weight, balance, how the sport weighs a swing, and moments of inertia."""
+def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
+    """Return weight, balance, how the sport weighs a swing, and moments of inertia.
+
+    Parameters
+    ----------
+    body : of the implement as described.
+    mass : its numbers, with the intervals that are known.
+    """
     words = words_of(bat)
-    convention = swing_weight(bat.sport)
     standard = in_words("{axis} from the {butt}", words, axis=Slot(STANDARD_AXIS, "place", round=True))
     axes = (
-        (standard, STANDARD_AXIS, "bat.moi_6in_kg_m2"), (f"{words.butt} end", 0.0, "bat.moi_knob_kg_m2"),
-        ("balance point", body.balance_point, "bat.moi_cm_kg_m2"),
+        (standard, STANDARD_AXIS, mass.moi_6in), (f"{words.butt} end", 0.0, mass.moi_knob),
+        ("balance point", body.balance_point, mass.moi_cm),
     )  # fmt: skip
     rows: list[tuple[Cell, Cell]] = [
-        ("length", Slot(bat.length, "length")),
-        ("mass", Slot(body.mass, "mass", 2 if words.weighed_in == "oz" else 1, of="bat.mass_kg")),
-        (f"balance point, from the {words.butt}", Slot(body.balance_point, "length", of="bat.balance_point_m")),
-        *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, convention)]),
-        *((say("moment of inertia, {axis}", axis=axis),
-           with_doubt(body.moi(place), moi_doubt(bat, body, place), "moi", of=of)) for axis, place, of in axes),
-        ("moment of inertia, about its own axis", Slot(body.roll_moi, "moi", 1, of="bat.roll_moi_kg_m2")),
+        ("length", Slot(mass.length, "length")),
+        ("mass", Slot(mass.mass, "mass", 2 if words.weighed_in == "oz" else 1)),
+        (f"balance point, from the {words.butt}", Slot(mass.balance_point, "length")),
+        *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, swing_weight(bat.sport))]),
+        *((say("moment of inertia, {axis}", axis=axis), moment(moi, moi_doubt(bat, body, place)))
+          for axis, place, moi in axes),
+        ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]  # fmt: skip
     return Table("", [Column(""), Column("value", right=True)], rows)
+
+
+def moment(moi: Number, doubt: float) -> Sentence:
+    """Return a moment of inertia with its interval, or else with what the implement's outline leaves open of it.
+
+    Parameters
+    ----------
+    doubt : standard deviation in kg m^2 where there is no interval.
+    """
+    return Sentence((Slot(moi, "moi"),)) if isinstance(moi, Interval) else with_doubt(moi, doubt, "moi")
 
 
 def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> tuple[Cell, Cell]:
@@ -170,19 +180,16 @@ def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> t
     return name, convention.shown(body).replace("^2", "²")
 
 
-def modes_table(bat: Implement, modes: Modes) -> Table:
+def modes_table(bat: Implement, modes: Sequence[VibrationMode]) -> Table:
     """Return the lowest vibrations with their damping and nodes."""
     words = words_of(bat)
-    shown = [index for family, most in SHOWN_MODES.items() for index in modes.of_family(family)[:most]]
-    written = [index for index, family in enumerate(modes.families) if family in WRITTEN_MODES]
     rows: list[list[Cell]] = []
-    for index in shown:
-        at = f"modes.{written.index(index)}"
-        places = list(enumerate(modes.nodes(index).tolist()))
-        nodes = joined((_from(bat.length, node, f"{at}.nodes_m.{number}").bare for number, node in places[::-1]), ", ")
-        name = f"{modes.families[index]} {modes.harmonics[index]}"
-        frequency = Slot(float(modes.frequency[index]), "frequency", unit=False, of=f"{at}.frequency_hz")
-        rows.append([name, frequency, float(modes.damping_ratio[index]), nodes])
+    for family, most in SHOWN_MODES.items():
+        for mode in [one for one in modes if one.family == family][:most]:
+            nodes = [mode.nodes[index] for index in range(len(values_of(mode.nodes)))]
+            places = joined((_from(bat.length, node).bare for node in nodes[::-1]), ", ")
+            frequency = Slot(mode.frequency, "frequency", unit=False)
+            rows.append([f"{mode.family} {mode.harmonic}", frequency, float(mode.damping_ratio), places])
     columns = [
         Column("mode"), Column("frequency", "frequency"), Column("damping", "share", 2),
         Column(say("nodes, {unit} from the {tip}", unit=UnitName("place"), tip=words.tip)),
@@ -190,25 +197,22 @@ def modes_table(bat: Implement, modes: Modes) -> Table:
     return Table("", columns, rows)
 
 
-def conditions_table(analysis: Analysis[Implement]) -> Table:
+def conditions_table(report: ReportAnswer) -> Table:
     """Return pitch, swing, hands and ball."""
-    conditions, words = analysis.conditions, words_of(analysis.bat)
-    swing, hands, ball = conditions.swing, conditions.hands, conditions.ball
-    law = ball.restitution
+    hit, words, hands = report.conditions, words_of(report.analysis.bat), report.analysis.conditions.hands
     bounce = say(
-        "{e} at {speed}, {slope} per {step} faster", e=Slot(law.reference, "ratio", of="conditions.ball_restitution"),
-        speed=Slot(law.reference_speed, "speed", round=True),
-        slope=Slot(-10 * MPH * law.slope, "ratio", 4, of="told.restitution_step"),
-        step=Slot(10 * MPH, "speed", round=True),
+        "{e} at {speed}, {slope} per {step} faster", e=Slot(hit.ball_restitution, "ratio"),
+        speed=Slot(hit.ball_restitution_speed, "speed", round=True),
+        slope=Slot(-10 * MPH * hit.ball_restitution_slope, "ratio", 4), step=Slot(10 * MPH, "speed", round=True),
     )  # fmt: skip
     held = any((hands.mass, hands.stiffness, hands.damping))
     rows: list[tuple[Cell, Cell]] = [
-        (f"{words.incoming} comes at", Slot(conditions.pitch.speed, "speed", of="conditions.pitch_speed_m_s")),
-        (in_words("{implement} speed, {place} from the {tip}", words, place=from_tip(analysis, swing.measured_at)),
-         Slot(swing.bat_speed, "speed", of="conditions.bat_speed_m_s")),
-        (f"turns about, from the {words.butt}", Slot(swing.pivot, "place")),
-        (f"top hand, from the {words.butt}", Slot(hands.position, "place")),
-        (words.ball, say("{name}, {mass}", name=ball.name, mass=weight(ball.mass, "conditions.ball_mass_kg"))),
+        (f"{words.incoming} comes at", Slot(hit.pitch_speed, "speed")),
+        (in_words("{implement} speed, {place} from the {tip}", words, place=from_tip(report, hit.bat_speed_at)),
+         Slot(hit.bat_speed, "speed")),
+        (f"turns about, from the {words.butt}", Slot(hit.pivot, "place")),
+        (f"top hand, from the {words.butt}", Slot(hit.hands, "place")),
+        (words.ball, say("{name}, {mass}", name=hit.ball, mass=weight(hit.ball_mass))),
         ("its restitution on a wall", bounce),
         ("hands in the collision", "mass, spring and damper each" if held else f"none, the {words.implement} is free"),
     ]  # fmt: skip

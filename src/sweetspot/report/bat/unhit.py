@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from sweetspot.analysis.sweet_spot import barrel_node
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
+from sweetspot.answers.report import vibration_modes
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import centre_of_percussion
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
-from sweetspot.report.bat.json import bat_json, modes_json
 from sweetspot.report.bat.made_of import made_of_words
 from sweetspot.report.bat.tables import mass_table, modes_table, places_table
 from sweetspot.report.document import Document, Paragraph, Section
@@ -28,8 +30,8 @@ def unhit_document(reduced: ReducedBat[Implement], conditions: Conditions) -> Do
     places = {name: place for name, place in places.items() if place <= bat.length}  # a short one may lack one
     data = cleaned(
         {
-            "bat": bat_json(bat.name, bat.length, body),
-            "modes": modes_json(modes),
+            "bat": to_dict(mass_properties(bat, body)),
+            "modes": [to_dict(mode) for mode in vibration_modes(modes)],
             "sweet_spots": {f"{name}_m": place for name, place in places.items()},
             "outcome": "the ball is no lighter than what would hit it",
         }
@@ -39,8 +41,8 @@ def unhit_document(reduced: ReducedBat[Implement], conditions: Conditions) -> Do
         blocks=[Paragraph(_why(reduced, conditions))],
         details=[
             Section("sweet-spots", "What needs no ball", [places_table(bat, places)]),
-            Section("mass", "Weight and balance", [mass_table(bat, body)]),
-            Section("modes", "How it rings", [modes_table(bat, modes)]),
+            Section("mass", "Weight and balance", [mass_table(bat, body, mass_properties(bat, body))]),
+            Section("modes", "How it rings", [modes_table(bat, vibration_modes(modes))]),
         ],
         data=data,
         rows={name: [mode[name] for mode in data["modes"]] for name in ("family", "harmonic", "frequency_hz")},

@@ -16,13 +16,14 @@ from sweetspot.analysis.certification.simulated_test import (
     Certification,
     SwungTest,
 )
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.calibration.draws.drawn_tests import RULED
 from sweetspot.catalog.balls import ball
 from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.report.bat.assumed_values import soft_note
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.limits_shown import (
     broken_words,
     limit_shown,
@@ -105,7 +106,7 @@ def _json(tested: TestedBat, checks: list[dict[str, Any]]) -> dict[str, Any]:
     told = {"test": simulated_json(test)} if isinstance(test, Certification) else {}
     if isinstance(test, Measured) and tested.shots is not None:
         told = {"shots": measured_json(test, tested.shots)}
-    described = {"bat": bat_json(bat.name, bat.length, tested.body), "ball": tested.ball.name}
+    described = {"bat": to_dict(mass_properties(bat, tested.body)), "ball": tested.ball.name}
     walls = [wall_json(league.key, wall) for league, wall in tested.walls]
     return described | told | {"checks": checks, "passed": tested.passed} | ({"walls": walls} if walls else {})
 

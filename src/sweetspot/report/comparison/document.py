@@ -8,6 +8,9 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.answers.conditions import hit_conditions
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.calibration.draws.comparison_draws import with_intervals
 from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.calibration.draws.linear_doubt import comparison_reaches
@@ -19,7 +22,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.legality import legality_json, legality_table
 from sweetspot.report.comparison.words import (
@@ -33,7 +35,6 @@ from sweetspot.report.comparison.words import (
     without_draws,
 )
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, joined, read, with_doubt, within
@@ -224,7 +225,7 @@ def comparison_json(
             "interval": interval_is,
             "bats": [_bat(compared) for compared in comparison.compared],
             "verdict": list(verdict),
-            "conditions": conditions_json(reference.analysis.conditions),
+            "conditions": to_dict(hit_conditions(reference.analysis.conditions)),
         }
     )  # fmt: skip
 
@@ -259,7 +260,7 @@ def _bat(compared: Compared[Implement]) -> dict[str, Any]:
     analysis = compared.analysis
     return {
         "label": compared.label,
-        "bat": bat_json(analysis.bat.name, analysis.bat.length, analysis.body),
+        "bat": to_dict(mass_properties(analysis.bat, analysis.body)),
         "bending_1_hz": first_frequency(compared, "bending"),
         "hoop_1_hz": first_frequency(compared, "hoop"),
         "max_collision_efficiency": compared.collision_efficiency,

@@ -15,7 +15,6 @@ from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.hit.second_touch import touched_again
-from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, read, say
 from sweetspot.report.sport_words import in_words, reader_of, weight, words_of
 from sweetspot.report.uncertainty.uncertainty_section import how_sure
@@ -33,13 +32,8 @@ def hit_document(answer: HitAnswer) -> Document:
     words = words_of(implement)
     place = in_words("hit {place} from the {tip}", words, place=Slot(implement.length - impact.position, "place"))
     picture = hit_picture(impact, words, title=say("{name}, {place}", name=implement.name, place=place))
-    masses = in_words(
-        "{implement} {tool}, {ball} {thrown}",
-        words,
-        tool=Slot(answer.bat.mass, "mass"),
-        thrown=weight(answer.ball_mass),
-    )
-    data = cleaned(answer.to_dict())
+    masses = masses_words(answer.bat.mass, answer.ball_mass, words)
+    data = answer.to_dict()
     return Document(
         name="hit",
         title=implement.name,
@@ -59,6 +53,11 @@ def hit_document(answer: HitAnswer) -> Document:
         reader=reader_of(implement),
         drawing=picture,
     )
+
+
+def masses_words(tool: Number, ball: Number, words: Words) -> Sentence:
+    """Return what met, kg, in words."""
+    return in_words("{implement} {tool}, {ball} {thrown}", words, tool=Slot(tool, "mass"), thrown=weight(ball))
 
 
 def by_ball(half: Number | None, words: Words) -> list[Sentence]:
@@ -81,7 +80,7 @@ def _doubts(impact: Impact, words: Words) -> list[Paragraph]:
 def impact_document(impact: Impact) -> Document:
     """Return a collision alone as a document: nobody says here whose it is, or how fast the bat was swung."""
     bare, words = collision_of(impact), Words()
-    data = cleaned(to_dict(bare))
+    data = to_dict(bare)
     title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
     picture = hit_picture(impact, words, title=title)
     rows: Rows = [
@@ -96,31 +95,25 @@ def impact_document(impact: Impact) -> Document:
     )  # fmt: skip
 
 
-def hit_table(hit: Hit, implement: Implement, masses: Sentence, *, at: str = "") -> Table:
+def hit_table(hit: Hit, implement: Implement, masses: Sentence) -> Table:
     """Return one hit in the words of its sport.
 
     Parameters
     ----------
     masses : what met, in words.
-    at : what its numbers' names begin with in the document's data.
     """
     words = words_of(implement)
     rows: Rows = [
         ("outcome", hit.outcome_text.replace(" bat ", f" {words.implement} ")),
-        (f"{words.implement} speed there", Slot(hit.bat_speed, "speed", of=_of(at, "bat_speed_m_s"))),
-        (words.exit_speed, Slot(hit.exit_speed, "speed", of=_of(at, "exit_speed_m_s"))),
-        (words.efficiency, Slot(hit.collision_efficiency, "ratio", 4, of=_of(at, "collision_efficiency"))),
+        (f"{words.implement} speed there", Slot(hit.bat_speed, "speed")),
+        (words.exit_speed, Slot(hit.exit_speed, "speed")),
+        (words.efficiency, Slot(hit.collision_efficiency, "ratio", 4)),
     ]
     if words.smash_factor and hit.smash_factor is not None:
-        rows.append((words.smash_factor, Slot(hit.smash_factor, "ratio", of=_of(at, "smash_factor"))))
+        rows.append((words.smash_factor, Slot(hit.smash_factor, "ratio")))
     if implement.face is None:
-        rows.append(("BBCOR at this speed", Slot(hit.bbcor, "ratio", of=_of(at, "bbcor"))))
-    return _two_columns([*rows, *_contact_rows(hit, words, at), *_energy_rows(hit, words, at), ("masses", masses)])
-
-
-def _of(at: str, name: str) -> str:
-    """Return a number's name in the document's data; "" where its interval comes with it."""
-    return f"{at}{name}" if at else ""
+        rows.append(("BBCOR at this speed", Slot(hit.bbcor, "ratio")))
+    return _two_columns([*rows, *_contact_rows(hit, words), *_energy_rows(hit, words), ("masses", masses)])
 
 
 def hit_picture(impact: Impact, words: Words, caption: str | Sentence = "", *, title: str | Sentence = "") -> Picture:
@@ -144,16 +137,16 @@ def _drawn(impact: Impact, words: Words, title: str) -> Any:
     return hit_figure(impact, words, title)
 
 
-def _contact_rows(hit: Collision, words: Words, at: str = "") -> Rows:
-    pressed = Slot(hit.peak_compression, "pressed", of=_of(at, "peak_compression_m"))
+def _contact_rows(hit: Collision, words: Words) -> Rows:
+    pressed = Slot(hit.peak_compression, "pressed")
     return [
-        ("contact, force above 1 % of its peak", Slot(hit.contact_time, "contact", of=_of(at, "contact_time_s"))),
-        ("peak force", _force(hit.peak_force, _of(at, "peak_force_n"))),
+        ("contact, force above 1 % of its peak", Slot(hit.contact_time, "contact")),
+        ("peak force", _force(hit.peak_force)),
         (in_words("peak compression of the {ball}", words), pressed),
     ]
 
 
-def _energy_rows(hit: Collision, words: Words, at: str = "") -> Rows:
+def _energy_rows(hit: Collision, words: Words) -> Rows:
     """Return the ledger; a part that the implement does not have is left out."""
     digits = 1 if float(hit.energy.incoming) > FEW_JOULES else 3
     rows: Rows = []
@@ -161,8 +154,8 @@ def _energy_rows(hit: Collision, words: Words, at: str = "") -> Rows:
         joules, share = getattr(hit.energy, field), getattr(hit.energy_share, field)
         if not float(joules) and field in ("face", "hoop"):
             continue
-        part = Slot(share, "share", 1, of=_of(at, f"energy_share.{field}"))
-        energy = Slot(joules, "energy", digits, of=_of(at, f"energy_j.{field}"))
+        part = Slot(share, "share", 1)
+        energy = Slot(joules, "energy", digits)
         rows.append((in_words(f"energy: {name}", words), say("{joules}, {part}", joules=energy, part=part)))
     missed = abs(hit.energy_imbalance)
     told = say("less than {part}", part=Slot(TOLD, "share", 1)) if missed < TOLD else Slot(missed, "share", 1)
@@ -188,8 +181,8 @@ def _damage_blocks(strains: Strains | None, words: Words) -> list[Block]:
     return [Paragraph(text + "."), *(Paragraph(f"Warning: {words}", "warning") for words in strains.warnings)]
 
 
-def _force(force: Number, of: str = "") -> Slot:
-    return Slot(force, "blow", None if float(force) > FEW_NEWTONS else 3, of=of)
+def _force(force: Number) -> Slot:
+    return Slot(force, "blow", None if float(force) > FEW_NEWTONS else 3)
 
 
 def _two_columns(rows: Sequence[tuple[Cell, Cell]], title: str | Sentence = "") -> Table:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.numerics.confidence import LEVEL
 from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import PLACES, Advice, Option
@@ -13,7 +15,6 @@ from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import Swings
 from sweetspot.player.swung import Swung, swung_bats
 from sweetspot.player.swung_pairs import Pair
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.player.words import answers, findings
 from sweetspot.report.quantities import US
@@ -100,7 +101,7 @@ def _option(option: Option, unit: str) -> dict[str, Any]:
     candidate = option.candidate
     return {
         "key": candidate.key, "label": candidate.label, "family": candidate.family,
-        "bat": bat_json(candidate.bat.name, candidate.bat.length, candidate.body), "choke_m": candidate.bat.choke,
+        "bat": to_dict(mass_properties(candidate.bat, candidate.body)), "choke_m": candidate.bat.choke,
         "bat_speed_m_s": asdict(option.bat_speed), f"goal{unit}": asdict(option.goal),
         f"change{unit}": asdict(option.change), "chance_better": option.chance,
     }  # fmt: skip

@@ -11,6 +11,8 @@ from shlex import quote
 from typing import Any, TypeVar
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules, title
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.design.answer import Designed, findings_of
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
@@ -28,7 +30,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.design.document import compared
 from sweetspot.report.design.sizes import drawing, tolerance_words
@@ -92,7 +93,7 @@ def answer(state: DesignState) -> dict[str, Any]:
             for one, value in zip(space.variables, numbers.tolist(), strict=True)
         ],
         "design": {
-            **bat_json(bat.name, bat.length, body), **outline(bat),
+            **to_dict(mass_properties(bat, body)), **outline(bat),
             "moi_6in_half_kg_m2": moi_half(bat, body),
             "stations": _handles(request, numbers),
         },

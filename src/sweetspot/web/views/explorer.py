@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import analyse_reduced
+from sweetspot.answers.conditions import hit_conditions
+from sweetspot.answers.records import to_dict
+from sweetspot.answers.report import report_of
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
+from sweetspot.numerics.interval import Interval, values_of
 from sweetspot.report.bat.place_words import speed_difference, why_backwards, why_here, why_off_axis
-from sweetspot.report.bat.words import answer as words_about
-from sweetspot.report.bat.words import misses_of
-from sweetspot.report.hit.json import conditions_json
+from sweetspot.report.bat.words import answer_words
 from sweetspot.report.hit.second_touch import touched_again_at
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
@@ -83,41 +85,37 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         "lost_m_s": lost,
         "ball": ball_picture(state, conditions.ball),
         "published": published(state),
-        "conditions": conditions_json(conditions),
+        "conditions": to_dict(hit_conditions(conditions)),
     }
 
 
 def why(state: ExplorerState) -> dict[str, Any]:
     """Return what the report says of this bat and swing, and what misses cost by two laws of the ball."""
     met = along(state)
-    analysis = analyse_reduced(met.reduced, met.conditions)
-    misses = misses_of(analysis)
-    best, top = analysis.sweet_spots.max_exit_speed, float(np.nanmax(analysis.scan.exit_speed))
-    sides = [(best + way * one.distance, loss) for one in misses for way, loss in ((-1, one.inside), (1, one.outside))]
+    report = report_of(analyse_reduced(met.reduced, met.conditions))
+    best, top = float(report.sweet_spots.max_exit_speed), float(np.nanmax(values_of(report.scan.exit_speed)))
+    sides = [
+        (best + way * float(one.distance), loss)
+        for one in report.misses
+        for way, loss in ((-1, one.inside), (1, one.outside))
+        if isinstance(loss, Interval)
+    ]
     points = [
         {"position_m": place, "low_m_s": top - loss.high, "high_m_s": top - loss.low}
-        for place, loss in sorted(sides)
-        if np.isfinite(loss.value)
+        for place, loss in sorted(sides, key=lambda side: side[0])
     ]
-    return {"sentences": in_both_systems(words_about(analysis, misses)), "other_law": points}
+    return {"sentences": in_both_systems(answer_words(report)), "other_law": points}
 
 
 def sure(state: ExplorerState) -> dict[str, Any]:
     """Return the report with an interval beside each number, and what they come from; speeds are taken as they are."""
-    from sweetspot.calibration.draws.drawn_reports import drawn_report
     from sweetspot.report.bat.document import report_document
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     met = along(state)
     analysis = analyse_reduced(met.reduced, met.conditions)
-    sources, misses = sources_for(state, met.reduced.bat, analysis.conditions), misses_of(analysis)
-    answers = drawn_report(analysis, sources, misses=misses, count=PAGE_DRAWS)
-    document = uncertain(
-        report_document(analysis, misses=misses, reaches=answers.reaches), answers,
-        main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described,
-    )  # fmt: skip
-    return told(document)
+    sources = sources_for(state, met.reduced.bat, analysis.conditions)
+    return told(report_document(report_of(analysis, sources, drawn=True, draws=PAGE_DRAWS)))
 
 
 def recipe(state: ExplorerState) -> dict[str, str]:

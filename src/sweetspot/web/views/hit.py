@@ -9,6 +9,8 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of
+from sweetspot.answers.conditions import hit_conditions
+from sweetspot.answers.records import to_dict
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.one_hit import quick_hit
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
@@ -22,7 +24,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.sport import Words
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.hit.second_touch import touched_again
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
@@ -85,7 +86,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
         "energy_j": {name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
         "hands": _hands(scene, modes, conditions.hands.position),
         "hoop": _hoop(scene, modes, reduced_bat, conditions),
-        "conditions": conditions_json(conditions),
+        "conditions": to_dict(hit_conditions(conditions)),
     }
 
 

@@ -12,6 +12,8 @@ from typing import Any
 import tomli_w
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table
 from sweetspot.calibration.calibrated_values import Value, material_values, properties
 from sweetspot.calibration.contradictions import meant, suspects
@@ -27,7 +29,6 @@ from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import REACH
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.calibration.document import (
     SCALE_OF,
     VALUES,
@@ -89,10 +90,10 @@ def answer(state: OwnState) -> dict[str, Any]:
     budget = [] if told is None else [budget_words(told), *moi_words(told), *density_words(told), *supposed_words(told)]
     axis = own.swing_axis
     return {
-        "bat": {**bat_json(own.name, own.length, described_body), **_picture(state, own)},
+        "bat": {**to_dict(mass_properties(own, described_body)), **_picture(state, own)},
         "tool": None if state.implement is None else {"name": own.name},
         "words": words_of(own).model_dump(), "grip_end": own.grip_end,
-        "fitted": bat_json(fitted.name, fitted.length, body)
+        "fitted": to_dict(mass_properties(fitted, body))
         | {"swing_weight_kg_m2": body.moi(axis), "swing_weight_half_kg_m2": REACH * moi_doubt(fitted, body, axis)},
         "guesses": _guesses(described_body, state, own),
         "expected": expected_tones(state),

@@ -15,6 +15,8 @@ from pydantic import Field
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.drop_test import bounce
+from sweetspot.answers.conditions import hit_conditions
+from sweetspot.answers.records import to_dict
 from sweetspot.dynamics.block import Block, Support
 from sweetspot.dynamics.rigid import centre_of_percussion, hand_impulse_ratio
 from sweetspot.equipment.ball import Ball
@@ -24,7 +26,6 @@ from sweetspot.paper.choices import RATIOS, Choices, can_be_drilled, corked_anal
 from sweetspot.paper.formulas import Row
 from sweetspot.paper.metal_wall import metal_wall_point
 from sweetspot.paper.words import Number, Words
-from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import SYSTEMS, Reader
 from sweetspot.report.sentences import Slot
@@ -79,7 +80,7 @@ def answer(state: PaperState) -> dict[str, Any]:
         "picture": cleaned(picture),
         "ball": ball_picture(state, analysis.conditions.ball),
         "bat": bat_picture(state, analysis.reduced),
-        "conditions": conditions_json(analysis.conditions),
+        "conditions": to_dict(hit_conditions(analysis.conditions)),
     }
 
 

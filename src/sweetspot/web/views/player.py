@@ -15,6 +15,8 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import SweetspotError, nearest_names
@@ -27,7 +29,6 @@ from sweetspot.player.narrow_table import narrow_csv
 from sweetspot.player.player_swing import check_enough
 from sweetspot.player.posterior import Posterior, fit_player
 from sweetspot.player.swings import MOST_SWINGS, Swings, batters, evenly, read_swings
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.player.document import player_document
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.units import MPH
@@ -78,7 +79,7 @@ def answer(state: PlayerState) -> dict[str, Any]:
     own = described(state)
     return {
         "bat": {
-            **bat_json(own.name, own.length, rigid_body(beam_model(own))),
+            **to_dict(mass_properties(own, rigid_body(beam_model(own)))),
             **outline(own),
             "bounds": bounds(state, own),
         },

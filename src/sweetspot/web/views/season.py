@@ -13,11 +13,12 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import InputError
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
-from sweetspot.report.bat.json import bat_json
 from sweetspot.units import INCH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import PARK, described
@@ -72,7 +73,7 @@ def answer(state: SeasonState) -> dict[str, Any]:
     summary = None if folder is None else kept_summary(folder)
     return {
         "bat": {
-            **bat_json(own.name, own.length, rigid_body(beam_model(own))), **outline(own),
+            **to_dict(mass_properties(own, rigid_body(beam_model(own)))), **outline(own),
             "bounds": bounds(state, own),
         },
         "park": {

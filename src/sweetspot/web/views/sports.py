@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import lru_cache
 from shlex import quote
 from typing import Annotated, Any
@@ -14,6 +14,9 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.face_maps import face_map
 from sweetspot.analysis.position_scan import sting
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
+from sweetspot.answers.report import report_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.impact import Outcome
@@ -21,8 +24,7 @@ from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions, Pitch
-from sweetspot.report.bat.json import bat_json
-from sweetspot.report.bat.words import answer as words_about
+from sweetspot.report.bat.words import answer_words
 from sweetspot.report.hit.second_touch import touched_again_at, touched_again_between
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, MPH
@@ -67,7 +69,7 @@ def answer(state: SportsState) -> dict[str, Any]:
         "has_face": _has_face(tool),
         "sport": sport.name,
         "words": words_of(tool).model_dump(),
-        "tool": {**bat_json(tool.name, tool.length, analysis.body), "made_of": tool.made_of},
+        "tool": {**to_dict(mass_properties(tool, analysis.body)), "made_of": tool.made_of},
         "ball": {"name": conditions.ball.name, "radius_m": conditions.ball.radius},
         "swing_mph": conditions.swing.bat_speed / MPH,
         "incoming_mph": conditions.pitch.speed / MPH,
@@ -85,8 +87,8 @@ def answer(state: SportsState) -> dict[str, Any]:
 
 def sentences(state: SportsState) -> dict[str, Any]:
     """Return where it hits best and why, in either system of units."""
-    told = words_about(_played(state), [])
-    return {"sentences": in_both_systems(told)}
+    report = replace(report_of(_played(state)), misses=())  # they stand in the picture
+    return {"sentences": in_both_systems(answer_words(report))}
 
 
 def face(state: SportsState) -> dict[str, Any]:
