@@ -12,7 +12,8 @@ from sweetspot import catalog
 from sweetspot.analysis.certification.rules import construction_findings
 from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations
 from sweetspot.calibration.calibrated_values import properties
-from sweetspot.calibration.draws.sources import expected_deviations, sources_of
+from sweetspot.calibration.draws.implement_doubt import expected_deviations
+from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
@@ -76,7 +77,7 @@ def test_the_file_says_the_interval_that_answers_carry(r161: Bat) -> None:
     assert REACH * properties(posterior)["moi"].value.error == pytest.approx(half)
     sources = sources_of(own, standard_conditions(own), known=known_deviations(table))
     assert [one.name for one in sources.unknowns][-1] == "gyration"
-    assert 2 * REACH * np.sqrt(sources.covariance[-1, -1]) * body.moi_cm == pytest.approx(half)
+    assert 2 * REACH * np.sqrt(sources.doubt.covariance[-1, -1]) * body.moi_cm == pytest.approx(half)
     swung = kept(fitted_to(r161, MASS, BALANCE, PERIOD))
     assert "gyration" not in [one.name for one in sources_of(swung, standard_conditions(swung)).unknowns]
 

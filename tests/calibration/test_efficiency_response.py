@@ -9,7 +9,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.draws.sources import expected_deviations
+from sweetspot.calibration.draws.implement_doubt import expected_deviations
 from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted

@@ -12,7 +12,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import calibrated_table
-from sweetspot.calibration.draws.sources import expected_deviations
+from sweetspot.calibration.draws.implement_doubt import expected_deviations
 from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted

@@ -53,7 +53,7 @@ def as_described(implement: Implement) -> BeamModel:
         known |= {
             "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(implement.moi_axis),
         }  # fmt: skip
-    return beam_model(implement.replaced(calibrated=True, **known))
+    return beam_model(implement.replaced(calibrated=True, original=None, **known))
 
 
 def implement_deviated(line: BeamModel, deviations: Mapping[str, float]) -> BeamModel:

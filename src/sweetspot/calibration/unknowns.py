@@ -162,8 +162,11 @@ def _changed(bat: Bat, by: dict[str, float]) -> Bat:
         ends = {"knob_mass": shell.knob_mass * knob, "end_cap_mass": shell.end_cap_mass * factor.get("end_mass", 1.0)}
         changes["shell"] = shell.unchecked(**ends)
     else:
+        *_, piece = bat.lineage()
+        tape = piece.point_masses if isinstance(piece, Bat) else ()  # what was put on since was weighed
         changes["point_masses"] = tuple(
-            weight.unchecked(mass=weight.mass * knob) if weight.position == 0 else weight for weight in bat.point_masses
+            weight.unchecked(mass=weight.mass * knob) if weight.position == 0 and weight in tape else weight
+            for weight in bat.point_masses
         )
     if "handle" in by and bat.profile is not None:
         diameters = np.array(bat.profile)[:, 1]

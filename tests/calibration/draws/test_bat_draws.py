@@ -12,7 +12,7 @@ from sweetspot.analysis.bat_analysis import hit_at
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.draws.drawn_energy import drawn_ledger
 from sweetspot.calibration.draws.drawn_hits import draws_of, hits_along
-from sweetspot.calibration.draws.sources import OF_BALL, PATCH, Sources, sources_of
+from sweetspot.calibration.draws.sources import NOTHING, OF_BALL, PATCH, sources_of
 from sweetspot.calibration.unknowns import Unknown, deviated, unknowns_of
 from sweetspot.calibration.unknowns import described as described_beam
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -101,8 +101,7 @@ def test_sources_can_be_left_out_and_put_in() -> None:
     sources = sources_of(bat, standard_conditions(bat))
     assert f"{OF_BALL}restitution" in sources.names
     assert f"{OF_BALL}restitution" not in sources.without(f"{OF_BALL}restitution").names
-    nothing = Sources((), np.zeros((0, 0)), ())
-    assert nothing.of("swing", np.zeros((3, 0))).tolist() == [0.0, 0.0, 0.0]
+    assert NOTHING.of("swing", np.zeros((3, 0))).tolist() == [0.0, 0.0, 0.0]
 
 
 def test_a_racket_that_may_be_a_fifth_stiffer_is_followed() -> None:

@@ -1,12 +1,12 @@
 """A comparison of many bats that may be meant, all hit by the same balls with the same effort.
 
 What is not known of ball, pitch and swing is the same for all bats of a draw and mostly cancels. Each bat has its own
-doubt, but a bat that was changed has that of the bat it was. The swing law's exponent is drawn too.
+doubt, but bats that were made from one piece share what is not known of it. The swing law's exponent is drawn too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -49,15 +49,12 @@ def drawn_comparison(
         sequence.
     """
     first, law = sources[0], comparison.law
-    bats = _same_bats(comparison, sources)
-    different = sorted(set(bats))
-    sizes = [len(sources[bat].unknowns) for bat in different]
+    behind = {number: column for column, number in enumerate(_behind(comparison, sources))}
     names = drawn_names(comparison, sources)
     if normal is None:
         normal = even_normal(count, len(names))  # of one sequence: two of them go together, whatever their seeds
     count = len(normal)
-    *parts, shared = np.split(normal, np.cumsum(sizes), axis=1)
-    of_bat = dict(zip(different, parts, strict=True))
+    of_bats, shared = np.split(normal, [len(behind)], axis=1)
     power = np.zeros(count + 1)
     if law is not None:
         power[1:] = law.exponent_spread * shared[:, -1]
@@ -66,10 +63,10 @@ def drawn_comparison(
     values: dict[str, Array] = {}
     reference: Draws | None = None
     longest = max(one.analysis.bat.length for one in comparison.compared)
-    for index, (one, own, bat) in enumerate(zip(comparison.compared, sources, bats, strict=True)):
-        joint = Sources(own.unknowns, own.covariance, first.others)
+    for index, (one, own) in enumerate(zip(comparison.compared, sources, strict=True)):
+        joint = Sources(own.doubt, first.others)
         analysis = one.analysis
-        drawn = np.hstack([of_bat[bat], of_others])
+        drawn = np.hstack([of_bats[:, [behind[number] for number in own.doubt.behind]], of_others])
         draws = draws_of(analysis.line, analysis.conditions, joint, count=count, normal=drawn)
         if reference is not None and law is not None:
             draws = draws.swung(reference.bat_speed / reference.bat_speed[0] * _ratios(law, draws, reference, power))
@@ -86,21 +83,17 @@ def drawn_comparison(
 
 
 def drawn_names(comparison: Comparison[Implement], sources: Sequence[Sources]) -> tuple[str, ...]:
-    """Return the name of the source of every column of a draw: of bats that differ, then of what they share."""
-    called = names_of_bats(comparison)
-    different = sorted(set(_same_bats(comparison, sources)))
-    own = [called[bat] for bat in different for _ in sources[bat].unknowns]
+    """Return the name of the source of every column of a draw: of the bats, then of what they share."""
+    own = _behind(comparison, sources).values()
     return (*own, *(one.name for one in (*sources[0].others, *_of_law(comparison.law))))
 
 
-def _same_bats(comparison: Comparison[Implement], sources: Sequence[Sources]) -> list[int]:
-    """Return the number of the first bat that every bat is, or was before it was changed."""
-    measured = [one.analysis.bat.as_measured() for one in comparison.compared]
-    unknown = [[one.name for one in its.unknowns] for its in sources]
-    return [
-        next(other for other in range(len(measured)) if measured[other] == own and unknown[other] == unknown[index])
-        for index, own in enumerate(measured)
-    ]
+def _behind(comparison: Comparison[Implement], sources: Sequence[Sources]) -> dict[Hashable, str]:
+    """Return whose every number behind the bats' deviations is, and what the first bat is called that it is behind."""
+    called: dict[Hashable, str] = {}
+    for label, one in zip(names_of_bats(comparison), sources, strict=True):
+        called |= {number: label for number in one.doubt.behind if number not in called}
+    return called
 
 
 def _against_the_first(one: Compared[Implement], index: int, values: dict[str, Array]) -> dict[str, Array]:

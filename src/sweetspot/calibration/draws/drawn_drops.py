@@ -12,6 +12,7 @@ import numpy as np
 
 from sweetspot.analysis.drop_test import Rebound
 from sweetspot.calibration.ball_doubt import ball_off
+from sweetspot.calibration.draws.implement_doubt import NO_DOUBT
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, OF_BALL, Source, Sources, sources_of_ball
 from sweetspot.catalog.materials import material_spreads
@@ -37,7 +38,7 @@ def drop_sources(rebound: Rebound, *, speed_error: float = 0.0) -> Sources:
     given = ((STIFFNESS, known.get("longitudinal_modulus", 0.0)), (DENSITY, known.get("density", 0.0)))
     block = [Source(source, size, where) for source, size in given if size > 0]
     arrival = [Source(ARRIVAL, speed_error, "as it was written")] if speed_error > 0 else []
-    return Sources((), np.zeros((0, 0)), (*sources_of_ball(rebound.ball), *block, *arrival))
+    return Sources(NO_DOUBT, (*sources_of_ball(rebound.ball), *block, *arrival))
 
 
 def drawn_drop(

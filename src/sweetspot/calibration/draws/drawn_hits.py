@@ -122,7 +122,7 @@ def draws_of(
     )
     swung, thrown = conditions.swing.bat_speed + sources.of(SWING, off), conditions.pitch.speed + sources.of(PITCH, off)
     drawn_ones = drawn_bats(
-        line, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.covariance)), ball=ball
+        line, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.doubt.covariance)), ball=ball
     )
     patch = np.exp(sources.of(PATCH, off))
     own = patch * np.array([contact_patch(one) for one in balls]) / contact_patch(ball)

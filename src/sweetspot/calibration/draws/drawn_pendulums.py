@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sweetspot.calibration.draws.implement_doubt import NO_DOUBT
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
 from sweetspot.calibration.measured import Measured
@@ -39,7 +40,7 @@ def pendulum_sources(hung: Hung) -> Sources:
     swung = PERIOD if hung.timed else MOI
     given = {WEIGHT: hung.mass, BALANCE: hung.balance_point, swung: hung.swung, AXIS: hung.pivot}
     others = tuple(Source(name, one.error, "as it was written") for name, one in given.items() if one.error > 0)
-    return Sources((), np.zeros((0, 0)), others)
+    return Sources(NO_DOUBT, others)
 
 
 def drawn_pendulum(hung: Hung, *, count: int = DRAWS) -> DrawnAnswers:

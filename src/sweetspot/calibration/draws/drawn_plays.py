@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sweetspot.calibration.draws.drawn_hits import draws_of
+from sweetspot.calibration.draws.implement_doubt import NO_DOUBT
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
 from sweetspot.collision.hit_in_space import Contact, strikes
@@ -120,7 +121,7 @@ def drawn_flight(
     """  # fmt: skip
     given = [(LAUNCH_SPEED, speed_error), (LAUNCH_ANGLE, angle_error)]
     written = tuple(Source(name, error, "as it was written") for name, error in given if error > 0)
-    sources = Sources((), np.zeros((0, 0)), (drag_source(spread), *written))
+    sources = Sources(NO_DOUBT, (drag_source(spread), *written))
     normal = np.vstack([np.zeros((1, len(sources.names))), sources.normal(count)])
     off = sources.deviations(normal)
     speed = np.maximum(left.speed + sources.of(LAUNCH_SPEED, off), 0.0)

@@ -130,7 +130,7 @@ def drawn_nodes(draws: Draws, families: Collection[str]) -> list[Array]:
     if bats.whole is not None:
         told = [index for index, family in enumerate(bats.whole.families) if family in families]
         return _followed_nodes(bats, [(one, told) for one in (bats.whole, *bats.wholes)])
-    steps = np.diag(np.sqrt(np.diag(draws.sources.covariance)))
+    steps = np.diag(np.sqrt(np.diag(draws.sources.doubt.covariance)))
     ends = [deviated(draws.line, unknowns, sign * step) for step in steps for sign in (1.0, -1.0)]
     around = bending_batch(BeamRow([draws.line, *ends]), threads=1)
     beams = [around.modes(number) for number in range(len(around))]

@@ -8,27 +8,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.naming import ModeName
-from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.unknowns import Unknown, described, unknowns_of
+from sweetspot.calibration.draws.implement_doubt import NO_DOUBT, ImplementDoubt, implement_doubt
+from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
-from sweetspot.catalog.bats import other_files
-from sweetspot.catalog.implements import implement
 from sweetspot.catalog.sports import sport
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import OF_CENTRE, is_balanced, is_swung, moi_doubt
 from sweetspot.dynamics.patch import PATCH_SPREAD
-from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.constants import STANDARD_AXIS
 
 BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
 """Names of the sources that are no property of the ball."""
@@ -36,9 +26,6 @@ OF_BALL = "ball "
 """What the names of the ball's properties begin with."""
 DRAWS = 1024
 """A power of two, as Sobol's sequence wants."""
-WEIGHED, BALANCED, HUNG, RUNG = 0.003, 0.0025, 0.01, 0.03
-"""One sigma of a weight, of a balance point in m, of a moment of inertia and of a first frequency, that a file gives
-without an error: 0.1 oz of 31, 0.1 in, 1 %, 3 % (assumed; a frequency may come from a shop's stiffness)."""
 
 
 @dataclass(frozen=True)
@@ -63,15 +50,13 @@ class Sources:
 
     Parameters
     ----------
-    unknowns : of the bat.
-    covariance : of them, shape (k, k).
+    doubt : of the bat.
     others : ball, patch, swing and pitch, independent of each other and of the bat.
-    bat_where : what the bat's covariance rests on, in words.
+    bat_where : what the bat's doubt rests on, in words.
     implement : what people call it: a bat, a racket, a club.
     """
 
-    unknowns: tuple[Unknown, ...]
-    covariance: Array
+    doubt: ImplementDoubt
     others: tuple[Source, ...]
     bat_where: str = ""
     implement: str = BAT
@@ -79,7 +64,12 @@ class Sources:
     @property
     def names(self) -> tuple[str, ...]:
         """Name of every column of a draw."""
-        return (self.implement,) * len(self.unknowns) + tuple(one.name for one in self.others)
+        return (self.implement,) * len(self.doubt.behind) + tuple(one.name for one in self.others)
+
+    @property
+    def unknowns(self) -> tuple[Unknown, ...]:
+        """Of the bat."""
+        return self.doubt.unknowns
 
     @property
     def described(self) -> dict[str, str]:
@@ -106,25 +96,29 @@ class Sources:
         return even_normal(count, len(self.names), seed=seed)
 
     def deviations(self, normal: Array) -> Array:
-        """Return deviations from what was described for standard normal numbers, both of shape (count, n)."""
+        """Return deviations from what was described, of the bat's unknowns and then of the others, shape (count, m).
+
+        Parameters
+        ----------
+        normal : standard normal numbers, shape (count, n), a column for each of `names`.
+        """
         import scipy.special
 
-        count = len(self.unknowns)
-        values, vectors = np.linalg.eigh(self.covariance)
-        drawn = np.empty_like(normal)
-        drawn[:, :count] = normal[:, :count] @ (vectors * np.sqrt(np.maximum(values, 0.0))).T
-        for column, one in enumerate(self.others, start=count):
+        own, rest = np.split(normal, [len(self.doubt.behind)], axis=1)
+        others = np.empty_like(rest)
+        for column, one in enumerate(self.others):
             if isinstance(one.spread, tuple):
                 low, high = one.spread
-                drawn[:, column] = low + (high - low) * scipy.special.ndtr(normal[:, column])
+                others[:, column] = low + (high - low) * scipy.special.ndtr(rest[:, column])
             else:
-                drawn[:, column] = one.spread * normal[:, column]
-        return drawn
+                others[:, column] = one.spread * rest[:, column]
+        return np.hstack([own @ self.doubt.factor.T, others])
 
     def of(self, name: str, deviations: Array) -> Array:
         """Return the deviations of one source that is not the bat's, shape (count,); 0 where it is no source."""
-        names = self.names
-        return deviations[:, names.index(name)] if name in names else np.zeros(len(deviations))
+        names = [one.name for one in self.others]
+        column = len(self.unknowns) + names.index(name) if name in names else None
+        return np.zeros(len(deviations)) if column is None else deviations[:, column]
 
 
 def even_normal(count: int, columns: int, *, seed: int = 1) -> Array:
@@ -141,7 +135,7 @@ def even_normal(count: int, columns: int, *, seed: int = 1) -> Array:
     return np.asarray(scipy.special.ndtri(np.clip(even, 1e-9, 1 - 1e-9)))
 
 
-NOTHING = Sources((), np.zeros((0, 0)), ())
+NOTHING = Sources(NO_DOUBT, ())
 """Everything is known."""
 
 
@@ -162,70 +156,14 @@ def sources_of(
         allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
     bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
     """
-    unknowns, covariance = _with_outline(bat, *(expected_deviations(bat) if known is None else known))
+    doubt = implement_doubt(bat, known)
     of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
     where = f"{of_kind}, after what its file says was measured" if known is None else "its calibration"
-    where = where if unknowns else "taken as described: how its plies may differ is not modelled"
+    where = where if doubt.unknowns else "taken as described: how its plies may differ is not modelled"
     return Sources(
-        tuple(unknowns), np.asarray(covariance, dtype=np.float64),
-        (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,
+        doubt, (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,
         sport(bat.sport).words.implement,
     )  # fmt: skip
-
-
-def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array) -> tuple[tuple[Unknown, ...], Array]:
-    """Return unknowns and covariance with what a bat's outline leaves open of a moment that was not measured.
-
-    Nothing but the outline tells the radius of gyration about the balance point, and the balance point itself where
-    that was not measured either: then it is off by so much that both together are the doubt of `moi_doubt`.
-    """
-    measured = bat.as_measured()
-    if not isinstance(measured, Bat) or is_swung(measured) or not unknowns:
-        return tuple(unknowns), covariance
-    more = [Unknown("gyration", OF_CENTRE / 2)]
-    if not is_balanced(measured):
-        body = rigid_body(beam_model(measured))
-        rest = moi_doubt(measured, body, STANDARD_AXIS) ** 2 - (OF_CENTRE * body.moi_cm) ** 2
-        moved = max(rest, 0.0) ** 0.5 / (2 * body.mass * (body.balance_point - STANDARD_AXIS))  # I_cm + M (x - axis)^2
-        more.append(Unknown("balance_point", moved / body.balance_point))
-    spreads = [one.spread for one in more]
-    return (*unknowns, *more), np.pad(covariance, (0, len(more))) + np.diag([*np.zeros(len(unknowns)), *spreads]) ** 2
-
-
-def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
-    """Return what is not known of a bat that was not calibrated, after what its file says was measured.
-
-    What is laid up of plies has none: its doubt is not modelled.
-    """
-    measured = bat.as_measured()
-    try:
-        unknowns = unknowns_of(measured)
-    except InputError:
-        return (), np.zeros((0, 0))
-    given = _written(measured)
-    if not given:
-        return unknowns, np.diag([one.spread**2 for one in unknowns])
-    return unknowns, calibrate(described(measured), unknowns, given).covariance
-
-
-def _written(own: Implement) -> list[Measurement]:
-    """Return what a file says was measured; of a racket, club or stick the catalogue's own values were not."""
-    others = () if isinstance(own, Bat) else map(implement, other_files())
-    usual = next((one for one in others if one.sport == own.sport), None)
-    mass, balance_point, moi, frequency = (
-        None if name in own.fitted or (usual and getattr(own, name) == getattr(usual, name)) else getattr(own, name)
-        for name in ("mass", "balance_point", "moi", "frequency")
-    )
-    given = []
-    if mass is not None:
-        given.append(Measurement("mass", Measured(mass, WEIGHED * mass)))
-    if balance_point is not None:
-        given.append(Measurement("balance_point", Measured(balance_point, BALANCED)))
-    if moi is not None:
-        given.append(Measurement("moi", Measured(moi, HUNG * moi), axis=own.moi_axis))
-    if frequency is not None:
-        given.append(Measurement("frequency", Measured(frequency, RUNG * frequency), mode=ModeName("bending", 1)))
-    return given
 
 
 def ball_sources(conditions: Conditions) -> tuple[Source, ...]:

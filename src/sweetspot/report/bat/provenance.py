@@ -49,11 +49,11 @@ def own_values(analysis: Analysis[Implement]) -> list[str]:
     """Return in words what was used but is not the catalogue's: a bat from a file, changed materials or balls."""
     words = []
     described, used = analysis.bat, analysis.conditions.ball
-    if not bat_records(described):
+    known = [one for one in described.lineage() if _key_of(one) is not None]
+    if not known:
         words.append(f"Sizes and weight of {described.name}: as given by whoever described it.")
-    elif described.as_measured() is not described:
-        measured = described.as_measured().name
-        words.append(f"The records of the bat are those of {measured}, before it was changed.")
+    elif known[0] is not described:
+        words.append(f"The records of the bat are those of {known[0].name}, before it was changed.")
     for made_of in described.materials:
         words += (
             _changes("material", made_of, material(key))
@@ -69,14 +69,20 @@ def own_values(analysis: Analysis[Implement]) -> list[str]:
 
 
 def bat_records(described: Implement) -> list[Record]:
-    """Return the records of a catalogue bat, or of the one a modified bat was made from; none for any other bat."""
-    measured = described.as_measured()
-    for key, entry in implement_tables().items():
-        if entry.get("name") == measured.name and implement(key) == measured:
-            tables = {f"{key}.{name}": table for name, table in entry.items() if isinstance(table, dict)}
-            inside = [record for name, table in tables.items() for record in all_records(table, name)]
-            return all_records(entry, key) + inside
-    return []
+    """Return the records of a catalogue bat and of what it was changed from; none for a bat that has nothing of it."""
+    records = []
+    for key in filter(None, map(_key_of, described.lineage())):
+        entry = implement_tables()[key]
+        tables = {f"{key}.{name}": table for name, table in entry.items() if isinstance(table, dict)}
+        records += all_records(entry, key)
+        records += [record for name, table in tables.items() for record in all_records(table, name)]
+    return records
+
+
+def _key_of(one: Implement) -> str | None:
+    """Return the key of a catalogue bat; None for any other."""
+    named = (key for key, entry in implement_tables().items() if entry.get("name") == one.name)
+    return next((key for key in named if implement(key) == one), None)
 
 
 def material_records(made_of: Material) -> list[Record]:

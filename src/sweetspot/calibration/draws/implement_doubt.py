@@ -1,0 +1,161 @@
+"""What is not known of an implement, by the independent numbers behind it: what was changed shares those of its parent.
+
+A bat and the same bat with tape on it are one piece of wood. Whatever that is, it is in both, and most of it cancels
+where they are compared. So what is not known is that of the piece at the beginning, after what was measured on it. What
+was measured anew on a changed one takes the place of what the piece says: with H the slope of the measured values by
+the deviations x of the piece, C their covariance and e the new errors, its deviations are x + G (e - H x), with
+G = C H^T (H C H^T)^-1, so that its own values are off by e and all else stays as it goes with x.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.calibration.implement_unknowns import as_described
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
+from sweetspot.catalog.bats import other_files
+from sweetspot.catalog.implements import implement
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.outline_doubt import OF_CENTRE, is_balanced, is_swung, moi_doubt
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
+
+WEIGHED, BALANCED, HUNG, RUNG = 0.003, 0.0025, 0.01, 0.03
+"""One sigma of a weight, of a balance point in m, of a moment of inertia and of a first frequency, that a file gives
+without an error: 0.1 oz of 31, 0.1 in, 1 %, 3 % (assumed; a frequency may come from a shop's stiffness)."""
+STEP = 0.05
+"""Of a spread, in the differences by which measured values go with deviations."""
+Known = tuple[Sequence[Unknown], Array]
+"""Unknowns of an implement, and their covariance."""
+
+
+@dataclass(frozen=True)
+class ImplementDoubt:
+    """What is not known of an implement.
+
+    Parameters
+    ----------
+    unknowns : deviations from its description.
+    factor : of the deviations by independent standard normal numbers, shape (unknowns, numbers).
+    behind : whose each of these numbers is; implements that share one are off alike by it.
+    """
+
+    unknowns: tuple[Unknown, ...]
+    factor: Array
+    behind: tuple[Hashable, ...]
+
+    @property
+    def covariance(self) -> Array:
+        """Of the deviations, shape (unknowns, unknowns)."""
+        return np.asarray(self.factor @ self.factor.T)
+
+
+NO_DOUBT = ImplementDoubt((), np.zeros((0, 0)), ())
+"""An implement that is just as described."""
+
+
+def implement_doubt(one: Implement, known: Known | None = None) -> ImplementDoubt:
+    """Return what is not known of an implement.
+
+    Parameters
+    ----------
+    known : of the piece that it was made from, as `sweetspot calibrate` left it; None: what the catalogue allows for
+        its kind, after the weight, balance point and moment of inertia in its file.
+    """
+    *changed, piece = one.lineage()
+    unknowns, covariance = _with_outline(piece, *(expected_deviations(piece) if known is None else known))
+    covariance = np.asarray(covariance, dtype=np.float64)
+    values, vectors = np.linalg.eigh(covariance)
+    whose = (piece, unknowns, covariance.tobytes())
+    behind = tuple((whose, index) for index in range(len(unknowns)))
+    doubt = ImplementDoubt(unknowns, vectors * np.sqrt(np.maximum(values, 0.0)), behind)
+    for each in reversed(changed):
+        doubt = _measured_anew(doubt, each)
+    return doubt
+
+
+def _measured_anew(doubt: ImplementDoubt, one: Implement) -> ImplementDoubt:
+    """Return the doubt of an implement that was changed from one of this doubt, after what was measured on it."""
+    given = _written(one)
+    if not given or not doubt.unknowns:
+        return doubt
+    line = beam_model(one) if isinstance(one, Bat) else as_described(one)
+    steps = STEP * np.diag(np.sqrt(np.diag(doubt.covariance)))
+
+    def said(deviations: Array) -> Array:
+        return predicted(deviated(line, doubt.unknowns, deviations), given)
+
+    sizes = np.maximum(np.diag(steps), 1e-12)
+    slopes = np.array([(said(step) - said(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]).T
+    before = slopes @ doubt.factor
+    gain = doubt.factor @ np.linalg.pinv(before, rcond=1e-9)
+    errors = gain * np.array([each.error for each in given])
+    behind = (*doubt.behind, *((one, each.name) for each in given))
+    return ImplementDoubt(doubt.unknowns, np.hstack([doubt.factor - gain @ before, errors]), behind)
+
+
+def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array) -> tuple[tuple[Unknown, ...], Array]:
+    """Return unknowns and covariance with what a bat's outline leaves open of a moment that was not measured.
+
+    Nothing but the outline tells the radius of gyration about the balance point, and the balance point itself where
+    that was not measured either: then it is off by so much that both together are the doubt of `moi_doubt`.
+    """
+    if not isinstance(bat, Bat) or is_swung(bat) or not unknowns:
+        return tuple(unknowns), covariance
+    more = [Unknown("gyration", OF_CENTRE / 2)]
+    if not is_balanced(bat):
+        body = rigid_body(beam_model(bat))
+        rest = moi_doubt(bat, body, STANDARD_AXIS) ** 2 - (OF_CENTRE * body.moi_cm) ** 2
+        moved = max(rest, 0.0) ** 0.5 / (2 * body.mass * (body.balance_point - STANDARD_AXIS))  # I_cm + M (x - axis)^2
+        more.append(Unknown("balance_point", moved / body.balance_point))
+    spreads = [one.spread for one in more]
+    return (*unknowns, *more), np.pad(covariance, (0, len(more))) + np.diag([*np.zeros(len(unknowns)), *spreads]) ** 2
+
+
+def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
+    """Return what is not known of a bat that was not calibrated, after what its file says was measured.
+
+    What is laid up of plies has none: its doubt is not modelled.
+    """
+    try:
+        unknowns = unknowns_of(bat)
+    except InputError:
+        return (), np.zeros((0, 0))
+    given = _written(bat)
+    if not given:
+        return unknowns, np.diag([one.spread**2 for one in unknowns])
+    return unknowns, calibrate(described(bat), unknowns, given).covariance
+
+
+def _written(own: Implement) -> list[Measurement]:
+    """Return what a file says was measured, on it and not on what it was changed from.
+
+    Of a racket, club or stick the catalogue's own values were not measured.
+    """
+    others = () if isinstance(own, Bat) else map(implement, other_files())
+    usual = own.original or next((one for one in others if one.sport == own.sport), None)
+    mass, balance_point, moi, frequency = (
+        None if name in own.fitted or (usual and getattr(own, name) == getattr(usual, name)) else getattr(own, name)
+        for name in ("mass", "balance_point", "moi", "frequency")
+    )
+    given = []
+    if mass is not None:
+        given.append(Measurement("mass", Measured(mass, WEIGHED * mass)))
+    if balance_point is not None:
+        given.append(Measurement("balance_point", Measured(balance_point, BALANCED)))
+    if moi is not None:
+        given.append(Measurement("moi", Measured(moi, HUNG * moi), axis=own.moi_axis))
+    if frequency is not None:
+        given.append(Measurement("frequency", Measured(frequency, RUNG * frequency), mode=ModeName("bending", 1)))
+    return given
