@@ -89,7 +89,9 @@ def test_deviations_have_the_distributions_that_are_named() -> None:
     sources = sources_of(bat, standard_conditions(bat), pitch_speed_error=0.4)
     off = sources.deviations(sources.normal(1024))
     count = len(sources.unknowns)
-    assert np.cov(off[:, :count].T) == pytest.approx(sources.covariance, abs=0.02 * sources.covariance.max())
+    assert np.cov(off[:, :count].T) == pytest.approx(
+        sources.doubt.covariance, abs=0.02 * sources.doubt.covariance.max()
+    )
     assert np.std(sources.of("pitch", off)) == pytest.approx(0.4, rel=0.02)
     patch = np.exp(sources.of(PATCH, off))
     assert (patch.min(), patch.max()) == pytest.approx((0.83, 1.25), abs=0.002)
