@@ -45,6 +45,7 @@ from studies.recorder_bats import (
 from studies.recorder_taps import recorders
 from studies.struck_beams import FREE, GRIPS, Beam, Grip
 from sweetspot.calibration.calibrated_file import deviations_of
+from sweetspot.calibration.draws.implement_doubt import doubt_of_piece
 from sweetspot.calibration.draws.linear_doubt import speed_doubt
 from sweetspot.calibration.draws.sources import Sources
 from sweetspot.catalog.standard_hit import standard_analysis
@@ -148,7 +149,7 @@ def true_exit_speed(truth: Truth, file: str) -> tuple[float, float, float]:
     beam, known = truth.ringing.beam, deviations_of(file)
     assert beam is not None and known is not None
     analysis = standard_analysis(file)
-    doubt = speed_doubt(analysis, Sources(*known, (), "its calibration", "bat"))
+    doubt = speed_doubt(analysis, Sources(doubt_of_piece(file, *known), (), "its calibration", "bat"))
     assert doubt is not None
     conditions, place = analysis.conditions, np.array([analysis.sweet_spots.max_exit_speed])
     ours = all_modes(analysis.line, conditions.ball)

@@ -11,7 +11,7 @@ from sweetspot import catalog, compare
 from sweetspot.calibration.calibrated_file import deviations_of
 from sweetspot.calibration.draws.comparison_draws import drawn_comparison
 from sweetspot.calibration.draws.drawn_hits import draws_of
-from sweetspot.calibration.draws.implement_doubt import WEIGHED, implement_doubt
+from sweetspot.calibration.draws.implement_doubt import WEIGHED, doubt_of
 from sweetspot.calibration.draws.linear_doubt import comparison_reaches
 from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -116,7 +116,7 @@ def test_a_weight_on_a_scale_opens_only_the_scale_s_error(tmp_path: Path) -> Non
     file = tmp_path / "own.toml"
     file.write_text('like = "r161-ash"\nmass = "31.3 oz"\n')
     own, plain = catalog.bat(str(file)), catalog.bat("r161-ash")
-    one, two = implement_doubt(own), implement_doubt(plain)
+    one, two = doubt_of(own), doubt_of(plain)
     assert one.behind[: len(two.behind)] == two.behind and len(one.behind) == len(two.behind) + 1
     drawn = draws_of(beam_model(own), standard_conditions(own), sources_of(own, standard_conditions(own)), count=256)
     assert drawn.bats.bending.mass.std() / (31.3 * OUNCE) == pytest.approx(WEIGHED, rel=0.1)

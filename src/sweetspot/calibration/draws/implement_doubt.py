@@ -65,7 +65,7 @@ NO_DOUBT = ImplementDoubt((), np.zeros((0, 0)), ())
 """An implement that is just as described."""
 
 
-def implement_doubt(one: Implement, known: Known | None = None) -> ImplementDoubt:
+def doubt_of(one: Implement, known: Known | None = None) -> ImplementDoubt:
     """Return what is not known of an implement.
 
     Parameters
@@ -74,15 +74,19 @@ def implement_doubt(one: Implement, known: Known | None = None) -> ImplementDoub
         its kind, after the weight, balance point and moment of inertia in its file.
     """
     *changed, piece = one.lineage()
-    unknowns, covariance = _with_outline(piece, *(expected_deviations(piece) if known is None else known))
-    covariance = np.asarray(covariance, dtype=np.float64)
-    values, vectors = np.linalg.eigh(covariance)
-    whose = (piece, unknowns, covariance.tobytes())
-    behind = tuple((whose, index) for index in range(len(unknowns)))
-    doubt = ImplementDoubt(unknowns, vectors * np.sqrt(np.maximum(values, 0.0)), behind)
+    doubt = doubt_of_piece(piece, *_with_outline(piece, *(expected_deviations(piece) if known is None else known)))
     for each in reversed(changed):
         doubt = _measured_anew(doubt, each)
     return doubt
+
+
+def doubt_of_piece(piece: Hashable, unknowns: Sequence[Unknown], covariance: Array) -> ImplementDoubt:
+    """Return what is not known of a piece by the covariance of its deviations."""
+    covariance = np.asarray(covariance, dtype=np.float64)
+    values, vectors = np.linalg.eigh(covariance)
+    whose = (piece, tuple(unknowns), covariance.tobytes())
+    behind = tuple((whose, index) for index in range(len(unknowns)))
+    return ImplementDoubt(tuple(unknowns), vectors * np.sqrt(np.maximum(values, 0.0)), behind)
 
 
 def _measured_anew(doubt: ImplementDoubt, one: Implement) -> ImplementDoubt:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sweetspot.calibration.draws.implement_doubt import NO_DOUBT, ImplementDoubt, implement_doubt
+from sweetspot.calibration.draws.implement_doubt import NO_DOUBT, ImplementDoubt, doubt_of
 from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.sports import sport
@@ -156,7 +156,7 @@ def sources_of(
         allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
     bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
     """
-    doubt = implement_doubt(bat, known)
+    doubt = doubt_of(bat, known)
     of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
     where = f"{of_kind}, after what its file says was measured" if known is None else "its calibration"
     where = where if doubt.unknowns else "taken as described: how its plies may differ is not modelled"
