@@ -22,7 +22,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.carry_scatter import MORE_DRAG, braked, usual_launch
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.home_runs import NONE, USUAL, Scatter, home_run_chances
+from sweetspot.flight.home_runs import NONE, USUAL, CarryScatter, home_run_chances
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import Park
 from sweetspot.motion.ball_motion import BallMotions
@@ -76,14 +76,14 @@ def tracked_flies(most: int | None = None) -> tuple[BallMotions, NDArray[np.bool
     return usual_launch(hits.exit_speed, hits.launch_angle, spray, left=hits.bats == "left"), far
 
 
-def chances(balls: BallMotions, parks: list[Park], scatter: Scatter, own_elevation: bool = True) -> Array:
+def chances(balls: BallMotions, parks: list[Park], scatter: CarryScatter, own_elevation: bool = True) -> Array:
     """Return the logarithms of how many home runs the balls would be, shape (parks,)."""
     through = FlightConditions(ball=BALL, aerodynamics=LAW, air=Air(temperature=TEMPERATURE))
     found = home_run_chances(balls, through, parks=parks, own_elevation=own_elevation, scatter=scatter)
     return np.asarray(np.log(found.chance.sum(axis=0)))
 
 
-def mean_carries(balls: BallMotions, far: NDArray[np.bool_], parks: list[Park], scatter: Scatter) -> Array:
+def mean_carries(balls: BallMotions, far: NDArray[np.bool_], parks: list[Park], scatter: CarryScatter) -> Array:
     """Return the mean carry of the far balls in each park, m."""
     carries = []
     for park in parks:

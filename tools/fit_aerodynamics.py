@@ -29,7 +29,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin
 from sweetspot.flight.bearing import bearing_of_place, launched_to
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.home_runs import USUAL, Scatter, home_run_chances
+from sweetspot.flight.home_runs import USUAL, CarryScatter, home_run_chances
 from sweetspot.flight.kernel import Flights
 from sweetspot.flight.pitch import PLATE, nine_parameters, spin_from_movement
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
@@ -313,7 +313,7 @@ def table(hits: Hits, level: Level) -> None:
             print(f"      {name:18}", "  ".join(cells))
 
 
-def chances(hits: Hits, level: Level, scatter: Scatter) -> Array:
+def chances(hits: Hits, level: Level, scatter: CarryScatter) -> Array:
     """Return each ball's chance of a home run in its own park."""
     law = level.law.replaced(drag=level.mean)
     spray, _ = launched_to(
@@ -343,7 +343,7 @@ def chances(hits: Hits, level: Level, scatter: Scatter) -> Array:
 
 
 def fit_scatter(hits: Hits, level: Level) -> None:
-    """Print which shift and scatter of drag have the least Brier score of home runs: those of `Scatter`."""
+    """Print which shift and scatter of drag have the least Brier score of home runs: those of `CarryScatter`."""
     even = np.array([int(game) % 2 == 0 for game in hits.game])
     known = np.abs(hits.bearing) < FAIR
     halves = (("all games", known), ("even games", known & even), ("odd games", known & ~even))

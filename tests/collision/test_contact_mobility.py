@@ -20,7 +20,7 @@ from sweetspot.collision.oblique_contact import (
     USUAL_FRICTION,
     ContactFrame,
     Friction,
-    Give,
+    SurfaceMobility,
     contact_impulses,
     turning_surface,
 )
@@ -124,7 +124,7 @@ def test_sliding_contact_is_that_of_two_rigid_bodies(rigid: ReducedBat[Bat]) -> 
 def test_without_couplings_each_direction_is_alone() -> None:
     """The limit: C = 0 gives (1 + e_x) s / (7/2m + K) in both directions and leaves the normal impulse alone."""
     mass, slip, push = 0.145, np.array([2.0, -1.0]), 12.0
-    found = contact_impulses(*slip, give=Give(2.0, 3.0, 1.2), ball_mass=mass, normal_impulse=push)
+    found = contact_impulses(*slip, give=SurfaceMobility(2.0, 3.0, 1.2), ball_mass=mass, normal_impulse=push)
     assert found.normal == push
     assert [found.around, found.along] == pytest.approx(1.3 * slip / (3.5 / mass + np.array([3.0, 1.2])), rel=1e-12)
 
@@ -135,7 +135,7 @@ def test_friction_never_exceeds_its_share_of_the_coupled_push() -> None:
     found = contact_impulses(
         around,
         along,
-        give=Give(2.0, 3.0, 1.2, rng.uniform(-0.3, 0.3, 200)),
+        give=SurfaceMobility(2.0, 3.0, 1.2, rng.uniform(-0.3, 0.3, 200)),
         ball_mass=0.145,
         normal_impulse=12.0,
         friction=Friction(coefficient=0.2),

@@ -11,14 +11,14 @@ from sweetspot import catalog, certify
 from sweetspot.analysis.certification.rules import check_rules
 from sweetspot.catalog.rules import league
 from sweetspot.design.answer import findings_of
-from sweetspot.design.measures import Measured
+from sweetspot.design.measures import MeasuredDesigns
 
 
 def test_a_bbcor_next_to_its_limit_is_not_sure_of_a_design_either() -> None:
     bat, ball = catalog.bat("college-alloy"), catalog.ball()
     tested = certify(bat, ball=ball)
     for bbcor, sure in ((tested.bbcor, False), (0.499, False), (0.501, False), (0.45, True), (0.55, True)):
-        measured = Measured({"bbcor": np.array([bbcor])}, np.zeros((1, 1)), np.zeros((1, 1)))
+        measured = MeasuredDesigns({"bbcor": np.array([bbcor])}, np.zeros((1, 1)), np.zeros((1, 1)))
         known = findings_of(bat, measured, like=bat, ball=ball)
         check = {one.rule.quantity: one for one in check_rules(league("ncaa"), bat=bat, findings=known)}["bbcor"]
         assert check.decided and check.sure is sure, bbcor

@@ -17,7 +17,7 @@ from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import TABLE_STEP
 from sweetspot.flight.hit_alike import carry_spread
-from sweetspot.flight.home_runs import NONE, HomeRuns, Scatter, home_run_chances
+from sweetspot.flight.home_runs import NONE, CarryScatter, HomeRuns, home_run_chances
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
@@ -90,7 +90,7 @@ def test_longer_steps_change_little() -> None:
 
 def test_a_ball_level_with_the_top_is_a_coin() -> None:
     """Symmetry: clearance zero is a chance of one half, a spread above and below add to one."""
-    found = asked(2000, scatter=Scatter(roof=0.06, open=0.06, roof_shift=0.0, open_shift=0.0))
+    found = asked(2000, scatter=CarryScatter(roof=0.06, open=0.06, roof_shift=0.0, open_shift=0.0))
     level = np.abs(np.nan_to_num(found.clearance, nan=9.0)) < 0.05
     assert level.sum() > 30 and np.abs(found.chance[level] - 0.5).max() < 0.02
     assert (found.chance[np.nan_to_num(found.clearance) > 0] >= 0.5).all()
@@ -103,7 +103,7 @@ def test_drag_moves_the_height_as_much_as_flown_with_it() -> None:
     """
     parts = ("drag", "drag_per_active_spin", "drag_per_inverse_reynolds")
     heavy = LAW.replaced(**{name: 1.04 * getattr(LAW, name) for name in parts})
-    spread = asked(400, scatter=Scatter(roof=0.04, open=0.04, roof_shift=0.0, open_shift=0.0))
+    spread = asked(400, scatter=CarryScatter(roof=0.04, open=0.04, roof_shift=0.0, open_shift=0.0))
     flown = asked(400, scatter=NONE, aerodynamics=heavy)
     truly = spread.clearance - flown.clearance
     near = (np.abs(np.nan_to_num(spread.clearance, nan=99.0)) < 6) & np.isfinite(truly)
@@ -115,8 +115,8 @@ def test_drag_moves_the_height_as_much_as_flown_with_it() -> None:
 
 def test_a_shift_of_the_drag_moves_the_chance_by_so_many_spreads() -> None:
     """Exact: both are parts of the drag; the clearance is the law's, whatever the shift."""
-    plain = asked(400, scatter=Scatter(roof=0.05, open=0.05, roof_shift=0.0, open_shift=0.0))
-    shifted = asked(400, scatter=Scatter(roof=0.05, open=0.05, roof_shift=0.03, open_shift=0.03))
+    plain = asked(400, scatter=CarryScatter(roof=0.05, open=0.05, roof_shift=0.0, open_shift=0.0))
+    shifted = asked(400, scatter=CarryScatter(roof=0.05, open=0.05, roof_shift=0.03, open_shift=0.03))
     sure = np.isfinite(plain.clearance) & (np.abs(plain.chance - 0.5) < 0.4999)
     assert sure.sum() > 500
     assert ndtri(shifted.chance[sure]) == pytest.approx(ndtri(plain.chance[sure]) - 0.6, abs=1e-6)
@@ -154,7 +154,7 @@ def test_balls_hit_alike_come_down_apart() -> None:
 
 def test_a_roof_that_moves_counts_by_its_own_games() -> None:
     """Definition: half a fixed roof in the games it is closed; none and a fixed one are the ends."""
-    usual = Scatter()
+    usual = CarryScatter()
     shift = {park.name: usual.of(park)[0] for park in PARKS}
     assert shift["Fenway Park"] == usual.open_shift and shift["Tropicana Field"] == usual.roof_shift
     span = usual.open_shift - usual.roof_shift

@@ -13,7 +13,7 @@ from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.deliveries import delivery_sport
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
-from sweetspot.equipment.sport import Certainty, DropRule, Known, Limit, Mark, Sport, Stroke, Words, counted
+from sweetspot.equipment.sport import Certainty, CourtMark, DropRule, Known, Limit, Sport, Stroke, Words, counted
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.units import MPH, Kind, parse
 from sweetspot.units.usual import Usual, refuse_unusual
@@ -183,8 +183,8 @@ def _drop(table: dict[str, Any]) -> DropRule:
     return DropRule(**{**table, **sizes})
 
 
-def _mark(table: dict[str, Any]) -> Mark:
+def _mark(table: dict[str, Any]) -> CourtMark:
     name = table["name"]
     distance = _known({"name": name, "of": "length", **table["distance"]})
     height = _known({"name": f"height of the {name}", "of": "length", **table["height"]}) if "height" in table else None
-    return Mark(name=name, distance=distance, height=height, side=table["side"])
+    return CourtMark(name=name, distance=distance, height=height, side=table["side"])

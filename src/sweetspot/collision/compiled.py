@@ -25,8 +25,8 @@ from sweetspot.collision.kernel_arrays import (
     RELEASE_TIME,
     TOUCHES,
     BallNumbers,
-    Bat,
-    Output,
+    BatNumbers,
+    HitOutput,
     Steps,
 )
 from sweetspot.collision.time_step import impulse_of_the_turn
@@ -75,7 +75,9 @@ register_jitable(restitution_at)
 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
-def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, steps: Steps, output: Output) -> None:
+def solve(
+    lane_count: int, closing_speed: Array, bat: BatNumbers, ball: BallNumbers, steps: Steps, output: HitOutput
+) -> None:
     """Fill ``output`` for n hits.
 
     Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another.
@@ -212,11 +214,11 @@ def _start(
     lane: int,
     following: int,
     closing_speed: Array,
-    bat: Bat,
+    bat: BatNumbers,
     ball: BallNumbers,
     steps: Steps,
     lanes: Lanes,
-    output: Output,
+    output: HitOutput,
 ) -> int:
     """Put the next hit that makes contact into a lane, or leave the lane idle; return the hit after it."""
     count, size = bat.shapes.shape
@@ -343,7 +345,7 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
 
 
 @compiled(_nrt=False)
-def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Output) -> None:
+def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: HitOutput) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
     separated = state[APPROACH, lane] <= 0

@@ -11,7 +11,7 @@ import numpy as np
 from sweetspot.collision.compiled import LANES, solve
 from sweetspot.collision.impact import Impacts
 from sweetspot.collision.kernel import STEP, numbers_of, own, steps_of
-from sweetspot.collision.kernel_arrays import LATE, RESULT_ROWS, Bat, output_of
+from sweetspot.collision.kernel_arrays import LATE, RESULT_ROWS, BatNumbers, output_of
 from sweetspot.collision.modal_propagator import free_steps, moved_freely
 from sweetspot.collision.time_step import give_of_steps, with_quick_modes_as_springs
 from sweetspot.equipment.ball import Ball
@@ -78,7 +78,7 @@ def struck(
 
     def work(part: slice) -> None:
         for i in range(part.start, part.stop):
-            bat = Bat(shapes[i], give[i], omega[i], step_give[i], drift[i], nothing, none)
+            bat = BatNumbers(shapes[i], give[i], omega[i], step_give[i], drift[i], nothing, none)
             output = output_of(places, size, keep_motion=keep_motion)
             solve(lanes, speeds[i], bat, *constants[i], output)
             outcome[i], results[:, i], motion[:, i] = output

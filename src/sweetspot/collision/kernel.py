@@ -17,7 +17,7 @@ from sweetspot.collision.kernel_arrays import (
     LATE,
     RESULT_ROWS,
     BallNumbers,
-    Bat,
+    BatNumbers,
     RestitutionNumbers,
     Steps,
     output_of,
@@ -130,7 +130,7 @@ def _hits(
         )  # fmt: skip
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = output_of(len(speed), size, keep_motion=keep_motion)
-        bat = Bat(own(shapes), own(give), omega, *of_modes)
+        bat = BatNumbers(own(shapes), own(give), omega, *of_modes)
         solve(lanes, speed, bat, numbers, steps, output)
         outcome[part], results[:, part] = output.outcome, output.results
         if keep_motion:
@@ -143,7 +143,7 @@ def _hits(
 
 
 def _of_modes(modes: Modes, step: float) -> tuple[Array, ...]:
-    """Return what the kernel knows of the motions themselves (`Bat` from omega on), worked out once for a step."""
+    """Return what the kernel knows of the motions themselves (`BatNumbers` from omega on), once for a step."""
     known = modes.for_steps.get(step)
     if known is None:
         omega = modes.angular_frequency

@@ -30,7 +30,7 @@ class BallNumbers(NamedTuple):
     restitution: RestitutionNumbers
 
 
-class Bat(NamedTuple):
+class BatNumbers(NamedTuple):
     """What is struck.
 
     Parameters
@@ -66,7 +66,7 @@ class Steps(NamedTuple):
     limit: float
 
 
-class Output(NamedTuple):
+class HitOutput(NamedTuple):
     """Where results go: outcome (n,), results (7, n), motion (2, n, modes) or (2, 0, modes) to leave it out.
 
     The motion is that at the first kick after release, by the seconds of the row `LATE` after it.
@@ -77,8 +77,8 @@ class Output(NamedTuple):
     motion: Array
 
 
-def output_of(count: int, size: int, *, keep_motion: bool) -> Output:
+def output_of(count: int, size: int, *, keep_motion: bool) -> HitOutput:
     """Return room for the results of so many hits, and perhaps for so many modes' motion of each."""
-    return Output(
+    return HitOutput(
         np.empty(count, np.int64), np.empty((RESULT_ROWS, count)), np.empty((2, count if keep_motion else 0, size))
     )

@@ -14,7 +14,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled
 
 
-class Motion(NamedTuple):
+class ModalMotion(NamedTuple):
     """Every mode's motion at a row of times.
 
     Parameters
@@ -30,7 +30,7 @@ class Motion(NamedTuple):
     damping: Array
 
 
-def replayed(impact: Impact, modes: Modes) -> Motion:
+def replayed(impact: Impact, modes: Modes) -> ModalMotion:
     """Return the modes' motion from first touch to the end of a hit: at every kick, the last one after release.
 
     The kicks are the ones the collision recorded, so the last row, moved back to the release, is
@@ -48,14 +48,14 @@ def replayed(impact: Impact, modes: Modes) -> Motion:
     """
     still = np.zeros(len(modes))
     if not len(impact.times):
-        return Motion(np.zeros(1), still[None], still[None], np.zeros(1))
+        return ModalMotion(np.zeros(1), still[None], still[None], np.zeros(1))
     step = kick_step(impact)
     drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
     shape = modes.shape_at(impact.position, impact.lateral, closing_speed=impact.closing_speed)
     path, incoming, outgoing = np.zeros((3, len(impact.times) + 1, len(modes)))
     _drive(shape, impact.impulse, drift, modes.dashpots, half_dash, path, incoming, outgoing)
     lost = _energy(modes, path[:-1], outgoing[:-1]) - _energy(modes, path[1:], incoming[1:])
-    return Motion(
+    return ModalMotion(
         times=np.append(impact.times, impact.times[-1] + step),
         displacement=path,
         velocity=np.vstack([(incoming + outgoing)[:-1] / 2, incoming[-1]]),
@@ -86,7 +86,7 @@ def _drive(
             outgoing[row] = incoming[row] + shape * impulses[row]
 
 
-def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: float, count: int) -> Motion:
+def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: float, count: int) -> ModalMotion:
     """Return how the modes move on when nothing pushes them, exactly, at 1 to ``count`` steps from now.
 
     z' = A z with z = (q, q') and A = [[0, 1], [-omega^2, -c - d^T d]]; each row is exp(A step) times the one before.
@@ -106,7 +106,7 @@ def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: flo
         rows[row] = state
     size = len(modes)
     lost = _energy(modes, displacement, velocity) - _energy(modes, rows[:, :size], rows[:, size:])
-    return Motion(step * np.arange(1.0, count + 1), rows[:, :size], rows[:, size:], lost)
+    return ModalMotion(step * np.arange(1.0, count + 1), rows[:, :size], rows[:, size:], lost)
 
 
 def kick_step(impact: Impact) -> float:

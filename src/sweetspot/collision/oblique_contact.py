@@ -75,7 +75,7 @@ class ObliqueImpact:
     gripped: bool
 
 
-class Give(NamedTuple):
+class SurfaceMobility(NamedTuple):
     """How easily the bat's surface gives way at the point of contact, speed per impulse, 1/kg, each of shape (...).
 
     The bat is round and pushed at its surface, a radius R from its axis: a push along the line of centres also turns
@@ -152,7 +152,7 @@ def contact_impulses(
     slip_around: ArrayLike,
     slip_along: ArrayLike,
     *,
-    give: Give,
+    give: SurfaceMobility,
     ball_mass: float,
     normal_impulse: ArrayLike,
     friction: Friction = USUAL_FRICTION,
@@ -211,7 +211,7 @@ def launch(
     pitch: BallMotion | BallMotions,
     surface_velocity: Array,
     normal_impulse: ArrayLike,
-    give: Give,
+    give: SurfaceMobility,
     friction: Friction = USUAL_FRICTION,
 ) -> Launch:
     """Return velocity and spin of a ball after an oblique hit in space.
@@ -262,7 +262,7 @@ def turning_surface(frame: ContactFrame, axes: PathAxes, *, angular_speed: Array
 
 def bat_give(
     modes: Modes, body: RigidBody, *, position: ArrayLike, radius: ArrayLike, velocity: Array, normal_impulse: ArrayLike
-) -> Give:
+) -> SurfaceMobility:
     """Return the give of a round bat from how a normal impulse has left its modes moving.
 
     With s_i the shapes at the point of impact, p_i the modal velocities when the ball leaves, over the impulse, and R
@@ -280,7 +280,7 @@ def bat_give(
     beam = [index for index, family in enumerate(modes.families) if family != "hoop"]
     per_impulse = velocity / np.asarray(normal_impulse)[..., None]
     shape, slope = modes.shape_at(places), modes.slope_at(places)
-    return Give(
+    return SurfaceMobility(
         normal=np.sum(shape * per_impulse, axis=-1),
         around=np.sum((shape * per_impulse)[..., beam], axis=-1) + size**2 / body.roll_moi,
         along=1 / body.mass + size**2 / body.moi_cm,
@@ -332,7 +332,7 @@ def oblique(
     given = contact_impulses(
         0.0,
         -along,
-        give=Give(normal=0.0, around=0.0, along=1 / body.mass),
+        give=SurfaceMobility(normal=0.0, around=0.0, along=1 / body.mass),
         ball_mass=ball.mass,
         normal_impulse=float(np.trapezoid(impact.force, impact.times)),
         friction=NO_FRICTION if rubbing == "smooth" else friction,

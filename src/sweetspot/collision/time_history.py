@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from sweetspot.collision.contact_law import unloading_exponent
 from sweetspot.collision.impact import Impact, bat_energy
-from sweetspot.collision.modal_response import Motion, free_motion, replayed
+from sweetspot.collision.modal_response import ModalMotion, free_motion, replayed
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
@@ -164,8 +164,8 @@ def impulse_given(impact: Impact, time: float) -> float:
 
 
 def _ringing_on(
-    contact: Motion, chosen: NDArray[np.int64], modes: Modes, *, duration: float, frames: int
-) -> tuple[Motion, Array]:
+    contact: ModalMotion, chosen: NDArray[np.int64], modes: Modes, *, duration: float, frames: int
+) -> tuple[ModalMotion, Array]:
     """Return the bat's motion at chosen moments of contact and freely on; and the free ones, s after release."""
     begin = float(contact.times[-1])
     free = free_motion(
@@ -175,7 +175,7 @@ def _ringing_on(
         step=abs(duration - begin) / frames,
         count=frames if duration > begin else 0,
     )
-    motion = Motion(
+    motion = ModalMotion(
         times=np.concatenate([contact.times[chosen], begin + free.times]),
         displacement=np.concatenate([contact.displacement[chosen], free.displacement]),
         velocity=np.concatenate([contact.velocity[chosen], free.velocity]),

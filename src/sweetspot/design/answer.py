@@ -14,7 +14,7 @@ from sweetspot.design.breaking import HandleBending, handle_bending
 from sweetspot.design.fronts import Front, Question, front_of, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
 from sweetspot.design.limits import Limit, check_limits
-from sweetspot.design.measures import MEASURES, Bench, Measured
+from sweetspot.design.measures import MEASURES, Bench, MeasuredDesigns
 from sweetspot.design.polish import polished
 from sweetspot.design.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
@@ -55,7 +55,7 @@ class Designed:
     question: Question
     front: Front
     picked: int
-    now: Measured
+    now: MeasuredDesigns
     gain: Gain
     bat: Implement
     checks: tuple[Check, ...]
@@ -183,7 +183,7 @@ def told(
     """
     if not 1 <= pick <= len(front):
         raise InputError(f"bat {pick} of the front was asked for, which has {len(front)}; allowed is 1 to {len(front)}")
-    chosen = Measured(
+    chosen = MeasuredDesigns(
         {name: value[pick - 1 : pick] for name, value in front.measured.values.items()},
         front.measured.curve[pick - 1 : pick], front.measured.worth[pick - 1 : pick],
     )  # fmt: skip
@@ -207,7 +207,7 @@ def told(
     )
 
 
-def findings_of(bat: Implement, measured: Measured, *, like: Implement, ball: Ball) -> dict[str, Finding]:
+def findings_of(bat: Implement, measured: MeasuredDesigns, *, like: Implement, ball: Ball) -> dict[str, Finding]:
     """Return what a rule can be held against: the drawing's own values, and BBCOR and BPF where it was fired at.
 
     Parameters
@@ -229,14 +229,14 @@ def _tested(bat: Bat, ball: Ball) -> Certification:
     return certify(bat, ball=ball)
 
 
-def _with_first(front: Front, numbers: Array, measured: Measured) -> Front:
+def _with_first(front: Front, numbers: Array, measured: MeasuredDesigns) -> Front:
     """Return a front with another first bat; those that it beats in everything are left out by the caller's eye."""
     kept: Sequence[int] = range(1, len(front))
     values = {
         name: np.concatenate([value, front.measured.values[name][list(kept)]])
         for name, value in measured.values.items()
     }
-    both = Measured(
+    both = MeasuredDesigns(
         values, np.concatenate([measured.curve, front.measured.curve[1:]]),
         np.concatenate([measured.worth, front.measured.worth[1:]]),
     )  # fmt: skip

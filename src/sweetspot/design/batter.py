@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sweetspot.design.contacts import FROM_TIP, Contacts
+from sweetspot.design.contacts import FROM_TIP, ContactPlaces
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.units import INCH
@@ -40,7 +40,7 @@ class Batter:
     law: SwingLaw | None
     doubt: float
     speed_from_tip: float = 6 * INCH
-    sample: Contacts | None = None
+    sample: ContactPlaces | None = None
 
     @property
     def mean_contact(self) -> float:

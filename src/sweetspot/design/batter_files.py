@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.design.contacts import Contacts, contacts_at
+from sweetspot.design.contacts import ContactPlaces, contacts_at
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.numerics.text_files import read_text, table_rows
 from sweetspot.units import INCH, parse, shown
@@ -31,7 +31,7 @@ LONGEST = 1.1
 """m: no bat is longer."""
 
 
-def contacts_of_file(path: Path, *, batter: str | None = None) -> Contacts:
+def contacts_of_file(path: Path, *, batter: str | None = None) -> ContactPlaces:
     """Return the contacts of a CSV file: a column ``from_tip_in``, and perhaps ``weight``.
 
     The column may also be called ``from tip (cm)`` and the like; without a unit in its heading every value needs one.

@@ -30,7 +30,7 @@ MEANS, MEAN_SHARES = np.polynomial.hermite_e.hermegauss(7)
 
 
 @dataclass(frozen=True)
-class Contacts:
+class ContactPlaces:
     """Where a batter meets the ball.
 
     Parameters
@@ -104,13 +104,13 @@ def normal_contact(mean: float, spread: float) -> Array:
     return np.asarray(weight / weight.sum())
 
 
-def known_contact(mean: float, spread: float) -> Contacts:
+def known_contact(mean: float, spread: float) -> ContactPlaces:
     """Return the contacts of a batter whose mean and scatter are simply told; see `normal_contact`."""
     weight = normal_contact(mean, spread)
-    return Contacts(weight, weight[None], np.ones(1), 0.0)
+    return ContactPlaces(weight, weight[None], np.ones(1), 0.0)
 
 
-def fitted_contact(mean: tuple[float, float], spread: tuple[float, float], *, balls: float) -> Contacts:
+def fitted_contact(mean: tuple[float, float], spread: tuple[float, float], *, balls: float) -> ContactPlaces:
     """Return the contacts of a batter whose mean and scatter were fitted, each with its doubt.
 
     Parameters
@@ -131,7 +131,7 @@ def fitted_contact(mean: tuple[float, float], spread: tuple[float, float], *, ba
     return _mixed(np.repeat(means, len(MEANS)), np.tile(spreads, len(MEANS)), np.outer(likely, likely).ravel(), balls)
 
 
-def contacts_at(place: Array, share: Array | None = None) -> Contacts:
+def contacts_at(place: Array, share: Array | None = None) -> ContactPlaces:
     """Return the contacts of a batter of whom single ones are known, and what they leave open.
 
     Places are normal about a mean with a scatter, both of which are known of players before any ball: the mean is
@@ -163,10 +163,10 @@ def contacts_at(place: Array, share: Array | None = None) -> Contacts:
     about = _posterior(mean, float(share @ (place - mean) ** 2 / share.sum()), balls)
     part = balls / (balls + SHAPE_BALLS)
     weight = part * table / table.sum() + (1 - part) * about.weight
-    return Contacts(weight, about.possible, about.likely, balls)
+    return ContactPlaces(weight, about.possible, about.likely, balls)
 
 
-def _posterior(mean: float, variance: float, balls: float) -> Contacts:
+def _posterior(mean: float, variance: float, balls: float) -> ContactPlaces:
     """Return the normal contacts that balls of this mean (m) and variance (m^2) leave possible."""
     (middle, width), (usual, ratio) = _prior("position"), _prior("position_spread")
     noise = quantity(read_table(PRIORS)["fixed"], "position_noise", "length", "position_noise")
@@ -182,13 +182,13 @@ def _posterior(mean: float, variance: float, balls: float) -> Contacts:
     return _mixed(means.ravel(), np.repeat(spread, len(MEANS)), np.outer(likely, MEAN_SHARES).ravel(), balls)
 
 
-def _mixed(mean: Array, spread: Array, likely: Array, balls: float) -> Contacts:
+def _mixed(mean: Array, spread: Array, likely: Array, balls: float) -> ContactPlaces:
     """Return the contacts of one of many normal batters, who is not known better."""
     usable = (mean > 0) & (mean < FROM_TIP[-1])
     mean, spread, likely = mean[usable], np.maximum(spread[usable], 0.1 * INCH), likely[usable] / likely[usable].sum()
     possible = np.exp(-(((FROM_TIP - mean[:, None]) / spread[:, None]) ** 2) / 2)
     possible /= possible.sum(axis=1, keepdims=True)
-    return Contacts(likely @ possible, possible, likely, balls)
+    return ContactPlaces(likely @ possible, possible, likely, balls)
 
 
 @cache

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from sweetspot.design.limits import Limit, near_words
-from sweetspot.design.measures import MEASURES, Bench, Measured
+from sweetspot.design.measures import MEASURES, Bench, MeasuredDesigns
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -67,7 +67,7 @@ class Front:
     """
 
     numbers: Array
-    measured: Measured
+    measured: MeasuredDesigns
     generation: int
     population: Array
 
@@ -122,7 +122,7 @@ def front_of(bench: Bench, question: Question, numbers: Array) -> Front:
     return _front(question, numbers, bench.measured(numbers), 0)
 
 
-def _nearest_words(question: Question, measured: Measured, generation: int) -> str:
+def _nearest_words(question: Question, measured: MeasuredDesigns, generation: int) -> str:
     """Return that no bat keeps all limits, and which one the nearest misses most, by how much."""
     missed = np.maximum(excesses(question, measured), 0.0)
     nearest = int(np.argmin(missed.sum(axis=1)))
@@ -135,12 +135,12 @@ def _nearest_words(question: Question, measured: Measured, generation: int) -> s
     )
 
 
-def wanted(question: Question, measured: Measured) -> Array:
+def wanted(question: Question, measured: MeasuredDesigns) -> Array:
     """Return what is to be made small, shape (n, wants)."""
     return np.array([-MEASURES[want].better * measured.values[want] for want in question.wants]).T
 
 
-def excesses(question: Question, measured: Measured) -> Array:
+def excesses(question: Question, measured: MeasuredDesigns) -> Array:
     """Return by how many grains every bat misses every limit, shape (n, limits); 0 or less: kept."""
     if not question.limits:
         return np.full((len(measured), 1), -1.0)
@@ -206,8 +206,8 @@ def _first(question: Question, starts: Array, low: Array, high: Array) -> Array:
 
 
 def _next_generation(
-    bench: Bench, question: Question, ends: tuple[Array, Array], parents: tuple[Array, Measured], generation: int
-) -> tuple[Array, Measured]:
+    bench: Bench, question: Question, ends: tuple[Array, Array], parents: tuple[Array, MeasuredDesigns], generation: int
+) -> tuple[Array, MeasuredDesigns]:
     """Return the survivors of a generation and its children, by pymoo's NSGA-II."""
     from pymoo.algorithms.moo.nsga2 import NSGA2
     from pymoo.core.population import Population
@@ -247,7 +247,7 @@ def _evaluated(population: Any) -> None:
         one.evaluated.update({"F", "G", "H"})
 
 
-def _front(question: Question, numbers: Array, measured: Measured, generation: int) -> Front:
+def _front(question: Question, numbers: Array, measured: MeasuredDesigns, generation: int) -> Front:
     """Return those that keep the limits and that no other beats in everything."""
     kept = np.flatnonzero((excesses(question, measured) <= 0.0).all(axis=1))
     want = wanted(question, measured)[kept]
@@ -261,14 +261,16 @@ def _front(question: Question, numbers: Array, measured: Measured, generation: i
     return Front(numbers[order], measured_rows(measured, order.tolist()), generation, numbers)
 
 
-def measured_rows(measured: Measured, rows: Sequence[int]) -> Measured:
+def measured_rows(measured: MeasuredDesigns, rows: Sequence[int]) -> MeasuredDesigns:
     """Return some of many measured bats."""
     index = np.array(rows, int)
-    return Measured(
+    return MeasuredDesigns(
         {name: value[index] for name, value in measured.values.items()}, measured.curve[index], measured.worth[index]
     )
 
 
-def _together(first: Measured, second: Measured) -> Measured:
+def _together(first: MeasuredDesigns, second: MeasuredDesigns) -> MeasuredDesigns:
     values = {name: np.concatenate([value, second.values[name]]) for name, value in first.values.items()}
-    return Measured(values, np.concatenate([first.curve, second.curve]), np.concatenate([first.worth, second.worth]))
+    return MeasuredDesigns(
+        values, np.concatenate([first.curve, second.curve]), np.concatenate([first.worth, second.worth])
+    )

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import breaking_of
-from sweetspot.design.measures import Bench, Measured
+from sweetspot.design.measures import Bench, MeasuredDesigns
 from sweetspot.design.other_sports import willows
 from sweetspot.design.turned import TurnedSpace, knob_of
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, sizes_of
@@ -154,7 +154,7 @@ class Gain:
         return float(np.interp(from_tip, FROM_TIP, self.curve))
 
 
-def present_measured(bench: Bench) -> Measured:
+def present_measured(bench: Bench) -> MeasuredDesigns:
     """Return the batter's present bat, as it is described and not as the handles have it, on the same bench."""
     present = bench.space.present
     beams, bats = _reduced(present, bench.conditions.ball)
@@ -173,7 +173,7 @@ def _reduced(present: Implement, ball: Ball) -> tuple[BeamRow, ReducedBats]:
     return beams, reduced_lines(beams.lines, ball=ball)
 
 
-def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Gain:
+def gain_of(bench: Bench, numbers: Array, design: MeasuredDesigns, now: MeasuredDesigns) -> Gain:
     """Return what a design gains over the present bat, and how surely.
 
     Parameters

@@ -94,7 +94,7 @@ MEASURES: Mapping[str, Measure] = {
 
 
 @dataclass(frozen=True)
-class Measured:
+class MeasuredDesigns:
     """Many bats, measured.
 
     Parameters
@@ -138,7 +138,7 @@ class Bench:
     tested: bool = False
     breaking: Breaking | None = None
 
-    def measured(self, numbers: Array) -> Measured:
+    def measured(self, numbers: Array) -> MeasuredDesigns:
         """Return everything about the bats of many rows of numbers, shape (n, variables)."""
         numbers = np.atleast_2d(numbers)
         shapes = self.space.shapes(numbers)
@@ -152,7 +152,7 @@ class Bench:
 
     def of_bats(
         self, bats: ReducedBats, shapes: Mapping[str, Array], widths: Array, handles: tuple[Beams, Array] | None = None
-    ) -> Measured:
+    ) -> MeasuredDesigns:
         """Return everything about bats that are reduced already.
 
         Parameters
@@ -188,7 +188,7 @@ class Bench:
         if self.breaking is not None and handles is not None:
             hits = BatterHits(done, position, pitch + speed, ball.mass)
             values["durability"] = margins(self.breaking, handles[0], bats, hits, widths=handles[1])
-        return Measured(values, curve, worth)
+        return MeasuredDesigns(values, curve, worth)
 
     def _fired(self, bats: ReducedBats, position: Array, speed: float) -> Array:
         """Return the greatest ball-bat restitution of bats at rest that turn about the clamp, shape (n,)."""

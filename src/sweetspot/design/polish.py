@@ -10,7 +10,7 @@ import numpy as np
 
 from sweetspot.design.fronts import Question
 from sweetspot.design.limits import Limit
-from sweetspot.design.measures import MEASURES, Bench, Measured
+from sweetspot.design.measures import MEASURES, Bench, MeasuredDesigns
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -24,7 +24,9 @@ INSIDE = 0.5
 """Grains by which a polished bat stays inside its limits, so that none is passed by rounding."""
 
 
-def polished(bench: Bench, question: Question, numbers: Array, *, looks: int | None = None) -> tuple[Array, Measured]:
+def polished(
+    bench: Bench, question: Question, numbers: Array, *, looks: int | None = None
+) -> tuple[Array, MeasuredDesigns]:
     """Return the numbers of a bat near a given one that is best in the first want, and what it is and does.
 
     It is never worse than the one that was given: it keeps every limit if that one did, or comes nearer to them.
@@ -84,7 +86,7 @@ def polished(bench: Bench, question: Question, numbers: Array, *, looks: int | N
     return first, bench.measured(first)
 
 
-def _rows(limits: Sequence[Limit], measured: Measured, want: str) -> Array:
+def _rows(limits: Sequence[Limit], measured: MeasuredDesigns, want: str) -> Array:
     """Return the want, and below it by how many grains every limit is missed, shape (1 + limits, n)."""
     return np.vstack([measured.values[want][None], _margins(limits, measured)])
 
@@ -130,7 +132,7 @@ def _either_side(numbers: Array, low: Array, high: Array, step: float) -> Array:
     return np.concatenate([more, less])
 
 
-def _margins(limits: Sequence[Limit], measured: Measured) -> Array:
+def _margins(limits: Sequence[Limit], measured: MeasuredDesigns) -> Array:
     return np.array([limit.excess(measured.values[limit.measure]) for limit in limits]).reshape(
         len(limits), len(measured)
     )

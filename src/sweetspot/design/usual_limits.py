@@ -8,7 +8,7 @@ from sweetspot.analysis.certification.rules import League
 from sweetspot.design.gain import present_measured
 from sweetspot.design.hollow import hollow_space
 from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
-from sweetspot.design.measures import Bench, Measured
+from sweetspot.design.measures import Bench, MeasuredDesigns
 from sweetspot.design.other_sports import club_space, cricket_space, racket_space
 from sweetspot.design.turned import TurnedSpace, turned_space
 from sweetspot.design.variables import Space
@@ -80,7 +80,7 @@ def kept_limits(
     bands: Sequence[Limit] = (),
     league: League | None,
     handle: float | None = None,
-    now: Measured | None = None,
+    now: MeasuredDesigns | None = None,
 ) -> tuple[Limit, ...]:
     """Return the limits of a question about the bats of a bench.
 

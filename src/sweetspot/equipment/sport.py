@@ -52,7 +52,7 @@ class Limit(Known):
     side: Literal["least", "most"]
 
 
-class Mark(Validated):
+class CourtMark(Validated):
     """A place on court or field that a flight is compared with.
 
     Parameters
@@ -189,7 +189,7 @@ class Sport(Validated):
     words: Words = Words()
     speeds: tuple[Known, ...] = ()
     limits: tuple[Limit, ...] = ()
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[CourtMark, ...] = ()
     drops: tuple[DropRule, ...] = ()
     facts: tuple[Known, ...] = ()
     terms: tuple[tuple[str, str], ...] = ()

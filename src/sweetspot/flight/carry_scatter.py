@@ -73,7 +73,7 @@ class CarryErrors:
         ----------
         exit_speed, launch_angle : as measured, m/s and rad, shape (n,).
         per_drag : m by which the carry grows with the logarithm of drag, shape (n,).
-        scatter : of home runs, all told as drag, shape (n,); see `flight.home_runs.Scatter`.
+        scatter : of home runs, all told as drag, shape (n,); see `flight.home_runs.CarryScatter`.
         """
         row, along = _between(SPEEDS, exit_speed)
         column, across = _between(ANGLES, launch_angle)

@@ -40,7 +40,7 @@ SPIN_LEFT, HANG, APEX_HEIGHT, APEX_TIME = 6, 7, 8, 9
 RESULT_ROWS = 10
 
 
-class Output(NamedTuple):
+class FlightOutput(NamedTuple):
     """Where results go: outcome (n,), results (10, n), paths (n, k, 3)."""
 
     outcome: IntArray
@@ -199,7 +199,7 @@ def _advance(lanes: Array, step: float, edge: float, law: FlightLaw, power: floa
 @compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
 def solve(
     start: Array, per_density: float, edge: float, law: FlightLaw, power: float | None, profile: float | None,
-    step: float, output: Output,
+    step: float, output: FlightOutput,
 ) -> None:  # fmt: skip
     """Fill outcome and results of n flights; or their paths, once the results hold their hang times.
 
@@ -234,7 +234,7 @@ def solve(
 @compiled(forceinline=True)
 def _start(
     lane: int, following: int, start: Array, per_density: float, edge: float, lanes: Array, flight_of: IntArray,
-    filled: IntArray, output: Output,
+    filled: IntArray, output: FlightOutput,
 ) -> int:  # fmt: skip
     """Put the next flight that leaves the ground into a lane, or leave the lane idle; return the flight after it."""
     count, drawing = start.shape[1], output.paths.shape[1] > 0
@@ -263,7 +263,7 @@ def _start(
 
 
 @compiled(forceinline=True)
-def _leaves(i: int, start: Array, drawing: bool, output: Output) -> bool:
+def _leaves(i: int, start: Array, drawing: bool, output: FlightOutput) -> bool:
     """Return whether a flight takes place; write down how it ends where it does not, or at once."""
     outcome, results, paths = output
     if drawing:
@@ -293,7 +293,7 @@ def _leaves(i: int, start: Array, drawing: bool, output: Output) -> bool:
 @compiled(forceinline=True, error_model="numpy")
 def _event(
     lane: int, edge: float, law: FlightLaw, power: float | None, profile: float | None, lanes: Array,
-    flight_of: IntArray, filled: IntArray, output: Output,
+    flight_of: IntArray, filled: IntArray, output: FlightOutput,
 ) -> bool:  # fmt: skip
     """Do what a lane's step calls for; return whether its flight is over."""
     outcome, results, paths = output

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.sport import Mark
+from sweetspot.equipment.sport import CourtMark
 from sweetspot.flight.trajectory import Flight, FlightOutcome
 
 
@@ -26,13 +26,13 @@ class Passage:
     good : whether the flight does what it must.
     """
 
-    mark: Mark
+    mark: CourtMark
     ball_height: float
     margin: float
     good: bool
 
 
-def passages(flight: Flight, marks: Sequence[Mark], *, ball: Ball) -> tuple[Passage, ...]:
+def passages(flight: Flight, marks: Sequence[CourtMark], *, ball: Ball) -> tuple[Passage, ...]:
     """Return a flight at every mark, in their order; distances count from where the ball starts, along its way.
 
     Parameters
@@ -47,7 +47,7 @@ def passages(flight: Flight, marks: Sequence[Mark], *, ball: Ball) -> tuple[Pass
     return tuple(_passage(flight, along, mark, ball) for mark in marks)
 
 
-def _passage(flight: Flight, along: np.ndarray, mark: Mark, ball: Ball) -> Passage:
+def _passage(flight: Flight, along: np.ndarray, mark: CourtMark, ball: Ball) -> Passage:
     distance, needed = mark.distance.value, mark.height.value if mark.height else 0.0
     reached = float(along[-1])
     short = reached < distance

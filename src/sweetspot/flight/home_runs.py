@@ -3,7 +3,7 @@
 Two balls hit alike do not fly alike. Balls differ in drag, spin about the usual line, and no park's weather is known to
 the breeze. All that is told as one scatter of the drag coefficient, as wide as what tracked carries scatter by
 (`tools/fit_aerodynamics.py` prints it), so a ball that would clear a fence by nothing has a chance of about one half:
-a little less in the open, a little more under a roof (`Scatter`).
+a little less in the open, a little more under a roof (`CarryScatter`).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
 
 
 @dataclass(frozen=True)
-class Scatter:
+class CarryScatter:
     """What single flights scatter by, as parts of the drag coefficient.
 
     Parameters
@@ -66,10 +66,10 @@ class Scatter:
         return self.open if park is None else self.of(park)[1]
 
 
-USUAL = Scatter()
+USUAL = CarryScatter()
 """Fitted to which of the balls of 2022 left their parks [savant_2022rays]. Distances alone would have shifts of -0.030
 and +0.006: the fence asks 3 ft more of a ball than its carry says."""
-NONE = Scatter(roof=0.0, open=0.0, roof_shift=0.0, open_shift=0.0)
+NONE = CarryScatter(roof=0.0, open=0.0, roof_shift=0.0, open_shift=0.0)
 """Every ball flies by the law: chances are 0 or 1."""
 
 
@@ -104,7 +104,7 @@ def home_run_chances(
     *,
     parks: Iterable[Park],
     own_elevation: bool = True,
-    scatter: Scatter = USUAL,
+    scatter: CarryScatter = USUAL,
     step: float = STEP,
     threads: int | None = None,
 ) -> HomeRuns:

@@ -22,7 +22,7 @@ from sweetspot.flight.compiled import (
     RESULT_ROWS,
     SPIN_LEFT,
     FlightLaw,
-    Output,
+    FlightOutput,
     solve,
 )
 from sweetspot.flight.conditions import FlightConditions
@@ -129,7 +129,7 @@ def flights(
         mine = np.ascontiguousarray(start[:, part])
         own = np.empty((RESULT_ROWS, mine.shape[1]))  # not a part of all: each form is compiled anew
         for points in (0, path_points) if path_points else (0,):
-            output = Output(outcome[part], own, paths[part, :points])
+            output = FlightOutput(outcome[part], own, paths[part, :points])
             solve(mine, per_density, edge, law, power, profile, step, output)
         results[:, part] = own
 

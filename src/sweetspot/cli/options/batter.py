@@ -12,7 +12,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.design.batter import Batter
-    from sweetspot.design.contacts import Contacts
+    from sweetspot.design.contacts import ContactPlaces
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
     from sweetspot.motion.swing_law import SwingLaw
@@ -110,7 +110,7 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
     )  # fmt: skip
 
 
-def _contacts(path: Path, batter: str | None) -> Contacts:
+def _contacts(path: Path, batter: str | None) -> ContactPlaces:
     """Return the contacts of a table, or of one batter of a season's folder."""
     from sweetspot.design.batter_files import contacts_of_file
     from sweetspot.design.contacts import contacts_at

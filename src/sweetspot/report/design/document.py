@@ -13,7 +13,7 @@ from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.fronts import saved
 from sweetspot.design.gain import Verdict
-from sweetspot.design.measures import MEASURES, Measured
+from sweetspot.design.measures import MEASURES, MeasuredDesigns
 from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
@@ -115,7 +115,7 @@ def _assumed(design: Designed) -> Words:
     )  # fmt: skip
 
 
-def compared(space: Space, measured: Measured) -> list[str]:
+def compared(space: Space, measured: MeasuredDesigns) -> list[str]:
     """Return which measures of a design stand beside the present bat's."""
     changing = {one.name for one in space.variables}
     return [name for name in BESIDE if name in measured.values and (name not in ASKED or name in changing)]

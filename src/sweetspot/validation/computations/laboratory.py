@@ -25,7 +25,7 @@ NEAR, FAR, HITS = 2 * INCH, 10 * INCH, 81
 
 
 @dataclass(frozen=True)
-class BatTest:
+class BatTestCurves:
     """Places from the tip in m, q and BBCOR there."""
 
     from_tip: NDArray[np.float64]
@@ -34,7 +34,7 @@ class BatTest:
 
 
 @cache
-def bat_test(bat: str, closing_speed: float) -> BatTest:
+def bat_test(bat: str, closing_speed: float) -> BatTestCurves:
     """Return the test of a catalogue bat along its barrel."""
     ball, body = catalog.ball(), shared.body(bat)
     clamp = Hands(position=CLAMP, spacing=0.0, mass=CLAMP_MASS, stiffness=CLAMP_STIFFNESS)
@@ -43,7 +43,7 @@ def bat_test(bat: str, closing_speed: float) -> BatTest:
     places = shared.length(bat) - from_tip
     efficiency = hits(clamped, ball=ball, position=places, closing_speed=closing_speed).collision_efficiency
     measured = [bbcor(q, body=body, ball=ball, position=place) for q, place in zip(efficiency, places, strict=True)]
-    return BatTest(from_tip, efficiency, np.array(measured))
+    return BatTestCurves(from_tip, efficiency, np.array(measured))
 
 
 def laboratory_bbcor(*, bat: str, closing_speed: float) -> float:

@@ -56,7 +56,7 @@ def tee_spin(*, bat: str, bat_speed: float, launch_angle: float) -> float:
     return hit(float(brentq(lambda offset: hit(offset).launch_angle - launch_angle, 0.0, 0.05, xtol=1e-6))).backspin
 
 
-class League(NamedTuple):
+class LeagueHits(NamedTuple):
     """Fair hits of a simulated league, each field of shape (hits,); angles in rad, spins in rad/s."""
 
     over_ceiling: Array
@@ -208,7 +208,7 @@ def _mean_spin(bat: str) -> Array:
 
 
 @cache
-def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int = 2026) -> League:
+def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int = 2026) -> LeagueHits:
     """Return the fair hits of a simulated league.
 
     Bat speed, attack angle and tilt have the printed means and spreads [sure2026]. The rest is assumed: pitches of
@@ -243,7 +243,7 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     deflection = launch - attack - draw.normal(0, 3, count) * DEGREE
     fair = np.isfinite(done.exit_speed) & (np.abs(spray) < 45 * DEGREE)
     every = (seen / ceiling, seen, seen_bat, deflection, done.exit_speed, launch, spray, back, side)
-    return League(*(value[fair] for value in every))
+    return LeagueHits(*(value[fair] for value in every))
 
 
 COMPUTATIONS = (

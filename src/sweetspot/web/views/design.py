@@ -21,7 +21,7 @@ from sweetspot.design.fronts import Front
 from sweetspot.design.gain import CLEARLY, LIKELY, gain_of
 from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.limits import Limit
-from sweetspot.design.measures import MEASURES, Measured
+from sweetspot.design.measures import MEASURES, MeasuredDesigns
 from sweetspot.design.outline_curve import HANDLES
 from sweetspot.design.turned import TurnedSpace
 from sweetspot.dynamics.beam import beam_model
@@ -105,11 +105,11 @@ def answer(state: DesignState) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _made(request: Asked, numbers: Array, *, own: bool) -> tuple[Bat, Measured]:
+def _made(request: Asked, numbers: Array, *, own: bool) -> tuple[Bat, MeasuredDesigns]:
     """Return the bat of some numbers and what it is; while nothing was changed, the present bat to the last digit."""
     space, now = request.bench.space, request.now
     if not own:
-        return _present(request), Measured({**request.sizes, **now.values}, now.curve, now.worth)
+        return _present(request), MeasuredDesigns({**request.sizes, **now.values}, now.curve, now.worth)
     measured = request.bench.measured(numbers)
     bat = space.made(numbers, f"{space.present.name}, designed")
     assert isinstance(bat, Bat)
@@ -133,7 +133,7 @@ def _handles(request: Asked, numbers: Array) -> list[dict[str, float]]:
     ]
 
 
-def _beside(name: str, measured: Measured, now: Measured) -> dict[str, Any]:
+def _beside(name: str, measured: MeasuredDesigns, now: MeasuredDesigns) -> dict[str, Any]:
     measure = MEASURES[name]
     value, before = float(measured.values[name][0]), now.values.get(name)
     present = None if before is None else float(before[0])
@@ -141,7 +141,7 @@ def _beside(name: str, measured: Measured, now: Measured) -> dict[str, Any]:
             "change": None if present is None else value - present}  # fmt: skip
 
 
-def _light(limit: Limit, measured: Measured) -> dict[str, Any]:
+def _light(limit: Limit, measured: MeasuredDesigns) -> dict[str, Any]:
     """Return whether a limit is kept, by how much it is missed, and its ends."""
     measure, value = MEASURES[limit.measure], measured.values[limit.measure]
     miss = float(limit.excess(value)[0])
@@ -150,7 +150,7 @@ def _light(limit: Limit, measured: Measured) -> dict[str, Any]:
             "miss": max(0.0, miss) * measure.grain}  # fmt: skip
 
 
-def _checks(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> list[tuple[League, Check]]:
+def _checks(state: DesignState, request: Asked, bat: Bat, measured: MeasuredDesigns) -> list[tuple[League, Check]]:
     league = league_of(state, request)
     if league is None:
         return []
@@ -158,14 +158,14 @@ def _checks(state: DesignState, request: Asked, bat: Bat, measured: Measured) ->
     return [(league, check) for check in check_rules(league, bat=bat, findings=known)]
 
 
-def _rules(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> list[dict[str, Any]]:
+def _rules(state: DesignState, request: Asked, bat: Bat, measured: MeasuredDesigns) -> list[dict[str, Any]]:
     return [
         {**check_json(league.key, check), "title": title(check.rule), "league_name": league.name}
         for league, check in _checks(state, request, bat, measured)
     ]
 
 
-def _curves(request: Asked, measured: Measured) -> dict[str, Any]:
+def _curves(request: Asked, measured: MeasuredDesigns) -> dict[str, Any]:
     """Return curves along the bat, knob end first, at places counted from the tip."""
     design, now = measured.curve[0, ::-1], request.now.curve[0, ::-1]
     return {

@@ -20,7 +20,7 @@ from sweetspot.design.fronts import Question
 from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit
 from sweetspot.design.locks import locked
-from sweetspot.design.measures import Bench, Measured, bench_of
+from sweetspot.design.measures import Bench, MeasuredDesigns, bench_of
 from sweetspot.design.usual_limits import kept_limits, space_of
 from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
@@ -98,7 +98,7 @@ class Asked:
 
     bench: Bench
     key: str
-    now: Measured
+    now: MeasuredDesigns
     sizes: Mapping[str, Array]
     left_out: tuple[str, ...]
 
