@@ -41,7 +41,7 @@ quick-lowest: $(LOWEST)/.installed  ## a part of them, and a report; a minute
 	$(LOWEST)/bin/sweetspot report $(BAT) > /dev/null
 
 # every branch of the physics at least once; what numba compiles is run as Python for it
-PHYSICS := motion numerics equipment collision dynamics flight analysis calibration
+PHYSICS := motion numerics equipment collision dynamics flight analysis calibration uncertainty
 COVERED := $(addprefix src/sweetspot/,$(PHYSICS)) $(addprefix tests/,$(PHYSICS) catalog report/test_notebook.py report/uncertainty \
 	$(patsubst %,cli/test_%_command.py,calibrate certify outline rank tap))
 COVERED_AS_PYTHON := $(addprefix tests/,numerics/test_banded.py collision/test_kernel_agreement.py collision/test_time_history.py \

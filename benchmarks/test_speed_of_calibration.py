@@ -7,11 +7,10 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from sweetspot.uncertainty.drawn_reports import drawn_report
 
 from benchmarks.cases import duration, measured
 from sweetspot import all_modes, beam_model, catalog
-from sweetspot.calibration.draws.drawn_reports import drawn_report
-from sweetspot.calibration.draws.sources import DRAWS, sources_of
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones
 from sweetspot.calibration.posterior import calibrate
@@ -19,6 +18,7 @@ from sweetspot.calibration.synthetic import synthesised
 from sweetspot.calibration.tap_analysis import tap_test
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_analysis
+from sweetspot.uncertainty.sources import DRAWS, sources_of
 
 
 def test_a_tap_and_a_calibration(benchmark: Any, record: Callable[..., None]) -> None:

@@ -45,9 +45,6 @@ from studies.recorder_bats import (
 from studies.recorder_taps import recorders
 from studies.struck_beams import FREE, GRIPS, Beam, Grip
 from sweetspot.calibration.calibrated_file import deviations_of
-from sweetspot.calibration.draws.implement_doubt import doubt_of_piece
-from sweetspot.calibration.draws.linear_doubt import speed_doubt
-from sweetspot.calibration.draws.sources import Sources
 from sweetspot.catalog.standard_hit import standard_analysis
 from sweetspot.cli import main as command
 from sweetspot.collision.closed_form import exit_speed
@@ -57,6 +54,9 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS, STANDARD_GRAVITY
 from sweetspot.numerics.piecewise import cubic_spline
+from sweetspot.uncertainty.implement_doubt import doubt_of_piece
+from sweetspot.uncertainty.linear_doubt import speed_doubt
+from sweetspot.uncertainty.sources import Sources
 
 WOODS = {"white ash": (0.077, 0.109), "sugar maple": (0.063, 0.111)}
 """G over E in the two planes."""

@@ -24,10 +24,10 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.answers.report import ReportAnswer, report_of
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import Interval
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, MPH
 
 

@@ -23,9 +23,6 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.analysis.position_scan import scan
 from sweetspot.answers.hit import HitAnswer, HitQuestion, hit_answer
-from sweetspot.calibration.ball_doubt import ball_off
-from sweetspot.calibration.draws.linear_doubt import speed_doubt
-from sweetspot.calibration.draws.sources import OF_BALL, PATCH, Sources, sources_of
 from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.unknowns import deviated
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -36,6 +33,8 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval, Number
+from sweetspot.uncertainty.linear_doubt import speed_doubt
+from sweetspot.uncertainty.sources import OF_BALL, PATCH, Sources, sources_of
 
 NAMES = (
     "r161-ash", "russell-b1", "youth-30", "college-alloy", "single-wall", "youth-alloy", "composite", "slow-pitch",
@@ -61,7 +60,7 @@ def truths(analysis: Analysis[Implement], sources: Sources, count: int, seed: in
         bat = deviated(own, sources.unknowns, row[:of_bat]) if of_bat else line
         by = dict(zip(sources.names[of_bat:], row[of_bat:].tolist(), strict=True))
         of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): value for name, value in by.items() if OF_BALL in name}
-        ball = ball_off(conditions.ball, of_ball)
+        ball = conditions.ball.deviated(of_ball)
         modes, body = all_modes(bat, ball, patch_factor=float(np.exp(by.get(PATCH, 0.0)))), rigid_body(bat)
         hit = scan(bat.bat, body=body, modes=modes, conditions=conditions.replaced(ball=ball), positions=place)
         rows.append((hit.exit_speed[0], hit.collision_efficiency[0], hit.bbcor[0], body.moi(STANDARD_AXIS)))

@@ -36,7 +36,7 @@ LONG = {
     "tap taps.wav": "the same",
     "tap shaft.wav": "the same",
     "tap frame.wav": "the same",
-    "report mine.toml --uncertainty": "a thousand draws; tests/calibration/draws runs them",
+    "report mine.toml --uncertainty": "a thousand draws; tests/uncertainty runs them",
     "compare r161-ash mine.toml --uncertainty": "the same",
     "compare russell-b5 --rows": "36 hollow bats; benchmarks/ runs them, and the page on drawings wooden ones",
 }

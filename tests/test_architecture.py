@@ -23,6 +23,7 @@ LAYERS = [
     {"report"},
     {"answers"},
     {"validation"},
+    {"uncertainty"},
     {"paper", "player", "season", "calibration", "design"},
     {"catalog"},
     {"analysis"},

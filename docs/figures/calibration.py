@@ -11,7 +11,6 @@ from figures.style import BLUE, GREY, RED, new_figure
 from sweetspot import catalog
 from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.calibration.calibrated_file import calibrated_bat
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
@@ -20,6 +19,7 @@ from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.interval import Interval
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import MPH
 
 STEPS = {

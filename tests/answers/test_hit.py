@@ -8,10 +8,10 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import exit_speed_of
 from sweetspot.answers.hit import HitQuestion, hit_answer
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import Interval
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import MPH
 
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from sweetspot.answers.records import INTERNAL, Columns, Length, Mass, Ratio, Speed, to_dict, with_intervals
-from sweetspot.calibration.draws.intervals import Reach, reach_of_draws
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve, Interval, Number
+from sweetspot.uncertainty.intervals import Reach, reach_of_draws
 from sweetspot.units import INCH, MPH
 from sweetspot.units.dimensions import ENERGY, LENGTH
 

@@ -12,8 +12,6 @@ from sweetspot import catalog
 from sweetspot.analysis.certification.rules import construction_findings
 from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations
 from sweetspot.calibration.calibrated_values import properties
-from sweetspot.calibration.draws.implement_doubt import expected_deviations
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
@@ -31,6 +29,8 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.calibration.document import again_words
+from sweetspot.uncertainty.implement_doubt import expected_deviations
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, OUNCE
 
 AXIS = 6 * INCH

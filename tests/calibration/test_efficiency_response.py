@@ -9,7 +9,6 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.draws.implement_doubt import expected_deviations
 from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
@@ -23,6 +22,7 @@ from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.uncertainty.implement_doubt import expected_deviations
 
 PLACES = np.linspace(0.57, 0.80, 24)
 PLACE = 0.69

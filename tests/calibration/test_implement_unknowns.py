@@ -12,7 +12,6 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import calibrated_table
-from sweetspot.calibration.draws.implement_doubt import expected_deviations
 from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
@@ -27,6 +26,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH
+from sweetspot.uncertainty.implement_doubt import expected_deviations
 
 Run = Callable[..., tuple[int, str, str]]
 ERRORS = {"mass": 0.002, "balance_point": 0.003, "period": 0.0015, "frequency": 0.004}

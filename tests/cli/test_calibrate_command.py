@@ -15,10 +15,10 @@ from scipy.io import wavfile
 from sweetspot import catalog
 from sweetspot.answers.report_draws import drawn_report
 from sweetspot.calibration.calibrated_file import known_deviations
-from sweetspot.calibration.draws.drawn_plays import drawn_flight, drawn_play
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt, comparison_with_doubt
+from sweetspot.uncertainty.drawn_plays import drawn_flight, drawn_play
 
 Run = Callable[..., tuple[int, str, str]]
 WEIGHED = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--pendulum", "1.4545s±0.003s")

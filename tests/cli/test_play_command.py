@@ -13,7 +13,6 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.full_play import play
-from sweetspot.calibration.ball_doubt import speed_by_ball
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import reduced_bat
@@ -23,6 +22,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import launched
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath
+from sweetspot.uncertainty.ball_doubt import speed_by_ball
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 Run = Callable[..., tuple[int, str, str]]

@@ -97,7 +97,7 @@ def test_bats_by_names_of_ones_own_are_several_bats() -> None:
     swing = PlayerSwing(2, 30.0, None, 0.0, None, None, None, "Louisville C271")
     other = PlayerSwing(3, 30.0, None, 0.0, None, None, None, "Victus Nox 33/30")
     slip = PlayerSwing(4, 30.0, None, 0.0, None, None, None, "r161-asch")
-    good, bats, bad, notes = bats_of([swing, other, slip], load=catalog.load_bat, stand_in=lambda _: catalog.bat())
+    good, bats, bad, notes = bats_of([swing, other, slip], load=catalog.load_bat, stand_in_for=lambda _: catalog.bat())
     assert good == (swing, other) and set(bats) == {swing.bat, other.bat} and [one.row for one in bad] == [4]
     assert bats[other.bat].name == other.bat and bats[other.bat].length == catalog.bat().length
     assert "'Victus Nox 33/30' for R161, white ash" in notes[0] and "--bat-is" in notes[0]

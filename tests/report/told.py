@@ -12,11 +12,11 @@ import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import ReportAnswer, report_of
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.document import Block, Bullets, Cards, Cell, Document, Paragraph, Question, Section, Table
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Bounds, Doubtful, Part, Sentence, Slot, Span, Words, read
+from sweetspot.uncertainty.sources import sources_of
 
 Run = Callable[..., tuple[int, str, str]]
 Tell = Callable[..., Document]

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from sweetspot.answers.records import to_dict
-from sweetspot.calibration.draws.intervals import variance_shares
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import LEVEL
 from sweetspot.numerics.notebook_display import ShownInNotebooks
+from sweetspot.uncertainty.intervals import variance_shares
 from sweetspot.units.dimensions import System
 
 if TYPE_CHECKING:

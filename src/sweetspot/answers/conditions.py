@@ -8,9 +8,9 @@ from typing import Annotated
 import numpy as np
 
 from sweetspot.answers.records import Columns, Length, Mass, Ratio, Speed
-from sweetspot.calibration.draws.drawn_hits import Draws
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.interval import Number
+from sweetspot.uncertainty.drawn_hits import Draws
 from sweetspot.units.dimensions import SLOPE_PER_SPEED
 
 

@@ -22,11 +22,6 @@ from sweetspot.answers.records import (
     Time,
     with_intervals,
 )
-from sweetspot.calibration.ball_doubt import error_by_ball
-from sweetspot.calibration.draws.drawn_energy import drawn_ledger
-from sweetspot.calibration.draws.drawn_hits import Draws, HitsAlong, draws_of, hits_along
-from sweetspot.calibration.draws.intervals import reach_of_draws
-from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.beam import beam_model
@@ -38,6 +33,11 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.interval import Number
+from sweetspot.uncertainty.ball_doubt import error_by_ball
+from sweetspot.uncertainty.drawn_energy import drawn_ledger
+from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, draws_of, hits_along
+from sweetspot.uncertainty.intervals import reach_of_draws
+from sweetspot.uncertainty.sources import DRAWS, Sources
 from sweetspot.units.dimensions import ENERGY, FORCE, LENGTH, TIME
 
 OF_DRAWS = (

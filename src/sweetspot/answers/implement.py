@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sweetspot.answers.records import Columns, Length, Mass, MomentOfInertia
-from sweetspot.calibration.draws.drawn_hits import Draws
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.uncertainty.drawn_hits import Draws
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,9 @@ from typing import Annotated, Any, Final, TypeVar, Union, get_args, get_origin, 
 
 import numpy as np
 
-from sweetspot.calibration.draws.intervals import Reach
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve, Interval, Number
+from sweetspot.uncertainty.intervals import Reach
 from sweetspot.units.dimensions import (
     ANGLE,
     DISTANCE,

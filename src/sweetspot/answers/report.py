@@ -18,10 +18,6 @@ from sweetspot.answers.hit import Hit, hit_of
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import INTERNAL, Frequency, Length, Mass, MomentOfInertia, Ratio, Speed, with_intervals
 from sweetspot.answers.report_draws import drawn_report
-from sweetspot.calibration.ball_doubt import error_by_ball
-from sweetspot.calibration.draws.intervals import reach_of_draws
-from sweetspot.calibration.draws.linear_doubt import SpeedDoubt, speed_doubt
-from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.modes import Modes
@@ -33,6 +29,10 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Curve, Interval
+from sweetspot.uncertainty.ball_doubt import error_by_ball
+from sweetspot.uncertainty.intervals import reach_of_draws
+from sweetspot.uncertainty.linear_doubt import SpeedDoubt, speed_doubt
+from sweetspot.uncertainty.sources import DRAWS, Sources
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import IMPULSE, LENGTH, SPEED
 

@@ -14,13 +14,13 @@ from sweetspot.answers.conditions import conditions_columns
 from sweetspot.answers.hit import hit_columns
 from sweetspot.answers.implement import mass_columns
 from sweetspot.answers.records import Columns
-from sweetspot.calibration.draws.drawn_hits import Draws, HitsAlong, draws_of, hits_along
-from sweetspot.calibration.draws.drawn_spots import MissCost, drawn_nodes, highest, missed, zones
-from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import tops
+from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, draws_of, hits_along
+from sweetspot.uncertainty.drawn_spots import MissCost, drawn_nodes, highest, missed, zones
+from sweetspot.uncertainty.sources import DRAWS, Sources
 
 PLACES = 41
 """Along the bat that are hit in every draw; between them the difference from the described bat is straight."""

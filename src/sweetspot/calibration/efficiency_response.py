@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.ball_doubt import ball_off
 from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.beam import BeamModel
@@ -63,7 +62,7 @@ def response_of_efficiency(
 
     def efficiency(deviations: Array) -> Array:
         other = deviated(line, unknowns, deviations[:count]) if count else line
-        with_ball = ball_off(conditions.ball, dict(zip(ball, deviations[count:].tolist(), strict=True)))
+        with_ball = conditions.ball.deviated(dict(zip(ball, deviations[count:].tolist(), strict=True)))
         given = conditions.replaced(ball=with_ball)
         modes, body = all_modes(other, with_ball), rigid_body(other)
         return scan(other.bat, body=body, modes=modes, conditions=given, positions=positions).collision_efficiency

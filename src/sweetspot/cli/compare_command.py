@@ -15,11 +15,11 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.comparison import Comparison
-    from sweetspot.calibration.draws.sources import Sources
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing_law import SwingLaw
     from sweetspot.report.certification.tested_bat import TestedBat
+    from sweetspot.uncertainty.sources import Sources
 
 
 @Parameter(name="*")

@@ -68,9 +68,9 @@ def drop(
     rebound = _rebound(hit, ball, fall)
     document = drop_document(rebound, fired=fall.speed is not None)
     if uncertainty:
-        from sweetspot.calibration.draws.drawn_drops import drawn_drop, drop_sources
         from sweetspot.cli.output import patience
         from sweetspot.report.uncertainty.uncertainty_section import uncertain
+        from sweetspot.uncertainty.drawn_drops import drawn_drop, drop_sources
 
         sources = drop_sources(rebound, speed_error=error_of(fall.speed, "speed", "--speed"))
         with patience():

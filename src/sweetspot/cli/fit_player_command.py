@@ -174,19 +174,19 @@ def _read(file: Path, given: FileOptions, own: Bat | None = None) -> tuple[Swing
     from sweetspot.player.player_swing import check_enough
     from sweetspot.player.swings import MOST_SWINGS, evenly, read_swings
 
-    load, stand_in = _bat_names(given)
+    load, stand_in_for = _bat_names(given)
     is_settled = own is not None
     own = load(given.bat or DEFAULT_BAT) if own is None else own
     table = read_swings(
         file, length=own.length, units=given.file_units, pitch_speed=_arriving(given), batter=given.batter
     )
-    good, bats, bad, notes = bats_of(table.swings, load=load, stand_in=stand_in)
+    good, bats, bad, notes = bats_of(table.swings, load=load, stand_in_for=stand_in_for)
     if given.bat is None and not is_settled:  # the file says itself what is swung
         swung = Counter(one.bat for one in good if one.bat in bats).most_common(1)
         if swung:
             return _read(file, given, bats[swung[0][0]])
         if good and BBCOR in good[0].bat.casefold():
-            return _read(file, given, stand_in(good[0].bat))
+            return _read(file, given, stand_in_for(good[0].bat))
     _check_named(good, bats, given, file)
     place = _measured_at(own, given)
     same = {name for name, other in bats.items() if other == own}
@@ -225,10 +225,10 @@ def _bat_names(given: FileOptions) -> tuple[Callable[[str], Bat], Callable[[str]
         known = said.get(one_name(name))
         return catalog.load_bat(name) if known is None else known
 
-    def stand_in(name: str) -> Bat:
+    def stand_in_for(name: str) -> Bat:
         return catalog.load_bat(given.bat or (COLLEGE_BAT if BBCOR in name.casefold() else DEFAULT_BAT))
 
-    return load, stand_in
+    return load, stand_in_for
 
 
 def _check_named(swings: tuple[PlayerSwing, ...], known: dict[str, Bat], given: FileOptions, file: Path) -> None:

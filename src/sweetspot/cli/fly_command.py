@@ -176,10 +176,10 @@ def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions, *, sure: bo
     document = batted_document(flown)
     if not sure:
         return document
-    from sweetspot.calibration.draws.drawn_plays import drawn_flight
     from sweetspot.catalog.aerodynamic_laws import drag_spread
     from sweetspot.flight.conditions import FlightConditions
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.uncertainty.drawn_plays import drawn_flight
 
     law = _law(launch)
     flying = FlightConditions(ball=catalog.ball(launch.ball), aerodynamics=law, air=hit.air, wind=hit.wind)

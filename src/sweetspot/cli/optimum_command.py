@@ -16,8 +16,6 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
-    from sweetspot.calibration.draws.drawn_plays import PlayAsked
-    from sweetspot.calibration.draws.sources import Sources
     from sweetspot.dynamics.reduction import ReducedBat
     from sweetspot.equipment.bat import Bat
     from sweetspot.flight.conditions import FlightConditions
@@ -26,6 +24,8 @@ if TYPE_CHECKING:
     from sweetspot.motion.swing import Conditions
     from sweetspot.report.document import Document
     from sweetspot.report.optimum.answers import AskedLaunch
+    from sweetspot.uncertainty.drawn_plays import PlayAsked
+    from sweetspot.uncertainty.sources import Sources
 
 ALL = "all"
 SPEEDS, SLOWER = ("90mph", "100mph", "110mph"), ("60mph", "70mph", "80mph")
@@ -174,12 +174,12 @@ def _sure(
     backspin: float,
 ) -> Document:
     """Return the answer with an interval beside what follows from the best contact, launch angle and park."""
-    from sweetspot.calibration.draws.drawn_optima import AskedPark, drawn_optimum
-    from sweetspot.calibration.draws.drawn_plays import drag_source
-    from sweetspot.calibration.draws.sources import NOTHING
     from sweetspot.catalog.aerodynamic_laws import drag_spread
     from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.uncertainty.drawn_optima import AskedPark, drawn_optimum
+    from sweetspot.uncertainty.drawn_plays import drag_source
+    from sweetspot.uncertainty.sources import NOTHING
 
     known = (sources or NOTHING).with_source(drag_source(drag_spread(flying.aerodynamics)))
     left = [
@@ -200,9 +200,9 @@ def _sure(
 
 def _played(swung: _Swung) -> list[PlayAsked]:
     """Return the best contact with every pitch as a play."""
-    from sweetspot.calibration.draws.drawn_plays import PlayAsked
     from sweetspot.collision.hit_in_space import Contact
     from sweetspot.motion.swing_path import SwingPath
+    from sweetspot.uncertainty.drawn_plays import PlayAsked
 
     conditions, plays = swung.conditions, []
     for best, thrown in swung.rows:

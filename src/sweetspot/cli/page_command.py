@@ -42,8 +42,8 @@ def prepare() -> None:
 
     prepare_all(answer_json, lambda words: print(f"sweetspot: {words}", file=sys.stderr))
     from sweetspot.answers.report import report_of
-    from sweetspot.calibration.draws.sources import sources_of
     from sweetspot.catalog.standard_hit import standard_analysis
+    from sweetspot.uncertainty.sources import sources_of
 
     analysis = standard_analysis("r161-ash")
     report_of(analysis, sources_of(analysis.bat, analysis.conditions), drawn=True, draws=4)  # compiles what draws need

@@ -72,9 +72,9 @@ def pendulum(
         data=data, rows={name: [value] for name, value in data.items()},
     )  # fmt: skip
     if uncertainty:
-        from sweetspot.calibration.draws.drawn_pendulums import Hung, drawn_pendulum, pendulum_sources
         from sweetspot.calibration.measured import Measured
         from sweetspot.report.uncertainty.uncertainty_section import uncertain
+        from sweetspot.uncertainty.drawn_pendulums import Hung, drawn_pendulum, pendulum_sources
 
         timed = moi is None
         swung = error_of(period, "time", "--period") if timed else error_of(moi, "moi", "--moi")

@@ -16,12 +16,12 @@ from sweetspot.cli.options.written_errors import error_behind, without_error
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.calibration.draws.drawn_plays import PlayAsked
-    from sweetspot.calibration.draws.sources import Sources
     from sweetspot.flight.conditions import FlightConditions
     from sweetspot.motion.ball_motion import BallMotion
     from sweetspot.motion.swing_path import SwingPath
     from sweetspot.report.document import Document
+    from sweetspot.uncertainty.drawn_plays import PlayAsked
+    from sweetspot.uncertainty.sources import Sources
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -89,7 +89,6 @@ def play(
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import check_conditions
     from sweetspot.analysis.full_play import play as follow
-    from sweetspot.calibration.ball_doubt import error_by_ball
     from sweetspot.cli.hit_command import check_beyond_hands
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.options.weather import park_of, through
@@ -98,6 +97,7 @@ def play(
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.report.play.document import play_document
     from sweetspot.report.play.played_pitch import PlayedPitch, with_ending
+    from sweetspot.uncertainty.ball_doubt import error_by_ball
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
@@ -135,7 +135,7 @@ def play(
     result = with_ending(result, flying, outdoors=law, park=park)
     document = play_document(result)
     if meeting.uncertainty and played.flight is not None:
-        from sweetspot.calibration.draws.drawn_plays import PlayAsked
+        from sweetspot.uncertainty.drawn_plays import PlayAsked
 
         thrown = conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed))
         asked = PlayAsked(model, thrown, flying, swung, pitch, Contact(position, under))
@@ -162,10 +162,10 @@ def _with_intervals(
     document: Document, asked: PlayAsked, known: Sources, off_place: float, off_ball: float
 ) -> Document:
     """Return the document with what ball, bat, drag and the errors of where they meet, in m, leave open."""
-    from sweetspot.calibration.draws.drawn_plays import drag_source, drawn_play, meeting_sources
     from sweetspot.catalog.aerodynamic_laws import drag_spread
     from sweetspot.cli.output import patience
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.uncertainty.drawn_plays import drag_source, drawn_play, meeting_sources
 
     sources = known
     for one in (drag_source(drag_spread(asked.flying.aerodynamics)), *meeting_sources(off_place, off_ball)):

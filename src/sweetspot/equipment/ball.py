@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, Protocol, Self
 
 import numpy as np
@@ -87,6 +88,25 @@ class Ball(Validated):
     def with_restitution(self, reference: float) -> Self:
         """Return the same ball with another e at the reference speed of its law."""
         return self.replaced(restitution=self.restitution.replaced(reference=reference))
+
+    def deviated(self, deviations: Mapping[str, float]) -> Self:
+        """Return the ball with deviations, by name; those that are not named are none.
+
+        Parameters
+        ----------
+        deviations : "restitution" and "restitution_slope" (s/m), added to its law's; "mass" and "stiffness", added to
+            their logarithms.
+        """
+        law = self.restitution
+        law = law.replaced(
+            reference=min(law.reference + deviations.get("restitution", 0.0), 1.0),
+            slope=max(law.slope + deviations.get("restitution_slope", 0.0), 0.0),
+        )
+        return self.replaced(
+            restitution=law,
+            mass=self.mass * math.exp(deviations.get("mass", 0.0)),
+            stiffness=self.stiffness * math.exp(deviations.get("stiffness", 0.0)),
+        )
 
     def conditioned(self, *, humidity: float | None = None, temperature: float | None = None) -> Self:
         """Return the ball after long storage at a relative humidity (0 to 1) and temperature (degC).

@@ -173,7 +173,7 @@ LONGEST_BAT_NAME = 100
 
 
 def bats_of(
-    swings: Sequence[PlayerSwing], *, load: Callable[[str], Bat], stand_in: Callable[[str], Bat] | None = None
+    swings: Sequence[PlayerSwing], *, load: Callable[[str], Bat], stand_in_for: Callable[[str], Bat] | None = None
 ) -> tuple[tuple[PlayerSwing, ...], dict[str, Bat], tuple[BadRow, ...], tuple[str, ...]]:
     """Return the swings that can be used, the bats they name, rows whose bat is not known, and notes.
 
@@ -182,7 +182,7 @@ def bats_of(
     Parameters
     ----------
     load : gives a bat by its name or raises `InputError`.
-    stand_in : gives the bat that one of several unknown names is taken for; None: their rows are left out.
+    stand_in_for : gives the bat that one of several unknown names is taken for; None: their rows are left out.
     """
     names = sorted({one.bat for one in swings} - {""})
     bats: dict[str, Bat] = {}
@@ -194,13 +194,13 @@ def bats_of(
             unknown[name] = " ".join(str(error).split())
     if unknown and len(names) == 1:
         called = maybe_meant(names[0], bat_names())
-        like = "the bat that was given" if stand_in is None else stand_in(names[0]).name
+        like = "the bat that was given" if stand_in_for is None else stand_in_for(names[0]).name
         return tuple(swings), {}, (), (f"The file calls the bat {called}, which is not known here; it is taken for "
                                        f"{like}.",)  # fmt: skip
-    strangers = () if stand_in is None else [name for name in unknown if not _is_slip(name)]
+    strangers = () if stand_in_for is None else [name for name in unknown if not _is_slip(name)]
     notes: tuple[str, ...] = ()
-    if stand_in is not None and strangers:
-        of_like = {name: stand_in(name) for name in strangers}
+    if stand_in_for is not None and strangers:
+        of_like = {name: stand_in_for(name) for name in strangers}
         bats |= {name: bat.replaced(name=name[:LONGEST_BAT_NAME]) for name, bat in of_like.items()}
         unknown = {name: why for name, why in unknown.items() if name not in bats}
         taken = ", ".join(f"{name!r} for {bat.name}" for name, bat in of_like.items())

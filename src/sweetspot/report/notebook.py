@@ -57,7 +57,6 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.analysis.full_play import Play, Plays
     from sweetspot.answers.hit import HitAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
-    from sweetspot.calibration.draws.sources import sources_of
     from sweetspot.collision.hit_in_space import Strike, Strikes
     from sweetspot.collision.impact import Impact, Impacts
     from sweetspot.dynamics.modes import Modes
@@ -73,6 +72,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.hit.many_hits import impacts_document
     from sweetspot.report.modes.document import modes_document
     from sweetspot.report.play.bare_play import bare_play_document, strike_document
+    from sweetspot.uncertainty.sources import sources_of
 
     return (
         (Flight, flight_document), (Comparison, comparison_document), (Certification, certification_document),

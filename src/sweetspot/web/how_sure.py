@@ -6,10 +6,10 @@ Speeds, places and weather are taken as the controls say; bat, ball and drag are
 from __future__ import annotations
 
 from sweetspot.calibration.calibrated_file import known_deviations
-from sweetspot.calibration.draws.sources import Sources, sources_of
 from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions
+from sweetspot.uncertainty.sources import Sources, sources_of
 from sweetspot.web.states import BatState
 
 PAGE_DRAWS = 256

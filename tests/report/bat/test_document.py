@@ -14,8 +14,6 @@ import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
 from sweetspot.answers.report import misses_of, report_of
-from sweetspot.calibration.draws.linear_doubt import speed_doubt
-from sweetspot.calibration.draws.sources import sources_of as unknown_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -35,6 +33,8 @@ from sweetspot.report.quantities import SI, US
 from sweetspot.report.sport_words import words_of
 from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.report.terminal import to_terminal
+from sweetspot.uncertainty.linear_doubt import speed_doubt
+from sweetspot.uncertainty.sources import sources_of as unknown_of
 from sweetspot.units import INCH, MPH, OUNCE
 from tests.report.told import reported
 

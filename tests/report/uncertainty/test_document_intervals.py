@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from sweetspot.calibration.draws.intervals import DrawnAnswers, Reach
 from sweetspot.numerics.interval import Interval
 from sweetspot.report import terminal
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
@@ -17,6 +16,7 @@ from sweetspot.report.quantities import SI, US
 from sweetspot.report.sentences import Sentence, Slot, say, with_doubt, within
 from sweetspot.report.uncertainty.document_intervals import with_intervals
 from sweetspot.report.uncertainty.gains import gain_json
+from sweetspot.uncertainty.intervals import DrawnAnswers, Reach
 
 
 def reach(below: float, above: float) -> Reach:

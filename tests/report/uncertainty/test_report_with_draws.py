@@ -10,7 +10,6 @@ import pytest
 
 from sweetspot import analyse, catalog
 from sweetspot.answers.report import ReportAnswer, report_of
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.numerics.interval import Interval
 from sweetspot.report.bat.document import report_document
@@ -18,6 +17,7 @@ from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.document import Document, Paragraph, Section
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import Bounds, Slot, read
+from sweetspot.uncertainty.sources import sources_of
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from sweetspot.calibration.draws.sources import Sources
     from sweetspot.cli.options.swing import SwingOptions
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
+    from sweetspot.uncertainty.sources import Sources
 
 Uncertainty = Annotated[
     bool,
@@ -28,8 +28,8 @@ def sources_for(name: str | None, bat: Implement, conditions: Conditions, swing:
         usual and taken as it is.
     """
     from sweetspot.calibration.calibrated_file import deviations_of
-    from sweetspot.calibration.draws.sources import sources_of
     from sweetspot.cli.options.written_errors import error_of
+    from sweetspot.uncertainty.sources import sources_of
 
     return sources_of(
         bat, conditions, known=None if name is None else deviations_of(name),

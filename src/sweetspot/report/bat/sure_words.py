@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from sweetspot.calibration.draws.linear_doubt import SpeedDoubt
-from sweetspot.calibration.draws.sources import OF_BALL, PATCH, PITCH, SWING
 from sweetspot.equipment.sport import Words
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.sentences import Sentence, Slot, say
+from sweetspot.uncertainty.linear_doubt import SpeedDoubt
+from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING
 
 MOSTLY, COUNTS = 0.6, 0.1
 """Parts of the variance from which on one thing is most of it, and from which on a thing is named beside others."""

@@ -18,7 +18,6 @@ from sweetspot.analysis.certification.simulated_test import (
 )
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
-from sweetspot.calibration.draws.drawn_tests import RULED
 from sweetspot.catalog.balls import ball
 from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -37,6 +36,7 @@ from sweetspot.report.document import Block, Bullets, Cell, Cited, Column, Docum
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say, with_doubt
+from sweetspot.uncertainty.drawn_tests import RULED
 
 PATCH_NOTE = (
     "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "

@@ -11,10 +11,6 @@ from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.answers.conditions import hit_conditions
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
-from sweetspot.calibration.draws.comparison_draws import with_intervals
-from sweetspot.calibration.draws.intervals import Reaches
-from sweetspot.calibration.draws.linear_doubt import comparison_reaches
-from sweetspot.calibration.draws.sources import Sources, sources_of
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.outline_doubt import moi_doubt
@@ -38,6 +34,10 @@ from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, 
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, joined, read, with_doubt, within
+from sweetspot.uncertainty.comparison_draws import with_intervals
+from sweetspot.uncertainty.intervals import Reaches
+from sweetspot.uncertainty.linear_doubt import comparison_reaches
+from sweetspot.uncertainty.sources import Sources, sources_of
 from sweetspot.units import INCH
 
 BBCOR_OF_PLAY = (

@@ -15,8 +15,6 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.analysis.comparison import Compared, Comparison
-from sweetspot.calibration.draws.comparison_draws import CHANGE_ALONG
-from sweetspot.calibration.draws.intervals import Reach, Reaches
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
@@ -40,6 +38,8 @@ from sweetspot.report.pictures.style import (
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, US, Reader
 from sweetspot.report.sentences import within
 from sweetspot.report.sport_words import words_of
+from sweetspot.uncertainty.comparison_draws import CHANGE_ALONG
+from sweetspot.uncertainty.intervals import Reach, Reaches
 
 WIDTH, SIDE, HEADER, CURVES, DIFFERENCES, ROW, BETWEEN, FOOTER = 8.0, 0.62, 1.05, 2.6, 1.3, 0.27, 0.5, 0.85
 """Inches of paper: page, margins, title, curves, differences, one bat's row of the zones, the gaps, the foot."""

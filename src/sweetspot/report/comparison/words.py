@@ -8,12 +8,12 @@ from dataclasses import replace
 
 from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.analysis.trampoline import wall_point_of
-from sweetspot.calibration.draws.sources import Sources
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import NO_SPEED, sure_sign
 from sweetspot.report.sentences import Sentence, Slot, joined, say, within
+from sweetspot.uncertainty.sources import Sources
 from sweetspot.units import MPH
 
 PUBLISHED_EFFICIENCY = (0.214, 0.193)

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.calibration.draws.intervals import Reach
 from sweetspot.report.document import Document
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import SCALES
 from sweetspot.report.sentences import Bounds, Doubtful, Sentence, Slot
+from sweetspot.uncertainty.intervals import Reach
 
 ENDINGS = sorted({scale.ending for scale in SCALES.values() if scale.ending}, key=len, reverse=True)
 

@@ -7,9 +7,6 @@ from dataclasses import replace
 
 from sweetspot.analysis.certification.simulated_test import Certification
 from sweetspot.analysis.comparison import Comparison
-from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison, names_of_bats
-from sweetspot.calibration.draws.drawn_tests import drawn_test, sources_of_test
-from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
@@ -20,6 +17,9 @@ from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.uncertainty.gains import gain_json, gain_words
 from sweetspot.report.uncertainty.passing_words import with_chances
 from sweetspot.report.uncertainty.uncertainty_section import uncertain
+from sweetspot.uncertainty.comparison_draws import LAW, drawn_comparison, names_of_bats
+from sweetspot.uncertainty.drawn_tests import drawn_test, sources_of_test
+from sweetspot.uncertainty.sources import DRAWS, Sources
 
 
 def comparison_with_doubt(

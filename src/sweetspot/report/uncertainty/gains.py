@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.numerics.confidence import ENDS
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.report.uncertainty.probability import chance_words
+from sweetspot.uncertainty.intervals import DrawnAnswers
 
 SURE = ENDS[1]
 """Chance from which on a difference is called sure: its 90 % interval leaves zero out."""

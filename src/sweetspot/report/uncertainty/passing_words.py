@@ -9,13 +9,13 @@ import numpy as np
 
 from sweetspot.analysis.certification.rules import Check, League, title
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
-from sweetspot.calibration.draws.drawn_tests import RULED
-from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.sentences import Sentence, joined, say
 from sweetspot.report.uncertainty.probability import chance_words
+from sweetspot.uncertainty.drawn_tests import RULED
+from sweetspot.uncertainty.intervals import DrawnAnswers
 
 MEASURED = {"bbcor": "bbcor", "bpf": "bpf", "batted_ball_speed": "batted_ball_speed"}
 """Quantities of rules that shots estimate, by their fields."""

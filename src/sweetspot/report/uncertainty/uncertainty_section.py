@@ -9,12 +9,12 @@ from typing import Any
 
 from sweetspot.answers.answer import Uncertainty, uncertainty_of
 from sweetspot.answers.records import to_dict
-from sweetspot.calibration.draws.intervals import TOGETHER, DrawnAnswers
 from sweetspot.catalog.sports import sport, sport_names
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Slot, say
 from sweetspot.report.uncertainty.document_intervals import with_intervals
+from sweetspot.uncertainty.intervals import TOGETHER, DrawnAnswers
 
 LEAST_SHARE = 0.005
 LONGEST_BAR = 30

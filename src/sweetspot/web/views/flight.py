@@ -85,12 +85,12 @@ def carry_map(state: FlightState) -> dict[str, Any]:
 
 def sure(state: FlightState) -> dict[str, Any]:
     """Return the play, or the flight of a ball with its own numbers, with an interval beside each number."""
-    from sweetspot.calibration.draws.drawn_plays import PlayAsked, drag_source, drawn_flight, drawn_play
     from sweetspot.catalog.aerodynamic_laws import drag_spread
     from sweetspot.report.flight.document import flight_document
     from sweetspot.report.play.document import play_document
     from sweetspot.report.play.played_pitch import PlayedPitch
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.uncertainty.drawn_plays import PlayAsked, drag_source, drawn_flight, drawn_play
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     start = _start(state)

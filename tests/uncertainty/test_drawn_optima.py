@@ -11,12 +11,12 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.optimum import best_launch
-from sweetspot.calibration.draws.drawn_optima import drawn_optimum
-from sweetspot.calibration.draws.drawn_plays import DRAG, drag_source
-from sweetspot.calibration.draws.sources import NOTHING
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import launched
+from sweetspot.uncertainty.drawn_optima import drawn_optimum
+from sweetspot.uncertainty.drawn_plays import DRAG, drag_source
+from sweetspot.uncertainty.sources import NOTHING
 from sweetspot.units import MPH, RPM
 
 

@@ -8,9 +8,6 @@ from functools import cached_property
 import numpy as np
 
 from sweetspot.analysis.hand_weighting import velocity_weight
-from sweetspot.calibration.ball_doubt import ball_off
-from sweetspot.calibration.draws.bat_draws import DrawnBats, drawn_bats
-from sweetspot.calibration.draws.sources import OF_BALL, PATCH, PITCH, SWING, Sources
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
 from sweetspot.collision.hits_of_bats import struck
 from sweetspot.collision.impact import Impacts
@@ -23,6 +20,8 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.motion.swing import MAX_SPEED, Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.uncertainty.bat_draws import DrawnBats, drawn_bats
+from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING, Sources
 
 SLOWEST = 0.1
 """m/s that a drawn bat is swung at least."""
@@ -117,7 +116,7 @@ def draws_of(
                for name in sources.names if name.startswith(OF_BALL)}  # fmt: skip
     ball = conditions.ball
     balls = tuple(
-        ball_off(ball, {name: values[row] for name, values in of_ball.items()}) if of_ball else ball
+        ball.deviated({name: values[row] for name, values in of_ball.items()}) if of_ball else ball
         for row in range(len(off))
     )
     swung, thrown = conditions.swing.bat_speed + sources.of(SWING, off), conditions.pitch.speed + sources.of(PITCH, off)

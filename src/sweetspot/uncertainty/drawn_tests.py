@@ -18,14 +18,14 @@ from sweetspot.analysis.certification.simulated_test import (
     besr,
     bpf,
 )
-from sweetspot.calibration.draws.drawn_hits import Draws, draws_of
-from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.calibration.draws.sources import DRAWS, OF_BALL, PITCH, SWING, Sources
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import top
+from sweetspot.uncertainty.drawn_hits import Draws, draws_of
+from sweetspot.uncertainty.intervals import DrawnAnswers
+from sweetspot.uncertainty.sources import DRAWS, OF_BALL, PITCH, SWING, Sources
 
 NORMALISED = (f"{OF_BALL}restitution", f"{OF_BALL}restitution slope", f"{OF_BALL}mass")
 """What a test normalises to one ball."""

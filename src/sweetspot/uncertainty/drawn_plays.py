@@ -12,10 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sweetspot.calibration.draws.drawn_hits import draws_of
-from sweetspot.calibration.draws.implement_doubt import NO_DOUBT
-from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
 from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.collision.oblique_contact import contact_frame
 from sweetspot.dynamics.reduction import ReducedBat
@@ -26,6 +22,10 @@ from sweetspot.motion.ball_motion import BallMotion, BallMotions, launch_angles
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
+from sweetspot.uncertainty.drawn_hits import draws_of
+from sweetspot.uncertainty.implement_doubt import NO_DOUBT
+from sweetspot.uncertainty.intervals import DrawnAnswers
+from sweetspot.uncertainty.sources import DRAWS, Source, Sources
 
 DRAG, LAUNCH_SPEED, LAUNCH_ANGLE = "drag of the ball", "exit speed", "launch angle"
 PLACE, OFFSET = "place along the bat", "bat under the ball"

@@ -10,9 +10,6 @@ import pytest
 from sweetspot import catalog, compare
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.answers.hit import HitQuestion, hit_answer
-from sweetspot.calibration.draws.comparison_draws import drawn_comparison
-from sweetspot.calibration.draws.linear_doubt import SpeedDoubt, comparison_reaches, speed_doubt
-from sweetspot.calibration.draws.sources import Sources, sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -20,6 +17,9 @@ from sweetspot.equipment.sport import Words
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.interval import Interval
 from sweetspot.report.bat.sure_words import doubt_words
+from sweetspot.uncertainty.comparison_draws import drawn_comparison
+from sweetspot.uncertainty.linear_doubt import SpeedDoubt, comparison_reaches, speed_doubt
+from sweetspot.uncertainty.sources import Sources, sources_of
 
 
 def half_of_draws(analysis: Analysis[Implement], sources: Sources) -> float:

@@ -10,9 +10,6 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import hit_at
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.draws.drawn_energy import drawn_ledger
-from sweetspot.calibration.draws.drawn_hits import draws_of, hits_along
-from sweetspot.calibration.draws.sources import NOTHING, OF_BALL, PATCH, sources_of
 from sweetspot.calibration.unknowns import Unknown, deviated, unknowns_of
 from sweetspot.calibration.unknowns import described as described_beam
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -21,6 +18,9 @@ from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.hit.ledger import ENERGY_NAMES
+from sweetspot.uncertainty.drawn_energy import drawn_ledger
+from sweetspot.uncertainty.drawn_hits import draws_of, hits_along
+from sweetspot.uncertainty.sources import NOTHING, OF_BALL, PATCH, sources_of
 from sweetspot.units import MPH
 
 CALIBRATED = {"mass": 0.005, "balance_point": 0.01, "gyration": 0.01, "first_frequency": 0.02}

@@ -12,9 +12,6 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import max_exit_speed, miss_cost, sweet_zone
 from sweetspot.answers.report import Miss
 from sweetspot.answers.report_draws import DESCRIBED
-from sweetspot.calibration.draws.drawn_hits import draws_of
-from sweetspot.calibration.draws.drawn_spots import drawn_nodes, highest, missed, zones
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
@@ -22,6 +19,9 @@ from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
+from sweetspot.uncertainty.drawn_hits import draws_of
+from sweetspot.uncertainty.drawn_spots import drawn_nodes, highest, missed, zones
+from sweetspot.uncertainty.sources import sources_of
 
 
 @pytest.fixture(scope="module")

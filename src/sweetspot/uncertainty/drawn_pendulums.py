@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.calibration.draws.implement_doubt import NO_DOUBT
-from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
 from sweetspot.calibration.measured import Measured
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY
+from sweetspot.uncertainty.implement_doubt import NO_DOUBT
+from sweetspot.uncertainty.intervals import DrawnAnswers
+from sweetspot.uncertainty.sources import DRAWS, Source, Sources
 from sweetspot.units import OUNCE_INCH_SQUARED
 
 WEIGHT, BALANCE, PERIOD, MOI, AXIS = "weight", "balance point", "period", "moment of inertia", "axis it hangs from"

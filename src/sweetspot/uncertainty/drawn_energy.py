@@ -6,9 +6,9 @@ from dataclasses import asdict
 
 import numpy as np
 
-from sweetspot.calibration.draws.drawn_hits import Draws, HitsAlong
 from sweetspot.collision.impact import Impact
 from sweetspot.numerics.arrays import Array
+from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong
 
 KINDS = ("translation", "rotation", "bending", "hoop", "face")
 """Parts of the ledger that are motion of the implement."""

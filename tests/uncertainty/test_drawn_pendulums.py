@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sweetspot.calibration.draws.drawn_pendulums import Hung, drawn_pendulum
 from sweetspot.calibration.measured import Measured
 from sweetspot.numerics.confidence import REACH
+from sweetspot.uncertainty.drawn_pendulums import Hung, drawn_pendulum
 
 HUNG = Hung(
     mass=Measured(0.88, 0.003), balance_point=Measured(0.56, 0.001), pivot=Measured(0.1524, 0.0),

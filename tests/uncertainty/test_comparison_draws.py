@@ -9,17 +9,17 @@ import pytest
 
 from sweetspot import catalog, compare
 from sweetspot.calibration.calibrated_file import deviations_of
-from sweetspot.calibration.draws.comparison_draws import drawn_comparison
-from sweetspot.calibration.draws.drawn_hits import draws_of
-from sweetspot.calibration.draws.implement_doubt import WEIGHED, doubt_of
-from sweetspot.calibration.draws.linear_doubt import comparison_reaches
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.uncertainty.comparison_draws import drawn_comparison
+from sweetspot.uncertainty.drawn_hits import draws_of
+from sweetspot.uncertainty.implement_doubt import WEIGHED, doubt_of
+from sweetspot.uncertainty.linear_doubt import comparison_reaches
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, MPH, OUNCE
 
 CORK = 1 * INCH, 10 * INCH, 2 * INCH

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
-from sweetspot.calibration.ball_doubt import speed_by_ball
 from sweetspot.calibration.efficiency_response import response_of_efficiency
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.uncertainty.ball_doubt import speed_by_ball
 
 
 def test_spreads_of_the_catalogue(baseball: Ball) -> None:

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from sweetspot.calibration.draws.intervals import TOGETHER, DrawnAnswers, variance_shares
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import ENDS, LEVEL, REACH
+from sweetspot.uncertainty.intervals import TOGETHER, DrawnAnswers, variance_shares
 
 NAMES = ("a", "b", "c")
 

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.analysis.optimum import EasiestHomeRun, easiest_home_run
-from sweetspot.calibration.draws.drawn_plays import DRAG, PlayAsked, dragged, drawn_flights, drawn_play
-from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array
+from sweetspot.uncertainty.drawn_plays import DRAG, PlayAsked, dragged, drawn_flights, drawn_play
+from sweetspot.uncertainty.intervals import DrawnAnswers
+from sweetspot.uncertainty.sources import DRAWS, Sources
 
 TOLD = {
     "exit_speed_m_s": "exit_speed_m_s", "launch_angle_rad": "launch_angle_rad", "spray_rad": "spray_rad",

@@ -13,15 +13,15 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Compared, Comparison
-from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
-from sweetspot.calibration.draws.intervals import DrawnAnswers, Reaches
-from sweetspot.calibration.draws.sources import DRAWS, Source, Sources, even_normal
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.parabola import peak
+from sweetspot.uncertainty.drawn_hits import Draws, draws_of, hits_along
+from sweetspot.uncertainty.intervals import DrawnAnswers, Reaches
+from sweetspot.uncertainty.sources import DRAWS, Source, Sources, even_normal
 
 PLACES = 41
 NEARER, SHOWN_FROM = 6, 0.6

@@ -11,13 +11,12 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from sweetspot.analysis.drop_test import Rebound
-from sweetspot.calibration.ball_doubt import ball_off
-from sweetspot.calibration.draws.implement_doubt import NO_DOUBT
-from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.calibration.draws.sources import DRAWS, OF_BALL, Source, Sources, sources_of_ball
 from sweetspot.catalog.materials import material_spreads
 from sweetspot.dynamics.block import Block
 from sweetspot.equipment.ball import Ball
+from sweetspot.uncertainty.implement_doubt import NO_DOUBT
+from sweetspot.uncertainty.intervals import DrawnAnswers
+from sweetspot.uncertainty.sources import DRAWS, OF_BALL, Source, Sources, sources_of_ball
 
 STIFFNESS, DENSITY, ARRIVAL = "stiffness of the block", "density of the block", "speed of the ball"
 MODULI = ("longitudinal_modulus", "shear_modulus", "transverse_modulus")
@@ -74,7 +73,7 @@ def _moved(rebound: Rebound, name: str, off: float) -> tuple[Block, Ball, float]
     if name == ARRIVAL:
         return block, ball, off
     if name.startswith(OF_BALL):
-        return block, ball_off(ball, {name.removeprefix(OF_BALL).replace(" ", "_"): off}), 0.0
+        return block, ball.deviated({name.removeprefix(OF_BALL).replace(" ", "_"): off}), 0.0
     made_of, factor = block.material, float(np.exp(off))
     fields = ("density",) if name == DENSITY else tuple(one for one in MODULI if getattr(made_of, one) is not None)
     other = made_of.unchecked(**{one: factor * getattr(made_of, one) for one in fields})

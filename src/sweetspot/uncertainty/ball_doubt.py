@@ -10,7 +10,6 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody
-from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.confidence import REACH
@@ -39,23 +38,9 @@ def error_by_ball(
         return None
 
     def speed(name: str, off: float) -> float:
-        with_ball = conditions.replaced(ball=ball_off(conditions.ball, {name: off}))
+        with_ball = conditions.replaced(ball=conditions.ball.deviated({name: off}))
         hit = scan(bat, body=body, modes=modes, conditions=with_ball, positions=place)
         return float(hit.exit_speed[0])
 
     halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
     return float(np.linalg.norm(halves))
-
-
-def ball_off(ball: Ball, deviations: dict[str, float]) -> Ball:
-    """Return a ball with deviations: of restitution and its slope, and of the logarithms of mass and stiffness."""
-    law = ball.restitution
-    law = law.replaced(
-        reference=min(law.reference + deviations.get("restitution", 0.0), 1.0),
-        slope=max(law.slope + deviations.get("restitution_slope", 0.0), 0.0),
-    )
-    return ball.replaced(
-        restitution=law,
-        mass=ball.mass * float(np.exp(deviations.get("mass", 0.0))),
-        stiffness=ball.stiffness * float(np.exp(deviations.get("stiffness", 0.0))),
-    )

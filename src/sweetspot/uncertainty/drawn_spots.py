@@ -9,8 +9,6 @@ from typing import Protocol
 import numpy as np
 
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING, held_speeds
-from sweetspot.calibration.draws.bat_draws import DrawnBats
-from sweetspot.calibration.draws.drawn_hits import Draws
 from sweetspot.calibration.unknowns import deviated
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import bending_batch
@@ -18,6 +16,8 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, Number
 from sweetspot.numerics.parabola import tops
+from sweetspot.uncertainty.bat_draws import DrawnBats
+from sweetspot.uncertainty.drawn_hits import Draws
 
 NEWTON_STEPS, FARTHEST = 3, 0.02
 """Steps in which a node of the described bat is followed to another's, and how far it may lie from it, m."""

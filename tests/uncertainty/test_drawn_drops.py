@@ -10,10 +10,10 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.drop_test import Rebound, fire
-from sweetspot.calibration.draws.drawn_drops import drawn_drop, drop_sources
-from sweetspot.calibration.draws.sources import OF_BALL
 from sweetspot.dynamics.block import Block
 from sweetspot.equipment.ball import Ball
+from sweetspot.uncertainty.drawn_drops import drawn_drop, drop_sources
+from sweetspot.uncertainty.sources import OF_BALL
 
 SPEED = 8.0
 

@@ -14,13 +14,13 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Comparison
-from sweetspot.calibration.draws.comparison_draws import drawn_comparison, drawn_names
-from sweetspot.calibration.draws.drawn_hits import draws_of, hits_along
-from sweetspot.calibration.draws.intervals import Reach, Reaches
-from sweetspot.calibration.draws.sources import Sources
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
+from sweetspot.uncertainty.comparison_draws import drawn_comparison, drawn_names
+from sweetspot.uncertainty.drawn_hits import draws_of, hits_along
+from sweetspot.uncertainty.intervals import Reach, Reaches
+from sweetspot.uncertainty.sources import Sources
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sweetspot.calibration.draws.implement_doubt import NO_DOUBT, ImplementDoubt, doubt_of
 from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.sports import sport
@@ -19,6 +18,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
+from sweetspot.uncertainty.implement_doubt import NO_DOUBT, ImplementDoubt, doubt_of
 
 BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
 """Names of the sources that are no property of the ball."""
