@@ -189,6 +189,38 @@ def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
         settled(page)
 
 
+@pytest.mark.parametrize("files", ["design.js", "design_front.js"])
+def test_a_view_whose_files_did_not_come_comes_once_they_can(
+    page: Page, server: str, answered: Answered, settled: Callable[[Page], None], files: str
+) -> None:
+    """The line to the server stays open all the while, so nothing but another try can bring them."""
+    page.route(f"**/static/views/{files}*", lambda route: route.abort("connectionrefused"))
+    page.goto(f"{server}/explorer")
+    answered(page)
+    page.get_by_role("link", name="Design", exact=True).click()
+    expect(page.locator("#view .absent")).to_contain_text("Design needs the server")
+    page.unroute(f"**/static/views/{files}*")
+    expect(page.locator("#view[data-view=design] canvas").first).to_be_visible()
+    expect(page.locator("#view .absent")).to_have_count(0)
+    expect(page.locator("#status")).to_be_hidden()
+    settled(page)
+
+
+def test_a_slider_of_a_place_from_the_tip_goes_as_the_picture_does(page: Page, server: str, answered: Answered) -> None:
+    """The tip is on the right: to the right is nearer to it, by hand and by key."""
+    page.goto(f"{server}/explorer")
+    answered(page)
+    range_ = page.locator("[data-field=impact_from_tip_in] input[type=range]")
+    before = float(range_.input_value())
+    range_.focus()
+    range_.press("ArrowRight")
+    assert float(range_.input_value()) < before
+    box = range_.bounding_box()
+    assert box is not None
+    range_.click(position={"x": 0.9 * box["width"], "y": box["height"] / 2})
+    assert float(range_.input_value()) < 0.2 * float(range_.get_attribute("max") or 0)
+
+
 def test_what_is_being_typed_stays_when_an_answer_comes(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer")
     count = answered(page)

@@ -124,6 +124,14 @@ def test_the_command_line_gives_the_same_numbers(controls: dict[str, Any], run_j
     assert carry == pytest.approx(answer(state)["flight"]["carry_m"], rel=1e-4)
 
 
+def test_a_direction_without_a_wind_is_no_wind(run_json: Callable[..., Any]) -> None:
+    """The arrow may have been turned while no wind blows; the command line refuses a direction without a speed."""
+    state = FlightState.model_validate({"wind_direction_deg": 120.0, "sidespin_rpm": -300.0})
+    assert VIEW.recipe is not None
+    found = run_json(*shlex.split(VIEW.recipe(state)["command"])[1:])
+    assert found["carry_m"] == pytest.approx(answer(state)["flight"]["carry_m"], rel=1e-4)
+
+
 def test_every_park_is_judged_as_by_the_paths() -> None:
     """The compiled fences, followed no further than needed, against paths of 161 points in every park's own air."""
     for controls in ({}, {"exit_speed_mph": 104.0, "spray_deg": 20.0, "wind_speed_mph": 9.0}, {"spray_deg": 50.0}):

@@ -85,6 +85,13 @@ def test_who_contradicts_the_others_is_told_beside_its_control(client: httpx.Cli
     assert outline["contradictions"]["us"] and {one["should"] for one in outline["measurements"]} == {None}
 
 
+def test_there_is_no_command_before_something_was_measured(client: httpx.Client) -> None:
+    """`sweetspot calibrate` refuses a bat of which nothing is known."""
+    for state in ({}, {"weighed_oz": 31.0, "left_out": ["mass"]}):
+        lines = asked(client, "/recipe", **state)
+        assert "command" not in lines and "once something was measured" in lines["note"]
+
+
 def test_what_is_left_out_must_be_something_that_can_be_measured(client: httpx.Client) -> None:
     refused = client.post("/api/v1/own", json={"weighed_oz": 31, "left_out": ["weight"]})
     assert refused.status_code == 422 and refused.json()["error"]["field"] == "left_out"

@@ -40,6 +40,7 @@ export function slider(app, field, { label, step, empty = null, absent = "", tim
   const number = input("number", `${id}-number`);
   const unit = document.createElement("span");
   unit.className = "unit";
+  if (field.endsWith("from_tip_in")) range.dir = "rtl"; // as in the pictures, where the tip is on the right
   number.setAttribute("inputmode", "decimal");
   range.setAttribute("aria-describedby", `${id}-fault`);
   number.setAttribute("aria-describedby", `${id}-fault`);

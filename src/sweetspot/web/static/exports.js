@@ -69,6 +69,7 @@ async function addLines(app, /** @type {HTMLDialogElement} */ dialog) {
   for (const [key, words] of [["command", "Command line"], ["python", "Python"]]) {
     if (lines[key]) place.append(block(app, words, lines[key], key));
   }
+  if (lines.note) place.append(Object.assign(document.createElement("p"), { className: "note", textContent: lines.note }));
   if (lines.command?.includes("bat.toml")) {
     place.append(Object.assign(document.createElement("p"), {
       className: "note", textContent: "bat.toml is this bat; save it with the button above." }));

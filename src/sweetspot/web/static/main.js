@@ -57,6 +57,7 @@ const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "{}");
 const LONGEST_ADDRESS = 16000; // of a packed one, which the server still takes
 const LONG_FIELD = 1000; // letters beyond which a field does not go into an address that is too long
 const EMBED = "/embed/";
+const AGAIN = 2000; // ms until a view's files that could not be fetched are asked for again
 const QUESTION = "answer";
 const MEANINGS = "meanings of words";
 
@@ -311,8 +312,10 @@ export class App {
       try {
         ({ view } = await fetched(entry.name));
       } catch {
+        if (turn !== this.turn) return; // someone has gone elsewhere meanwhile
         this.heard("lost");
         this.lacks(entry.title);
+        setTimeout(() => turn === this.turn && this.go(), AGAIN); // the line may be open all the while, and then says nothing
         return;
       }
       if (turn !== this.turn) return; // someone has gone elsewhere meanwhile

@@ -60,7 +60,7 @@ def _weather_options(state: FlightState) -> str:
         pressure=f"{state.pressure_inhg:.12g}inHg",
         elevation=None if state.elevation_ft is None else f"{state.elevation_ft:.12g}ft",
         wind_speed=f"{state.wind_speed_mph:.12g}mph",
-        wind_direction=f"{state.wind_direction_deg:.12g}deg",
+        wind_direction=f"{state.wind_direction_deg:.12g}deg" if state.wind_speed_mph else None,
     )
 
 

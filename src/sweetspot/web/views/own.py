@@ -253,8 +253,11 @@ def recipe(state: OwnState) -> dict[str, str]:
     else:
         text = state.implement_toml or ""
         name = BAT_FILE if text else quote(state.implement)
-    command = f"sweetspot calibrate {name} {' '.join(words)} --out mine.toml"
-    return {"command": command, "toml": text} if text else {"command": command}
+    if measured <= {*state.left_out}:
+        lines = {"note": "The command line comes once something was measured: weigh, balance, swing or tap the bat."}
+    else:
+        lines = {"command": f"sweetspot calibrate {name} {' '.join(words)} --out mine.toml"}
+    return lines | ({"toml": text} if text else {})
 
 
 VIEW = View("own", "Own bat", OwnState, answer, recipe, asides={"tap": tap, "file": file_if_any})
