@@ -12,13 +12,14 @@ import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import misses_of
+from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import NO_SPEED, sure_sign
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.tables import spots_table
 from sweetspot.report.bat.words import answer_words
 from sweetspot.report.comparison.document import comparison_document
-from sweetspot.report.comparison.words import cork_verdict, verdict
+from sweetspot.report.comparison.words import changes, cork_verdict, verdict
 from sweetspot.report.document import Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SYSTEMS, US, Reader
 from sweetspot.report.sentences import read
@@ -128,13 +129,14 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
         assert sentence.endswith((": the sign is not sure.", ": a gain.", ": a loss."))
         ends = data["change_m_s"]["low"], data["change_m_s"]["high"]
         assert ("not sure" in sentence) == (sure_sign(*ends, nothing=NO_SPEED) == 0)
-    for sentence in (read(one, US) for one in verdict(comparison)):  # of the swing law's interval alone
-        assert sentence.endswith((": the sign is not sure.", " if bats and ball are just as described."))
+    for sentence, bare in zip(sentences, changes(comparison), strict=True):  # without a word on how sure it is
+        assert sentence.startswith(read(bare, US).removesuffix("."))
+        assert not re.search("sure|gain|loss|if ", read(bare, US))
 
 
 @pytest.mark.parametrize(("ends", "said", "corked"), [
-    ((-1.7, -0.04), "the sign is not sure.", "cannot be told"), ((-1.7, -0.06), "a loss if", "the ball leaves slower"),
-    ((0.04, 1.7), "the sign is not sure.", "cannot be told"), ((0.06, 1.7), "a gain if", "Here it does"),
+    ((-1.7, -0.04), "the sign is not sure.", "cannot be told"), ((-1.7, -0.06), "a loss.", "the ball leaves slower"),
+    ((0.04, 1.7), "the sign is not sure.", "cannot be told"), ((0.06, 1.7), "a gain.", "Here it does"),
 ])  # fmt: skip
 def test_an_interval_that_is_told_to_end_at_nothing_leaves_the_sign_open(
     ends: tuple[float, float], said: str, corked: str
@@ -148,5 +150,6 @@ def test_an_interval_that_is_told_to_end_at_nothing_leaves_the_sign_open(
     hair = replace(
         found, compared=(first, replace(cork, exit_speed=change.shifted(first.exit_speed.value), change=change))
     )
-    assert said in read(verdict(hair)[0], US)
+    sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in hair.compared]
+    assert said in read(verdict(hair, sources=sources)[0], US)
     assert corked in read(cork_verdict(hair)[0], US)

@@ -9,7 +9,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
@@ -30,11 +30,38 @@ def picture(page: Page) -> str:
 
 def test_the_first_picture_has_three_bats_and_a_verdict(opened: Page) -> None:
     expect(opened.locator("#verdict")).to_contain_text("R161, corked")
-    expect(opened.locator("#verdict")).to_contain_text(": a loss if bats and ball are just as described.")
+    expect(opened.locator("#verdict")).to_contain_text("corked: swung 2.0 mph faster, the ball leaves 0.8 mph")
+    expect(opened.locator("#verdict")).to_contain_text(": the sign is not sure.")
+    expect(opened.locator("#working")).to_be_hidden()
     rows = opened.get_by_role("region", name=re.compile("what they do in play")).locator("tbody tr")
     expect(rows).to_have_count(3)
     expect(rows.nth(0)).to_contain_text("reference")
     expect(opened.get_by_role("img", name=re.compile("^Change of exit speed"))).to_be_visible()
+
+
+def test_nothing_is_judged_before_the_whole_interval_is_there(page: Page, server: str, answered: Answered) -> None:
+    held: list[Route] = []
+
+    def hold(route: Route) -> None:
+        held.append(route)
+
+    page.route("**/api/v1/compare/intervals", hold)
+    page.goto(f"{server}/compare")
+    answered(page)
+    table = page.get_by_role("region", name=re.compile("what they do in play"))
+    change = page.get_by_role("img", name=re.compile("^Change of exit speed"))
+    expect(page.locator("#working")).to_be_visible()
+    expect(change).to_have_attribute("aria-label", re.compile(r"corked \S0\.8.mph;"))
+    for place in (page.locator("#verdict"), table):
+        expect(place).not_to_contain_text(re.compile(r"loss|gain|sure| to [+\N{MINUS SIGN}\d]"))
+    while not held:
+        page.wait_for_timeout(50)
+    page.unroute("**/api/v1/compare/intervals")
+    held[0].continue_()
+    expect(page.locator("#verdict")).to_contain_text("the sign is not sure")
+    expect(page.locator("#working")).to_be_hidden()
+    expect(table).to_contain_text("\N{MINUS SIGN}4.3 to +2.7")
+    expect(change).to_have_attribute("aria-label", re.compile("interval"))
 
 
 def test_a_bat_that_passes_only_as_far_as_is_known_is_not_simply_passed(page: Page, server: str) -> None:

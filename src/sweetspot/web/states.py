@@ -6,7 +6,7 @@ shows both in either system.
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -52,7 +52,11 @@ class SwingState(ViewState):
         None, description="of the ball at the plate; 0: on a tee; empty: as is usual in the bat's sport"
     )
     bat_speed_mph: Annotated[float, Field(ge=20, le=110)] | None = Field(
-        None, description="of the bat before impact, 6 in from the tip; empty: as is usual in its sport"
+        None,
+        description="of the bat as it was before it was changed, 6 in from the tip; empty: as is usual in its sport",
+    )
+    same: Literal["effort", "speed"] = Field(
+        "effort", description="how a bat that was changed or is choked up, and every other bat beside it, is swung"
     )
     hands_in: float = Field(6.0, ge=3, le=12, description="centre of the top hand above the bottom of the grip")
     ball: Name | None = Field(None, description="name in the catalogue; empty: the first of the bat's sport")

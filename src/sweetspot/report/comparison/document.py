@@ -22,13 +22,10 @@ from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.legality import legality_json, legality_table
 from sweetspot.report.comparison.words import (
     INTERVAL_HOLDS,
-    INTERVAL_MEANS,
     LINEAR_HOLDS,
-    assumptions,
+    assumed,
     cork_verdict,
-    taken_as_described,
     verdict,
-    without_draws,
 )
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
@@ -80,7 +77,7 @@ def comparison_document(
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(comparison.compared)
     ruled = [(one.label, test) for one, test in zip(comparison.compared, tested, strict=False) if test is not None]
-    words = verdict(comparison, sources=sources) + (cork_verdict(comparison, by_law=False) if corking else [])
+    words = verdict(comparison, sources=sources) + (cork_verdict(comparison) if corking else [])
     picture = Picture(
         "curves", lambda reading: _drawn(comparison, reaches, reading),
         label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
@@ -90,9 +87,7 @@ def comparison_document(
     notes: list[Words] = [
         joined(
             [
-                assumptions(comparison, by_law=False),
-                *([] if drawn else [without_draws(comparison)]),
-                *taken_as_described(comparison, sources),
+                assumed(comparison, sources, draws="" if drawn else "`--uncertainty`"),
                 *([PLUS_MINUS] if _has_doubt(comparison.compared) else []),
             ]
         ),
@@ -206,9 +201,7 @@ def _drawn_sheet(comparison: Comparison[Implement], reaches: Reaches | None, rea
     return compare_sheet(comparison, reading, reaches=reaches)
 
 
-def comparison_json(
-    comparison: Comparison[Implement], verdict: Sequence[str], interval_is: str = INTERVAL_MEANS
-) -> dict[str, Any]:
+def comparison_json(comparison: Comparison[Implement], verdict: Sequence[str], interval_is: str) -> dict[str, Any]:
     """Return everything about a comparison; the first bat is the reference."""
     law, reference = comparison.law, comparison.reference
     exponents = law.exponents if law else None

@@ -20,43 +20,49 @@ PUBLISHED_EFFICIENCY = (0.214, 0.193)
 """q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
 """m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
-INTERVAL_MEANS = "90 % of the spread of the swing law's exponent, and nothing else"
 INTERVAL_HOLDS = "90 % of draws of all that is not known: bats, ball, swing, swing law"
 """What intervals of draws hold; see `drawn_comparison`."""
 LINEAR_HOLDS = "90 %, by straight lines, of all that is not known: bats, ball, swing, swing law"
 """What intervals hold that were worked out without draws; see `comparison_reaches`."""
 
 
-def verdict(comparison: Comparison[Implement], *, sources: Sequence[Sources] | None = None) -> list[Sentence]:
-    """Return one sentence for every bat after the first.
+def verdict(comparison: Comparison[Implement], *, sources: Sequence[Sources]) -> list[Sentence]:
+    """Return one sentence for every bat after the first, whether its gain or loss is sure.
 
     Parameters
     ----------
-    sources : what the intervals hold, bat by bat; None: the swing law's exponent alone. What is not in them is taken as
-        described, and every sentence says itself that it holds only if that is so.
+    comparison : with intervals of all that is not known, see `with_intervals`.
+    sources : what the intervals hold, bat by bat. What is not in them is taken as described, and every sentence says
+        itself that it holds only if that is so.
     """
     sentences = []
     for index, one in enumerate(comparison.compared[1:], start=1):
-        given = _if_as_described(comparison)
-        if sources is not None:
-            taken = [comparison.compared[which].label for which in (0, index) if not sources[which].unknowns]
-            given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
+        taken = [comparison.compared[which].label for which in (0, index) if not sources[which].unknowns]
+        given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
         sentences.append(_sentence(one, comparison.reference, index, given=given))
     return sentences
 
 
-def cork_verdict(comparison: Comparison[Implement], *, by_law: bool = True) -> list[Sentence]:
+def changes(comparison: Comparison[Implement]) -> list[Sentence]:
+    """Return one sentence for every bat after the first, without a word on how sure it is."""
+    return [
+        _change_words(one, comparison.reference, index) + "."
+        for index, one in enumerate(comparison.compared[1:], start=1)
+    ]
+
+
+def cork_verdict(comparison: Comparison[Implement]) -> list[Sentence]:
     """Return the answer to "does corking help?" for a comparison labelled unmodified, drilled, cork, ...
 
     The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
 
     Parameters
     ----------
-    by_law : see `verdict`.
+    comparison : with intervals of all that is not known.
     """
     first = comparison.reference
     corked = next(compared for compared in comparison.compared if compared.label == "cork")
-    answer = _answer(first, corked, comparison, by_law=by_law)
+    answer = _answer(first, corked, comparison)
     return [answer, _beside_published(first, corked), _papers_argument(first, corked)]
 
 
@@ -79,13 +85,8 @@ def wall_verdict(comparison: Comparison) -> list[Sentence]:
     ]  # fmt: skip
 
 
-def assumptions(comparison: Comparison[Implement], *, by_law: bool = True) -> Sentence:
-    """Return what the numbers were computed under.
-
-    Parameters
-    ----------
-    by_law : whether the intervals are those of the swing law's exponent alone.
-    """
+def assumptions(comparison: Comparison[Implement]) -> Sentence:
+    """Return what the numbers were computed under."""
     reference, law = comparison.reference.analysis, comparison.law
     words, conditions = sport(reference.bat.sport).words, reference.conditions
     tool, pitch = words.implement, conditions.pitch.speed
@@ -104,17 +105,25 @@ def assumptions(comparison: Comparison[Implement], *, by_law: bool = True) -> Se
     foreign = "" if isinstance(reference.bat, Bat) else "; no law of this sport's own players is used"
     return text + say(
         " Same effort: {tool} speed goes as the moment of inertia about {axis} to the power -{power} ({law})"
-        "{foreign}.{brackets}",
+        "{foreign}.",
         tool=tool, axis=_axis(law.axis, words.butt), power=f"{law.exponent:g}", law=law.name, foreign=foreign,
-        brackets=say(
-            " In brackets: the interval from powers of -{low} to -{high}: {means}.",
-            low=Slot(law.exponents.low, "ratio", 2), high=Slot(law.exponents.high, "ratio", 2), means=INTERVAL_MEANS,
-        ) if by_law else "",
     )  # fmt: skip
 
 
-def without_draws(comparison: Comparison[Implement]) -> Sentence:
-    """Return what the intervals in brackets hold, where they come from no draws."""
+def assumed(comparison: Comparison[Implement], sources: Sequence[Sources], *, draws: str) -> Sentence:
+    """Return what the numbers were computed under, and what their intervals hold.
+
+    Parameters
+    ----------
+    sources : see `verdict`.
+    draws : where draws are, for intervals that come from none.
+    """
+    held = [without_draws(comparison, draws)] if draws else []
+    return joined([assumptions(comparison), *held, *taken_as_described(comparison, sources)])
+
+
+def without_draws(comparison: Comparison[Implement], draws: str) -> Sentence:
+    """Return what the intervals in brackets hold that come from no draws, and where draws are."""
     law, words = comparison.law, sport(comparison.reference.analysis.bat.sport).words
     power = "" if law is None else say(
         ", and of the power (-{low} to -{high})",
@@ -122,8 +131,8 @@ def without_draws(comparison: Comparison[Implement]) -> Sentence:
     )  # fmt: skip
     return say(
         "In brackets: 90 % intervals of what is not known of {tool}s and {ball}{power}, each taken one standard "
-        "deviation up and down; `--uncertainty` draws them and says what they come from.",
-        tool=words.implement, ball=words.ball, power=power,
+        "deviation up and down; {draws} draws them and says what they come from.",
+        draws=draws, tool=words.implement, ball=words.ball, power=power,
     )  # fmt: skip
 
 
@@ -143,13 +152,8 @@ def _change(speed: float, *, sign: bool = False) -> Slot:
     return Slot(speed, "speed_change", sign=sign)
 
 
-def _if_as_described(comparison: Comparison[Implement]) -> str:
-    """Return what must be so for a gain by the swing law alone to be one."""
-    words = sport(comparison.reference.analysis.bat.sport).words
-    return f" if {words.implement}s and {words.ball} are just as described"
-
-
-def _sentence(compared: Compared[Implement], first: Compared[Implement], index: int, *, given: str) -> Sentence:
+def _change_words(compared: Compared[Implement], first: Compared[Implement], index: int) -> Sentence:
+    """Return how much faster a bat is swung and the ball leaves, as far as it goes without an end."""
     faster = compared.bat_speed.value - first.bat_speed.value
     change = compared.change
     swung = say("")
@@ -158,12 +162,16 @@ def _sentence(compared: Compared[Implement], first: Compared[Implement], index: 
         much = replace(_change(abs(faster)), of=of)
         swung = say("swung {speed} {way}, ", speed=much, way="faster" if faster > 0 else "slower")
     text = say("{label}: {swung}the ball leaves ", label=compared.label, swung=swung)
-    if max(abs(change.value), abs(change.low) / 3, abs(change.high) / 3) < NO_SPEED:
-        return text + f"as fast as from {first.label}."
     if abs(change.value) < NO_SPEED:
-        text += f"as fast as from {first.label}"
-    else:
-        text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
+        return text + f"as fast as from {first.label}"
+    way = "faster" if change.value > 0 else "slower"
+    return text + say("{speed} {way}", speed=_change(abs(change.value)), way=way)
+
+
+def _sentence(compared: Compared[Implement], first: Compared[Implement], index: int, *, given: str) -> Sentence:
+    change, text = compared.change, _change_words(compared, first, index)
+    if max(abs(change.value), abs(change.low) / 3, abs(change.high) / 3) < NO_SPEED:
+        return text + "."
     if change.low < change.high:
         text += say(" ({ends})", ends=_ends(change.low, change.high))
     if sign := sure_sign(change.low, change.high, nothing=NO_SPEED):
@@ -175,9 +183,7 @@ def _ends(low: float, high: float) -> Sentence:
     return say("{low} to {high}", low=_change(low, sign=True).bare, high=_change(high, sign=True).bare)
 
 
-def _answer(
-    first: Compared[Implement], corked: Compared[Implement], comparison: Comparison[Implement], *, by_law: bool
-) -> Sentence:
+def _answer(first: Compared[Implement], corked: Compared[Implement], comparison: Comparison[Implement]) -> Sentence:
     change = corked.change
     lighter = Slot(first.analysis.body.mass - corked.analysis.body.mass, "mass")
     text = say("Does corking help? The corked bat is {mass} lighter", mass=lighter)
@@ -190,15 +196,13 @@ def _answer(
         swung += say(" ({ends})", ends=_ends(gained.low, gained.high))
     swung += "."
     net = say("Net change of the exit speed: {change}.", change=within(change, "speed_change", sign=True))
-    given = f",{_if_as_described(comparison)}" if by_law else ""
     sign = sure_sign(change.low, change.high, nothing=NO_SPEED)
     if sign < 0:
-        end = f"No{given}: the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
+        end = "No: the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
     elif sign > 0:
-        end = f"Here it does{given}."
+        end = "Here it does."
     else:
-        unknown = "the spread of what players do" if by_law else "what is not known"
-        end = f"Whether it helps cannot be told within {unknown}."
+        end = "Whether it helps cannot be told within what is not known."
     return joined([text + swung, _needed(first, corked), net, end])
 
 

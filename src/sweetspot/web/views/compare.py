@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from functools import lru_cache
 from shlex import quote
 from typing import Annotated, Any, Literal
@@ -15,6 +16,9 @@ from sweetspot.analysis.certification.rules import League, title
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
+from sweetspot.calibration.draws.comparison_draws import CHANGE_ALONG, with_intervals
+from sweetspot.calibration.draws.intervals import Reach
+from sweetspot.calibration.draws.sources import Sources
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.corking import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
@@ -26,7 +30,15 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.certification.tested_bat import held_to_rules
 from sweetspot.report.comparison.document import comparison_json
-from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict, wall_verdict
+from sweetspot.report.comparison.words import (
+    LINEAR_HOLDS,
+    assumed,
+    assumptions,
+    changes,
+    cork_verdict,
+    verdict,
+    wall_verdict,
+)
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.web.bat_bounds import bounds
@@ -34,12 +46,16 @@ from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
 from sweetspot.web.documents import in_both_systems, told
 from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
+from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
 from sweetspot.web.states import BatState, Name, SwungState
 from sweetspot.web.view import View
 
 ALL = "all"
 NOTHING = "nothing"
+ALONE = say("Choose another bat to compare this one with.")
+_NONE = defaultdict[str, Reach](lambda: Reach(np.zeros(()), np.zeros(())))
+"""No interval of anything."""
 
 
 class CompareState(SwungState):
@@ -49,7 +65,6 @@ class CompareState(SwungState):
         (BatState(bat="corked-r161"), BatState(bat="russell-b6")),
         description="bats 2 to 4; bat 1 is the reference, and the swing is known with it",
     )
-    same: Literal["effort", "speed"] = Field("effort", description="how the others are swung")
     swing_law: Name | None = Field(
         None, description="how bat speed depends on the bat; empty: as in the first bat's sport"
     )
@@ -65,21 +80,20 @@ class CompareState(SwungState):
 
 
 def answer(state: CompareState) -> dict[str, Any]:
-    """Return curves, changes with their intervals, and the verdict in words."""
+    """Return curves and changes, in numbers and words; how sure they are comes apart, see `intervals`."""
     state = swung(state)
     ball = ball_of(state)
     _leagues(state)  # a wrong name is told at once, though the rules come apart
     reductions, comparison = _compared(state, ball)
-    words, assumed = _words(state, comparison), assumptions(comparison)
-    verdicts, taken = in_both_systems(words), in_both_systems([assumed])
-    table = comparison_json(comparison, verdicts["us"])
+    words = changes(comparison) or [ALONE]
+    verdicts, taken = in_both_systems(words + _of_wall(state, comparison)), in_both_systems([assumptions(comparison)])
+    table = comparison_json(with_intervals(comparison, _NONE), verdicts["us"], "none here: /compare/intervals has them")
     for row, one in zip(table["bats"], comparison.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
         row["bat"]["moi_6in_half_kg_m2"] = moi_half(one.analysis.bat, one.analysis.body)
         row["scan"] |= {
             "collision_efficiency": one.analysis.scan.collision_efficiency,
             "bbcor": one.analysis.scan.bbcor,
-            **_doubt(one),
         }
         row["wall"] = _wall(one) if state.what_if == "wall" else None
     return {
@@ -90,6 +104,36 @@ def answer(state: CompareState) -> dict[str, Any]:
         "assumptions": taken["us"][0],
         "si": {"verdict": verdicts["si"], "assumptions": taken["si"][0]},
     }
+
+
+def intervals(state: CompareState) -> dict[str, Any]:
+    """Return the intervals of all that is not known, and the verdict and what it assumes, as the command has them."""
+    from sweetspot.calibration.draws.linear_doubt import comparison_reaches
+
+    state = swung(state)
+    _, comparison = _compared(state, ball_of(state))
+    sources = _sources(state, comparison)
+    reaches = comparison_reaches(comparison, sources)
+    known = with_intervals(comparison, reaches)
+    words = (verdict(known, sources=sources) or [ALONE]) + (cork_verdict(known) if state.what_if == "cork" else [])
+    verdicts = in_both_systems(words + _of_wall(state, known))
+    taken = in_both_systems([assumed(known, sources, draws="the fold below")])
+    bats = []
+    for index, row in enumerate(comparison_json(known, verdicts["us"], LINEAR_HOLDS)["bats"]):
+        half = reaches.get(f"bats.{index}.{CHANGE_ALONG}")
+        along = {} if half is None else {"change_half_m_s": np.round(half.above, 4)}
+        bats.append({name: row[name] for name in ("bat_speed_m_s", "exit_speed_m_s", "change_m_s")} | along)
+    return {
+        "bats": bats, "verdict": verdicts["us"], "assumptions": taken["us"][0],
+        "si": {"verdict": verdicts["si"], "assumptions": taken["si"][0]},
+    }  # fmt: skip
+
+
+def _sources(state: CompareState, comparison: Comparison[Bat]) -> list[Sources]:
+    """Return what is not known, bat by bat."""
+    analyses = [one.analysis for one in comparison.compared]
+    own = _own_controls(state, len(analyses))
+    return [sources_for(each, one.bat, one.conditions) for each, one in zip(own, analyses, strict=True)]
 
 
 def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], Comparison[Bat]]:
@@ -104,20 +148,16 @@ def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], C
 def sure(state: CompareState) -> dict[str, Any]:
     """Return the comparison with an interval beside each number, and what they come from."""
     from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
-    from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
-    analyses = [one.analysis for one in comparison.compared]
-    own = _own_controls(state, len(analyses))
-    sources = [sources_for(each, one.bat, one.conditions) for each, one in zip(own, analyses, strict=True)]
+    sources = _sources(state, comparison)
     return told(comparison_with_doubt(comparison, sources, corking=state.what_if == "cork", count=PAGE_DRAWS))
 
 
 def rules_sure(state: CompareState) -> dict[str, Any]:
     """Return every bat's simulated test with intervals, one below the other, for leagues with the first one's ball."""
     from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt
-    from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     state = swung(state)
     reductions, labels = _bats(state, ball_of(state))
@@ -143,20 +183,9 @@ def rules(state: CompareState) -> dict[str, Any]:
     return {"certification": _certification(state, reductions, labels)}
 
 
-def _doubt(one: Compared) -> dict[str, Any]:
-    """Return the exit speeds along a bat that is swung as slowly, or as fast, as is not known better."""
-    scan, speed = one.analysis.scan, one.bat_speed
-    more = (1 + scan.collision_efficiency) * scan.bat_speed / speed.value if speed.value else 0 * scan.bat_speed
-    ends = {"low": speed.low - speed.value, "high": speed.high - speed.value}
-    return {f"exit_speed_{name}_m_s": np.round(scan.exit_speed + by * more, 4) for name, by in ends.items()}
-
-
-def _words(state: CompareState, comparison: Comparison) -> list[Sentence]:
-    """Return the verdict, with what belongs to the question that was asked."""
-    words = verdict(comparison) or [say("Choose another bat to compare this one with.")]
-    if state.what_if == "cork":
-        return words + cork_verdict(comparison)
-    return words + wall_verdict(comparison) if state.what_if == "wall" else words
+def _of_wall(state: CompareState, comparison: Comparison) -> list[Sentence]:
+    """Return what another wall does, where that was asked."""
+    return wall_verdict(comparison) if state.what_if == "wall" else []
 
 
 def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]:
@@ -276,7 +305,7 @@ def recipe(state: CompareState) -> dict[str, str]:
             names.append(f"bat-{number}.toml")
             files[names[-1]] = bat_text(bat)
     options = swing_options(state)
-    if state.same == "speed":
+    if state.same == "speed" and "--same-speed" not in options:
         options += " --same-speed"
     if state.swing_law is not None:
         options += f" --swing-law {quote(state.swing_law)}"
@@ -306,5 +335,10 @@ def recipe(state: CompareState) -> dict[str, str]:
 
 
 VIEW = View(
-    "compare", "Compare", CompareState, answer, recipe, asides={"rules": rules, "sure": sure, "rules_sure": rules_sure}
+    "compare",
+    "Compare",
+    CompareState,
+    answer,
+    recipe,
+    asides={"intervals": intervals, "rules": rules, "sure": sure, "rules_sure": rules_sure},
 )

@@ -53,7 +53,7 @@ export const view = {
         choice(app, "same", { label: "Swung with", options: [["effort", "the same effort"], ["speed", "the same bat speed"]] }),
         usualChoice(app, "swing_law", { label: "Players", options: [["baseball", "baseball"], ["slow-pitch", "slow-pitch softball"]] }),
       ]),
-      this.bench.element, this.slots.element, swingGroup(app, { title: "Swing of bat 1, and pitch" }), ballGroup(app),
+      this.bench.element, this.slots.element, swingGroup(app, { title: "Swing of bat 1, and pitch", asked: false }), ballGroup(app),
     );
     this.words = make("div", { className: "words", id: "verdict" });
     this.chart = new Chart(app, { label: "Curves along the bats, tips aligned", panels: [], axis: { kind: "position_m", from: () => this.longest, label: "from the tip" } });
@@ -61,31 +61,32 @@ export const view = {
     this.change = new ChangePicture(app);
     this.bats = make("div");
     this.rules = make("div");
+    this.wait = make("p", { className: "note", id: "working", textContent: "Working out how sure each difference is …" });
     this.assumed = make("p", { className: "note" });
     this.sure = new HowSure(app, { but: ["league"] });
     this.sureRules = new HowSure(app, { aside: "rules_sure", but: SWUNG, title: "How sure each bat's test is, and what that comes from" });
     const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
-    const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: what is not known of that bat's speed. Square: a weight fixed to the bat." });
+    const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: its 90 % interval. Square: a weight fixed to the bat." });
     const main = make("div", { className: "stack" },
-      section("Verdict", this.words, this.change.element),
+      section("Verdict", this.words, this.wait, this.change.element),
       section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed, this.sure.element),
       section("League rules", usualChoice(app, "league", { label: "Rules of", options: leagues(app) }), this.rules, this.sureRules.element));
     root.append(side, main);
   },
 
   update(answer, state) {
-    const { bats } = answer;
-    this.longest = Math.max(...bats.map((/** @type {{ bat: Answer }} */ { bat }) => bat.length_m));
+    this.longest = Math.max(...answer.bats.map((/** @type {{ bat: Answer }} */ { bat }) => bat.length_m));
     this.bench.update(answer);
     this.slots.update(answer, state);
-    const words = this.app.units === "si" ? answer.si : answer;
-    paragraphs(this.words, words.verdict);
-    tell(this.assumed, words.assumptions);
-    this.app.announce(words.verdict[0]);
-    this.rows.draw(bats, this.longest);
-    this.change.draw(bats);
-    this.drawCurves(bats);
-    this.app.afterwards(this.bats, () => this.bats.replaceChildren(this.tableOfBats(bats)));
+    this.rows.draw(answer.bats, this.longest);
+    const asked = JSON.stringify({ ...state, league: null });
+    if (this.known?.asked === asked) withIntervals(answer, this.known.found);
+    this.judge(answer);
+    this.app.aside("intervals", ["league"], 150, (found) => {
+      this.known = { asked, found };
+      withIntervals(this.app.answer, found);
+      this.judge(this.app.answer);
+    });
     this.showRules();
     this.sure.update();
     this.sureRules.update();
@@ -95,7 +96,21 @@ export const view = {
     });
   },
 
-  // The curves with what is not known of each bat's speed, and below them how far each lies from the first one's.
+  // What changes. Nothing is called a gain or a loss before the whole interval is there.
+  /** @param {Answer} answer */
+  judge(answer) {
+    const { bats } = answer;
+    const words = this.app.units === "si" ? answer.si : answer;
+    this.wait.hidden = Boolean(answer.judged) || bats.length < 2;
+    paragraphs(this.words, words.verdict);
+    tell(this.assumed, words.assumptions);
+    this.app.announce(words.verdict[0]);
+    this.change.draw(bats);
+    this.drawCurves(bats);
+    this.app.afterwards(this.bats, () => this.bats.replaceChildren(this.tableOfBats(bats)));
+  },
+
+  // The curves, and below them how far each lies from the first one's, with its interval.
   /** @param {Answer[]} bats */
   drawCurves(bats) {
     /** @type {Record<string, number[]>[]} */
@@ -105,17 +120,19 @@ export const view = {
     const firstPlaces = placed(first);
     bats.forEach((one, i) => {
       const places = placed(one);
-      for (const key of ["exit_speed_m_s", "collision_efficiency", "exit_speed_low_m_s", "exit_speed_high_m_s"]) {
+      for (const key of ["exit_speed_m_s", "collision_efficiency"]) {
         lines[`${key}_${i}`] = one.scan[key];
         xs[`${key}_${i}`] = places;
       }
       if (!i) return;
-      const against = (/** @type {string} */ key) => one.scan[key].map((/** @type {number} */ value, /** @type {number} */ j) => {
+      const change = one.scan.exit_speed_m_s.map((/** @type {number} */ value, /** @type {number} */ j) => {
         const other = between(firstPlaces, first.scan.exit_speed_m_s, places[j]);
         return value === null || other === null ? null : value - other;
       });
-      for (const [name, key] of [["change", "exit_speed_m_s"], ["change_low", "exit_speed_low_m_s"], ["change_high", "exit_speed_high_m_s"]]) {
-        lines[`${name}_${i}`] = against(key);
+      const half = one.change_half_m_s;
+      for (const [name, sign] of /** @type {[string, number][]} */ ([["change", 0], ["change_low", -1], ["change_high", 1]])) {
+        if (sign && !half) continue;
+        lines[`${name}_${i}`] = sign ? change.map((/** @type {number | null} */ value, /** @type {number} */ j) => (value === null || half[j] === null ? null : value + sign * half[j])) : change;
         xs[`${name}_${i}`] = places;
       }
     });
@@ -123,9 +140,9 @@ export const view = {
     const line = (key, label, i, band) => ({ key: `${key}_${i}`, ...LINES[i], label: "", name: label, band: band?.map((/** @type {string} */ name) => `${name}_${i}`) });
     const others = bats.slice(1);
     this.chart.panels = [
-      { title: "Exit speed", kind: "exit_speed_m_s", height: 190, lines: bats.map(({ label }, i) => line("exit_speed_m_s", label, i, i ? ["exit_speed_low_m_s", "exit_speed_high_m_s"] : null)) },
+      { title: "Exit speed", kind: "exit_speed_m_s", height: 190, lines: bats.map(({ label }, i) => line("exit_speed_m_s", label, i)) },
       ...(others.length ? [{ title: `Faster or slower than ${first.label}`, kind: "speed_change", height: 130, zero: true,
-        lines: others.map(({ label }, i) => line("change", label, i + 1, ["change_low", "change_high"])) }] : []),
+        lines: others.map(({ label, change_half_m_s: half }, i) => line("change", label, i + 1, half ? ["change_low", "change_high"] : null)) }] : []),
       { title: "Collision efficiency q", kind: "ratio", height: 100, lines: bats.map(({ label }, i) => line("collision_efficiency", label, i)) },
     ];
     const zone = first.zone_m?.map((/** @type {number} */ place) => place + this.longest - first.bat.length_m);
@@ -204,7 +221,7 @@ export const view = {
     return { text: `${words}${unsure ? ", not sure" : ""}${value}`, className: unsure ? "" : colour, note: check.reason };
   },
 
-  unmount() { this.certification = this.ruled = null; },
+  unmount() { this.certification = this.ruled = this.known = null; },
 
   figures() {
     return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];
@@ -220,6 +237,13 @@ export const view = {
     return columns;
   },
 };
+
+// An answer with the intervals of all that is not known, and the verdict that they allow.
+/** @param {Answer} answer @param {Answer} found */
+function withIntervals(answer, { bats, ...words }) {
+  Object.assign(answer, words, { judged: true });
+  answer.bats.forEach((/** @type {Answer} */ bat, /** @type {number} */ i) => Object.assign(bat, bats[i]));
+}
 
 /** @param {App} app */
 const leagues = (app) => app.lists("leagues").then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);

@@ -100,9 +100,10 @@ export class ChangePicture {
   draw(bats) {
     this.bats = bats;
     const show = (/** @type {number} */ value) => this.app.text("speed_change", value);
+    const ends = (/** @type {Answer} */ { low, high }) => (low < high ? `, interval ${show(low)} to ${show(high)}` : "");
     this.element.hidden = bats.length < 2;
     this.surface.label(`Change of exit speed against ${bats[0].label}: ${bats.slice(1).map(({ label, change_m_s: change }) => (
-      `${label} ${show(change.value)}, interval ${show(change.low)} to ${show(change.high)}`)).join("; ")}.`);
+      `${label} ${show(change.value)}${ends(change)}`)).join("; ")}.`);
     this.surface.draw();
   }
 
@@ -160,11 +161,15 @@ export class ChangePicture {
     const { colors } = this.app;
     Object.assign(context, { font: `12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "middle" });
     context.fillText(clipped(context, label, names), 0, y);
-    Object.assign(context, { strokeStyle: colors[line.color], fillStyle: colors[line.color], lineWidth: 4, lineCap: "round" });
-    context.beginPath();
-    context.moveTo(across(shown(change.low)), y);
-    context.lineTo(across(shown(change.high)), y);
-    context.stroke();
+    const judged = change.low < change.high; // until its interval is there a change is a grey mark
+    const color = judged ? colors[line.color] : colors.muted;
+    Object.assign(context, { strokeStyle: color, fillStyle: color, lineWidth: 4, lineCap: "round" });
+    if (judged) {
+      context.beginPath();
+      context.moveTo(across(shown(change.low)), y);
+      context.lineTo(across(shown(change.high)), y);
+      context.stroke();
+    }
     context.lineCap = "butt";
     context.beginPath();
     context.arc(across(shown(change.value)), y, 6, 0, 2 * Math.PI);
