@@ -69,6 +69,8 @@ def followed(
         {"pitch_speed_mph": 0, "ball": "softball-12in", "hands_in": 7},
         {"bat": "composite", "wall_factor": 0.9, "choke_up_in": 1, "ball_cor": 0.5, "ball_temperature_degf": 40},
         {"bore_diameter_in": 1, "cup_diameter_in": 1.2, "weight_oz": 1, "impact_from_tip_in": 4.5},
+        {"mass_oz": 28, "weight_oz": 1, "choke_up_in": 0.5, "bat_speed_mph": 66},
+        {"mass_oz": 34, "choke_up_in": 1, "same": "speed"},
     ],
 )
 def test_recipes_give_the_same_numbers(client: httpx.Client, state: dict[str, Any], followed: Followed) -> None:

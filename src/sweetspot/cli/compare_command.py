@@ -27,18 +27,15 @@ if TYPE_CHECKING:
 class EffortOptions:
     """How hard each bat is swung."""
 
-    same_speed: Annotated[
-        bool, Parameter(negative="", help="Swing every bat at the same speed instead of with the same effort.")
-    ] = False
     swing_law: Annotated[
         str | None, Parameter(help="How bat speed depends on the bat: baseball or slow-pitch; default: its sport's.")
     ] = None
 
-    def law(self, bat: Implement) -> SwingLaw | None:
+    def law(self, bat: Implement, *, same_speed: bool) -> SwingLaw | None:
         """Return how the speed depends on the bat; None: not at all."""
         from sweetspot import catalog
 
-        return None if self.same_speed else catalog.swing_law(self.swing_law or catalog.sport(bat.sport).swing_law)
+        return None if same_speed else catalog.swing_law(self.swing_law or catalog.sport(bat.sport).swing_law)
 
 
 @Parameter(name="*")
@@ -98,7 +95,7 @@ def compare(
     if corking.what_if is None:
         refuse_unused(given(corking, "bore_diameter", "bore_depth", "plug"), "a corked bat", "add --what-if cork")
     described, corked = [catalog.load_implement(name) for name in bats], corking.what_if is not None
-    law = effort.law(described[0])
+    law = effort.law(described[0], same_speed=swing.same_speed)
     if table.rows is not None or table.columns is not None:
         if len(bats) != 1 or corked or table.rows is None:
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")

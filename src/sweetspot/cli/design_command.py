@@ -13,6 +13,7 @@ from sweetspot.cli.options.batter import DEFAULT_BATTER, BatterOptions
 from sweetspot.cli.options.limits import DEFAULT_LIMITS, LimitOptions, league_of, limits_of, materials_of, space_of
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
+from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -84,6 +85,7 @@ def design(
     if search.resume is not None and len(materials) > 1:
         raise InputError(f"--resume goes on with one material, and {len(materials)} were given; give the one it was of")
     spaces = [space_of(own, limit, material) for material in materials]
+    refuse_unused(given(swing, "same_speed"), "a bat that was changed", "ask report, hit or play of it")
     conditions = conditions_for(own, swing)
     wants = tuple(name.replace("-", "_") for name in want or ("exit-speed", "zone"))
     durable = "durability" in wants or limit.durability is not None

@@ -25,14 +25,15 @@ def hit(
     """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
     from sweetspot import catalog
     from sweetspot.answers.hit import HitQuestion, hit_answer
-    from sweetspot.cli.options.swing import conditions_for
+    from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.output import present
     from sweetspot.equipment.implement import check_lateral, check_on_face, check_position
     from sweetspot.report.hit.document import hit_document
     from sweetspot.units import parse, parse_position
 
     implement = catalog.load_implement(bat)
-    conditions = conditions_for(implement, swing)
+    swung = swung_bat(implement, swing)
+    conditions = swung.conditions
     position = parse_position(at, length=implement.length, what="--at")
     lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
     check_position(implement, position, "--at")
@@ -41,7 +42,7 @@ def hit(
     check_lateral(implement, position, lateral)
     sources = sources_for(bat, implement, conditions, swing) if uncertainty else None
     answer = hit_answer(HitQuestion(implement, conditions, position, lateral, sources))
-    return present(hit_document(answer), output)
+    return present(swung.told(hit_document(answer)), output)
 
 
 def check_beyond_hands(position: float, hands: float, given: str) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.swing import BallCor, BallHumidity, BallTemperature, HandsAt, SwingOptions
+from sweetspot.cli.options.swing import BallCor, BallHumidity, BallTemperature, HandsAt, SameSpeed, SwingOptions
 from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
 from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
@@ -16,6 +16,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
+    from sweetspot.cli.options.swing import SwungBat
     from sweetspot.dynamics.reduction import ReducedBat
     from sweetspot.equipment.bat import Bat
     from sweetspot.flight.conditions import FlightConditions
@@ -58,6 +59,7 @@ class ContactOptions:
     ball_cor: BallCor = None
     ball_humidity: BallHumidity = None
     ball_temperature: BallTemperature = None
+    same_speed: SameSpeed = False
     uncertainty: Uncertainty = False
 
 
@@ -138,6 +140,8 @@ def optimum(
             document = _sure(
                 document, swung, launches or [], searched or [], through(weather, ball), sources=sources, backspin=spin
             )
+    if swung is not None:
+        document = swung.player.told(document)
     return present(document, output)
 
 
@@ -161,6 +165,7 @@ class _Swung(NamedTuple):
     flying: FlightConditions
     tilt: float
     told: SwingOptions
+    player: SwungBat
 
 
 def _sure(
@@ -217,7 +222,7 @@ def _swings(bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: Air
     from sweetspot.analysis.optimum import best_swing
     from sweetspot.analysis.optimum.swing import Held
     from sweetspot.cli.options.pitching import pitched
-    from sweetspot.cli.options.swing import conditions_for
+    from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.options.weather import through
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.equipment.implement import check_position
@@ -227,7 +232,8 @@ def _swings(bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: Air
     told = SwingOptions(
         **{one.name: getattr(contact, one.name) for one in fields(SwingOptions) if hasattr(contact, one.name)}
     )
-    conditions = conditions_for(bat, told)
+    player = swung_bat(bat, told)
+    conditions = player.conditions
     flying = replace(through(weather, str(contact.ball)), ball=conditions.ball)
     position = None if contact.at is None else parse_position(contact.at, length=bat.length, what="--at")
     if position is not None:
@@ -246,7 +252,7 @@ def _swings(bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: Air
             held=Held(position=position, attack_angle=steep),
         )
         rows.append((best, thrown))
-    return _Swung(rows, model, conditions, flying, tilt, told)
+    return _Swung(rows, model, conditions, flying, tilt, told, player)
 
 
 def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLaunch]:

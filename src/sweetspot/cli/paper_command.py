@@ -72,13 +72,14 @@ def paper(
     """Work through the implemented paper: its claims, its formulas evaluated, and the full model's answer."""
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import analyse
-    from sweetspot.cli.options.swing import conditions_for
+    from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.output import patience, present
     from sweetspot.paper.chain import paper_rows
     from sweetspot.report.paper.document import paper_document
 
     described = catalog.load_bat(bat)
     choices = choices_for(options)
+    swung = swung_bat(described, swing)
     with patience():
-        rows = paper_rows(analyse(described, conditions_for(described, swing)), choices)
-    return present(paper_document(rows), output)
+        rows = paper_rows(analyse(described, swung.conditions), choices)
+    return present(swung.told(paper_document(rows)), output)

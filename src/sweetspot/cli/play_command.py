@@ -90,7 +90,7 @@ def play(
     from sweetspot.analysis.bat_analysis import check_conditions
     from sweetspot.analysis.full_play import play as follow
     from sweetspot.cli.hit_command import check_beyond_hands
-    from sweetspot.cli.options.swing import conditions_for
+    from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.options.weather import park_of, through
     from sweetspot.cli.output import patience, present
     from sweetspot.collision.hit_in_space import Contact
@@ -101,14 +101,15 @@ def play(
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
-    conditions = conditions_for(described, swing)
+    swung = swung_bat(described, swing)
+    conditions = swung.conditions
     model = reduced_bat(described, ball=conditions.ball).held(conditions.hands)
     check_conditions(described, conditions, body=model.body)
     position = parse_position(without_error(meeting.at), length=described.length, what="--at")
     check_beyond_hands(position, conditions.hands.position, meeting.at)
     under, park = parse(without_error(meeting.offset), "length", "--offset"), park_of(air)
     off_place, off_ball = error_behind(meeting.at, "length", "--at"), error_behind(meeting.offset, "length", "--offset")
-    swung = path_of(path)
+    along = path_of(path)
     ball = swing.ball or catalog.sport(described.sport).balls[0]
     flying = replace(through(air, ball), ball=conditions.ball)
     pitch = _pitch_at_plate(arrival, swing, conditions.pitch.speed, flying)
@@ -117,7 +118,7 @@ def play(
             model,
             flying,
             swing=conditions.swing,
-            path=swung,
+            path=along,
             pitch=pitch,
             contact=Contact(position, under),
         )
@@ -128,7 +129,7 @@ def play(
             conditions=conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed)),
         )  # fmt: skip
     result = PlayedPitch(
-        play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
+        play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=along, pitch=pitch,
         error=error,
     )  # fmt: skip
     law = catalog.aerodynamics_of_ball(ball)
@@ -138,9 +139,9 @@ def play(
         from sweetspot.uncertainty.drawn_plays import PlayAsked
 
         thrown = conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed))
-        asked = PlayAsked(model, thrown, flying, swung, pitch, Contact(position, under))
+        asked = PlayAsked(model, thrown, flying, along, pitch, Contact(position, under))
         document = _with_intervals(document, asked, sources_for(bat, described, conditions, swing), off_place, off_ball)
-    return present(document, output)
+    return present(swung.told(document), output)
 
 
 def _pitch_at_plate(arrival: ArrivalOptions, swing: SwingOptions, speed: float, flying: FlightConditions) -> BallMotion:

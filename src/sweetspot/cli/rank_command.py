@@ -35,9 +35,6 @@ def rank(
             help="Axis of the table's pendulum and moi, from the knob end; default: 6in, or that of the swing weight.",
         ),
     ] = None,
-    same_speed: Annotated[
-        bool, Parameter(negative="", help="Swing all bats at the same speed, not with the same effort.")
-    ] = False,
     swing: SwingOptions = DEFAULT_SWING,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
@@ -61,7 +58,7 @@ def rank(
     if not isinstance(model, Bat):
         _check_columns(measured, model)
     unknowns = unknowns_of(model, diameter_spread=parse(diameter_error, "ratio", "--diameter-error"))
-    line, law = described(model), None if same_speed else swing_law(catalog.sport(model.sport).swing_law)
+    line, law = described(model), None if swing.same_speed else swing_law(catalog.sport(model.sport).swing_law)
     with progress("bats") as step, patience():
         posteriors = {}
         for count, (name, given) in enumerate(measured.items(), start=1):

@@ -26,7 +26,7 @@ def report(
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import analyse_reduced, check_swing, outweighed
     from sweetspot.answers.report import report_of
-    from sweetspot.cli.options.swing import conditions_for
+    from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.report.bat.document import report_document
@@ -37,7 +37,8 @@ def report(
 
         check_folder(output.out, files_of("report"))
     implement = catalog.load_implement(bat)
-    conditions = conditions_for(implement, swing)
+    swung = swung_bat(implement, swing)
+    conditions = swung.conditions
     with patience():
         reduced = reduced_bat(implement, ball=conditions.ball)
         if outweighed(reduced.body, conditions.ball):
@@ -46,4 +47,4 @@ def report(
         analysis = analyse_reduced(reduced, conditions)
         sources = sources_for(bat, implement, analysis.conditions, swing)
         document = report_document(report_of(analysis, sources, drawn=uncertainty))
-    return present(document, output, long=appendix)
+    return present(swung.told(document), output, long=appendix)

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
+from sweetspot.analysis.same_effort import Changed, before_changes
 from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text
@@ -19,6 +20,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.batch.reduction import fast_reduced_bat
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.dynamics.weight_match import weighing, with_wall_factor
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -45,14 +47,14 @@ Swung = TypeVar("Swung", bound=SwungState)
 
 def described(state: BatState) -> Bat:
     """Return the bat that a state's controls describe; a `FieldError` names the control that does not work."""
-    bat = _changed(_unheld(state))
+    bat = _changed(_unchoked(state))
     with about("choke_up_in"):
         return bat.choked_up(state.choke_up_in * INCH) if state.choke_up_in else bat
 
 
 def reduced(state: BatState, ball: Ball) -> ReducedBat:
     """Return a state's bat with its beam and modes; only another bat or another make of ball works them out anew."""
-    model = _reduced(_unheld(state), _make(ball))
+    model = _reduced(_unchoked(state), _make(ball))
     return replace(model, bat=described(state)) if state.choke_up_in else model
 
 
@@ -99,7 +101,45 @@ def ball_of(state: SwungState) -> Ball:
 
 
 def conditions_of(state: SwungState, bat: Bat) -> Conditions:
-    """Return pitch, swing, hands and ball of a state; the command line's defaults for the same options."""
+    """Return pitch, swing, hands and ball of a state; a changed bat is swung with the same effort as before."""
+    given = _as_given(state, bat)
+    changed = None if state.same == "speed" else changed_bat(state)
+    with about("bat_speed_mph"):
+        return given if changed is None else changed.with_same_effort(given)
+
+
+def changed_bat(state: SwungState) -> Changed | None:
+    """Return a state's bat beside the one that its controls and its file changed; None: nothing was changed of it."""
+    bat, before = described(state), before_changes(_listed(state))
+    if bat.length != before.length:  # another outline of another length is a bat of its own
+        before = _changed(_unchoked(state))
+    if bat == before:
+        return None
+    named = getattr(state, "swing_law", None)
+    if named == "none":
+        return None
+    with about("swing_law"):
+        law = catalog.swing_law(named or usual(bat).swing_law)
+    return Changed(bat, _body(_unchoked(state)), before, _body_of(before), law)
+
+
+def _listed(state: BatState) -> Bat:
+    """Return the bat of the catalogue or of the file, with which the player's bat speed is known."""
+    return _changed(BatState.model_construct(**{**dict(_FIRST), "bat": state.bat, "bat_toml": state.bat_toml}))
+
+
+@lru_cache(maxsize=KEPT)
+def _body(state: BatState) -> RigidBody:
+    return rigid_body(beam_model(_changed(state)))
+
+
+@lru_cache(maxsize=KEPT)
+def _body_of(bat: Bat) -> RigidBody:
+    return rigid_body(beam_model(bat))
+
+
+def _as_given(state: SwungState, bat: Bat) -> Conditions:
+    """Return the conditions with the bat speed that was given; the command line's defaults for the same options."""
     hit = standard_conditions(bat)
     pitch = hit.pitch if state.pitch_speed_mph is None else Pitch(speed=state.pitch_speed_mph * MPH)
     with about("bat_speed_mph"):
@@ -177,7 +217,7 @@ def plain(state: BatState) -> Bat:
     return _changed(BatState.model_construct(**{**dict(_FIRST), **chosen}))
 
 
-def _unheld(state: BatState) -> BatState:
+def _unchoked(state: BatState) -> BatState:
     """Return the bat's controls alone, without how it is held, as the key under which it is kept."""
     kept = {name: getattr(state, name) for name in BatState.model_fields}
     return BatState.model_construct(**{**kept, "choke_up_in": 0.0})

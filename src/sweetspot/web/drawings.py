@@ -16,8 +16,10 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.effort_words import effort_words
 from sweetspot.web.bat_bounds import bounds
-from sweetspot.web.bats import swung, usual
+from sweetspot.web.bats import changed_bat, conditions_of, swung, usual
+from sweetspot.web.documents import in_both_systems
 from sweetspot.web.one_system import in_one_system
 from sweetspot.web.states import BatState, SwungState
 
@@ -34,7 +36,17 @@ def bat_picture(state: BatState, reduced: ReducedBat) -> dict[str, Any]:
         "bounds": bounds(state, reduced.bat),
         "sport": reduced.bat.sport,
         "usual": usual(reduced.bat)._asdict(),
+        "swung": _how_swung(state, reduced.bat) if isinstance(state, SwungState) else None,
     }
+
+
+def _how_swung(state: SwungState, bat: Bat) -> dict[str, str] | None:
+    """Return in a sentence how a changed bat is swung, in either system; None: nothing was changed of it."""
+    changed = changed_bat(state)
+    if changed is None:
+        return None
+    words = effort_words(changed, conditions_of(state, bat), same_speed=state.same == "speed")
+    return {system: sentence for system, [sentence] in in_both_systems([words]).items()}
 
 
 def moi_half(bat: Bat, body: RigidBody) -> float:

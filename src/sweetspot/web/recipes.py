@@ -8,8 +8,11 @@ from __future__ import annotations
 
 from shlex import quote
 
+from sweetspot import catalog
+from sweetspot.analysis.same_effort import Changed, is_changed
 from sweetspot.catalog.files.write import bat_toml, legible
-from sweetspot.web.bats import described, swung
+from sweetspot.units import MPH
+from sweetspot.web.bats import conditions_of, described, swung, usual
 from sweetspot.web.states import BatState, SwungState
 
 BAT_FILE = "bat.toml"
@@ -45,23 +48,49 @@ def option(name: str, text: str) -> str:
     return f"{name}{'=' if text.startswith('-') else ' '}{quote(text)}"
 
 
-def swing_options(state: SwungState) -> str:
-    """Return the command line's options for pitch, swing and ball; those that have their usual value are left out."""
+def swing_options(state: SwungState, *, beside: bool = False) -> str:
+    """Return the command line's options for pitch, swing and ball; those that have their usual value are left out.
+
+    Parameters
+    ----------
+    beside : whether other bats stand beside this one, which is swung as fast as the options say.
+    """
     pitch = "tee" if state.pitch_speed_mph == 0 else _unless(state.pitch_speed_mph, None, "mph")
-    return _options({"--pitch-speed": pitch}) + stroke_options(state)
+    return _options({"--pitch-speed": pitch}) + stroke_options(state, beside=beside)
 
 
-def stroke_options(state: SwungState) -> str:
-    """Return the command line's options for swing and ball alone."""
+def stroke_options(state: SwungState, *, beside: bool = False) -> str:
+    """Return the command line's options for swing and ball alone; see `swing_options`."""
     first = SwungState()
-    return _options({
-        "--bat-speed": _unless(state.bat_speed_mph, None, "mph"),
+    return ("" if beside else _same_speed(state)) + _options({
+        "--bat-speed": _unless(_speed_to_give(state, beside=beside), None, "mph"),
         "--hands": _unless(state.hands_in + state.choke_up_in, first.hands_in + state.choke_up_in, "in"),
         "--ball": None if state.ball is None else quote(state.ball),
         "--ball-cor": _unless(state.ball_cor, None, ""),
         "--ball-humidity": _unless(state.ball_humidity, None, ""),
         "--ball-temperature": _unless(state.ball_temperature_degf, None, "degF"),
     })  # fmt: skip
+
+
+def _speed_to_give(state: SwungState, *, beside: bool) -> float | None:
+    """Return the bat speed in mph from which the command line comes to the state's; None: the usual one.
+
+    Of a bat alone it knows what its file says was changed (holes, weights, grip), and swings that with the same effort.
+    """
+    if is_catalogued(state):
+        return state.bat_speed_mph
+    bat = described(state)
+    speed = conditions_of(state, bat).swing.bat_speed
+    known = None if beside else Changed.of(bat, law=catalog.swing_law(usual(bat).swing_law))
+    if known is not None and state.same == "effort":
+        speed = known.speed_before(conditions_of(state, bat))
+    given = round(speed / MPH, 9)
+    return None if given == usual(bat).bat_speed_mph and state.bat_speed_mph is None else given
+
+
+def _same_speed(state: SwungState) -> str:
+    """Return the command line's option for bats swung at the same speed; none where it would refuse it."""
+    return " --same-speed" if state.same == "speed" and is_changed(described(state)) else ""
 
 
 def _options(options: dict[str, str | None]) -> str:
@@ -71,6 +100,9 @@ def _options(options: dict[str, str | None]) -> str:
 def conditions_lines(state: SwungState) -> str:
     """Return Python lines that make ``bat`` and ``conditions``."""
     state = swung(state)
+    speed = state.bat_speed_mph
+    if not is_catalogued(state):
+        speed = round(conditions_of(state, described(state)).swing.bat_speed / MPH, 12)
     source = f"catalog.bat({state.bat!r})" if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
     ball = f"catalog.ball({state.ball!r})"
     if state.ball_cor is not None:
@@ -84,7 +116,7 @@ def conditions_lines(state: SwungState) -> str:
         f"bat = {source}\n"
         "conditions = Conditions(\n"
         f"    pitch=Pitch(speed={state.pitch_speed_mph!r} * MPH),\n"
-        f"    swing=Swing(bat_speed={state.bat_speed_mph!r} * MPH, measured_at=bat.length - 6 * INCH, "
+        f"    swing=Swing(bat_speed={speed!r} * MPH, measured_at=bat.length - 6 * INCH, "
         "pivot=bat.choke),\n"
         f"    hands=Hands(position=bat.choke + {state.hands_in!r} * INCH),\n"
         f"    ball={ball},\n"

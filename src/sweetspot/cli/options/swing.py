@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.unused import refuse_unused
 from sweetspot.errors import InputError, UnusualWarning
 
 if TYPE_CHECKING:
+    from sweetspot.analysis.same_effort import Changed
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
+    from sweetspot.report.document import Document
 
 
 HandsAt = Annotated[
@@ -27,6 +30,14 @@ BallHumidity = Annotated[
     str | None, Parameter(help="Relative humidity the ball was stored at, as a ratio: 0.5 or 50%.")
 ]
 BallTemperature = Annotated[str | None, Parameter(help="Temperature of the ball, for example 40degF.")]
+SameSpeed = Annotated[
+    bool,
+    Parameter(
+        negative="",
+        help="Swing other bats, or one that was changed or is choked up, at the same speed instead of with the same "
+        "effort.",
+    ),
+]
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -53,13 +64,48 @@ class SwingOptions:
     ball_cor: BallCor = None
     ball_humidity: BallHumidity = None
     ball_temperature: BallTemperature = None
+    same_speed: SameSpeed = False
 
 
 DEFAULT_SWING = SwingOptions()
 
 
+@dataclass(frozen=True)
+class SwungBat:
+    """A bat as it is swung.
+
+    Parameters
+    ----------
+    changed : the bat beside what it was before it was changed or choked up; None: nothing was changed of it.
+    same_speed : whether a changed bat is swung as fast as before, and not with the same effort.
+    """
+
+    conditions: Conditions
+    changed: Changed | None
+    same_speed: bool
+
+    def told(self, document: Document) -> Document:
+        """Return an answer with the sentence that says how a changed bat is swung."""
+        from sweetspot.report.effort_words import with_effort
+
+        return with_effort(document, self.changed, self.conditions, same_speed=self.same_speed)
+
+
+def swung_bat(bat: Implement, options: SwingOptions) -> SwungBat:
+    """Return how a bat alone is swung: one that was changed, or is choked up, with the same effort as before."""
+    from sweetspot import catalog
+    from sweetspot.analysis.same_effort import Changed
+
+    changed = Changed.of(bat, law=catalog.swing_law(catalog.sport(bat.sport).swing_law))
+    if changed is None and options.same_speed:
+        refuse_unused(["--same-speed"], "a bat that was changed or is choked up", "give the file of one")
+    given = conditions_for(bat, options)
+    turned = given if changed is None or options.same_speed else changed.with_same_effort(given)
+    return SwungBat(turned, changed, options.same_speed)
+
+
 def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
-    """Return the conditions that the options describe for a bat."""
+    """Return the conditions that the options describe for a bat, with the bat speed that they give."""
     from sweetspot import catalog
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.cli.options.written_errors import without_error

@@ -96,13 +96,23 @@ export function workshop(app, /** @type {() => number | null | undefined} */ mas
   return { controls, show };
 }
 
-// pitched: whether the pitch is told by its speed alone; else a view chooses it otherwise.
+// How a bat that was changed or is choked up is swung; of another there is nothing to ask.
 /** @param {App} app */
-export function swingGroup(app, { open = true, title = "Swing and pitch", pitched = true } = {}) {
+function swungWith(app) {
+  const box = choice(app, "same", { label: "The changed bat is swung with", options: [["effort", "the same effort"], ["speed", "the same speed"]] });
+  app.control({ field: "parts of same", follows: true, sync: () => (box.hidden = !app.answer?.bat?.swung) });
+  return box;
+}
+
+// pitched: whether the pitch is told by its speed alone; else a view chooses it otherwise. asked: whether the group asks
+// how a changed bat is swung; else the view asks that of every bat.
+/** @param {App} app */
+export function swingGroup(app, { open = true, title = "Swing and pitch", pitched = true, asked = true } = {}) {
   return group(title, [
     ...(pitched ? [slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5, empty: usual(app, "pitch_speed_mph") })] : []),
     slider(app, "bat_speed_mph", { label: () => `Bat speed, ${app.text("from_m", 6 * INCH, app.units === "us" ? 0 : 1)} from the tip`, step: 0.5,
       empty: usual(app, "bat_speed_mph") }),
+    ...(asked ? [swungWith(app)] : []),
     slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
     button("As usual with this bat", () => app.setState({ pitch_speed_mph: null, bat_speed_mph: null, ball: null }),
       { title: `${pitched ? "Pitch, bat" : "Bat"} speed and ball as is usual in the bat's sport` }),

@@ -40,7 +40,7 @@ import { defaultsOf, fieldsOf } from "./fields.js";
 import { guide, welcome } from "./guide.js";
 import { Later } from "./later.js";
 import { Lists } from "./lists.js";
-import { byId, partOf } from "./parts.js";
+import { byId, partOf, write } from "./parts.js";
 import { posted } from "./post.js";
 import { shareButton } from "./share.js";
 import { Line } from "./socket.js";
@@ -289,6 +289,9 @@ export class App {
 
   redraw() {
     if (!this.answer || !this.view) return;
+    const swung = this.answer.bat?.swung?.[this.units] ?? "";
+    write(byId("swung"), swung);
+    byId("swung").hidden = !swung;
     this.view.update(this.answer, this.answered ?? this.state);
     this.explain();
   }
@@ -343,6 +346,7 @@ export class App {
     this.frames.clear();
     this.later.clear();
     this.answer = null;
+    byId("swung").hidden = true;
     this.name = entry.name;
     this.defaults = defaultsOf(entry.schema);
     this.state = { ...this.defaults };

@@ -304,8 +304,8 @@ def recipe(state: CompareState) -> dict[str, str]:
         else:
             names.append(f"bat-{number}.toml")
             files[names[-1]] = bat_text(bat)
-    options = swing_options(state)
-    if state.same == "speed" and "--same-speed" not in options:
+    options = swing_options(state, beside=True)
+    if state.same == "speed":
         options += " --same-speed"
     if state.swing_law is not None:
         options += f" --swing-law {quote(state.swing_law)}"

@@ -274,7 +274,7 @@ def recipe(state: DesignState) -> dict[str, str]:
         *([] if state.swing_law == "baseball" else ["--swing-law none"]),
         *([] if state.league == USUAL_LEAGUE else [f"--league {quote(state.league)}"]),
     ]  # fmt: skip
-    command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing_options(state)} --out design"
+    command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing_options(state, beside=True)} --out design"
     return {"command": command, "toml": bat_toml(described(state))}
 
 
