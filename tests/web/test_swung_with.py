@@ -13,6 +13,8 @@ from playwright.sync_api import Page, expect
 
 from sweetspot.units import MPH
 from sweetspot.web.views import VIEWS, compare, explorer, flight
+from sweetspot.web.views.flight_recipe import flight_lines
+from sweetspot.web.views.flight_state import FlightState
 
 CHANGES: list[dict[str, Any]] = [
     {"mass_oz": 36.0}, {"mass_oz": 28.0}, {"bore_diameter_in": 1.0}, {"cup_diameter_in": 1.2}, {"weight_oz": 2.0},
@@ -85,8 +87,8 @@ def test_the_copied_commands_agree(
     found = told(compare.recipe(side_by_side))
     for row, expected in zip(found["bats"], compare.answer(side_by_side)["bats"], strict=True):
         assert row["exit_speed_m_s"]["value"] == pytest.approx(expected["exit_speed_m_s"]["value"], rel=1e-6)
-    state = flight.FlightState.model_validate({**change, "same": same, "start": "swing", "offset_in": 0.5})
-    played = told(flight.flight_lines(state))
+    state = FlightState.model_validate({**change, "same": same, "start": "swing", "offset_in": 0.5})
+    played = told(flight_lines(state))
     assert played["flight"]["carry_m"] == pytest.approx(flight.answer(state)["flight"]["carry_m"], rel=1e-4)
 
 

@@ -16,7 +16,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.report.effort_words import effort_words
+from sweetspot.report.swung_with import effort_words
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import changed_bat, conditions_of, swung, usual
 from sweetspot.web.documents import in_both_systems

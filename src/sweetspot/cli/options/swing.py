@@ -86,7 +86,7 @@ class SwungBat:
 
     def told(self, document: Document) -> Document:
         """Return an answer with the sentence that says how a changed bat is swung."""
-        from sweetspot.report.effort_words import with_effort
+        from sweetspot.report.swung_with import with_effort
 
         return with_effort(document, self.changed, self.conditions, same_speed=self.same_speed)
 

@@ -116,7 +116,7 @@ def intervals(state: CompareState) -> dict[str, Any]:
     reaches = comparison_reaches(comparison, sources)
     known = with_intervals(comparison, reaches)
     words = (verdict(known, sources=sources) or [ALONE]) + (cork_verdict(known) if state.what_if == "cork" else [])
-    verdicts = in_both_systems(words + _of_wall(state, known))
+    verdicts = in_both_systems(words + _of_wall(state, comparison))
     taken = in_both_systems([assumed(known, sources, draws="the fold below")])
     bats = []
     for index, row in enumerate(comparison_json(known, verdicts["us"], LINEAR_HOLDS)["bats"]):
