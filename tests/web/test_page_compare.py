@@ -56,7 +56,6 @@ def test_nothing_is_judged_before_the_whole_interval_is_there(page: Page, server
         expect(place).not_to_contain_text(re.compile(r"loss|gain|sure| to [+\N{MINUS SIGN}\d]"))
     while not held:
         page.wait_for_timeout(50)
-    page.unroute("**/api/v1/compare/intervals")
     held[0].continue_()
     expect(page.locator("#verdict")).to_contain_text("the sign is not sure")
     expect(page.locator("#working")).to_be_hidden()
