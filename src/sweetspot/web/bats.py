@@ -110,27 +110,20 @@ def conditions_of(state: SwungState, bat: Bat) -> Conditions:
 
 def changed_bat(state: SwungState) -> Changed | None:
     """Return a state's bat beside the one that its controls and its file changed; None: nothing was changed of it."""
-    bat, before = described(state), before_changes(_listed(state))
+    bat, held, before = described(state), _changed(_unchoked(state)), before_changes(_listed(state))
     if bat.length != before.length:  # another outline of another length is a bat of its own
-        before = _changed(_unchoked(state))
-    if bat == before:
-        return None
+        before = held
     named = getattr(state, "swing_law", None)
-    if named == "none":
+    if bat == before or named == "none":
         return None
     with about("swing_law"):
         law = catalog.swing_law(named or usual(bat).swing_law)
-    return Changed(bat, _body(_unchoked(state)), before, _body_of(before), law)
+    return Changed(bat, _body_of(held), before, _body_of(before), law)
 
 
 def _listed(state: BatState) -> Bat:
     """Return the bat of the catalogue or of the file, with which the player's bat speed is known."""
     return _changed(BatState.model_construct(**{**dict(_FIRST), "bat": state.bat, "bat_toml": state.bat_toml}))
-
-
-@lru_cache(maxsize=KEPT)
-def _body(state: BatState) -> RigidBody:
-    return rigid_body(beam_model(_changed(state)))
 
 
 @lru_cache(maxsize=KEPT)

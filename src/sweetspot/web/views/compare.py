@@ -131,8 +131,8 @@ def intervals(state: CompareState) -> dict[str, Any]:
 
 def _sources(state: CompareState, comparison: Comparison[Bat]) -> list[Sources]:
     """Return what is not known, bat by bat."""
+    own = _own_controls(state, len(comparison.compared))
     analyses = [one.analysis for one in comparison.compared]
-    own = _own_controls(state, len(analyses))
     return [sources_for(each, one.bat, one.conditions) for each, one in zip(own, analyses, strict=True)]
 
 
