@@ -12,7 +12,6 @@ import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import misses_of
-from sweetspot.calibration.draws.sources import sources_of
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import NO_SPEED, sure_sign
 from sweetspot.report.bat.document import report_document
@@ -24,6 +23,7 @@ from sweetspot.report.document import Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SYSTEMS, US, Reader
 from sweetspot.report.sentences import read
 from sweetspot.report.sport_words import words_of
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import MPH
 from tests.report.told import LEFT_OVER, reported
 

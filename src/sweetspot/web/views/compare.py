@@ -16,9 +16,6 @@ from sweetspot.analysis.certification.rules import League, title
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
-from sweetspot.calibration.draws.comparison_draws import CHANGE_ALONG, with_intervals
-from sweetspot.calibration.draws.intervals import Reach
-from sweetspot.calibration.draws.sources import Sources
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.corking import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
@@ -41,6 +38,9 @@ from sweetspot.report.comparison.words import (
 )
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.report.sentences import Sentence, say
+from sweetspot.uncertainty.comparison_draws import CHANGE_ALONG, with_intervals
+from sweetspot.uncertainty.intervals import Reach
+from sweetspot.uncertainty.sources import Sources
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
 from sweetspot.web.documents import in_both_systems, told
@@ -108,7 +108,7 @@ def answer(state: CompareState) -> dict[str, Any]:
 
 def intervals(state: CompareState) -> dict[str, Any]:
     """Return the intervals of all that is not known, and the verdict and what it assumes, as the command has them."""
-    from sweetspot.calibration.draws.linear_doubt import comparison_reaches
+    from sweetspot.uncertainty.linear_doubt import comparison_reaches
 
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
