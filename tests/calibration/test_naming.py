@@ -49,13 +49,12 @@ def test_no_tone_of_a_made_up_bat_has_a_wrong_name(
     """Struck in five places, described as it is but for its stiffness, and as a cousin of the catalogue."""
     one = make(np.random.default_rng(seed))
     right = tones = 0
-    for _, implement in descriptions(one, tmp_path):
-        if implement is not None:
-            modes = modes_to_name(implement)
-            for at in PLACES.values():
-                counts, wrong = judged(one, TapTest((), (), names_of(one, at, modes, implement.length)))
-                assert not wrong, wrong
-                right, tones = right + counts["right"], tones + counts.total()
+    for implement in filter(None, (implement for _, implement in descriptions(one, tmp_path))):
+        modes = modes_to_name(implement)
+        for at in PLACES.values():
+            counts, wrong = judged(one, TapTest((), (), names_of(one, at, modes, implement.length)))
+            assert not wrong, wrong
+            right, tones = right + counts["right"], tones + counts.total()
     assert right > least * tones
 
 

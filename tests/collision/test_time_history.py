@@ -71,10 +71,9 @@ def test_at_release_the_ledger_is_the_hits(modes: Modes) -> None:
     # exact
     scene = filmed(modes)
     moment = int(np.searchsorted(scene.times, scene.impact.release_time))
-    for part in fields(EnergyLedger):
-        if part.name != "incoming":
-            found = getattr(scene.energy, part.name)[moment]
-            assert found == pytest.approx(getattr(scene.impact.energy, part.name), rel=1e-9, abs=1e-9)
+    parts = [part.name for part in fields(EnergyLedger) if part.name != "incoming"]
+    released = {name: getattr(scene.energy, name)[moment] for name in parts}
+    assert released == pytest.approx({name: getattr(scene.impact.energy, name) for name in parts}, rel=1e-9, abs=1e-9)
     assert scene.energy.stored[moment:].max() == 0
     assert scene.energy.stored.max() > 0.1 * scene.impact.energy.incoming
 

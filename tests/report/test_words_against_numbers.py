@@ -75,17 +75,17 @@ def test_a_report_s_words_are_its_tables(analysed: Analysis[Implement], system: 
     tip = re.search(
         r"only ([\d.,]+) \S+ instead of ([\d.,]+) .+ vibration: ([\d.]+) \S+, ([\d.]+) \S+ less than", " ".join(words)
     )
-    if tip is not None:  # why not at the end: less met, less speed, and both differences add up
-        assert float(tip[1].replace(",", "")) < float(tip[2].replace(",", ""))
-        assert float(tip[3]) + float(tip[4]) == pytest.approx(float(speed[1]), abs=0.16)
+    assert tip is not None  # why not at the end: less met, less speed, and both differences add up
+    assert float(tip[1].replace(",", "")) < float(tip[2].replace(",", ""))
+    assert float(tip[3]) + float(tip[4]) == pytest.approx(float(speed[1]), abs=0.16)
     if zone is not None:
         width = re.search(r"from the [a-z ]+, ([\d.]+) \S+ wide", words[0])
         assert width is not None and abs(float(zone[1]) - float(zone[2])) == pytest.approx(float(width[1]), abs=0.11)
     faster = re.search(r"hit moves ([\d.]+)", " ".join(words))
-    if faster is not None:
-        arm = analysed.bat.length - analysed.sweet_spots.max_exit_speed
-        rate = analysed.conditions.swing.angular_speed
-        assert float(faster[1]) <= float(reader.number(rate * arm, "speed")) + 0.11
+    assert faster is not None
+    arm = analysed.bat.length - analysed.sweet_spots.max_exit_speed
+    rate = analysed.conditions.swing.angular_speed
+    assert float(faster[1]) <= float(reader.number(rate * arm, "speed")) + 0.11
     for miss in misses_of(analysed):
         assert not float(miss.inside) < -1e-9
 

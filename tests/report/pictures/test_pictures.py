@@ -110,12 +110,11 @@ def test_zone_and_best_place_run_where_the_numbers_say(picture: Figure, analysed
 
     spots = analysed.sweet_spots
     band = picture.findobj(lambda artist: artist.get_gid() == "zone")
-    assert len(band) == (spots.zone is not None)
-    if spots.zone is not None:
-        box = band[0].get_window_extent()
-        assert (place(box.x0), place(box.x1)) == pytest.approx(spots.zone, abs=1e-6)
-        heights = [axes.bbox.y0 for axes in picture.axes]
-        assert box.y0 == pytest.approx(min(heights), abs=1e-6)
+    boxes = [artist.get_window_extent() for artist in band]
+    zones = [] if spots.zone is None else [spots.zone]
+    assert [(place(box.x0), place(box.x1)) for box in boxes] == [pytest.approx(zone, abs=1e-6) for zone in zones]
+    lowest = min(axes.bbox.y0 for axes in picture.axes)
+    assert [box.y0 for box in boxes] == pytest.approx([lowest] * len(zones), abs=1e-6)
     (line,) = picture.findobj(lambda artist: artist.get_gid() == "best")
     assert place(line.get_window_extent().x0) == pytest.approx(spots.max_exit_speed, abs=1e-3)
 
