@@ -11,12 +11,12 @@ import scipy.sparse
 from scipy.sparse.linalg import eigsh
 
 from benchmarks.cases import QUICK, ball, duration, line, measured
-from sweetspot import beam_model, bending_modes, catalog
+from sweetspot import beam_model, catalog
 from sweetspot.dynamics.batch.beams import SolidBats
 from sweetspot.dynamics.batch.bending import bending_batch
+from sweetspot.dynamics.batch.mesh import apart
 from sweetspot.dynamics.batch.reduction import reduced_lines
-from sweetspot.dynamics.bending import apart, mesh_matrices
-from sweetspot.dynamics.mode_assembly import all_modes
+from tests.dense_bending import dense_chain, dense_modes, mesh_matrices
 
 BATS = 64 if QUICK else 1024
 HOLLOW = 8 if QUICK else 64
@@ -47,7 +47,7 @@ def test_many_bats(benchmark: Any, record: Callable[..., None]) -> None:
     seconds, _ = measured(benchmark, lambda: bending_batch(bats)), None
     record(f"{BATS} bats to 12 modes", f"{BATS / seconds:,.0f} bats/s", goal="2,000 bats/s")
     ours = processor(lambda: bending_batch(bats, threads=1)) / BATS
-    readable = processor(lambda: bending_modes(line()))
+    readable = processor(lambda: dense_modes(line()))
     record(
         "  processor time of one of them", duration(ours),
         rival=f"one by one with LAPACK, the same elements: {duration(readable)}", ratio=f"{readable / ours:.0f}",
@@ -75,7 +75,7 @@ def test_hollow_bats(record: Callable[..., None]) -> None:
     reduced_lines(lines, ball=ball())
     seconds = time.perf_counter() - start
     ours = processor(lambda: reduced_lines(lines, ball=ball(), threads=1)) / HOLLOW
-    readable = processor(lambda: [all_modes(one, ball()) for one in lines[:4]]) / 4
+    readable = processor(lambda: [dense_chain(one, ball()) for one in lines[:4]]) / 4
     record(
         f"{HOLLOW} hollow bats to all modes", f"{HOLLOW / seconds:,.0f} bats/s", goal="200 bats/s",
         rival=f"processor time of one, {duration(ours)}: bending one by one with LAPACK {duration(readable)}",

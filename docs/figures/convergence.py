@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from figures.style import BLUE, GREEN, GREY, INK, RED, new_figure
 from sweetspot import beam_model, bending_modes, catalog, hit, hits
 from sweetspot.collision import coupled, kernel
-from sweetspot.dynamics.bending import ELEMENTS, MODES
+from sweetspot.dynamics.batch.mesh import ELEMENTS, MODES
 from sweetspot.dynamics.modes import Modes
 from sweetspot.units import INCH
 

@@ -20,15 +20,14 @@ from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.collision.time_step import first_kick_after_touch
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_modes, mesh_matrices
+from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, joined
-from sweetspot.dynamics.residual_flexibility import static_compliance
 from sweetspot.equipment.ball import RestitutionLaw
 from sweetspot.motion.swing import Hands
-from sweetspot.numerics.eigen import lowest
 from sweetspot.numerics.piecewise import Piecewise, cubic_spline
+from tests.dense_bending import lowest, mesh_matrices, static_compliance
 
 Array = NDArray[np.float64]
 
@@ -132,7 +131,7 @@ def test_few_modes_and_what_gives_way_at_once_are_two_hundred_modes(
     # The outer half of a bat, the whole face but its rim of 2 % (1.3 mm of the driver's, whose heel lies at a joint),
     # wherever the ball is touched once: what a second touch does is not known to a hundredth (the docs, "Release").
     # Without the static correction the same twelve miss 0.0003 (strings) to 0.007 (the stick). A golf ball is off the
-    # club's face so soon that a second dozen is taken (`excited_bending`).
+    # club's face so soon that a second dozen is taken (`excited_frequency`).
     line, thrown = beam_model(catalog.implement(name)), catalog.ball(ball)
     few = all_modes(line, thrown)
     length, outline = line.bat.length, line.bat.outline

@@ -11,11 +11,11 @@ from sweetspot.design.outline_curve import _ROUND, HANDLES, SAMPLES, STATIONS
 from sweetspot.design.polish import STEP, gradient
 from sweetspot.design.turned import TurnedSpace, knob_of
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import mesh_matrices
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH
+from tests.dense_bending import mesh_matrices
 
 TINY = 1e-30
 

@@ -15,6 +15,7 @@ from sweetspot.dynamics.bending import bending_frequencies, bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.gauss_legendre import quadrature
+from tests.dense_bending import dense_modes
 from tests.random_bats import BATS, examples, solid_bats
 
 BALL = catalog.ball()
@@ -62,10 +63,10 @@ def test_a_bat_turned_end_for_end_is_the_same_bat(bat: Bat) -> None:
 
 @examples(5)
 @given(bat=BATS)
-def test_one_and_many_are_the_same(bat: Bat) -> None:
+def test_the_compiled_beam_is_the_dense_twin(bat: Bat) -> None:
     line = beam_model(bat)
     batch = bending_batch(BeamRow([line, line]), threads=1).modes(1)
-    alone = bending_modes(line)
+    alone = dense_modes(line)
     assert batch.frequency == pytest.approx(alone.frequency, rel=1e-7)
     places = np.linspace(0.4, 0.97, 7) * bat.length
     assert batch.compliance_at(places) == pytest.approx(alone.compliance_at(places), rel=1e-4, abs=1e-12)

@@ -19,7 +19,7 @@ from sweetspot.dynamics.shell_kernel import STEP, UNKNOWNS, Solved, solved_walls
 from sweetspot.dynamics.wall_push import wall_pushes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
-from sweetspot.numerics.eigen import lowest
+from tests.dense_bending import lowest
 
 INCH = 0.0254
 LAW = patch_law(catalog.ball())

@@ -7,7 +7,7 @@ import scipy.linalg
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.banded import WIDTH, lowest_pairs
-from sweetspot.numerics.eigen import lowest
+from tests.dense_bending import lowest
 
 
 def banded(matrix: Array) -> tuple[Array, Array]:
@@ -64,7 +64,7 @@ def test_what_is_not_positive_is_refused() -> None:
     assert not lowest_pairs(size, banded(matrix), banded(np.eye(size)), 0.0, nothing, values, vectors)
 
 
-def test_the_readable_solver_keeps_the_first_mode_beside_a_very_stiff_one() -> None:
+def test_the_dense_solver_keeps_the_first_mode_beside_a_very_stiff_one() -> None:
     """Rounding is a part of the largest eigenvalue; solved for inverses, the lowest are the largest: exact chain."""
     size = 40
     stiffness = chain(size, held=True)

@@ -10,7 +10,6 @@ import warnings
 from dataclasses import dataclass
 
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import UnusualWarning
@@ -68,7 +67,9 @@ def doubts(implement: Implement) -> tuple[str, ...]:
         _told("has a radius of gyration of", 100 * _gyration(line, body), _percent(usual.gyration), "% of its length"),
     ]
     if not any(told):
-        told = [_told("rings at", float(bending_modes(line, count=1).frequency[2]), list(usual.frequency), "Hz")]
+        from sweetspot.dynamics.bending import bending_frequencies  # brings numba, which takes as long as all the rest
+
+        told = [_told("rings at", float(bending_frequencies(line, count=1)[0]), list(usual.frequency), "Hz")]
     return tuple(text for text in told if text)
 
 

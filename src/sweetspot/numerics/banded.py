@@ -17,7 +17,8 @@ from sweetspot.numerics.kernel_cache import compiled
 WIDTH = 12
 """Numbers kept below the diagonal: enough for one finite element of any line or wall here."""
 FIRST_STEPS, MORE_STEPS, MOST_STEPS = 36, 8, 120
-"""Lanczos steps before convergence is asked for, between two such questions, and at most."""
+"""Lanczos steps before convergence is asked for, between two such questions, and at most, for up to 30 pairs; more
+pairs take more, see `lowest_pairs`."""
 NEAR = 1e-11
 """Part of the largest eigenvalue of the inverse that the residual of every wanted pair must lie below."""
 QL_ROUNDS = 60
@@ -113,7 +114,7 @@ def lowest_pairs(
         for k in range(WIDTH):
             below[j, k] += shift * inertia[1][j, k]
     count, known = len(values), len(rigid)
-    most = min(MOST_STEPS, size - known)
+    most = min(max(MOST_STEPS, 4 * count), size - known)
     if not factorised(size, diagonal, below) or most < count:
         return False
     basis = np.zeros((known + most + 1, size + WIDTH))
@@ -142,7 +143,7 @@ def lowest_pairs(
         if worst < NEAR or steps == most or ended:
             _from_steps(size, stiffness, basis[known:], (roots, turned, order), steps, shift, values, vectors)
             return worst < 1e3 * NEAR
-        asked += MORE_STEPS
+        asked += max(MORE_STEPS, count // 4)
     return False
 
 

@@ -17,7 +17,6 @@ from sweetspot.catalog.files.read import bat_from_table, implement_from_table
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import entry
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.dynamics.batch.reduction import fast_reduced_bat
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
@@ -227,11 +226,9 @@ _FIRST = BatState()
 
 @lru_cache(maxsize=KEPT)
 def _reduced(state: BatState, ball: Ball) -> ReducedBat:
-    """Return a bat as it is by the readable chain, as the library; changed by hand by the compiled one, to 1e-9."""
     bat = _changed(state)
     with about("bat_toml" if state.bat_toml is not None else "bat"):
-        changed = any(getattr(state, name) != value for name, value in _FIRST if name not in ("bat", "bat_toml"))
-        return fast_reduced_bat(beam_model(bat), ball=ball) if changed else reduced_bat(bat, ball=ball)
+        return reduced_bat(bat, ball=ball)
 
 
 @lru_cache(maxsize=KEPT_ANALYSES)

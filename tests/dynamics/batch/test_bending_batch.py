@@ -1,4 +1,4 @@
-"""Many beams at once are the readable solver's, to 1e-9: frequencies, shapes and what the modes leave out."""
+"""Many beams at once are the dense twin's, to 1e-9: frequencies, shapes and what the modes leave out."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from sweetspot import catalog
 from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.residual_flexibility import static_compliance
+from sweetspot.dynamics.bending import bending_frequencies, bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat, Cup
+from sweetspot.equipment.implement import AddedMass
 from sweetspot.errors import InputError
+from tests.dense_bending import dense_modes, static_compliance
 
 NAMES = ("r161-ash", "corked-r161", "russell-b3", "two-piece", "golf-driver", "tennis-racket", "uniform-rod")
 PLACES = np.linspace(0.0, 1.0, 23)
@@ -30,10 +31,10 @@ def batch(lines: list[BeamModel]) -> BendingBatch:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_batch_is_the_readable_solver(name: str, lines: list[BeamModel], batch: BendingBatch) -> None:
+def test_a_batch_is_the_dense_twin(name: str, lines: list[BeamModel], batch: BendingBatch) -> None:
     number = NAMES.index(name)
     line = lines[number]
-    modes, body, ours = bending_modes(line), rigid_body(line), batch.body(number)
+    modes, body, ours = dense_modes(line), rigid_body(line), batch.body(number)
     for mine, theirs in ((ours.mass, body.mass), (ours.balance_point, body.balance_point),
                          (ours.moi_cm, body.moi_cm), (ours.roll_moi, body.roll_moi)):  # fmt: skip
         assert mine == pytest.approx(theirs, rel=1e-12)
@@ -47,6 +48,30 @@ def test_a_batch_is_the_readable_solver(name: str, lines: list[BeamModel], batch
     whole = batch.modes(number)
     assert np.abs(whole.shape_at(place) - shapes).max() < 1e-9 * np.abs(shapes).max()
     assert np.allclose(whole.damping_rate, modes.damping_rate, rtol=1e-9)
+
+
+@pytest.mark.parametrize(("name", "count"), [("r161-ash", 1), ("two-piece", 5), ("golf-driver", 40)])
+def test_one_beam_is_a_batch_of_one(name: str, count: int) -> None:
+    line = beam_model(catalog.load_implement(name))
+    modes, dense = bending_modes(line, count=count), dense_modes(line, count=count)
+    place = PLACES * line.bat.length
+    assert modes.frequency == pytest.approx(dense.frequency, rel=1e-9)
+    assert np.abs(modes.shape_at(place) - dense.shape_at(place)).max() < 1e-8 * np.abs(dense.shape_at(place)).max()
+    assert modes.damping_rate == pytest.approx(dense.damping_rate, rel=1e-9)
+    assert bending_frequencies(line, count=count) == pytest.approx(dense.frequency[2:], rel=1e-9)
+    few = bending_frequencies(line, count=count, elements=60)
+    assert few == pytest.approx(dense_modes(line, count=count, elements=60).frequency[2:], rel=1e-9)
+
+
+def test_a_measured_frequency_is_that_of_the_bat_without_its_weights() -> None:
+    """In a batch of many as for one; a batch had scaled the weighted bat to what was measured without the weight."""
+    bare = catalog.load_implement("tennis-racket").replaced(first_frequency=160.0)
+    weighted = beam_model(bare.replaced(added=(AddedMass(position=0.6, mass=0.03),)))
+    batch = bending_batch(BeamRow([beam_model(catalog.bat("r161-ash")), weighted, beam_model(bare)]))
+    dense = dense_modes(weighted)
+    assert batch.frequency[2, 0] == pytest.approx(160.0) and dense.frequency[2] < 159.0
+    assert batch.frequency[1] == pytest.approx(dense.frequency[2:], rel=1e-9)
+    assert bending_frequencies(weighted, count=3) == pytest.approx(dense.frequency[2:5], rel=1e-9)
 
 
 def outlines(bat: Bat, widths: np.ndarray, cup: float = 0.02) -> SolidBats:
@@ -71,7 +96,7 @@ def test_outlines_side_by_side_are_bats_one_by_one() -> None:
             longitudinal_modulus=1.1 * bat.material.longitudinal_modulus,
         )  # fmt: skip
         cup = Cup(diameter=0.03, depth=0.02) if number % 2 else None
-        one = bending_modes(beam_model(bat.replaced(profile=profile, material=wood, cup=cup)))
+        one = dense_modes(beam_model(bat.replaced(profile=profile, material=wood, cup=cup)))
         assert np.allclose(batch.frequency[number], one.frequency[2:], rtol=1e-9, atol=0)
 
 

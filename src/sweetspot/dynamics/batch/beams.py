@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Protocol
 
 import numpy as np
 
-from sweetspot.dynamics.batch.mesh import Mesh, mesh_of
+from sweetspot.dynamics.batch.mesh import CLOSEST, Mesh, apart, mesh_of
 from sweetspot.dynamics.beam import BeamModel, section
-from sweetspot.dynamics.bending import CLOSEST, apart
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import Section, of_solid
 from sweetspot.errors import InputError
@@ -57,6 +56,9 @@ class Beams(Protocol):
 
     def section_at(self, position: Array, owner: IntArray) -> Section:
         """Return the sections at places in m of the beams whose numbers ``owner`` are, in rising order."""
+
+    def as_measured(self) -> Beams:
+        """Return them as their frequencies were measured: before weights were added; themselves where none was."""
 
     def part(self, which: slice) -> Beams:
         """Return some of them."""
@@ -164,6 +166,10 @@ class SolidBats:
             solid.roll_inertia,
         )  # fmt: skip
 
+    def as_measured(self) -> SolidBats:
+        """Return themselves: nobody measured them."""
+        return self
+
     def part(self, which: slice) -> SolidBats:
         """Return some of them."""
         return SolidBats(self.material, *(getattr(self, field.name)[which] for field in fields(self)[1:]))
@@ -217,6 +223,16 @@ class BeamRow:
         borders = np.searchsorted(owner, np.arange(len(self) + 1))
         sections = [section(line, position[borders[i] : borders[i + 1]]) for i, line in enumerate(self.lines)]
         return Section(*(np.concatenate([getattr(one, field.name) for one in sections]) for field in fields(Section)))
+
+    def as_measured(self) -> Beams:
+        """Return them as their frequencies were measured: before weights were added; themselves where none was."""
+        if not any(line.bat.added and line.bat.frequency is not None for line in self.lines):
+            return self
+        return BeamRow([
+            replace(line, bat=line.bat.replaced(added=()), point_masses=line.point_masses[: -len(line.bat.added)])
+            if line.bat.added else line
+            for line in self.lines
+        ])  # fmt: skip
 
     def part(self, which: slice) -> BeamRow:
         """Return some of them."""

@@ -1,16 +1,21 @@
-"""The bending modes of many beams: mass properties, twelve modes each, and what those leave out."""
+"""The bending modes of many beams hung freely: mass properties, modes, and what those leave out.
+
+Timoshenko beams of varying section by finite elements. Strain energy: EI (psi')^2 / 2 + kappa G A (w' - psi)^2 / 2;
+kinetic energy: mu w_t^2 / 2 + rho I psi_t^2 / 2, with deflection w and section rotation psi. Deflection is quartic and
+rotation cubic on each element, so thin parts do not lock. Breakpoints and point masses are element ends.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from sweetspot.dynamics.batch.beams import Beams, Lumps
 from sweetspot.dynamics.batch.bending_kernel import Elements, Points, bend, give_slowly, merged, shapes_at
-from sweetspot.dynamics.batch.mesh import Mesh
-from sweetspot.dynamics.bending import MODES, least_elements, least_parts
+from sweetspot.dynamics.batch.mesh import MODES, Mesh, least_elements, least_parts
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.dynamics.residual_flexibility import CELLS, extrapolated, joints, just_inside, sample_places, with_corner
 from sweetspot.dynamics.rigid import RigidBody
@@ -141,16 +146,17 @@ class BendingBatch:
         return splines
 
 
-def bending_batch(beams: Beams, *, count: int = MODES, threads: int | None = None) -> BendingBatch:
+def bending_batch(
+    beams: Beams, *, count: int = MODES, elements: int | None = None, threads: int | None = None
+) -> BendingBatch:
     """Return mass properties and the lowest ``count`` bending modes of many free beams.
-
-    The same elements, quadrature and slices as `rigid_body`, `bending_modes` and `left_out`: the results are theirs to
-    1e-9 at worst, and most of that is rounding in the dense solver.
 
     Parameters
     ----------
     beams : outlines side by side (`SolidBats`), or any implements (`BeamRow`).
     count : number of bending modes, >= 1.
+    elements : number of finite elements of each at least, None: `least_elements`; more are used where a beam has more
+        breakpoints.
     threads : workers; None: one per core.
 
     Raises
@@ -159,18 +165,27 @@ def bending_batch(beams: Beams, *, count: int = MODES, threads: int | None = Non
         when a beam has no modes: a mass or stiffness that is not above zero.
     """
     parts: dict[int, BendingBatch] = {}
+    least = least_elements(count) if elements is None else elements
 
     def work(which: slice) -> None:
-        parts[which.start] = _some(beams.part(which), count, which.start)
+        parts[which.start] = _some(beams.part(which), count, least, which.start)
 
     in_parts(work, len(beams), size=CHUNK, threads=threads)
     return joined_batches([parts[start] for start in sorted(parts)])
 
 
+def frequencies_of(beams: Beams, *, count: int, elements: int | None = None) -> Array:
+    """Return the frequencies in Hz of the lowest bending modes alone, shape (beams, count); see `bending_batch`."""
+    least = least_elements(count) if elements is None else elements
+    vibrating = _vibrating(beams, count, least, 0)
+    squares = _stiffening(beams, vibrating, least, 0)[:, None] * vibrating.squares
+    return np.asarray(np.sqrt(squares) / (2 * np.pi))
+
+
 def mass_properties(beams: Beams) -> BendingBatch:
     """Return mass, balance and moments of inertia of many beams without any mode: a fiftieth of the work."""
     whole, plain = beams.ends()
-    length = plain.ends[plain.first[1:] - 1]
+    length = _length(plain)
     mesh = _elements(whole, length / least_elements(MODES), _stiffness_at_ends(beams, whole))
     _, (mass, moment, moi_cm, roll), _, _ = _weighed(beams, mesh, 0)
     none = np.zeros((len(beams), 0))
@@ -193,34 +208,67 @@ def joined_batches(parts: list[BendingBatch]) -> BendingBatch:
     return BendingBatch(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names}, mesh=mesh)
 
 
-def _some(beams: Beams, count: int, start: int) -> BendingBatch:
+class _Vibrating(NamedTuple):
+    """Beams on their elements: squared angular frequencies as drawn, (rad/s)^2, and all that they came from."""
+
+    whole: Mesh
+    plain: Mesh
+    stiffness_at_ends: Array
+    mesh: Mesh
+    body: tuple[Array, Array, Array, Array]
+    points: Points
+    squares: Array
+    coefficients: Array
+
+
+def _vibrating(beams: Beams, count: int, elements: int, start: int) -> _Vibrating:
     whole, plain = beams.ends()
-    length = plain.ends[plain.first[1:] - 1]
     at_ends = _stiffness_at_ends(beams, whole)
-    mesh = _elements(whole, length / least_elements(count), at_ends)
-    slices = [plain.divided(length / number) for number in (CELLS, CELLS // 2)]
-    left, width, first = mesh.left, mesh.width, mesh.first_piece
-    at, (mass, first_moment, moi_cm, roll), lumps, places = _weighed(beams, mesh, start)
+    mesh = _elements(whole, _length(plain) / elements, at_ends)
+    at, body, lumps, places = _weighed(beams, mesh, start)
     points = Points(lumps.mass, lumps.moi, lumps.position, _nodes(mesh, lumps))
     sections = (
         part.reshape(places.shape) for part in (at.mass, at.rotary_inertia, at.bending_stiffness, at.shear_stiffness)
     )
-    squares, coefficients = np.empty((len(beams), count)), np.empty((len(left), 5, count))
-    failed = bend(Elements(first, width, *sections), left, points, mass, squares, coefficients)
+    squares, coefficients = np.empty((len(beams), count)), np.empty((len(mesh.left), 5, count))
+    failed = bend(Elements(mesh.first_piece, mesh.width, *sections), mesh.left, points, body[0], squares, coefficients)
     if failed >= 0:
         raise InputError(f"bat {start + failed} has no bending modes; its mass and stiffness must be above zero")
-    stiffening = np.where(np.isnan(beams.frequency), 1.0, (2 * np.pi * beams.frequency) ** 2 / squares[:, 0])
-    squares *= stiffening[:, None]
-    sampled_at, corner = sample_places(length, joints(whole.left, at_ends, whole.owner, beams=len(beams)))
+    return _Vibrating(whole, plain, at_ends, mesh, body, points, squares, coefficients)
+
+
+def _stiffening(beams: Beams, drawn: _Vibrating, elements: int, start: int) -> Array:
+    """Return the factors, shape (beams,), of stiffnesses that are known up to them; 1 where all is known.
+
+    A frequency was measured before any weights were added, so mode 1 of the beam without them has it.
+    """
+    measured = beams.as_measured()
+    bare = drawn if measured is beams else _vibrating(measured, 1, elements, start)
+    return np.where(np.isnan(beams.frequency), 1.0, (2 * np.pi * beams.frequency) ** 2 / bare.squares[:, 0])
+
+
+def _some(beams: Beams, count: int, elements: int, start: int) -> BendingBatch:
+    drawn = _vibrating(beams, count, elements, start)
+    mesh, length, coefficients = drawn.mesh, _length(drawn.plain), drawn.coefficients
+    mass, first_moment, moi_cm, roll = drawn.body
+    stiffening = _stiffening(beams, drawn, elements, start)
+    squares = drawn.squares * stiffening[:, None]
+    joint = joints(drawn.whole.left, drawn.stiffness_at_ends, drawn.whole.owner, beams=len(beams))
+    sampled_at, corner = sample_places(length, joint)
     kept = np.empty((*sampled_at.shape, count))
-    shapes_at(first, left, width, coefficients, sampled_at, kept)
-    slow = extrapolated(*(_slowly(beams, one, points, sampled_at) for one in slices)) / stiffening[:, None]
+    shapes_at(mesh.first_piece, mesh.left, mesh.width, coefficients, sampled_at, kept)
+    slices = [drawn.plain.divided(length / number) for number in (CELLS, CELLS // 2)]
+    slow = extrapolated(*(_slowly(beams, one, drawn.points, sampled_at) for one in slices)) / stiffening[:, None]
     left_out = slow - np.einsum("bpm,bm->bp", kept**2, 1 / squares)
     return BendingBatch(
         length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,
         omega=np.sqrt(squares), damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=coefficients,
         left_out=left_out, sampled_at=sampled_at, corner=corner,
     )  # fmt: skip
+
+
+def _length(plain: Mesh) -> Array:
+    return np.asarray(plain.ends[plain.first[1:] - 1])
 
 
 def _stiffness_at_ends(beams: Beams, whole: Mesh) -> Array:

@@ -1,5 +1,5 @@
-"""Bending modes and slow compliance of many beams, compiled; the equations are those of `bending` and
-`residual_flexibility`, whose results these are to rounding.
+"""Bending modes and slow compliance of many beams, compiled; the equations are in `batch.bending` and
+`residual_flexibility`.
 
 On each element the deflection is quartic and the rotation cubic: straight lines between its ends and integrated
 Legendre polynomials that vanish there, so that element after element gives a narrow band.
@@ -12,12 +12,17 @@ from typing import NamedTuple
 import numpy as np
 
 from sweetspot.dynamics.beam_elements import at_gauss_points, powers
-from sweetspot.dynamics.bending import DEGREE, EVEN_BEAM, SHIFT
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.banded import WIDTH, lowest_pairs
 from sweetspot.numerics.gauss_legendre import GAUSS_POINTS
 from sweetspot.numerics.kernel_cache import compiled
 
+DEGREE = 4
+"""Of the deflection; the rotation has one less."""
+SHIFT = 0.1
+"""Part of an even beam's first eigenvalue by which the problem is shifted; the answers do not depend on it."""
+EVEN_BEAM = 500.0
+"""omega^2 M L^2 (L / EI) of an even free beam: (beta L)^4 = 500.6 (4.7300^4), rounded."""
 DEFLECTIONS, ROTATIONS = np.array([0, 2, 3, 4, 7]), np.array([1, 5, 6, 8])
 """Places of deflection's and rotation's functions among an element's nine: left end, inside, right end."""
 STEP = 7
@@ -68,21 +73,13 @@ def bend(
         The first beam that has no such modes, or -1.
     """
     beams, count = squares.shape
-    largest = 0
-    for beam in range(beams):
-        largest = max(largest, elements.first[beam + 1] - elements.first[beam])
-    rows = STEP * largest + 2 + WIDTH
-    stiff, stiff_below = np.zeros(rows), np.zeros((rows, WIDTH))
-    heavy, heavy_below = np.zeros(rows), np.zeros((rows, WIDTH))
-    vectors = np.zeros((count, rows))
-    rigid = np.zeros((2, rows))
     for beam in range(beams):
         start, number = elements.first[beam], elements.first[beam + 1] - elements.first[beam]
         size = STEP * number + 2
-        padded = size + WIDTH
-        stiff[:], stiff_below[:] = 0.0, 0.0
-        heavy[:], heavy_below[:] = 0.0, 0.0
-        rigid[:] = 0.0
+        rows = size + WIDTH
+        stiff, stiff_below = np.zeros(rows), np.zeros((rows, WIDTH))
+        heavy, heavy_below = np.zeros(rows), np.zeros((rows, WIDTH))
+        rigid, vectors = np.zeros((2, rows)), np.zeros((count, rows))
         flexible, length = 0.0, 0.0
         for element in range(start, start + number):
             _add_element(element, STEP * (element - start), elements, stiff, stiff_below, heavy, heavy_below)
@@ -97,11 +94,7 @@ def bend(
             heavy[at] += points.mass[beam, k]
             heavy[at + 1] += points.moi[beam, k]
         shift = SHIFT * EVEN_BEAM / (flexible * mass[beam] * length**2)
-        solved = lowest_pairs(
-            size, (stiff[:padded], stiff_below[:padded]), (heavy[:padded], heavy_below[:padded]), shift,
-            rigid[:, :padded], squares[beam], vectors[:, :padded],
-        )  # fmt: skip
-        if not solved:
+        if not lowest_pairs(size, (stiff, stiff_below), (heavy, heavy_below), shift, rigid, squares[beam], vectors):
             return beam
         _write_shapes(start, number, vectors, coefficients)
     return -1

@@ -10,15 +10,14 @@ import numpy as np
 
 from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, even_splines, on_even_splines
+from sweetspot.dynamics.batch.mesh import MODES
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.bending import MODES
 from sweetspot.dynamics.dent import PLACES, blade_dent, dent_compliance, round_compliance
+from sweetspot.dynamics.excitation import MOST_MODES, excited_frequency
 from sweetspot.dynamics.face_vibration import face_modes
 from sweetspot.dynamics.hoop import hoop_modes
-from sweetspot.dynamics.mode_assembly import MOST_MODES, excited_frequency
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
-from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
@@ -130,13 +129,25 @@ def reduced_outlines(bats: SolidBats, *, ball: Ball, threads: int | None = None)
     return ReducedBats(bending_batch(bats, threads=threads), dent, law, (None,) * len(bats))
 
 
-def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None = None) -> ReducedBats:
+def reduced_lines(
+    lines: Sequence[BeamModel],
+    *,
+    ball: Ball,
+    patch_factor: float = 1.0,
+    count: int | None = None,
+    threads: int | None = None,
+) -> ReducedBats:
     """Return any implements, reduced to beams, with their motions under the patch that this ball presses.
 
     See `all_modes`: a face adds roll and its own mode, a hollow barrel its hoop modes; solid wood is dented. All get as
     many bending modes as the one of them that needs most.
+
+    Parameters
+    ----------
+    patch_factor, count : see `all_modes`.
+    threads : workers; None: one per core.
     """
-    law = patch_law(ball)
+    law = patch_law(ball, factor=patch_factor)
     dent, walls, faces = np.zeros((len(lines), PLACES, len(law.radii))), dict[int, Modes](), dict[int, Modes]()
 
     def along(dented: ByPatch, line: BeamModel) -> Array:
@@ -155,15 +166,9 @@ def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None
                 dent[number] = along(dent_compliance(line, law=law), line)
 
     in_parts(work, len(lines), size=4, threads=threads)
-    bending, count = bending_batch(BeamRow(lines), threads=threads), MODES
-    wanted = {number: excited_frequency(bending.modes(number), face, ball) for number, face in faces.items()}
-    while count < MOST_MODES and any(bending.frequency[number, -1] < least for number, least in wanted.items()):
-        count += MODES
-        bending = bending_batch(BeamRow(lines), count=count, threads=threads)
+    bending, enough = bending_batch(BeamRow(lines), count=count or MODES, threads=threads), count or MODES
+    wanted = {} if count else {one: excited_frequency(bending.modes(one), face, ball) for one, face in faces.items()}
+    while enough < MOST_MODES and any(bending.frequency[number, -1] < least for number, least in wanted.items()):
+        enough += MODES
+        bending = bending_batch(BeamRow(lines), count=enough, threads=threads)
     return ReducedBats(bending, dent, law, tuple(walls.get(i) for i in range(len(lines))))
-
-
-def fast_reduced_bat(line: BeamModel, *, ball: Ball) -> ReducedBat:
-    """Return one bat reduced by the compiled kernels; see `reduced_bat`, which it is to 1e-9."""
-    batch = reduced_lines([line], ball=ball, threads=1)
-    return ReducedBat(line.bat, line, batch.bending.body(0), batch.modes(0))  # type: ignore[arg-type]
