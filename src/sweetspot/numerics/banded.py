@@ -5,6 +5,8 @@ more than the matrix, all zero, so that no loop needs to know where the matrix e
 
 The eigenvalues are found by Lanczos' method on L^-1 M L^-T with K + s M = L L^T (shift and invert): a few dozen steps
 of two banded solves, every new vector made orthogonal to all before. Nothing is random.
+
+Slices are copied by loops, and numpy sorts nothing here: the compiler takes longer for one of those than for a solve.
 """
 
 from __future__ import annotations
@@ -71,7 +73,8 @@ def solved_backward(size: int, diagonal: Array, below: Array, vector: Array) -> 
 @compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def multiplied(size: int, diagonal: Array, below: Array, vector: Array, product: Array) -> None:
     """Fill ``product`` with the matrix times a vector."""
-    product[:] = 0.0
+    for j in range(len(product)):
+        product[j] = 0.0
     for j in range(size):
         value, total = vector[j], diagonal[j] * vector[j]
         for k in range(WIDTH):
@@ -79,7 +82,8 @@ def multiplied(size: int, diagonal: Array, below: Array, vector: Array, product:
         for k in range(WIDTH):
             product[j + 1 + k] += below[j, k] * value
         product[j] += total
-    product[size:] = 0.0
+    for j in range(size, len(product)):
+        product[j] = 0.0
 
 
 @compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
@@ -120,11 +124,12 @@ def lowest_pairs(
     basis = np.zeros((known + most + 1, size + WIDTH))
     _begun(size, stiffness, rigid, basis)
     along, beside = np.zeros(most), np.zeros(most + 1)
-    turned, roots = np.empty((most, most)), np.empty(most)
+    turned, roots, off, order = np.empty((most, most)), np.empty(most), np.empty(most + 1), np.empty(count, np.int64)
     work, product = np.zeros(size + WIDTH), np.zeros(size + WIDTH)
     asked = min(max(FIRST_STEPS, 2 * count), most)
     for step in range(most):
-        work[:] = basis[known + step]
+        for j in range(size + WIDTH):
+            work[j] = basis[known + step, j]
         solved_backward(size, diagonal, below, work)
         multiplied(size, inertia[0], inertia[1], work, product)
         solved_forward(size, diagonal, below, product)
@@ -134,9 +139,12 @@ def lowest_pairs(
         steps, ended = step + 1, beside[step + 1] == 0.0
         if steps < asked and not ended:
             continue
-        if steps < count or not _ritz_pairs(steps, along, beside, roots, turned):
+        for i in range(steps):
+            roots[i], off[i] = along[i], beside[i]
+        off[steps] = beside[steps]
+        if steps < count or not _tridiagonal(steps, roots, off, turned):
             return False
-        order = np.argsort(-roots[:steps])
+        _largest(steps, roots, order)
         worst = 0.0
         for i in range(count):
             worst = max(worst, abs(beside[steps] * turned[order[i], steps - 1]) / roots[order[i]])
@@ -181,12 +189,18 @@ def _without_neighbours(size: int, basis: Array, step: int, beside: float, vecto
     return total
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
-def _ritz_pairs(steps: int, along: Array, beside: Array, roots: Array, turned: Array) -> bool:
-    """Fill in the eigenvalues and vectors of the tridiagonal matrix of so many steps; return whether they converged."""
-    off = np.empty(steps + 1)
-    roots[:steps], off[:] = along[:steps], beside[: steps + 1]
-    return _tridiagonal(steps, roots, off, turned)
+@compiled(nogil=True, error_model="numpy")
+def _largest(size: int, roots: Array, order: IntArray) -> None:
+    """Fill in where the largest numbers are, the largest first; sorting all takes the compiler longer than the rest."""
+    for i in range(len(order)):
+        best = -1
+        for j in range(size):
+            used = False
+            for k in range(i):
+                used = used or order[k] == j
+            if not used and (best < 0 or roots[j] > roots[best]):
+                best = j
+        order[i] = best
 
 
 @compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
@@ -222,7 +236,8 @@ def _from_steps(
     roots, turned, order = ritz
     for i in range(len(values)):
         root, row = roots[order[i]], vectors[i]
-        row[:] = 0.0
+        for j in range(len(row)):
+            row[j] = 0.0
         for step in range(steps):
             part, each = turned[order[i], step], basis[step]
             for j in range(size):
@@ -245,7 +260,8 @@ def _tridiagonal(size: int, diagonal: Array, beside: Array, turned: Array) -> bo
     turned : the eigenvectors, one a row.
     """
     for i in range(size):
-        turned[i, :size] = 0.0
+        for k in range(size):
+            turned[i, k] = 0.0
         turned[i, i] = 1.0
         beside[i] = beside[i + 1]
     beside[size - 1] = 0.0

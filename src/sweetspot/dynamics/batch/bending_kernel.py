@@ -147,6 +147,19 @@ def _write_shapes(start: int, number: int, vectors: Array, coefficients: Array) 
 
 
 @compiled(nogil=True, error_model="numpy")
+def _behind(rising: Array, start: int, stop: int, value: float) -> int:
+    """Return the index from ``start`` to ``stop`` of the first number above a value; ``stop``: none is."""
+    low, high = start, stop
+    while low < high:
+        middle = (low + high) // 2
+        if rising[middle] > value:
+            high = middle
+        else:
+            low = middle + 1
+    return low
+
+
+@compiled(nogil=True, error_model="numpy")
 def shapes_at(
     first: IntArray, ends: Array, width: Array, coefficients: Array, position: Array, shapes: Array
 ) -> None:  # fmt: skip
@@ -156,8 +169,7 @@ def shapes_at(
         start, stop = first[beam], first[beam + 1]
         for place in range(position.shape[1]):
             x = position[beam, place]
-            element = start + np.searchsorted(ends[start:stop], x, side="right") - 1
-            element = min(max(element, start), stop - 1)
+            element = max(_behind(ends, start, stop, x) - 1, start)
             t = (x - ends[element]) / width[element]
             for mode in range(count):
                 c = coefficients[element]
@@ -209,7 +221,6 @@ def give_slowly(
     most = 0
     for beam in range(len(position)):
         most = max(most, first[beam + 1] - first[beam])
-    beyond = np.zeros((most + 1, 9))
     for beam in range(len(position)):
         start, number = first[beam], first[beam + 1] - first[beam]
         total, centre, moi = 0.0, 0.0, 0.0
@@ -226,7 +237,7 @@ def give_slowly(
             moi += points.mass[beam, k] * (points.position[beam, k] - centre) ** 2 + points.moi[beam, k]
         sums = np.zeros(6)  # over all cells: a^2, a b, b^2 of bending and of shear
         passed = np.zeros(3)  # mass, first and second moment before a cell
-        beyond[:] = 0.0
+        beyond = np.zeros((most + 1, 9))
         for cell in range(number):
             i = start + cell
             arm = middle[i] - centre
@@ -261,7 +272,7 @@ def give_slowly(
                 beyond[cell, column] += beyond[cell + 1, column]
         for place in range(position.shape[1]):
             x = position[beam, place]
-            cell = np.searchsorted(middle[start : start + number], x, side="right")
+            cell = _behind(middle, start, start + number, x) - start
             s, t = beyond[cell] if cell < number else beyond[most], x - centre
             bent = s[0] * t * t - 2 * t * s[1] + s[2]
             bent -= 2 * ((t * s[3] - s[4]) + t * (t * s[5] - s[6]))
