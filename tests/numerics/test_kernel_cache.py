@@ -75,7 +75,7 @@ def test_a_changed_constant_changes_the_answer(tmp_path: Path) -> None:
     )
     code = "from sweetspot.probe import probe; weight, power = probe(1.0); print(round(weight, 5), round(power, 5))"
     assert answer(code, tmp_path).stdout == "9.80665 2.71828\n"
-    gravity, exponential = package / "units" / "sizes.py", package / "numerics" / "vector_math.py"
+    gravity, exponential = package / "units" / "factors.py", package / "numerics" / "vector_math.py"
     change(gravity, "STANDARD_GRAVITY = 9.80665", "STANDARD_GRAVITY = 5.12345")
     change(exponential, "low = (1.0 + rest)", "low = (2.0 + rest)")
     changed = answer(code, tmp_path).stdout
