@@ -287,10 +287,11 @@ def test_the_front_door_opens() -> None:
 
 
 BUDGET = {
-    "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 1_200, "calibration": 9_100, "catalog": 3_600,
+    "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 1_500, "calibration": 7_000, "catalog": 3_600,
     "cli": 4_600, "collision": 3_100, "design": 3_200, "dynamics": 4_900, "equipment": 3_400, "errors": 150,
     "flight": 3_500, "front_door": 300, "motion": 700, "numerics": 1_900, "paper": 1_000, "player": 4_400,
-    "references": 150, "report": 14_000, "season": 8_200, "units": 1_100, "validation": 2_500, "web": 7_500,
+    "references": 150, "report": 13_800, "season": 8_300, "uncertainty": 2_100, "units": 1_100, "validation": 2_500,
+    "web": 7_600,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
 package that shrinks gives its lines back."""
@@ -314,7 +315,7 @@ SEVERAL_MEANINGS = {
 }  # fmt: skip
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {
-    "answers": 8, "calibration": 6, "catalog": 52, "cli": 1, "design": 1, "equipment": 8, "flight": 1, "report": 91,
+    "answers": 8, "calibration": 6, "catalog": 52, "cli": 1, "design": 1, "equipment": 8, "flight": 1, "report": 86,
     "season": 3, "validation": 8, "web": 131,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""

@@ -18,7 +18,7 @@ ENOUGH = 30
 """Balls of a part of a table from which columns are doubted."""
 
 
-class Usual(NamedTuple):
+class UsualQuantile(NamedTuple):
     """What is usual of a column: bounds of one of its quantiles in a unit, its words, its size in SI and its zero."""
 
     quantile: float
@@ -29,16 +29,16 @@ class Usual(NamedTuple):
     zero: float = 0.0
 
 
-USUAL: Mapping[str, Usual] = {
-    "exit_speed": Usual(0.5, 42, 115, "mph", MPH),
-    "bat_speed": Usual(0.5, 40, 95, "mph", MPH),
-    "release_speed": Usual(0.5, 42, 105, "mph", MPH),
-    "plate_speed": Usual(0.5, 40, 100, "mph", MPH),
-    "plate_height": Usual(0.5, 1.0, 5.0, "ft", FOOT),
-    "distance": Usual(0.99, 150, 550, "ft", FOOT),
-    "temperature": Usual(0.5, 36, 108, "°F", 5 / 9, FAHRENHEIT_ZERO),
-    "pressure": Usual(0.5, 990, 1040, "hPa", 100.0),
-    "humidity": Usual(0.5, 5, 100, "%", 0.01),
+USUAL: Mapping[str, UsualQuantile] = {
+    "exit_speed": UsualQuantile(0.5, 42, 115, "mph", MPH),
+    "bat_speed": UsualQuantile(0.5, 40, 95, "mph", MPH),
+    "release_speed": UsualQuantile(0.5, 42, 105, "mph", MPH),
+    "plate_speed": UsualQuantile(0.5, 40, 100, "mph", MPH),
+    "plate_height": UsualQuantile(0.5, 1.0, 5.0, "ft", FOOT),
+    "distance": UsualQuantile(0.99, 150, 550, "ft", FOOT),
+    "temperature": UsualQuantile(0.5, 36, 108, "°F", 5 / 9, FAHRENHEIT_ZERO),
+    "pressure": UsualQuantile(0.5, 990, 1040, "hPa", 100.0),
+    "humidity": UsualQuantile(0.5, 5, 100, "%", 0.01),
 }
 ANGLES = ("launch_angle", "attack_angle", "tilt", "attack_direction", "attack_to_right", "launch_direction", "bearing")
 DOUBTFUL = (*USUAL, *ANGLES, "map_x", "map_y")
@@ -79,7 +79,7 @@ def unusual(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> Iterator[
             yield name, f"no {columns[name].heading} is above 1.6 degrees: are they radians?"
 
 
-def _as_if_in(column: TableColumn, value: float, usual: Usual) -> str:
+def _as_if_in(column: TableColumn, value: float, usual: UsualQuantile) -> str:
     """Return in which unit the same numbers would be usual, in words."""
     if column.kind == "pressure":
         return ": is it reduced to sea level, as weather reports give it?"
