@@ -236,7 +236,7 @@ def test_transfer_of_the_first_view(benchmark: Any, record: Record, running: Run
     page.wait_for_timeout(3000)  # lists and what comes apart
     context.close()
     measured(benchmark, lambda: None, 1)
-    own = _imported("main.js") | _imported("views/explorer.js")
+    own = _imported("shell/main.js") | _imported("views/explorer.js")
     beside = sum(size for url, size in carried if url.endswith(".js") and url.partition("/static/")[2] not in own)
     whole = sum(size for _, size in carried)
     record("transfer of the first view", f"{(whole - beside) / 1000:.0f} kB", goal="120 kB",

@@ -255,7 +255,7 @@ def test_pages_come_with_a_policy_and_a_tag(client: httpx.Client) -> None:
     assert "default-src 'none'" in response.headers["content-security-policy"]
     assert response.headers["x-content-type-options"] == "nosniff"
     assert "microphone=(self)" in response.headers["permissions-policy"]
-    module = client.get("/static/main.js")  # no document, so what is said of documents is left out
+    module = client.get("/static/shell/main.js")  # no document, so what is said of documents is left out
     assert "content-security-policy" not in module.headers and module.headers["x-content-type-options"] == "nosniff"
     assert (response.headers["cache-control"], module.headers["cache-control"]) == ("no-cache", "max-age=20")
     again = client.get("/explorer", headers={"if-none-match": response.headers["etag"]})
@@ -265,8 +265,8 @@ def test_pages_come_with_a_policy_and_a_tag(client: httpx.Client) -> None:
 
 
 def test_files_travel_packed_to_those_who_can_unpack(server: str) -> None:
-    packed = httpx.get(f"{server}/static/main.js", headers={"accept-encoding": "gzip"})
-    plain = httpx.get(f"{server}/static/main.js", headers={"accept-encoding": "identity"})
+    packed = httpx.get(f"{server}/static/shell/main.js", headers={"accept-encoding": "gzip"})
+    plain = httpx.get(f"{server}/static/shell/main.js", headers={"accept-encoding": "identity"})
     assert packed.headers["content-encoding"] == "gzip"
     assert "content-encoding" not in plain.headers
     assert packed.content == plain.content
@@ -486,13 +486,13 @@ def test_beside_a_jump_what_is_told_of_the_hit_is_of_that_hit(client: httpx.Clie
 def test_modules_are_sent_without_their_comments_line_by_line(client: httpx.Client) -> None:
     from sweetspot.web.files import FOLDER
 
-    written = (FOLDER / "main.js").read_text(encoding="utf-8").splitlines()
-    sent = client.get("/static/main.js").text.splitlines()
+    written = (FOLDER / "shell" / "main.js").read_text(encoding="utf-8").splitlines()
+    sent = client.get("/static/shell/main.js").text.splitlines()
     assert len(sent) == len(written)  # a fault is told with the line of the source
     assert all(line in ("", source) for line, source in zip(sent, written, strict=True))
     assert not any(line.strip().startswith(("//", "/*")) for line in sent)
     assert "new App().start();" in sent
-    formulas = client.get("/static/formula.js").text  # a line of it has code behind its comment
+    formulas = client.get("/static/controls/formula.js").text  # a line of it has code behind its comment
     assert "/** @type {ChildNode} */ (node).replaceWith(" in formulas and formulas.rstrip().endswith("}")
 
 

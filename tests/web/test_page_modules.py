@@ -22,8 +22,9 @@ SOUND = ("recorder",)
 @pytest.fixture(scope="module")
 def run(visitor: BrowserContext, server: str) -> Iterator[Callable[[str], Any]]:
     """A function that evaluates a script with every module of the page as a part of `m`, all in one page."""
-    names = [path.stem for path in FOLDER.glob("*.js") if path.stem not in ("main", "docs", *SOUND)]
-    parts = [f"{name}: await import('/static/{name}.js')" for name in names]
+    paths = [path.relative_to(FOLDER) for path in sorted(FOLDER.glob("*/*.js")) if path.parent.name != "views"]
+    kept = [path for path in paths if path.stem not in ("main", "docs", *SOUND)]
+    parts = [f"{path.stem}: await import('/static/{path.as_posix()}')" for path in kept]
     page = visitor.new_page()
     page.goto(f"{server}/docs")
     page.evaluate(f"(async () => {{ window.m = {{ {', '.join(parts)} }}; }})()")

@@ -124,7 +124,7 @@ def test_a_table_without_room_keeps_words_whole_and_bars_true(page: Page, server
     answered(page)
     widths = page.evaluate(
         """async () => {
-          const { tableOf } = await import("/static/parts.js");
+          const { tableOf } = await import("/static/controls/parts.js");
           const row = (name, count) => [name, "45.0° to left field", "█".repeat(count), "1.0 ± 0.2 mph"];
           const rows = [row("the first one of them", 30), row("two", 15)];
           const box = tableOf("Parks", ["park", "towards", "", "speed"], rows);

@@ -20,7 +20,7 @@ from sweetspot.web.views.flight_state import FlightState
 Said = Callable[[str, str, Mapping[str, Any]], str]
 BATS = ("r161-ash", "corked-r161", "composite", "two-piece", "youth-alloy", "slow-pitch", "torpedo")
 SCRIPT = """(async ([name, method, answer]) => {
-  const { text } = await import("/static/units.js");
+  const { text } = await import("/static/controls/units.js");
   const { view } = await import(`/static/views/${name}.js`);
   const get = (_, key) => (key === Symbol.toPrimitive ? () => "" : nothing);
   const nothing = new Proxy(() => nothing, { get, set: () => true });

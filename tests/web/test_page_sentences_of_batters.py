@@ -18,7 +18,7 @@ from tests.web.test_page_sentences import shown
 
 Said = Callable[..., Any]
 SCRIPT = """(async ([name, method, answer, mine]) => {
-  const { text } = await import("/static/units.js");
+  const { text } = await import("/static/controls/units.js");
   const app = { units: "us", answer, schema: {}, state: mine.state ?? {}, announce() {}, aside() {}, afterwards() {} };
   app.text = (one, value, digits) => text(one, value, "us", digits);
   if (name === "paper_steps") {

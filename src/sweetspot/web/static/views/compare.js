@@ -1,16 +1,16 @@
 // Compare: up to four bats in the same hands, or what a hole or another wall makes of one; curves, verdict, rules.
 
-import { Chart, between } from "../chart.js";
-import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
-import { choice, group, slider } from "../controls.js";
-import { HowSure } from "../howsure.js";
-import { isUnsure } from "../lights.js";
-import { make, paragraphs, tableOf, tell, withDoubt } from "../parts.js";
-import { INCH } from "../units.js";
+import { Chart, between } from "../charts/chart.js";
+import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
+import { choice, group, slider } from "../controls/controls.js";
+import { HowSure } from "../controls/howsure.js";
+import { isUnsure } from "../controls/lights.js";
+import { make, paragraphs, tableOf, tell, withDoubt } from "../controls/parts.js";
+import { INCH } from "../controls/units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
-/** @import { Answer, App, View } from "../main.js" */
-/** @import { Curve } from "../chart.js" */
+/** @import { Answer, App, View } from "../shell/main.js" */
+/** @import { Curve } from "../charts/chart.js" */
 
 /** @type {Record<string, [string, string]>} */
 const VERDICTS = {

@@ -1,11 +1,11 @@
 // The pictures of the comparison: the bats below each other with tips aligned, and the change of exit speed with its interval.
 
-import { paintBat } from "../batview.js";
-import { LEFT, RIGHT } from "../chart.js";
-import { FONT, Surface, haloText, ticks } from "../surface.js";
-import { kindOf, toShown, unitOf } from "../units.js";
-/** @import { Answer, App } from "../main.js" */
-/** @import { Way } from "../batpaint.js" */
+import { paintBat } from "../bat/batview.js";
+import { LEFT, RIGHT } from "../charts/chart.js";
+import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
+import { kindOf, toShown, unitOf } from "../controls/units.js";
+/** @import { Answer, App } from "../shell/main.js" */
+/** @import { Way } from "../bat/batpaint.js" */
 
 export const LINES = [
   { color: "ink", width: 2.4, dash: [] }, { color: "red", width: 2.2, dash: [7, 3] }, { color: "blue", width: 2.2, dash: [2, 2.5] },

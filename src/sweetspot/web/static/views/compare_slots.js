@@ -1,11 +1,12 @@
 // The bats beside the first one: each chosen from the catalogue or a file, each changed as a workshop would.
 
-import { checked, textOf } from "../batfile.js";
-import { batChoice, unchanged, workshop } from "../bench.js";
-import { button } from "../controls.js";
-import { make, scoped } from "../parts.js";
-import { wordsOf } from "../status.js";
-/** @import { Answer, App, State } from "../main.js" */
+import { checked, textOf } from "../bat/batfile.js";
+import { batChoice, workshop } from "../bat/bench.js";
+import { unchanged } from "../bat/unchanged.js";
+import { button } from "../controls/controls.js";
+import { make, scoped } from "../controls/parts.js";
+import { wordsOf } from "../shell/status.js";
+/** @import { Answer, App, State } from "../shell/main.js" */
 
 const MOST = 3;
 const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];

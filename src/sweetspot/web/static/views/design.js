@@ -1,15 +1,16 @@
 // Design: pull a bat into shape for a batter; what it weighs, whether it is allowed and what it gains follow at once.
 
-import { BatView } from "../batview.js";
-import { Bench, ballGroup, swingGroup, unchanged } from "../bench.js";
-import { Chart } from "../chart.js";
-import { button, choice, group, reveal, slider, toggle } from "../controls.js";
-import { download } from "../download.js";
-import { Lights, beside, showRules } from "../lights.js";
-import { make, paragraphs, tableOf, tell, withDoubt, write } from "../parts.js";
+import { BatView } from "../bat/batview.js";
+import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { unchanged } from "../bat/unchanged.js";
+import { Chart } from "../charts/chart.js";
+import { button, choice, group, reveal, slider, toggle } from "../controls/controls.js";
+import { download } from "../shell/download.js";
+import { Lights, beside, showRules } from "../controls/lights.js";
+import { make, paragraphs, tableOf, tell, withDoubt, write } from "../controls/parts.js";
 import { Front, WANTS } from "./design_front.js";
-import { grouped } from "../units.js";
-/** @import { Answer, App, Control, State, Step, View } from "../main.js" */
+import { grouped } from "../controls/units.js";
+/** @import { Answer, App, Control, State, Step, View } from "../shell/main.js" */
 
 const LONGEST = 40000;
 /** @type {Record<string, number>} */

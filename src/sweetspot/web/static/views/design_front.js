@@ -1,11 +1,11 @@
 // The front of a search: bats none of which is better in everything, each a small bat that can be taken.
 
-import { button } from "../controls.js";
-import { longWork } from "../longwork.js";
-import { make, tableOf, write } from "../parts.js";
-import { FONT, Surface, haloText, ticks } from "../surface.js";
-import { fromShown, toShown, unitOf } from "../units.js";
-/** @import { Answer, App, State } from "../main.js" */
+import { button } from "../controls/controls.js";
+import { longWork } from "../shell/longwork.js";
+import { make, tableOf, write } from "../controls/parts.js";
+import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
+import { fromShown, toShown, unitOf } from "../controls/units.js";
+/** @import { Answer, App, State } from "../shell/main.js" */
 
 const LEFT = 56, RIGHT = 18, TOP = 14, FOOT = 40, TALL = 300, SMALL = 64, THICK = 2.2;
 /** @type {Record<string, [string, string]>} */

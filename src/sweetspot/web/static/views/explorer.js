@@ -1,19 +1,19 @@
 // Explorer: the bat to scale with its sweet spots; below it, on the same axis, what a hit at each place gives and why.
 
-import { BatView } from "../batview.js";
-import { Bench, ballGroup, swingGroup } from "../bench.js";
-import { Chart, between } from "../chart.js";
-import { button, group, slider } from "../controls.js";
-import { gripsOf } from "../grips.js";
-import { HeatMap } from "../heatmap.js";
-import { HowSure } from "../howsure.js";
-import { PARTS } from "../ledger.js";
-import { factList, make, paragraphs, tell, withDoubt } from "../parts.js";
-import { INCH } from "../units.js";
-import { Zoom } from "../zoom.js";
-/** @import { Curve, Panel } from "../chart.js" */
-/** @import { Fact } from "../parts.js" */
-/** @import { Answer, App, State, View } from "../main.js" */
+import { BatView } from "../bat/batview.js";
+import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { Chart, between } from "../charts/chart.js";
+import { button, group, slider } from "../controls/controls.js";
+import { gripsOf } from "../bat/grips.js";
+import { HeatMap } from "../charts/heatmap.js";
+import { HowSure } from "../controls/howsure.js";
+import { PARTS } from "../charts/ledger.js";
+import { factList, make, paragraphs, tell, withDoubt } from "../controls/parts.js";
+import { INCH } from "../controls/units.js";
+import { Zoom } from "../charts/zoom.js";
+/** @import { Curve, Panel } from "../charts/chart.js" */
+/** @import { Fact } from "../controls/parts.js" */
+/** @import { Answer, App, State, View } from "../shell/main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
 const ROOM = 1.06; // part of the greatest offset that the map leaves free, so that a ball met there is seen whole

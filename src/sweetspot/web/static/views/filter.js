@@ -1,10 +1,10 @@
 // One field of the state that may be empty: a select whose list comes with the answer, as [value], [value, how many] or
 // [value, how many, words]; hidden where there is nothing to choose.
 
-import { reveal } from "../controls.js";
-import { make } from "../parts.js";
-import { grouped } from "../units.js";
-/** @import { Answer, App, State } from "../main.js" */
+import { reveal } from "../controls/controls.js";
+import { make } from "../controls/parts.js";
+import { grouped } from "../controls/units.js";
+/** @import { Answer, App, State } from "../shell/main.js" */
 
 export class Filter {
   /** @param {App} app */

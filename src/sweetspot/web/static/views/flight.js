@@ -1,14 +1,14 @@
 // Flight: the path from the side and from above over a park, in its air and wind; over which fences the ball goes.
 
-import { Bench, ballGroup, swingGroup } from "../bench.js";
-import { button, choice, group, slider, toggle } from "../controls.js";
-import { HeatMap } from "../heatmap.js";
-import { HowSure } from "../howsure.js";
-import { factList, make, tableOf, tell } from "../parts.js";
-import { MPH, toShown } from "../units.js";
+import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { button, choice, group, slider, toggle } from "../controls/controls.js";
+import { HeatMap } from "../charts/heatmap.js";
+import { HowSure } from "../controls/howsure.js";
+import { factList, make, tableOf, tell } from "../controls/parts.js";
+import { MPH, toShown } from "../controls/units.js";
 import { FieldPicture, SidePicture, clearance } from "./flight_pictures.js";
-/** @import { Fact } from "../parts.js" */
-/** @import { Answer, App, State, View } from "../main.js" */
+/** @import { Fact } from "../controls/parts.js" */
+/** @import { Answer, App, State, View } from "../shell/main.js" */
 
 /** @type {Record<string, string>} */
 const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play": "in play", foul: "foul" };

@@ -1,11 +1,11 @@
 // The flight from the side (distance over the ground against height) and from above (the field with its fence).
 
-import { Numbers, evenly } from "../numbers.js";
-import { FONT, Surface, arrow, haloText, ticks } from "../surface.js";
-/** @import { Point } from "../surface.js" */
-import { fromShown, kindOf, toShown, unitOf } from "../units.js";
-/** @import { Answer, App, State } from "../main.js" */
-/** @import { Way } from "../batpaint.js" */
+import { Numbers, evenly } from "../charts/numbers.js";
+import { FONT, Surface, arrow, haloText, ticks } from "../charts/surface.js";
+/** @import { Point } from "../charts/surface.js" */
+import { fromShown, kindOf, toShown, unitOf } from "../controls/units.js";
+/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { Way } from "../bat/batpaint.js" */
 
 /** @typedef {(right: number, out: number) => Point} Placing from a place on the field, m from home, to a pixel */
 const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;

@@ -1,17 +1,17 @@
 // The hit in slow motion: ball, bat and wall at one moment, and force, hands and energy over time.
 
-import { Chart } from "../chart.js";
-import { Bench, ballGroup, swingGroup } from "../bench.js";
-import { group, slider, toggle } from "../controls.js";
-import { Film, LEAD } from "../film.js";
-import { paintEnd, paintSide, sideHeight } from "../filmscene.js";
-import { HowSure } from "../howsure.js";
-import { Ledger } from "../ledger.js";
-import { factList, tell } from "../parts.js";
-import { Surface } from "../surface.js";
-import { Transport } from "../transport.js";
-/** @import { Answer, View } from "../main.js" */
-/** @import { Fact } from "../parts.js" */
+import { Chart } from "../charts/chart.js";
+import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { group, slider, toggle } from "../controls/controls.js";
+import { Film, LEAD } from "../bat/film.js";
+import { paintEnd, paintSide, sideHeight } from "../bat/filmscene.js";
+import { HowSure } from "../controls/howsure.js";
+import { Ledger } from "../charts/ledger.js";
+import { factList, tell } from "../controls/parts.js";
+import { Surface } from "../charts/surface.js";
+import { Transport } from "../controls/transport.js";
+/** @import { Answer, View } from "../shell/main.js" */
+/** @import { Fact } from "../controls/parts.js" */
 
 const PANELS = [
   { title: "Force on the ball", kind: "force_n", height: 84, zero: true, lines: [{ key: "force_n", color: "red", fill: true }] },

@@ -1,15 +1,15 @@
 // Modes: how a bat moves and rings, where each motion stands still, and what a tap excites.
 
-import { Bench } from "../bench.js";
-import { button, group, slider, toggle } from "../controls.js";
-import { Stage, paintMotion } from "../modescene.js";
-import { Numbers, evenly } from "../numbers.js";
-import { make, partOf, tell } from "../parts.js";
-import { Surface } from "../surface.js";
-import { unbroken } from "../tables.js";
-import { strike } from "../tapsound.js";
-import { INCH, kindOf, toShown } from "../units.js";
-/** @import { Answer, View } from "../main.js" */
+import { Bench } from "../bat/bench.js";
+import { button, group, slider, toggle } from "../controls/controls.js";
+import { Stage, paintMotion } from "../bat/modescene.js";
+import { Numbers, evenly } from "../charts/numbers.js";
+import { make, partOf, tell } from "../controls/parts.js";
+import { Surface } from "../charts/surface.js";
+import { unbroken } from "../controls/tables.js";
+import { strike } from "../controls/tapsound.js";
+import { INCH, kindOf, toShown } from "../controls/units.js";
+/** @import { Answer, View } from "../shell/main.js" */
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
 const MOST_ROWS = 14;

@@ -1,12 +1,12 @@
 // The best way to hit: the launch angle of an exit speed, the swing at a pitch, and every park's slowest home run.
 
-import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
-import { group, slider } from "../controls.js";
-import { DocumentPlace } from "../document.js";
-import { HeatMap } from "../heatmap.js";
-import { make, tell } from "../parts.js";
-import { MPH } from "../units.js";
-/** @import { View } from "../main.js" */
+import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
+import { group, slider } from "../controls/controls.js";
+import { DocumentPlace } from "../controls/document.js";
+import { HeatMap } from "../charts/heatmap.js";
+import { make, tell } from "../controls/parts.js";
+import { MPH } from "../controls/units.js";
+/** @import { View } from "../shell/main.js" */
 
 /** @type {View} */
 export const view = {

@@ -1,17 +1,18 @@
 // Own bat: from a scale, a balance point, a pendulum and a tap to the bat that one has in hand, and how sure each value is;
 // to a racket, cricket bat, club or stick as well.
 
-import { BatView } from "../batview.js";
-import { Bench, unchanged } from "../bench.js";
-import { button, choice, group, slider } from "../controls.js";
-import { download } from "../download.js";
-import { Lights, showRules } from "../lights.js";
-import { make, paragraphs, partOf, tableOf, tell, withDoubt } from "../parts.js";
+import { BatView } from "../bat/batview.js";
+import { Bench } from "../bat/bench.js";
+import { unchanged } from "../bat/unchanged.js";
+import { button, choice, group, slider } from "../controls/controls.js";
+import { download } from "../shell/download.js";
+import { Lights, showRules } from "../controls/lights.js";
+import { make, paragraphs, partOf, tableOf, tell, withDoubt } from "../controls/parts.js";
 import table from "../quantities.js";
-import { takeDrops } from "../upload.js";
+import { takeDrops } from "../controls/upload.js";
 import { FORGOTTEN } from "./own_measured.js";
 import { SOUNDS, TapPlace } from "./own_tap.js";
-/** @import { Answer, App, View } from "../main.js" */
+/** @import { Answer, App, View } from "../shell/main.js" */
 
 const ROUND = ""; // a bat of the bench, in the list of what there is to measure
 const OWN = "own file";

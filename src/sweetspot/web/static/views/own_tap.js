@@ -1,13 +1,13 @@
 // The tap: microphone or sound files, which taps can be used and why not, the spectrum with the tones that are expected.
 
-import { Chart } from "../chart.js";
-import { button } from "../controls.js";
-import { keep, kept } from "../kept.js";
-import { Lights } from "../lights.js";
-import { Listening } from "../listening.js";
-import { make, tableOf } from "../parts.js";
-import { upload, whereTo } from "../upload.js";
-/** @import { Answer, App, State } from "../main.js" */
+import { Chart } from "../charts/chart.js";
+import { button } from "../controls/controls.js";
+import { keep, kept } from "../shell/kept.js";
+import { Lights } from "../controls/lights.js";
+import { Listening } from "../controls/listening.js";
+import { make, tableOf } from "../controls/parts.js";
+import { upload, whereTo } from "../controls/upload.js";
+/** @import { Answer, App, State } from "../shell/main.js" */
 
 export const SOUNDS = [".wav", ".flac", ".ogg", ".mp3", ".aiff", ".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm"];
 const TAPS = "taps";

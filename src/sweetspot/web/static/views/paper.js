@@ -1,13 +1,13 @@
 // The paper: one question after the other, its claim and formula with numbers that can be moved, and the full model.
 
-import { Bench, ballGroup, swingGroup } from "../bench.js";
-import { button, group } from "../controls.js";
-import { mathOf, typeset } from "../formula.js";
-import { inReadersUnit, make, tableOf, tell } from "../parts.js";
-import { unbroken } from "../tables.js";
+import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { button, group } from "../controls/controls.js";
+import { mathOf, typeset } from "../controls/formula.js";
+import { inReadersUnit, make, tableOf, tell } from "../controls/parts.js";
+import { unbroken } from "../controls/tables.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
-/** @import { Answer, View } from "../main.js" */
+/** @import { Answer, View } from "../shell/main.js" */
 /** @import { Asked } from "./paper_steps.js" */
 
 /** @type {View} */

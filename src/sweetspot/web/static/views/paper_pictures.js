@@ -1,9 +1,9 @@
 // The pictures of the paper's questions: each is { elements, draw(answer, state), figures() }.
 
-import { BatView } from "../batview.js";
-import { Chart } from "../chart.js";
-import { FONT, Surface, haloText } from "../surface.js";
-/** @import { Answer, App, State } from "../main.js" */
+import { BatView } from "../bat/batview.js";
+import { Chart } from "../charts/chart.js";
+import { FONT, Surface, haloText } from "../charts/surface.js";
+/** @import { Answer, App, State } from "../shell/main.js" */
 
 /** @param {App} app */
 const AXIS = (app) => ({ kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" });

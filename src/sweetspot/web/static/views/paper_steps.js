@@ -1,9 +1,9 @@
 // The paper's questions in its order: claim, formulas as they should read, misprints, controls, and the answer in words.
 
-import { FILLS } from "../bench.js";
-import { MPH } from "../units.js";
-import { choice, slider } from "../controls.js";
-/** @import { Answer, App, State } from "../main.js" */
+import { FILLS } from "../bat/bench.js";
+import { MPH } from "../controls/units.js";
+import { choice, slider } from "../controls/controls.js";
+/** @import { Answer, App, State } from "../shell/main.js" */
 
 const FILLED = FILLS.filter(([fill]) => fill !== "nothing");
 const HELD = [["floor", "lying on concrete"], ["clamped", "clamped at the edges"], ["free", "lying free"]];

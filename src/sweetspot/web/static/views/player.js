@@ -1,15 +1,15 @@
 // The player: a table of measured swings, what it says of bat speed and scatter, and which bat and place serve.
 
-import { Bench } from "../bench.js";
-import { button, choice, group, reveal, slider } from "../controls.js";
-import { DocumentPlace } from "../document.js";
-import { Numbers } from "../numbers.js";
-import { make } from "../parts.js";
-import { upload } from "../upload.js";
+import { Bench } from "../bat/bench.js";
+import { button, choice, group, reveal, slider } from "../controls/controls.js";
+import { DocumentPlace } from "../controls/document.js";
+import { Numbers } from "../charts/numbers.js";
+import { make } from "../controls/parts.js";
+import { upload } from "../controls/upload.js";
 import { Filter } from "./filter.js";
-import { FONT, Surface, ticks } from "../surface.js";
-import { fromShown, toShown, unitOf } from "../units.js";
-/** @import { Answer, View } from "../main.js" */
+import { FONT, Surface, ticks } from "../charts/surface.js";
+import { fromShown, toShown, unitOf } from "../controls/units.js";
+/** @import { Answer, View } from "../shell/main.js" */
 
 const LONGEST = 40000; // letters that are taken as they are
 const LARGEST = 10e6; // bytes

@@ -1,16 +1,16 @@
 // Season: tables of balls in play of any size, read on the server; who did what, where on the barrel and on the field.
 
-import { Bench } from "../bench.js";
-import { button, choice, group } from "../controls.js";
-import { DocumentPlace } from "../document.js";
-import { factList, make, tell } from "../parts.js";
+import { Bench } from "../bat/bench.js";
+import { button, choice, group } from "../controls/controls.js";
+import { DocumentPlace } from "../controls/document.js";
+import { factList, make, tell } from "../controls/parts.js";
 import { Filter } from "./filter.js";
 import { Players } from "./season_players.js";
 import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
 import { Reading } from "./season_reading.js";
-import { grouped } from "../units.js";
-/** @import { Fact } from "../parts.js" */
-/** @import { View } from "../main.js" */
+import { grouped } from "../controls/units.js";
+/** @import { Fact } from "../controls/parts.js" */
+/** @import { View } from "../shell/main.js" */
 
 const FILTERS = [["team", "Hit for", "any club"], ["pitch_type", "Off", "all pitches"], ["count", "At the count", "all counts"], ["month", "In the month", "all months"], ["park", "In the park", "all parks"]];
 const EVERYBODY = { batter: null, team: null, pitch_type: null, count: null, month: null, park: null };

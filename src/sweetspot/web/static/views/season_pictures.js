@@ -1,15 +1,15 @@
 // A season's pictures: balls on the barrel, exit speeds over two ceilings, and balls on the field, each with its table.
 
-import { Chart } from "../chart.js";
-import { heat } from "../heat.js";
-import { HeatMap } from "../heatmap.js";
-import { Numbers } from "../numbers.js";
-import { make } from "../parts.js";
-import { FONT, Surface, haloText } from "../surface.js";
-import { fromShown, grouped, kindOf, toShown, unitOf } from "../units.js";
-/** @import { Answer, App, Colors } from "../main.js" */
+import { Chart } from "../charts/chart.js";
+import { heat } from "../charts/heat.js";
+import { HeatMap } from "../charts/heatmap.js";
+import { Numbers } from "../charts/numbers.js";
+import { make } from "../controls/parts.js";
+import { FONT, Surface, haloText } from "../charts/surface.js";
+import { fromShown, grouped, kindOf, toShown, unitOf } from "../controls/units.js";
+/** @import { Answer, App, Colors } from "../shell/main.js" */
 
-/** @import { Point } from "../surface.js" */
+/** @import { Point } from "../charts/surface.js" */
 /** @typedef {(right: number, out: number) => Point} Placing from a place on the field, m from home, to a pixel */
 const PANELS = [{ title: "Balls, by part of the greatest speed", kind: "share", height: 110, zero: true, lines: [
   { key: "squared_up_ratio", label: "this bat", color: "blue", width: 2.2 }, { key: "league_ratio", label: "the league's formula", color: "orange", width: 1.6, dash: [5, 4] }] }];

@@ -1,9 +1,9 @@
 // The players of a season as a table to choose from.
 
-import { button } from "../controls.js";
-import { make, tableOf } from "../parts.js";
+import { button } from "../controls/controls.js";
+import { make, tableOf } from "../controls/parts.js";
 import { Filter } from "./filter.js";
-/** @import { Answer, App } from "../main.js" */
+/** @import { Answer, App } from "../shell/main.js" */
 
 const SHOWN = 25;
 const COLUMNS = [

@@ -1,11 +1,11 @@
 // Tables to the server and what becomes of them: handed in piece by piece, read in a job that can be stopped, and told.
 
-import { button } from "../controls.js";
-import { longWork } from "../longwork.js";
-import { make, paragraphs, partOf } from "../parts.js";
-import { takeDrops, upload, whereTo } from "../upload.js";
-import { grouped } from "../units.js";
-/** @import { Answer, App } from "../main.js" */
+import { button } from "../controls/controls.js";
+import { longWork } from "../shell/longwork.js";
+import { make, paragraphs, partOf } from "../controls/parts.js";
+import { takeDrops, upload, whereTo } from "../controls/upload.js";
+import { grouped } from "../controls/units.js";
+/** @import { Answer, App } from "../shell/main.js" */
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
 const MOST = 60;

@@ -1,16 +1,16 @@
 // Every sport: what one hits with, its face as a map, and what a hit at a place gives, in the sport's own words.
 
-import { Chart } from "../chart.js";
-import { textOf } from "../batfile.js";
-import { describeOwn } from "../bench.js";
-import { button, choice, group, slider } from "../controls.js";
-import { HeatMap } from "../heatmap.js";
-import { factList, make, paragraphs, partOf, tell } from "../parts.js";
-import { INCH } from "../units.js";
-import { takeDrops } from "../upload.js";
+import { Chart } from "../charts/chart.js";
+import { textOf } from "../bat/batfile.js";
+import { describeOwn } from "../bat/bench.js";
+import { button, choice, group, slider } from "../controls/controls.js";
+import { HeatMap } from "../charts/heatmap.js";
+import { factList, make, paragraphs, partOf, tell } from "../controls/parts.js";
+import { INCH } from "../controls/units.js";
+import { takeDrops } from "../controls/upload.js";
 import { FORGOTTEN } from "./own_measured.js";
-/** @import { Fact } from "../parts.js" */
-/** @import { App, State, View } from "../main.js" */
+/** @import { Fact } from "../controls/parts.js" */
+/** @import { App, State, View } from "../shell/main.js" */
 
 const OWN = "own file";
 const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it changes neither map nor words

@@ -1,0 +1,248 @@
+// A bat and a ball painted to scale: the bat alone, cut open, the ball beside it, and both as seen from the tip.
+
+import { heat } from "../charts/heat.js";
+import { FONT, arrow } from "../charts/surface.js";
+/** @import { Answer, Colors } from "../shell/main.js" */
+
+/** @typedef {{ left: number, scale: number, middle: number, edge?: number }} Place where a bat is drawn: pixels, and pixels per m */
+/** @typedef {(x: number) => number} Way from a value to a pixel */
+
+export const WIDEST = 0.076; // m; room for the barrel and the ball is kept, so that the picture does not jump
+const BESIDE = 16, ARROW = 34; // pixels of the meeting seen from the tip: beside it, and that its arrow reaches out of the ball
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ * @param {Colors} colors
+ */
+export function paintBall(context, ball, bat, place, colors) {
+  const radius = ball.radius_m * place.scale;
+  const x = place.left + ball.position_m * place.scale;
+  const y = place.middle + radiusAt(bat, ball.position_m) * place.scale + radius;
+  context.fillStyle = colors.paper;
+  context.strokeStyle = colors.ink;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  context.strokeStyle = colors.red;
+  context.lineWidth = 1.2;
+  for (const side of [-1, 1]) {
+    context.beginPath();
+    context.arc(x + side * 1.45 * radius, y, radius, side < 0 ? -0.72 : Math.PI - 0.72, side < 0 ? 0.72 : Math.PI + 0.72);
+    context.stroke();
+  }
+}
+
+/**
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ */
+function meetingSizes(ball, bat, place) {
+  const scale = Math.min(0.45 * place.scale, 420);
+  return { scale, own: radiusAt(bat, ball.position_m) * scale, its: ball.radius_m * scale };
+}
+
+// Pixels that the meeting seen from the tip takes across.
+/**
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ */
+export function meetingWide(ball, bat, place) {
+  const { own, its } = meetingSizes(ball, bat, place);
+  return BESIDE + 2 * (own + its) + ARROW + BESIDE / 2;
+}
+
+// Bat and ball as seen along the bat: how far off the axis they meet, and where the ball goes.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ * @param {Colors} colors
+ * @param {string} words
+ */
+export function paintMeeting(context, ball, bat, place, colors, words) {
+  const { scale, own, its } = meetingSizes(ball, bat, place);
+  const x = (place.edge ?? 0) + own + BESIDE;
+  const y = place.middle + (WIDEST / 2) * place.scale + own + 2 * its;
+  const up = ball.offset_m * scale;
+  const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
+  const circle = (/** @type {number} */ at, /** @type {number} */ height, /** @type {number} */ radius, /** @type {string} */ fill, /** @type {string} */ edge) => {
+    context.beginPath();
+    context.arc(at, height, radius, 0, 2 * Math.PI);
+    context.fillStyle = fill;
+    context.fill();
+    context.strokeStyle = edge;
+    context.lineWidth = 1.3;
+    context.stroke();
+  };
+  circle(x, y, own, bat.hollow ? colors.metal : colors.wood, bat.hollow ? colors.metalEdge : colors.woodEdge);
+  circle(x + across, y - up, its, colors.paper, colors.ink);
+  if (ball.launch_angle_rad !== null && ball.launch_angle_rad !== undefined) {
+    const [c, s] = [Math.cos(ball.launch_angle_rad), Math.sin(ball.launch_angle_rad)];
+    const reach = its + ARROW;
+    arrow(context, [x + across, y - up], [x + across + reach * c, y - up - reach * s], colors.red);
+  }
+  Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });
+  context.fillText(words, x + across / 2, y + Math.max(own, its) + 6);
+}
+
+/**
+ * @param {Answer} bat
+ * @param {number} x
+ */
+export function radiusAt(bat, x) {
+  const { position_m: places, diameter_m: widths } = bat.outline;
+  let i = places.findIndex((/** @type {number} */ place) => place >= x);
+  if (i < 0) i = places.length - 1;
+  if (i === 0) return widths[0] / 2;
+  const part = (x - places[i - 1]) / (places[i] - places[i - 1] || 1);
+  return (widths[i - 1] + part * (widths[i] - widths[i - 1])) / 2;
+}
+
+// The outline of another bat, dashed over this one.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {{ outline: { position_m: number[], diameter_m: number[] } }} given
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {string} color
+ */
+export function paintOutline(context, { outline: { position_m: places, diameter_m: widths } }, { left, scale, middle }, color) {
+  Object.assign(context, { strokeStyle: color, lineWidth: 1.1 });
+  context.setLineDash([4, 3]);
+  for (const side of [-1, 1]) {
+    context.beginPath();
+    places.forEach((place, i) => context.lineTo(left + place * scale, middle + (side * widths[i] * scale) / 2));
+    context.stroke();
+  }
+  context.setLineDash([]);
+}
+
+// The bat alone, cut open: wood, wall, holes, what fills them, and the cup.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
+export function paintBat(context, bat, { left, scale, middle }, colors, warm = null) {
+  const { position_m: places, diameter_m: widths } = bat.outline;
+  const points = places.map((/** @type {number} */ place, /** @type {number} */ i) => [left + place * scale, (widths[i] / 2) * scale]);
+  context.beginPath();
+  points.forEach((/** @type {[number, number]} */ [x, r]) => context.lineTo(x, middle - r));
+  [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
+  context.closePath();
+  context.fillStyle = bat.hollow ? colors.metal : colors.wood;
+  context.fill();
+  if (bat.hollow) paintInside(context, bat, points, { scale, middle }, colors);
+  if (warm) {
+    context.globalAlpha = 0.82;
+    paintHeat(context, bat, { left, scale, middle }, warm);
+    context.globalAlpha = 1;
+  }
+  for (const bore of bat.bores) paintBore(context, bore, { left, scale, middle }, colors);
+  if (bat.cup) paintCup(context, bat, { left, scale, middle }, colors);
+  context.beginPath();
+  points.forEach((/** @type {[number, number]} */ [x, r]) => context.lineTo(x, middle - r));
+  [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
+  context.closePath();
+  context.strokeStyle = bat.hollow ? colors.metalEdge : colors.woodEdge;
+  context.lineWidth = 1.3;
+  context.lineJoin = "round";
+  context.stroke();
+  for (const weight of bat.weights) {
+    context.fillStyle = colors.ink;
+    context.fillRect(left + weight.position_m * scale - 4, middle - 4, 8, 8);
+  }
+}
+
+// Colours on the bat for a quantity along it: { position_m, values, least, most }.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {{ position_m: number[], values: number[], least: number, most: number }} given
+ */
+export function paintHeat(context, bat, { left, scale, middle }, { position_m: places, values, least, most }) {
+  for (let i = 0; i + 1 < places.length; i += 1) {
+    if (values[i] === null || values[i + 1] === null) continue;
+    const [a, b] = [Math.round(left + places[i] * scale), Math.round(left + places[i + 1] * scale)];
+    if (b <= a) continue;
+    const [ra, rb] = [radiusAt(bat, places[i]) * scale, radiusAt(bat, places[i + 1]) * scale];
+    context.fillStyle = heat(((values[i] + values[i + 1]) / 2 - least) / (most - least || 1));
+    context.beginPath();
+    context.moveTo(a, middle - ra);
+    context.lineTo(b, middle - rb);
+    context.lineTo(b, middle + rb);
+    context.lineTo(a, middle + ra);
+    context.closePath();
+    context.fill();
+  }
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {number[][]} points
+ * @param {{ scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
+function paintInside(context, bat, points, { scale, middle }, colors) {
+  context.beginPath();
+  const inner = points.map(([x, r], i) => [x, Math.max(0, r - bat.wall_m[i] * scale)]);
+  inner.forEach(([x, r]) => context.lineTo(x, middle - r));
+  [...inner].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
+  context.closePath();
+  context.fillStyle = colors.hollow;
+  context.fill();
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bore
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
+function paintBore(context, bore, { left, scale, middle }, colors) {
+  const [x, y] = [left + bore.start_m * scale, middle - (bore.diameter_m / 2) * scale];
+  const [width, height] = [(bore.stop_m - bore.start_m) * scale, bore.diameter_m * scale];
+  context.fillStyle = colors.hollow;
+  context.fillRect(x, y, width, height);
+  if (bore.fill) {
+    context.save();
+    context.globalAlpha = 0.5;
+    context.fillStyle = colors.orange;
+    context.fillRect(x, y, width, height);
+    context.restore();
+  }
+  context.strokeStyle = colors.woodEdge;
+  context.lineWidth = 1;
+  context.setLineDash([3, 2]);
+  context.strokeRect(x, y, width, height);
+  context.setLineDash([]);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
+function paintCup(context, bat, { left, scale, middle }, colors) {
+  const tip = left + bat.length_m * scale;
+  const [radius, depth] = [(bat.cup.diameter_m / 2) * scale, bat.cup.depth_m * scale];
+  context.beginPath();
+  context.moveTo(tip, middle - radius);
+  for (let i = -10; i <= 10; i += 1) context.lineTo(tip - depth * (1 - (i / 10) ** 2), middle + (radius * i) / 10);
+  context.closePath();
+  context.fillStyle = colors.panel;
+  context.fill();
+  context.strokeStyle = colors.woodEdge;
+  context.stroke();
+}
