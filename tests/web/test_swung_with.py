@@ -54,7 +54,8 @@ def test_weight_is_no_gift_and_choking_up_is_not_free() -> None:
 
 def test_a_bat_as_it_is_says_nothing_of_it() -> None:
     assert explored()["bat"]["swung"] is None
-    assert explored(bat="corked-r161")["bat"]["swung"] is None
+    assert explored(bat="russell-b6")["bat"]["swung"] is None
+    assert "with the same effort" in explored(bat="corked-r161")["bat"]["swung"]["us"]  # R161 drilled, by its own file
 
 
 def test_what_a_file_says_was_changed_counts_too() -> None:
@@ -83,6 +84,9 @@ def test_the_copied_commands_agree(
                 Path("bat.toml" if name == "toml" else name).write_text(text, encoding="utf-8")
         return run_json(*shlex.split(lines["command"].splitlines()[0])[1:])
 
+    drilled = compare.CompareState.model_validate({"bat": "corked-r161", "same": same})
+    first = told(compare.recipe(drilled))["bats"][0]["bat_speed_m_s"]["value"]
+    assert first == pytest.approx(compare.answer(drilled)["bats"][0]["bat_speed_m_s"]["value"], rel=1e-9)
     side_by_side = compare.CompareState.model_validate({**change, "same": same})
     found = told(compare.recipe(side_by_side))
     for row, expected in zip(found["bats"], compare.answer(side_by_side)["bats"], strict=True):

@@ -12,7 +12,7 @@ from sweetspot import catalog
 from sweetspot.analysis.same_effort import Changed, is_changed
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.units import MPH
-from sweetspot.web.bats import conditions_of, described, swung, usual
+from sweetspot.web.bats import changed_bat, conditions_of, described, swung, usual
 from sweetspot.web.states import BatState, SwungState
 
 BAT_FILE = "bat.toml"
@@ -77,7 +77,7 @@ def _speed_to_give(state: SwungState, *, beside: bool) -> float | None:
 
     Of a bat alone it knows what its file says was changed (holes, weights, grip), and swings that with the same effort.
     """
-    if is_catalogued(state):
+    if changed_bat(state) is None:
         return state.bat_speed_mph
     bat = described(state)
     speed = conditions_of(state, bat).swing.bat_speed
@@ -101,7 +101,7 @@ def conditions_lines(state: SwungState) -> str:
     """Return Python lines that make ``bat`` and ``conditions``."""
     state = swung(state)
     speed = state.bat_speed_mph
-    if not is_catalogued(state):
+    if changed_bat(state) is not None:
         speed = round(conditions_of(state, described(state)).swing.bat_speed / MPH, 12)
     source = f"catalog.bat({state.bat!r})" if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
     ball = f"catalog.ball({state.ball!r})"
