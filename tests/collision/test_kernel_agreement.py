@@ -1,8 +1,8 @@
 """The fast kernel is the readable collision, hit by hit, in any company.
 
-It shares an approach between ball and surface by one step of Halley's method a kick, from a guess that is wrong by the
-square of the step: 1e-8 of the force at most with steps of 8 us, and at 20 us, on handles hit at 90 m/s, 2e-8 once in
-thousands of hits.
+It shares an approach between ball and surface by one step of Chebyshev's method a kick, from a guess that is wrong by
+the square of the step: 1e-8 of the force at most with steps of 8 us, and at 20 us, on handles hit at 90 m/s, 2e-8 once
+in thousands of hits. Soft surfaces are solved to the end (`test_soft_bats`).
 """
 
 from __future__ import annotations

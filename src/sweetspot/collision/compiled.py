@@ -39,6 +39,9 @@ from sweetspot.numerics.vector_math import exp, log
 LANES = 64
 """Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
 NEARLY = 1e-4
+"""Part of the compression by which the last step of an iteration changes it at most."""
+ROUGH = 0.02
+"""Part of the compression: a step from the forecast that is longer than this may leave more than 1e-6 of the force."""
 QUIET = -230.0
 """Logarithm of a force that moves nothing, far above the numbers that make processors slow."""
 
@@ -49,7 +52,7 @@ SEPARATED, STILL_IN_CONTACT, NO_CONTACT = (
 # rows of the lanes' state
 CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
 PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, EVENT, FORCE, CONTACT = range(7, 17)
-GIVE, FORMER, PRESSED, DEEPEST, HARDEST, UNTIL, MISSING = range(17, 24)
+GIVE, FORMER, PUSHED, DEEPEST, HARDEST, UNTIL, MISSING = range(17, 24)
 STATE_ROWS = 24
 
 
@@ -84,7 +87,9 @@ def solve(
     One long function on purpose: with its last loops in a function of their own it is a tenth slower.
 
     The force at approach w solves u + C F(u) = w. The forces of the last two kicks foretell u to about (h / T)^2; from
-    there one step of Halley's method along the curve leaves 1e-8 of the force, for one power per kick.
+    there one step of Chebyshev's method along the curve leaves 1e-8 of the force, for one power per kick. Where C F is
+    large beside u, under a soft surface, the forecast may be no use: lanes that it leaves further than `ROUGH` from the
+    root are solved to the end (`pressed`).
 
     Parameters
     ----------
@@ -115,12 +120,12 @@ def solve(
     peak, rising, kicks, event = state[PEAK], state[RISING], state[KICKS], state[EVENT]
     offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
     force, former, contact = state[FORCE], state[FORMER], state[CONTACT]
-    give, pressed, until, left_out = state[GIVE], state[PRESSED], state[UNTIL], state[MISSING]
-    rate = np.zeros(LANES)
+    give, pushed, until, left_out = state[GIVE], state[PUSHED], state[UNTIL], state[MISSING]
+    rate, stray = np.zeros(LANES), np.zeros(LANES)
     shapes, places, speeds = lanes.shape, lanes.displacement, lanes.velocity
     approach[:] = 0.0  # before first touch
     while busy > 0:
-        any_event = 0.0
+        any_event = 0
         for lane in range(lane_count):
             earlier[lane] = before[lane]
             before[lane] = approach[lane]
@@ -135,8 +140,8 @@ def solve(
             event[lane] = max(turned if rising[lane] > 0.0 else again, over)
             peak[lane] = max(peak[lane], approach[lane])
         for lane in range(lane_count):
-            any_event = max(any_event, event[lane])
-        if any_event > 0.0:
+            any_event |= event[lane] > 0.0
+        if any_event:
             for lane in range(lane_count):
                 if event[lane] == 0.0:
                     continue
@@ -155,6 +160,7 @@ def solve(
                     _touch(lane, ball, state)
                 else:
                     _turn(lane, ball, step, state)
+        rough = 0
         for lane in range(lane_count):
             guess = max(approach[lane] - give[lane] * (2.0 * force[lane] - former[lane]), 0.25 * approach[lane])
             pushing = exp(offset[lane] + power[lane] * log(guess))
@@ -164,17 +170,24 @@ def solve(
             bend = (0.5 * power[lane] - 0.5) * steepness * inverse
             softened = 1.0 / (1.0 + give[lane] * steepness)
             missing *= softened
+            stray[lane] = abs(missing) * inverse
+            rough |= stray[lane] > ROUGH
             missing *= 1.0 - give[lane] * bend * missing * softened
-            pressed[lane] = pushing + missing * (steepness + bend * missing)
+            pushed[lane] = pushing + missing * (steepness + bend * missing)
+        if rough:
+            for lane in range(lane_count):
+                if stray[lane] > ROUGH:
+                    foretold = 2.0 * force[lane] - former[lane]
+                    _, pushed[lane] = pressed(approach[lane], give[lane], foretold, offset[lane], power[lane])
         for lane in range(lane_count):
-            largest[lane] = max(largest[lane], pressed[lane])
+            largest[lane] = max(largest[lane], pushed[lane])
             threshold = CONTACT_FORCE * largest[lane]
-            ebbing = (force[lane] >= threshold) & (pressed[lane] < threshold)
-            part = (force[lane] - threshold) / (force[lane] - pressed[lane])
+            ebbing = (force[lane] >= threshold) & (pushed[lane] < threshold)
+            part = (force[lane] - threshold) / (force[lane] - pushed[lane])
             contact[lane] = kicks[lane] + part if ebbing else contact[lane]
             former[lane] = force[lane]
-            force[lane] = pressed[lane]
-            impulse[lane] = pressed[lane] * step + left_out[lane]
+            force[lane] = pushed[lane]
+            impulse[lane] = pushed[lane] * step + left_out[lane]
             left_out[lane] = 0.0
             ball_speed[lane] -= impulse[lane] / mass
             ball_position[lane] += ball_speed[lane] * step
@@ -277,7 +290,7 @@ def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
         bend = earlier - 2 * before + latest
         state[PEAK, lane] = max(state[PEAK, lane], height)
     give = state[GIVE, lane]
-    deepest, force = _loaded(state[PEAK, lane], give, state[FORCE, lane], ball)
+    deepest, force = pressed(state[PEAK, lane], give, state[FORCE, lane], log(ball.stiffness), ball.exponent)
     state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
     state[HARDEST, lane] = max(state[HARDEST, lane], force)
     power, slope = _unloading_power(ball, deepest, force), force / deepest
@@ -287,23 +300,29 @@ def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
 
 
 @compiled(_nrt=False)
-def _loaded(approach: float, give: float, force: float, ball: BallNumbers) -> tuple[float, float]:
-    """Return the ball's compression u and its force on the loading curve: u + C k u^n = w, by Halley's method.
+def pressed(approach: float, give: float, force: float, offset: float, power: float) -> tuple[float, float]:
+    """Return a ball's compression u in m and its force F in N, u + C F(u) = w, by Halley's method.
 
-    ``force`` is about the one expected.
+    See `contact_law.pressed_in_series`. F = exp(offset) u^power is convex, so that no step leads out of 0 < u <= w;
+    C F <= w bounds the start where the surface is soft.
+
+    Parameters
+    ----------
+    approach, give : w in m and C in m/N, > 0.
+    force : about the one expected, N.
     """
-    exponent = ball.exponent
-    compression, offset = max(approach - give * force, 0.25 * approach), log(ball.stiffness)
+    most = min(approach, exp((log(approach / give) - offset) / power))
+    compression = min(max(approach - give * force, 0.25 * approach), most)
     for _ in range(NEWTON_STEPS):
-        force = exp(offset + exponent * log(compression))
-        steepness = exponent * force / compression
+        force = exp(offset + power * log(compression))
+        steepness = power * force / compression
+        bend = (0.5 * power - 0.5) * steepness / compression
         softened = 1 / (1 + give * steepness)
         change = (approach - compression - give * force) * softened
-        bend = (0.5 * exponent - 0.5) * steepness / compression
-        change *= 1 - give * bend * change * softened
+        change /= 1 + give * bend * change * softened
         compression += change
         force += change * (steepness + bend * change)
-        if abs(change) < NEARLY * approach:  # the next change is about the cube of this one
+        if abs(change) < NEARLY * compression:  # the next change is about the cube of this one
             break
     return compression, force
 
@@ -354,7 +373,8 @@ def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Hi
     results[TOUCHES, row] += 1.0
     results[GREATEST_FORCE, row] = max(state[LARGEST, lane], state[HARDEST, lane])
     if state[DEEPEST, lane] == 0:
-        state[DEEPEST, lane], _ = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], ball)
+        start, loading = state[FORCE, lane], (log(ball.stiffness), ball.exponent)
+        state[DEEPEST, lane], _ = pressed(state[PEAK, lane], state[GIVE, lane], start, *loading)
     results[GREATEST_COMPRESSION, row] = state[DEEPEST, lane]
     if separated:
         threshold = CONTACT_FORCE * state[LARGEST, lane]
