@@ -162,8 +162,13 @@ def test_names_of_the_package_exist(page: Path) -> None:
 
 
 def test_every_page_is_reached_from_the_contents() -> None:
-    contents = "\n".join((DOCS / name).read_text(encoding="utf-8") for name in ("index.md", "reference/index.md"))
-    listed = {line.strip() for line in contents.splitlines()}
+    contents = {"": "index.md", "reference/": "index.md", "decisions/": "index.md"}
+    listed = {
+        stem
+        for folder, name in contents.items()
+        for line in (DOCS / folder / name).read_text(encoding="utf-8").splitlines()
+        for stem in (line.strip(), f"{folder}{line.strip()}")
+    }
     missing = [name for name in NAMES if name != "index.md" and name.removesuffix(".md") not in listed]
     assert missing == []
 
