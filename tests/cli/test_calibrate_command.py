@@ -18,7 +18,6 @@ from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt, comparison_with_doubt
-from sweetspot.uncertainty.drawn_plays import drawn_flight, drawn_play
 
 Run = Callable[..., tuple[int, str, str]]
 WEIGHED = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--pendulum", "1.4545s±0.003s")
@@ -176,9 +175,7 @@ def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path
 @pytest.fixture
 def few_draws(monkeypatch: pytest.MonkeyPatch) -> None:
     """A quarter of the draws: enough for which interval stands where."""
-    functions: tuple[Any, ...] = (
-        drawn_report, comparison_with_doubt, certificate_with_doubt, drawn_play, drawn_flight
-    )  # fmt: skip
+    functions: tuple[Any, ...] = (drawn_report, comparison_with_doubt, certificate_with_doubt)
     for function in functions:
         monkeypatch.setitem(function.__kwdefaults__, "count", 256)
 

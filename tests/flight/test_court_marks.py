@@ -8,14 +8,18 @@ import re
 import pytest
 
 from sweetspot import catalog
+from sweetspot.answers.flight import flight_numbers
+from sweetspot.answers.fly import court_of
+from sweetspot.answers.records import to_dict
 from sweetspot.flight.air import VACUUM, Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.court_marks import passages
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.report.flight.court import court_json, court_words
+from sweetspot.report.flight.court import court_words
 from sweetspot.report.quantities import SI, US, reader
+from sweetspot.report.sentences import Sentence
 from sweetspot.units import RPM
 
 
@@ -69,22 +73,23 @@ def test_a_shuttle_falls_steeply_and_hits_alike_land_alike() -> None:
     assert slow.landing.speed == pytest.approx(7.06, abs=0.4)  # its terminal speed: 28 cm^2 and 0.6 at 1.2 kg/m^3
 
 
+def told(flight: Flight, name: str) -> Sentence:
+    sport = catalog.sport(name)
+    return court_words(flight_numbers(flight), court_of(flight, sport, ball=catalog.ball(sport.balls[0])))
+
+
 def test_words_and_json() -> None:
-    cricket, ball = catalog.sport("cricket"), catalog.ball("cricket")
     flight = shot("cricket", 40.0, 35.0, spin=1000)
-    words = court_words(flight, cricket, ball=ball).read(SI)
+    words = told(flight, "cricket").read(SI)
     assert " m in " in words and "over the longest boundary" in words
-    found = court_json(flight, cricket, ball=ball)
+    found = to_dict(court_of(flight, catalog.sport("cricket"), ball=catalog.ball("cricket")))
     assert found["sport"] == "cricket" and [mark["good"] for mark in found["marks"]] == [True, True]
-    tennis = catalog.sport("tennis")
-    assert "short of the net" in str(court_words(shot("tennis", 10.0, 5.0), tennis, ball=catalog.ball("tennis")))
-    low = court_words(shot("tennis", 50.0, 1.0, height=0.3), tennis, ball=catalog.ball("tennis"))
-    assert "below its top" in str(low)
-    just = court_words(shot("tennis", 30.0, 5.2, height=0.8), tennis, ball=catalog.ball("tennis"))
+    assert "short of the net" in str(told(shot("tennis", 10.0, 5.0), "tennis"))
+    assert "below its top" in str(told(shot("tennis", 50.0, 1.0, height=0.3), "tennis"))
+    just = told(shot("tennis", 30.0, 5.2, height=0.8), "tennis")
     assert re.search(r"It passes \d\.\d cm over the net", just.read(SI)), just.read(SI)
     assert re.search(r"It passes \d\.\d in over the net", just.read(US)), "not 0 ft"
-    met = court_words(shot("tennis", 30.0, 5.0, height=0.8), tennis, ball=catalog.ball("tennis")).read(SI)
+    met = told(shot("tennis", 30.0, 5.0, height=0.8), "tennis").read(SI)
     assert met.endswith("cm below its top."), "a ball in the net lands nowhere beyond it"
-    golf = catalog.sport("golf")
-    far = court_words(shot("golf", 70.0, 12.0, spin=2700), golf, ball=catalog.ball("golf"))
-    assert "yd" in far.read(reader(None, golf.words))
+    far = told(shot("golf", 70.0, 12.0, spin=2700), "golf")
+    assert "yd" in far.read(reader(None, catalog.sport("golf").words))

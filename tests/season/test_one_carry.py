@@ -6,12 +6,13 @@ import polars as pl
 import pytest
 
 from sweetspot import catalog
+from sweetspot.answers.fly import FlyQuestion, fly_answer
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.flight.air import USUAL_AIR
 from sweetspot.flight.fence import landing
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.report.document import Paragraph
-from sweetspot.report.flight.document import batted_document, batted_flight
+from sweetspot.report.flight.document import fly_document
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import Sentence
 from sweetspot.season.season_table import season_columns, season_setting
@@ -34,14 +35,12 @@ def test_a_table_says_what_fly_says_of_the_same_ball(club: str, name: str, year:
         exit_speed=103 * MPH, launch_angle=28 * DEGREE, bearing=0.0, temperature=USUAL_AIR.temperature,
         elevation=park.elevation,
     )  # fmt: skip
-    flown = batted_flight(
-        hit, ball=catalog.ball(), sport=catalog.sport("baseball"), aerodynamics=aerodynamics(), park=park
-    )
+    flown = fly_answer(FlyQuestion(hit, catalog.ball(), catalog.sport("baseball"), aerodynamics(), park))
     flight = flown.flight
     assert row["carry_ft"] == pytest.approx(flight.carry / FOOT, abs=0.2)
     assert row["hang_time_s"] == pytest.approx(flight.hang_time, abs=0.005)
     assert row["apex_ft"] == pytest.approx(flight.apex_height / FOOT, abs=0.2)
-    assert row["home_run_here"] == pytest.approx(flown.chance, abs=0.01)
+    assert row["home_run_here"] == pytest.approx(flown.home_run_chance, abs=0.01)
 
 
 def test_no_home_run_is_called_one_that_has_a_chance_of_a_third() -> None:
@@ -50,11 +49,10 @@ def test_no_home_run_is_called_one_that_has_a_chance_of_a_third() -> None:
     hit = BattedBall(
         exit_speed=103 * MPH, launch_angle=28 * DEGREE, bearing=0.0, temperature=22.2, elevation=park.elevation
     )  # fmt: skip
-    flown = batted_flight(
-        hit, ball=catalog.ball(), sport=catalog.sport("baseball"), aerodynamics=aerodynamics(), park=park
-    )
-    assert landing(flown.flight.positions, park).outcome == "home run" and 0.2 < flown.chance < 0.45
-    first = batted_document(flown).blocks[0]
+    flown = fly_answer(FlyQuestion(hit, catalog.ball(), catalog.sport("baseball"), aerodynamics(), park))
+    assert flown.home_run_chance is not None and flown.out_in is not None
+    assert landing(flown.flight.positions, park).outcome == "home run" and 0.2 < flown.home_run_chance < 0.45
+    first = fly_document(flown).blocks[0]
     assert isinstance(first, Paragraph) and isinstance(first.words, Sentence)
     said = first.words.read(US)
     assert "top: such balls stay in more often than not" in said and "home run." not in said.split("likelier")[0]

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from sweetspot.flight.aerodynamics import Aerodynamics
     from sweetspot.flight.sweep import BattedBall, Varied
     from sweetspot.report.document import Document
+    from sweetspot.uncertainty.sources import Sources
     from sweetspot.units import Kind
 
 KINDS: dict[str, Kind] = {
@@ -167,32 +168,32 @@ def _law(launch: LaunchOptions) -> Aerodynamics:
 
 def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions, *, sure: bool) -> Document:
     from sweetspot import catalog
-    from sweetspot.report.flight.document import batted_document, batted_flight
+    from sweetspot.answers.fly import FlyQuestion, fly_answer
+    from sweetspot.report.flight.document import fly_document
 
-    flown = batted_flight(
-        hit, ball=catalog.ball(launch.ball), sport=catalog.sport(catalog.ball_sport(launch.ball)),
-        aerodynamics=_law(launch), park=park_of(air), own_elevation=air.elevation is None,
-    )  # fmt: skip
-    document = batted_document(flown)
-    if not sure:
-        return document
-    from sweetspot.catalog.aerodynamic_laws import drag_spread
-    from sweetspot.flight.conditions import FlightConditions
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
-    from sweetspot.uncertainty.drawn_plays import drawn_flight
+    question = FlyQuestion(
+        hit,
+        ball=catalog.ball(launch.ball),
+        sport=catalog.sport(catalog.ball_sport(launch.ball)),
+        aerodynamics=_law(launch),
+        park=park_of(air),
+        own_elevation=air.elevation is None,
+        sources=_sources(launch, air) if sure else None,
+    )
+    return fly_document(fly_answer(question))
 
-    law = _law(launch)
-    flying = FlightConditions(ball=catalog.ball(launch.ball), aerodynamics=law, air=hit.air, wind=hit.wind)
-    asked = {name: getattr(launch, name) for name in WITH_ERRORS}
-    errors = {
-        name: error_of(None if text == getattr(DEFAULT_LAUNCH, name) else text, KINDS[name], _option(name))
-        for name, text in asked.items()
-    }
-    answers, sources = drawn_flight(
-        flown.flight.launch, flying, spread=drag_spread(law), speed_error=errors["exit_speed"],
-        angle_error=errors["launch_angle"],
-    )  # fmt: skip
-    return uncertain(document, answers, main="carry_m", named="carry", where=sources.described)
+
+def _sources(launch: LaunchOptions, air: AirOptions) -> Sources:
+    """Return what is not known of the flight: its drag, and what was written with an error."""
+    from sweetspot import catalog
+    from sweetspot.answers.flight_draws import flight_sources
+
+    speed, angle = (
+        error_of(None if text == getattr(DEFAULT_LAUNCH, name) else text, KINDS[name], _option(name))
+        for name, text in ((name, getattr(launch, name)) for name in WITH_ERRORS)
+    )
+    law = catalog.aerodynamics_in(park_of(air), _law(launch))
+    return flight_sources(law, speed_error=speed, angle_error=angle)
 
 
 def _table(hit: BattedBall, ranges: list[Varied], cell: str, launch: LaunchOptions, air: AirOptions) -> Document:

@@ -16,6 +16,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
+    from sweetspot.answers.play_question import PlayQuestion
     from sweetspot.cli.options.swing import SwungBat
     from sweetspot.dynamics.reduction import ReducedBat
     from sweetspot.equipment.bat import Bat
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from sweetspot.motion.swing import Conditions
     from sweetspot.report.document import Document
     from sweetspot.report.optimum.answers import AskedLaunch
-    from sweetspot.uncertainty.drawn_plays import PlayAsked
     from sweetspot.uncertainty.sources import Sources
 
 ALL = "all"
@@ -179,14 +179,13 @@ def _sure(
     backspin: float,
 ) -> Document:
     """Return the answer with an interval beside what follows from the best contact, launch angle and park."""
-    from sweetspot.catalog.aerodynamic_laws import drag_spread
+    from sweetspot.answers.flight_draws import drag_source
+    from sweetspot.answers.optimum_draws import AskedPark, drawn_optimum
     from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
-    from sweetspot.uncertainty.drawn_optima import AskedPark, drawn_optimum
-    from sweetspot.uncertainty.drawn_plays import drag_source
     from sweetspot.uncertainty.sources import NOTHING
 
-    known = (sources or NOTHING).with_source(drag_source(drag_spread(flying.aerodynamics)))
+    known = (sources or NOTHING).with_source(drag_source(flying.aerodynamics))
     left = [
         launched(
             speed=one.exit_speed, launch_angle=one.best.launch_angle, backspin=one.backspin, position=USUAL_CONTACT
@@ -203,18 +202,18 @@ def _sure(
     return uncertain(document, answers, main=main, named=named, where=known.described)
 
 
-def _played(swung: _Swung) -> list[PlayAsked]:
+def _played(swung: _Swung) -> list[PlayQuestion]:
     """Return the best contact with every pitch as a play."""
+    from sweetspot.answers.play_question import PlayQuestion
     from sweetspot.collision.hit_in_space import Contact
     from sweetspot.motion.swing_path import SwingPath
-    from sweetspot.uncertainty.drawn_plays import PlayAsked
 
     conditions, plays = swung.conditions, []
     for best, thrown in swung.rows:
         path = SwingPath(attack_angle=best.attack_angle, tilt=max(swung.tilt, abs(best.attack_angle)))
         pitched = conditions.replaced(pitch=conditions.pitch.replaced(speed=thrown.plate.speed))
         contact = Contact(best.position, best.offset)
-        plays.append(PlayAsked(swung.model, pitched, swung.flying, path, thrown.plate, contact))
+        plays.append(PlayQuestion(swung.model, pitched, swung.flying, path, thrown.plate, contact))
     return plays
 
 

@@ -19,9 +19,6 @@ if TYPE_CHECKING:
     from sweetspot.flight.conditions import FlightConditions
     from sweetspot.motion.ball_motion import BallMotion
     from sweetspot.motion.swing_path import SwingPath
-    from sweetspot.report.document import Document
-    from sweetspot.uncertainty.drawn_plays import PlayAsked
-    from sweetspot.uncertainty.sources import Sources
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -88,7 +85,9 @@ def play(
     """Follow one pitch: how the bat meets it, how the ball leaves, how far it flies and whether it is out."""
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import check_conditions
-    from sweetspot.analysis.full_play import play as follow
+    from sweetspot.answers.play import play_answer
+    from sweetspot.answers.play_draws import play_sources
+    from sweetspot.answers.play_question import PlayQuestion
     from sweetspot.cli.hit_command import check_beyond_hands
     from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.options.weather import park_of, through
@@ -96,8 +95,6 @@ def play(
     from sweetspot.collision.hit_in_space import Contact
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.report.play.document import play_document
-    from sweetspot.report.play.played_pitch import PlayedPitch, with_ending
-    from sweetspot.uncertainty.ball_doubt import error_by_ball
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
@@ -107,41 +104,33 @@ def play(
     check_conditions(described, conditions, body=model.body)
     position = parse_position(without_error(meeting.at), length=described.length, what="--at")
     check_beyond_hands(position, conditions.hands.position, meeting.at)
-    under, park = parse(without_error(meeting.offset), "length", "--offset"), park_of(air)
-    off_place, off_ball = error_behind(meeting.at, "length", "--at"), error_behind(meeting.offset, "length", "--offset")
-    along = path_of(path)
+    offset = parse(without_error(meeting.offset), "length", "--offset")
+    place_error = error_behind(meeting.at, "length", "--at")
+    offset_error = error_behind(meeting.offset, "length", "--offset")
     ball = swing.ball or catalog.sport(described.sport).balls[0]
     flying = replace(through(air, ball), ball=conditions.ball)
-    pitch = _pitch_at_plate(arrival, swing, conditions.pitch.speed, flying)
-    with patience():
-        played = follow(
-            model,
-            flying,
-            swing=conditions.swing,
-            path=along,
-            pitch=pitch,
-            contact=Contact(position, under),
+    sources = None
+    if meeting.uncertainty:
+        sources = play_sources(
+            sources_for(bat, described, conditions, swing),
+            flying.aerodynamics,
+            place_error=place_error,
+            offset_error=offset_error,
         )
-    error = None
-    if not meeting.uncertainty and played.flight is not None:  # draws have other balls too
-        error = error_by_ball(
-            described, body=model.body, modes=model.modes, position=position,
-            conditions=conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed)),
-        )  # fmt: skip
-    result = PlayedPitch(
-        play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=along, pitch=pitch,
-        error=error,
-    )  # fmt: skip
-    law = catalog.aerodynamics_of_ball(ball)
-    result = with_ending(result, flying, outdoors=law, park=park)
-    document = play_document(result)
-    if meeting.uncertainty and played.flight is not None:
-        from sweetspot.uncertainty.drawn_plays import PlayAsked
-
-        thrown = conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed))
-        asked = PlayAsked(model, thrown, flying, along, pitch, Contact(position, under))
-        document = _with_intervals(document, asked, sources_for(bat, described, conditions, swing), off_place, off_ball)
-    return present(swung.told(document), output)
+    question = PlayQuestion(
+        model,
+        conditions,
+        flying,
+        path=path_of(path),
+        pitch=_pitch_at_plate(arrival, swing, conditions.pitch.speed, flying),
+        contact=Contact(position, offset),
+        park=park_of(air),
+        outdoors=catalog.aerodynamics_of_ball(ball),
+        sources=sources,
+    )
+    with patience():
+        answer = play_answer(question)
+    return present(swung.told(play_document(answer)), output)
 
 
 def _pitch_at_plate(arrival: ArrivalOptions, swing: SwingOptions, speed: float, flying: FlightConditions) -> BallMotion:
@@ -157,23 +146,6 @@ def _pitch_at_plate(arrival: ArrivalOptions, swing: SwingOptions, speed: float, 
     its_own = given(arrival, "approach_angle", "pitch_backspin", "pitch_sidespin", "height", "forward")
     refuse_unused(its_own, "a pitch without a name", "give --pitch-speed in place of --pitch")
     return pitched(arrival.pitch, arrival.release_speed, flying).plate
-
-
-def _with_intervals(
-    document: Document, asked: PlayAsked, known: Sources, off_place: float, off_ball: float
-) -> Document:
-    """Return the document with what ball, bat, drag and the errors of where they meet, in m, leave open."""
-    from sweetspot.catalog.aerodynamic_laws import drag_spread
-    from sweetspot.cli.output import patience
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
-    from sweetspot.uncertainty.drawn_plays import drag_source, drawn_play, meeting_sources
-
-    sources = known
-    for one in (drag_source(drag_spread(asked.flying.aerodynamics)), *meeting_sources(off_place, off_ball)):
-        sources = sources.with_source(one)
-    with patience():
-        answers = drawn_play(asked, sources)
-    return uncertain(document, answers, main="flight.carry_m", named="carry", where=sources.described)
 
 
 def path_of(options: PathOptions) -> SwingPath:

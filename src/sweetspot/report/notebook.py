@@ -55,7 +55,10 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.analysis.comparison import Comparison
     from sweetspot.analysis.full_play import Play, Plays
+    from sweetspot.answers.flight import FlightAnswer, flight_of
+    from sweetspot.answers.fly import FlyAnswer
     from sweetspot.answers.hit import HitAnswer
+    from sweetspot.answers.play import PlayAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
     from sweetspot.collision.hit_in_space import Strike, Strikes
     from sweetspot.collision.impact import Impact, Impacts
@@ -66,19 +69,32 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.bat.document import described_document, report_document
     from sweetspot.report.certification.document import certification_document
     from sweetspot.report.comparison.document import comparison_document
-    from sweetspot.report.flight.document import flight_document
+    from sweetspot.report.flight.document import flight_document, fly_document
     from sweetspot.report.flight.many_flights import flights_document
     from sweetspot.report.hit.document import hit_document, impact_document
     from sweetspot.report.hit.many_hits import impacts_document
     from sweetspot.report.modes.document import modes_document
     from sweetspot.report.play.bare_play import bare_play_document, strike_document
+    from sweetspot.report.play.document import play_document
     from sweetspot.uncertainty.sources import sources_of
 
     return (
-        (Flight, flight_document), (Comparison, comparison_document), (Certification, certification_document),
+        (Flight, lambda flight: flight_document(flight_of(flight))),
+        (FlyAnswer, fly_document),
+        (FlightAnswer, flight_document),
+        (PlayAnswer, play_document),
+        (Comparison, comparison_document),
+        (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),
-        (ReportAnswer, report_document), (HitAnswer, hit_document), (Impact, impact_document),
+        (ReportAnswer, report_document),
+        (HitAnswer, hit_document),
+        (Impact, impact_document),
         (Implement, described_document),
-        (Impacts, impacts_document), (Strikes, impacts_document), (Flights, flights_document),
-        (Play, bare_play_document), (Plays, bare_play_document), (Strike, strike_document), (Modes, modes_document),
-    )  # fmt: skip
+        (Impacts, impacts_document),
+        (Strikes, impacts_document),
+        (Flights, flights_document),
+        (Play, bare_play_document),
+        (Plays, bare_play_document),
+        (Strike, strike_document),
+        (Modes, modes_document),
+    )

@@ -10,12 +10,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from sweetspot.answers.flight import carry_from_the_hit
 from sweetspot.flight.fence import landing
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import Flight
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.flight.park_picture import draw_fence, draw_field
-from sweetspot.report.flight.words import from_the_hit
 from sweetspot.report.pictures.style import INK, LARGE, MUTED, SMALL, halo, heading, light_grid, styled
 from sweetspot.report.quantities import GREEN, RED, US, Reader
 from sweetspot.report.sentences import Words, read
@@ -67,7 +67,7 @@ def flight_figure(
 def _from_the_hit(flight: Flight) -> Flight:
     """Return a flight whose way over the ground begins at 0, where no home plate is to count from."""
     there = flight.launch.position * np.array([1.0, 1.0, 0.0])
-    return replace(flight, positions=flight.positions - there, carry=from_the_hit(flight))
+    return replace(flight, positions=flight.positions - there, carry=carry_from_the_hit(flight))
 
 
 def draw_side(

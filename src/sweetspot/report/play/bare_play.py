@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sweetspot.analysis.full_play import Play, Plays
+from sweetspot.answers.flight import flight_of
 from sweetspot.collision.hit_in_space import Strike
 from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.flight.document import flight_document
@@ -14,7 +15,7 @@ def bare_play_document(play: Play | Plays) -> Document:
     """Return the flights of plays as a document; of one that missed, how it ended."""
     if isinstance(play, Plays):
         return flights_document(play.flights)
-    return strike_document(play.strike) if play.flight is None else flight_document(play.flight)
+    return strike_document(play.strike) if play.flight is None else flight_document(flight_of(play.flight))
 
 
 def strike_document(strike: Strike) -> Document:

@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle
 
+from sweetspot.answers.play import PlayAnswer
 from sweetspot.report.pictures.style import INK, MUTED, PAPER, SMALL, halo, heading
-from sweetspot.report.play.played_pitch import PlayedPitch
 from sweetspot.report.quantities import BLUE, GREEN, RED, US, Reader
 
 WOOD = "#ecd9b8"
@@ -19,10 +19,12 @@ GAP = 0.004
 """m of drawing between things that must not touch."""
 
 
-def draw_contact(axes: Axes, played: PlayedPitch, reading: Reader = US) -> None:
+def draw_contact(axes: Axes, answer: PlayAnswer, reading: Reader = US) -> None:
     """Draw ball and barrel across the bat's axis, with the speeds before and after and the line of centres."""
-    strike, ball, bat_radius, offset = played.play.strike, played.ball, played.bat_radius, played.offset
-    forward, up, _ = played.path.axes
+    asked, strike = answer.question, answer.play.strike
+    ball, pitch, offset = asked.conditions.ball, asked.pitch, float(answer.offset)
+    bat_radius = float(asked.reduced.bat.width_at(float(answer.position))) / 2
+    forward, up, _ = asked.path.axes
     reach = ball.radius + bat_radius
     lift = math.asin(max(-1.0, min(1.0, offset / reach)))
     tilt = math.atan2(forward[2], math.hypot(forward[0], forward[1]))
@@ -44,14 +46,14 @@ def draw_contact(axes: Axes, played: PlayedPitch, reading: Reader = US) -> None:
     axes.plot(*ends.T, color=MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
     _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED)
     axes.text(0, -bat_radius - GAP, f"bat {speed(strike.bat_speed)}", color=RED, size=SMALL, ha="center", va="top")
-    arriving = turned(played.pitch.velocity)
+    arriving = turned(pitch.velocity)
     leaving = None if strike.launched is None else turned(strike.launched.velocity)
     rises = leaving is None or _along(leaving)[1] >= _along(-arriving)[1]
-    if played.pitch.speed:
-        shaft = max(0.5 * ARROW * played.pitch.speed, 3 * GAP)  # outside the ball, so half as long as the others
+    if pitch.speed:
+        shaft = max(0.5 * ARROW * pitch.speed, 3 * GAP)  # outside the ball, so half as long as the others
         tail = centre + (ball.radius + GAP / 2 + shaft) * _along(-arriving)
         _arrow(axes, tail, centre + (ball.radius + GAP / 2) * _along(-arriving) - tail, BLUE, scale=1)
-        _label(axes, tail, f"pitch {speed(played.pitch.speed)}", BLUE, under=rises)
+        _label(axes, tail, f"pitch {speed(pitch.speed)}", BLUE, under=rises)
     else:
         below = (float(centre[0]), float(centre[1]) - ball.radius - GAP)
         axes.text(*below, "ball at rest", color=BLUE, size=SMALL, ha="center", va="top", path_effects=halo())

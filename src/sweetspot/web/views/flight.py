@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.analysis.full_play import play
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.catalog.sports import aerodynamics_of_ball
 from sweetspot.collision.hit_in_space import Contact, strikes
@@ -22,7 +21,6 @@ from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import Park
-from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
@@ -85,33 +83,27 @@ def carry_map(state: FlightState) -> dict[str, Any]:
 
 def sure(state: FlightState) -> dict[str, Any]:
     """Return the play, or the flight of a ball with its own numbers, with an interval beside each number."""
-    from sweetspot.catalog.aerodynamic_laws import drag_spread
+    from sweetspot.answers.flight import FlightQuestion, flight_answer
+    from sweetspot.answers.flight_draws import flight_sources
+    from sweetspot.answers.play import play_answer
+    from sweetspot.answers.play_draws import play_sources
+    from sweetspot.answers.play_question import PlayQuestion
     from sweetspot.report.flight.document import flight_document
     from sweetspot.report.play.document import play_document
-    from sweetspot.report.play.played_pitch import PlayedPitch
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
-    from sweetspot.uncertainty.drawn_plays import PlayAsked, drag_source, drawn_flight, drawn_play
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     start = _start(state)
     if start.motion is None:
         raise FieldError("offset_in", "the bat misses the ball; there is nothing to be sure of")
-    flying, spread = start.conditions, drag_spread(start.conditions.aerodynamics)
+    flying = start.conditions
     if state.start == "ball":
-        document = flight_document(fly(start.motion, flying))
-        answers, sources = drawn_flight(
-            start.motion, flying, spread=spread, speed_error=0.0, angle_error=0.0, count=PAGE_DRAWS
-        )
-        return told(uncertain(document, answers, main="carry_m", named="carry", where=sources.described))
+        question = FlightQuestion(start.motion, flying, flight_sources(flying.aerodynamics), PAGE_DRAWS)
+        return told(flight_document(flight_answer(question)))
     free_bat, conditions, path, pitch, contact = _met(state, ball_of(state))
-    model, (place, offset) = free_bat.held(conditions.hands), (float(np.asarray(one)) for one in contact)
-    played = play(model, flying, swing=conditions.swing, path=path, pitch=pitch, contact=contact)
-    document = play_document(PlayedPitch(
-        play=played, bat=free_bat.bat, ball=conditions.ball, position=place, offset=offset, path=path, pitch=pitch,
-    ))  # fmt: skip
-    known = sources_for(state, free_bat.bat, conditions).with_source(drag_source(spread))
-    answers = drawn_play(PlayAsked(model, conditions, flying, path, pitch, contact), known, count=PAGE_DRAWS)
-    return told(uncertain(document, answers, main="flight.carry_m", named="carry", where=known.described))
+    known = play_sources(sources_for(state, free_bat.bat, conditions), flying.aerodynamics)
+    model = free_bat.held(conditions.hands)
+    asked = PlayQuestion(model, conditions, flying, path, pitch, contact, sources=known, draws=PAGE_DRAWS)
+    return told(play_document(play_answer(asked)))
 
 
 def fences(state: FlightState) -> dict[str, Any]:

@@ -8,24 +8,31 @@ each draw differs from that carry in the second order only.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sweetspot.analysis.optimum import EasiestHomeRun, easiest_home_run
+from sweetspot.answers.flight_draws import DRAG, dragged, draws_of_sources, flight_columns
+from sweetspot.answers.play_draws import drawn_play
+from sweetspot.answers.play_question import PlayQuestion
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array
-from sweetspot.uncertainty.drawn_plays import DRAG, PlayAsked, dragged, drawn_flights, drawn_play
 from sweetspot.uncertainty.intervals import DrawnAnswers
 from sweetspot.uncertainty.sources import DRAWS, Sources
 
 TOLD = {
-    "exit_speed_m_s": "exit_speed_m_s", "launch_angle_rad": "launch_angle_rad", "spray_rad": "spray_rad",
-    "backspin_rad_s": "backspin_rad_s", "sidespin_rad_s": "sidespin_rad_s", "pitch_speed_m_s": "pitch_speed_m_s",
-    "flight.carry_m": "carry_m", "flight.hang_time_s": "hang_time_s",
-}  # fmt: skip
-"""Answers to a play, by their names in the data of a best swing."""
+    "exit_speed": "exit_speed_m_s",
+    "launch_angle": "launch_angle_rad",
+    "spray": "spray_rad",
+    "backspin": "backspin_rad_s",
+    "sidespin": "sidespin_rad_s",
+    "pitch_speed": "pitch_speed_m_s",
+    "carry": "carry_m",
+    "hang_time": "hang_time_s",
+}
+"""Fields of a play and of its flight, with their names in the data of a best swing."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +46,7 @@ class AskedPark:
 def drawn_optimum(
     sources: Sources,
     *,
-    swings: Sequence[PlayAsked] = (),
+    swings: Sequence[PlayQuestion] = (),
     launches: Sequence[tuple[BallMotion, FlightConditions]] = (),
     parks: Sequence[AskedPark] = (),
     backspin: float = 0.0,
@@ -54,20 +61,19 @@ def drawn_optimum(
     launches : balls as they leave best, and what they fly through.
     parks, backspin : slowest home runs, and with which spin they fly, rad/s.
     """
-    normal = np.vstack([np.zeros((1, len(sources.names))), sources.normal(count)])
-    off = sources.deviations(normal)
-    off[0] = 0.0
+    normal, off = draws_of_sources(sources, count)
     drag = sources.of(DRAG, off)
     values: dict[str, Array] = {}
     for index, asked in enumerate(swings):
-        answers = drawn_play(asked, sources, count=count).values
+        drawn = drawn_play(replace(asked, draws=count), sources)
+        answers = {**drawn.contact, **drawn.flight}
         values |= {f"swings.{index}.{told}": answers[name] for name, told in TOLD.items()}
     for index, (left, flying) in enumerate(launches):
         balls = BallMotions(
             velocity=np.tile(np.asarray(left.velocity), (len(off), 1)), spin=np.asarray(left.spin),
             position=np.asarray(left.position),
         )  # fmt: skip
-        values[f"launches.{index}.carry_m"] = drawn_flights(balls, flying, drag)["carry_m"]
+        values[f"launches.{index}.carry_m"] = flight_columns(balls, flying, drag)["carry"]
     size = float(np.std(drag))
     for index, park in enumerate(parks):
         where = [park.best.direction]  # the fence that asks least
