@@ -59,7 +59,7 @@ class FlyQuestion:
 
 
 @dataclass(frozen=True)
-class CourtMark:
+class PassedMark:
     """A flight at a net, line or boundary; see `Passage` and `sweetspot.equipment.sport.Mark`.
 
     Parameters
@@ -82,7 +82,7 @@ class Court:
     """A flight at every mark of its sport; at none where it did not land."""
 
     sport: str
-    marks: tuple[CourtMark, ...]
+    marks: tuple[PassedMark, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -172,7 +172,7 @@ def court_of(flight: Flight, sport: Sport, *, ball: Ball) -> Court:
     """Return a flight at every mark of its sport."""
     passed = passages(flight, sport.marks, ball=ball) if flight.outcome is FlightOutcome.LANDED else ()
     marks = tuple(
-        CourtMark(
+        PassedMark(
             name=one.mark.name,
             side=one.mark.side,
             distance=one.mark.distance.value,
