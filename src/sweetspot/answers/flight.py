@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields, replace
-from typing import Annotated, Any, TypeVar
+from dataclasses import dataclass, replace
+from typing import Annotated, TypeVar
 
 import numpy as np
 
@@ -107,12 +107,6 @@ def flight_numbers(flight: Flight) -> FlightNumbers:
     )
 
 
-def flight_fields(flight: Flight) -> dict[str, Any]:
-    """Return the fields of `FlightNumbers`, for records that have more."""
-    numbers = flight_numbers(flight)
-    return {field.name: getattr(numbers, field.name) for field in fields(numbers)}
-
-
 def carry_from_the_hit(flight: Flight) -> float:
     """Return m over the ground from where the ball was hit to where it lands, for sports without a home plate."""
     start, end = flight.launch.position, flight.landing.position
@@ -180,7 +174,7 @@ def flight_answer(question: FlightQuestion) -> FlightAnswer:
 
 def flight_of(flight: Flight) -> FlightAnswer:
     """Return a flight that was flown already as an answer, without intervals."""
-    return FlightAnswer(launch=ball_leaving(flight.launch), **flight_fields(flight))
+    return FlightAnswer(launch=ball_leaving(flight.launch), **vars(flight_numbers(flight)))
 
 
 def flight_with_intervals(plain: Flown, question: FlightQuestion) -> Flown:

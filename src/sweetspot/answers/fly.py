@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import Annotated
 
 from sweetspot import catalog
 from sweetspot.answers.flight import (
@@ -13,7 +13,7 @@ from sweetspot.answers.flight import (
     ball_leaving,
     carry_from_the_hit,
     flight_end,
-    flight_fields,
+    flight_numbers,
     flight_with_intervals,
 )
 from sweetspot.answers.records import INTERNAL, Distance, Length
@@ -124,48 +124,49 @@ def fly_answer(question: FlyQuestion) -> FlyAnswer:
     hit = directed(question.hit, ball=ball, aerodynamics=law)
     conditions = FlightConditions(ball=ball, aerodynamics=law, air=hit.air, wind=hit.wind)
     flight = fly(hit.motion, conditions)
-    landed, numbers = flight.outcome is FlightOutcome.LANDED, flight_fields(flight)
+    landed, numbers = flight.outcome is FlightOutcome.LANDED, flight_numbers(flight)
     if landed and sport.key not in BALLPARKS:
-        numbers["carry"] = carry_from_the_hit(flight)
+        numbers = replace(numbers, carry=carry_from_the_hit(flight))
+    spread = _spread(hit, conditions, question.park) if landed and sport.key == "baseball" else 0.0
     plain = FlyAnswer(
-        **numbers,
+        **vars(numbers),
         question=question,
         hit=hit,
         launch=replace(ball_leaving(hit.motion), launch_angle=hit.launch_angle, spray=hit.spray),
         air_density=hit.air.density,
-        **(_alike(hit, conditions, question.park) if landed and sport.key == "baseball" else {}),
-        **(_in_parks(question, hit, flight) if landed and question.park is not None else {}),
+        carry_spread=spread or None,
+        carry_half=REACH * spread or None,
         court=None if sport.key == "baseball" else court_of(flight, sport, ball=ball),
     )
+    if landed and question.park is not None:
+        plain = _in_parks(plain, question.park)
     asked = FlightQuestion(flight.launch, conditions, question.sources, question.draws)
     return flight_with_intervals(plain, asked)
 
 
-def _alike(hit: BattedBall, conditions: FlightConditions, park: Park | None) -> dict[str, Any]:
-    """Return how far apart balls hit alike come down, by the fields of `FlyAnswer`."""
+def _spread(hit: BattedBall, conditions: FlightConditions, park: Park | None) -> float:
+    """Return how far apart balls hit alike come down: m, one standard deviation; 0: nobody knows."""
     known = {} if hit.backspin is None else {"spin_scatter": 0.0}  # a measured spin is no other than it is
-    spread = carry_spread(hit.motion, conditions, drag_scatter=USUAL.drag(park), **known)
-    return {"carry_spread": spread, "carry_half": REACH * spread} if spread else {}
+    return carry_spread(hit.motion, conditions, drag_scatter=USUAL.drag(park), **known)
 
 
-def _in_parks(question: FlyQuestion, hit: BattedBall, flight: Flight) -> dict[str, Any]:
-    """Return where the flight ends in its park, and the same ball's chances there and everywhere."""
-    park, parks = question.park, catalog.parks()
-    assert park is not None
-    outdoors = FlightConditions(
-        ball=question.ball, aerodynamics=question.aerodynamics, air=hit.air, wind=hit.wind
-    )  # the scatter of chances knows of roofs
+def _in_parks(plain: FlyAnswer, park: Park) -> FlyAnswer:
+    """Return an answer with where the flight ends in its park, and the same ball's chances there and everywhere."""
+    question, hit, parks = plain.question, plain.hit, catalog.parks()
+    # the scatter of chances knows of roofs
+    outdoors = FlightConditions(ball=question.ball, aerodynamics=question.aerodynamics, air=hit.air, wind=hit.wind)
     here, *everywhere = [
         float(home_run_chances(hit.motion, outdoors, parks=(one,), own_elevation=question.own_elevation).chance[0, 0])
         for one in (park, *parks)
     ]
-    return {
-        "fence": flight_end(flight, park),
-        "out_in": sum(map(is_likely, everywhere)),
-        "parks": len(parks),
-        "home_run_chance": here,
-        "expected_out_in": sum(everywhere),
-    }
+    return replace(
+        plain,
+        fence=flight_end(plain.flight, park),
+        out_in=sum(map(is_likely, everywhere)),
+        parks=len(parks),
+        home_run_chance=here,
+        expected_out_in=sum(everywhere),
+    )
 
 
 def court_of(flight: Flight, sport: Sport, *, ball: Ball) -> Court:
