@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +14,15 @@ import pytest
 from sweetspot import catalog
 from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.season.bat_surface import ANGLE_ERROR, SPEED_ERROR, exit_speeds, surface_of
 from sweetspot.season.made_up import LIKE_THE_LEAGUE, MadeSeason, made_season
 from sweetspot.season.pooling import pooled, spread_of
-from sweetspot.season.season_drag import drag_by_month
+from sweetspot.season.season_drag import DragOfMonth, drag_by_month, home_runs_with
 from sweetspot.season.season_table import Season, analyse_season, season_setting
 from sweetspot.season.standings import all_standings
 from sweetspot.units import INCH, MPH
@@ -370,3 +374,26 @@ def test_places_that_a_club_measured_are_learned_from(
         assert one.setting.contact is not None
         errors.append(np.diag(one.setting.contact.relation.covariance)[1])
     assert errors[0] < 0.95 * errors[1]
+
+
+def test_home_runs_by_the_season_s_own_drag() -> None:
+    # exact: the kernel's chances with 6 % more drag in every park are those of the law's, shifted
+    parks, ball = catalog.parks(), catalog.ball()
+    through = FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(), air=Air(temperature=22.0))
+    balls = BallMotions(velocity=[(3.0 * side, 41.5, 23.0) for side in range(-5, 6)], spin=(200.0, 0.0, 0.0))
+    more = replace(USUAL, roof_shift=USUAL.roof_shift + 0.06, open_shift=USUAL.open_shift + 0.06)
+    by_law, truth = (
+        home_run_chances(balls, through, parks=parks, scatter=scatter).chance.ravel() for scatter in (USUAL, more)
+    )
+    names = [park.name for park in parks] * 11
+    counted = pl.LazyFrame({"park": names, "home_run_here": by_law, "event": ["fly out"] * len(names)})
+    law, own = home_runs_with(counted, drag_of(1.0, 0.0)), home_runs_with(counted, drag_of(1.06, 0.01))
+    assert law is not None and own is not None
+    assert (law.low, law.value, law.high) == pytest.approx((by_law.sum(),) * 3)
+    assert 1 < own.value < 0.95 * law.value and own.low < own.value < own.high
+    assert own.value == pytest.approx(truth.sum(), rel=1e-6)
+    assert home_runs_with(counted.with_columns(event=pl.lit("Home Run")), drag_of(1.06, 0.01)) is None
+
+
+def drag_of(drag: float, error: float) -> DragOfMonth:
+    return DragOfMonth("all", drag, error, flies=100, games=10)

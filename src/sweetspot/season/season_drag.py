@@ -9,7 +9,11 @@ from itertools import pairwise
 import numpy as np
 import polars as pl
 
-from sweetspot.numerics.confidence import ROBUST_SCALE
+from sweetspot.catalog.ballparks import park
+from sweetspot.errors import InputError
+from sweetspot.flight.home_runs import USUAL
+from sweetspot.numerics.confidence import REACH, ROBUST_SCALE
+from sweetspot.numerics.interval import Interval
 
 FEWEST = 20
 """Fly balls below which nothing is said."""
@@ -17,6 +21,9 @@ CLIP = 3.0
 """Standard deviations beyond which a ball counts as one at that distance: balls off walls and wrong readings."""
 SENSITIVE = -20.0
 """m per unit of the logarithm of drag; balls whose carry hangs on drag less than so tell nothing of it."""
+
+SELECTED = 0.5
+"""Part of the balls that are home runs, above which a table was made of home runs."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +87,43 @@ def _drag(rows: pl.DataFrame, month: str) -> DragOfMonth:
     error = float(np.sqrt(np.sum(pull**2) * len(pull) / max(len(pull) - 1, 1)) / np.sum(slope**2))
     drag = float(np.exp(change))
     return DragOfMonth(month, drag, drag * error, len(rows), games)
+
+
+def home_runs_with(counted: pl.LazyFrame, drag: DragOfMonth) -> Interval | None:
+    """Return how many home runs the balls would be if all flew with a drag over the law's; 90 % by its error.
+
+    A chance is that of a normal scatter of drag, sigma wide in that park, so drag that is f times the law's makes c
+    into Phi(Phi^-1(c) - (f - 1) / sigma).
+
+    Parameters
+    ----------
+    counted : groups and measures of balls.
+
+    Returns
+    -------
+    Interval or None
+        None for a table without chances, or of hardly anything but home runs, which were selected by their carry.
+    """
+    from scipy.special import ndtr, ndtri
+
+    gone = (pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").fill_null(value=False)
+    known = counted.filter(pl.col("home_run_here").is_not_null()).select("park", "home_run_here", gone=gone).collect()
+    if not len(known) or np.mean(known["gone"].to_numpy()) > SELECTED:
+        return None
+    scatters = {name: _scatter(name) for name in known["park"].unique()}
+    scatter = known["park"].replace_strict(scatters, return_dtype=pl.Float64).to_numpy()
+    chance = ndtri(known["home_run_here"].cast(pl.Float64).to_numpy())
+    half = REACH * drag.error
+    least, middle, most = (float(ndtr(chance - (drag.drag + off - 1) / scatter).sum()) for off in (half, 0.0, -half))
+    return Interval(middle, least, most)
+
+
+def _scatter(name: str | None) -> float:
+    """Return the standard deviation of drag in a park; that in the open where it is no park of the catalogue."""
+    try:
+        return USUAL.drag(None if name is None else park(name))
+    except InputError:
+        return USUAL.drag(None)
 
 
 def residuals(counted: pl.LazyFrame, *, by: str, edges: Sequence[float]) -> pl.DataFrame:

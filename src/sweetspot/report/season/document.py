@@ -14,7 +14,7 @@ from sweetspot.numerics.interval import Interval
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
-from sweetspot.report.season.left_over import KINDS, left_over_by, left_over_words
+from sweetspot.report.season.left_over import KINDS, left_over_by, left_over_words, own_drag_words
 from sweetspot.report.season.standing_columns import with_units
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.counted import WITH
@@ -156,6 +156,7 @@ def _headline(report: SeasonReport) -> list[Sentence]:
     if np.isfinite(means["home_run_here"]) and np.isfinite(means["home_runs"]):
         told.append(say("Home runs: {expected} expected in the parks they were hit in, {real} hit.",
                         expected=grouped(means['home_run_here']), real=grouped(means['home_runs'])))  # fmt: skip
+        told += own_drag_words(report.counted, report.drag)
     if np.isfinite(means.get("squared_up", np.nan)):
         told.append(say("Squared up (0.80 of what the bat could give): {own} of the balls, against {bat}.",
                         own=Slot(means["squared_up"], "share"), bat=_bats(season)))  # fmt: skip

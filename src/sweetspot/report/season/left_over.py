@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import polars as pl
 
 from sweetspot.numerics.confidence import REACH
-from sweetspot.report.sentences import Sentence, Slot, say
-from sweetspot.season.season_drag import FEWEST, residuals, residuals_in
+from sweetspot.report.sentences import Sentence, Slot, say, within
+from sweetspot.season.season_drag import FEWEST, DragOfMonth, home_runs_with, residuals, residuals_in
 from sweetspot.units import DEGREE, MPH
 
 
@@ -80,3 +80,15 @@ def _slot(value: float, error: float) -> Slot:
 
 def _where(table: pl.DataFrame, row: int, kind: Kind) -> str | Slot:
     return Slot(table["middle"][row], kind.scale, digits=0) if kind.scale else str(table["name"][row])
+
+
+def own_drag_words(counted: pl.LazyFrame, months: Sequence[DragOfMonth]) -> list[Sentence]:
+    """Return what the season's own drag would change of the expected home runs, which fly with the law's."""
+    home_runs = home_runs_with(counted, months[0]) if months else None
+    if home_runs is None:
+        return []
+    words = (
+        "They fly with the usual drag; the season's own, by its tracked distances, is {drag} of that, and with it "
+        "{home_runs} would be expected."
+    )
+    return [say(words, drag=Slot(months[0].drag, "ratio", 3), home_runs=within(home_runs, "count"))]
