@@ -13,9 +13,7 @@ from sweetspot.cli.options.written_errors import error_of, without_error
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.analysis.drop_test import Rebound
     from sweetspot.dynamics.block import Block
-    from sweetspot.equipment.ball import Ball
 
 DEFAULT_HEIGHT = "1m"
 
@@ -57,39 +55,29 @@ def drop(
 ) -> int:
     """Drop or fire a ball on a block: rebound height, restitution, contact time and where the energy goes."""
     from sweetspot import catalog
-    from sweetspot.cli.output import present
+    from sweetspot.analysis.drop_test import ROOM_AIR
+    from sweetspot.answers.drop import DropQuestion, drop_answer
+    from sweetspot.answers.drop_draws import drop_sources
+    from sweetspot.cli.output import patience, present
     from sweetspot.report.drop.document import drop_document
+    from sweetspot.units import parse
 
     if fall.height is not None and fall.speed is not None:
         raise InputError("give either --height or --speed, and only one of them")
     hit, ball = block_of(block), catalog.ball(fall.ball)
     if fall.speed is not None and fall.in_air:
         raise InputError("--in-air slows a ball that falls; with --speed it arrives as it is told to")
-    rebound = _rebound(hit, ball, fall)
-    document = drop_document(rebound, fired=fall.speed is not None)
-    if uncertainty:
-        from sweetspot.cli.output import patience
-        from sweetspot.report.uncertainty.uncertainty_section import uncertain
-        from sweetspot.uncertainty.drawn_drops import drawn_drop, drop_sources
-
-        sources = drop_sources(rebound, speed_error=error_of(fall.speed, "speed", "--speed"))
-        with patience():
-            answers = drawn_drop(rebound, sources, lambda block, ball, more: _rebound(block, ball, fall, faster=more))
-        document = uncertain(
-            document, answers, main="restitution", named="restitution", where=sources.described,
-        )  # fmt: skip
-    return present(document, output)
-
-
-def _rebound(hit: Block, ball: Ball, fall: FallOptions, *, faster: float = 0.0) -> Rebound:
-    """Return the test of a block and a ball, ``faster`` by so many m/s than --speed says."""
-    from sweetspot.analysis import drop_test as drops
-    from sweetspot.units import parse
-
-    if fall.speed is not None:
-        return drops.fire(hit, ball=ball, speed=parse(without_error(fall.speed), "speed", "--speed") + faster)
-    height = parse(fall.height or DEFAULT_HEIGHT, "length", "--height")
-    return drops.drop(hit, ball=ball, height=height, air_density=drops.ROOM_AIR if fall.in_air else 0.0)
+    question = DropQuestion(
+        hit,
+        ball,
+        height=None if fall.speed is not None else parse(fall.height or DEFAULT_HEIGHT, "length", "--height"),
+        speed=None if fall.speed is None else parse(without_error(fall.speed), "speed", "--speed"),
+        air_density=ROOM_AIR if fall.in_air else 0.0,
+        sources=drop_sources(hit, ball, speed_error=error_of(fall.speed, "speed", "--speed")) if uncertainty else None,
+    )
+    with patience():
+        answer = drop_answer(question)
+    return present(drop_document(answer), output)
 
 
 def block_of(options: BlockOptions) -> Block:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
@@ -34,11 +34,11 @@ def pendulum(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Turn the period of a hanging bat into its moment of inertia, or back, as laboratories measure it."""
+    from sweetspot.answers.pendulum import PendulumQuestion, pendulum_answer
+    from sweetspot.calibration.measured import Measured
     from sweetspot.cli.output import present
-    from sweetspot.dynamics import rigid
-    from sweetspot.report.document import Cell, Column, Document, Table
-    from sweetspot.report.sentences import Slot, say
-    from sweetspot.units import OUNCE_INCH_SQUARED, parse
+    from sweetspot.report.pendulum.document import pendulum_document
+    from sweetspot.units import parse
 
     if (period is None) == (moi is None):
         raise InputError("give either --period or --moi, and only one of them")
@@ -47,47 +47,22 @@ def pendulum(
     axis = parse(alone(pivot), "length", "--pivot")
     if not weight > 0:
         raise InputError(f"--mass was given as {mass}; allowed is a weight above zero")
-    if moi is not None:
-        inertia = parse(alone(moi), "moi", "--moi")
-        seconds = rigid.pendulum_period(inertia, mass=weight, balance_point=balance, pivot=axis)
-    else:
-        assert period is not None  # one of the two was given
-        seconds = parse(alone(period), "time", "--period")
-        inertia = rigid.moi_from_pendulum(seconds, mass=weight, balance_point=balance, pivot=axis)
-    given = f"--moi was given as {moi}" if period is None else f"--period was given as {period}"
-    _check_body(inertia, weight, balance, axis, given=given, balance_given=balance_point)
-    percussion = axis + inertia / (weight * (balance - axis))
-    about = say("moment of inertia about {pivot}", pivot=Slot(axis, "place", round=True))
-    rows: list[tuple[Cell, Cell]] = [
-        ("period", Slot(seconds, "time", 4, of="period_s")),
-        (about, Slot(inertia, "moi", of="moi_kg_m2")),
-        ("centre of percussion, from the knob end", Slot(percussion, "length", of="center_of_percussion_m")),
-    ]
-    data = {
-        "period_s": seconds, "moi_kg_m2": inertia, "moi_oz_in2": inertia / OUNCE_INCH_SQUARED, "pivot_m": axis,
-        "center_of_percussion_m": percussion,
-    }  # fmt: skip
-    document = Document(
-        name="pendulum", title="Pendulum", blocks=[Table("", [Column(""), Column("value", right=True)], rows)],
-        data=data, rows={name: [value] for name, value in data.items()},
-    )  # fmt: skip
-    if uncertainty:
-        from sweetspot.calibration.measured import Measured
-        from sweetspot.report.uncertainty.uncertainty_section import uncertain
-        from sweetspot.uncertainty.drawn_pendulums import Hung, drawn_pendulum, pendulum_sources
-
-        timed = moi is None
-        swung = error_of(period, "time", "--period") if timed else error_of(moi, "moi", "--moi")
-        hung = Hung(
-            mass=Measured(weight, error_of(mass, "mass", "--mass")),
-            balance_point=Measured(balance, error_of(balance_point, "length", "--balance-point")),
-            pivot=Measured(axis, error_behind(pivot, "length", "--pivot")),
-            swung=Measured(seconds if timed else inertia, swung), timed=timed,
-        )  # fmt: skip
-        main, named = ("moi_kg_m2", "moment of inertia") if timed else ("period_s", "period")
-        where = pendulum_sources(hung).described
-        document = uncertain(document, drawn_pendulum(hung), main=main, named=named, where=where)
-    return present(document, output)
+    kind: Literal["moi", "time"] = "moi" if period is None else "time"
+    option, swung = ("--moi", moi) if period is None else ("--period", period)
+    value = parse(alone(str(swung)), kind, option)
+    question = PendulumQuestion(
+        mass=Measured(weight, error_of(mass, "mass", "--mass") if uncertainty else 0.0),
+        balance_point=Measured(balance, error_of(balance_point, "length", "--balance-point") if uncertainty else 0.0),
+        pivot=Measured(axis, error_behind(pivot, "length", "--pivot") if uncertainty else 0.0),
+        swung=Measured(value, error_of(swung, kind, option) if uncertainty else 0.0),
+        timed=period is not None,
+        uncertain=uncertainty,
+    )
+    answer = pendulum_answer(question)
+    _check_body(
+        float(answer.moi), weight, balance, axis, given=f"{option} was given as {swung}", balance_given=balance_point
+    )
+    return present(pendulum_document(answer), output)
 
 
 def _check_body(inertia: float, weight: float, balance: float, axis: float, *, given: str, balance_given: str) -> None:

@@ -55,9 +55,11 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.analysis.comparison import Comparison
     from sweetspot.analysis.full_play import Play, Plays
+    from sweetspot.answers.drop import DropAnswer
     from sweetspot.answers.flight import FlightAnswer, flight_of
     from sweetspot.answers.fly import FlyAnswer
     from sweetspot.answers.hit import HitAnswer
+    from sweetspot.answers.pendulum import PendulumAnswer
     from sweetspot.answers.play import PlayAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
     from sweetspot.collision.hit_in_space import Strike, Strikes
@@ -69,11 +71,13 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.bat.document import described_document, report_document
     from sweetspot.report.certification.document import certification_document
     from sweetspot.report.comparison.document import comparison_document
+    from sweetspot.report.drop.document import drop_document
     from sweetspot.report.flight.document import flight_document, fly_document
     from sweetspot.report.flight.many_flights import flights_document
     from sweetspot.report.hit.document import hit_document, impact_document
     from sweetspot.report.hit.many_hits import impacts_document
     from sweetspot.report.modes.document import modes_document
+    from sweetspot.report.pendulum.document import pendulum_document
     from sweetspot.report.play.bare_play import bare_play_document, strike_document
     from sweetspot.report.play.document import play_document
     from sweetspot.uncertainty.sources import sources_of
@@ -83,6 +87,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (FlyAnswer, fly_document),
         (FlightAnswer, flight_document),
         (PlayAnswer, play_document),
+        (DropAnswer, drop_document),
+        (PendulumAnswer, pendulum_document),
         (Comparison, comparison_document),
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),

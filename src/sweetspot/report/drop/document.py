@@ -2,109 +2,73 @@
 
 from __future__ import annotations
 
-import math
-from typing import Any
-
-from sweetspot.analysis.drop_test import Rebound
-from sweetspot.collision.impact import EnergyLedger
+from sweetspot.answers.drop import DropAnswer
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SI
 from sweetspot.report.sentences import Slot, say
+from sweetspot.report.uncertainty.uncertainty_section import how_sure
 
 SUPPORTS = {"clamped": "clamped at its edges", "floor": "lying on a floor", "free": "free"}
 
 
-def drop_document(rebound: Rebound, *, fired: bool) -> Document:
-    """Return a drop test as a document; in SI unless somebody says otherwise, as its laboratories have it.
-
-    Parameters
-    ----------
-    fired : whether the ball was fired at the block rather than dropped.
-    """
-    flat, ledger = _columns(rebound), _ledger(rebound.impact.energy)
-    energies = {f"energy_{name}_j": joules for name, joules in ledger.items()}
-    blocks: list[Block] = [Table("", [Column(""), Column("value", right=True)], _rows(rebound, fired=fired))]
-    if rebound.deflection > rebound.block.thickness:
+def drop_document(answer: DropAnswer) -> Document:
+    """Return a drop test as a document; in SI unless somebody says otherwise, as its laboratories have it."""
+    blocks: list[Block] = [Table("", [Column(""), Column("value", right=True)], _rows(answer))]
+    if float(answer.deflection) > float(answer.thickness):
         bent = say(
             "Beware: the block gives way by {deflection}, more than its thickness: real plates are stiffer then.",
-            deflection=Slot(rebound.deflection, "pressed", of="deflection_m"),
+            deflection=Slot(answer.deflection, "pressed"),
         )
         blocks.append(Paragraph(bent, "warning"))
+    if answer.uncertainty is not None:
+        blocks.append(how_sure(answer.uncertainty, "restitution"))
+    data = answer.to_dict()
+    flat = {name: value for name, value in data.items() if not isinstance(value, dict) and name != "outcome"}
+    energies = {f"energy_{name}_j": joules for name, joules in data["energy_j"].items()}
     return Document(
-        name="drop", title="A ball on a block", kind="Drop test", blocks=blocks,
-        data=flat | {"energy_j": ledger, "outcome": rebound.impact.outcome.name.lower()},
-        rows={name: [value] for name, value in (flat | energies).items()}, reader=SI,
-    )  # fmt: skip
+        name="drop",
+        title="A ball on a block",
+        kind="Drop test",
+        blocks=blocks,
+        data=data,
+        rows={name: [value] for name, value in (flat | energies).items()},
+        reader=SI,
+    )
 
 
-def _columns(rebound: Rebound) -> dict[str, Any]:
-    """Return the answer without its energies, SI with the unit in every name."""
-    block = rebound.block
-    return {
-        "material": block.material.name,
-        "thickness_m": block.thickness,
-        "side_m": block.length,
-        "block_mass_kg": block.mass,
-        "support": block.support,
-        "ball": rebound.ball.name,
-        "fall_speed_m_s": rebound.fall_speed,
-        "fall_height_m": rebound.fall_height,
-        "terminal_speed_m_s": None if rebound.terminal == math.inf else rebound.terminal,
-        "rebound_speed_m_s": rebound.rebound_speed,
-        "rebound_height_m": rebound.rebound,
-        "restitution": rebound.restitution,
-        "energy_kept": rebound.energy_kept,
-        "block_share": rebound.share,
-        "deflection_m": rebound.deflection,
-        "contact_time_s": rebound.impact.contact_time,
-        "peak_force_n": rebound.impact.peak_force,
-        "peak_compression_m": rebound.impact.peak_compression,
-    }
-
-
-def _ledger(energy: EnergyLedger) -> dict[str, float]:
-    return {
-        "incoming": energy.incoming,
-        "ball": energy.ball,
-        "heat": energy.heat,
-        "block_translation": energy.translation,
-        "block_vibration": energy.bending,
-        "block_damping": energy.damping,
-    }
-
-
-def _rows(rebound: Rebound, *, fired: bool) -> list[tuple[Cell, Cell]]:
-    block, impact = rebound.block, rebound.impact
+def _rows(answer: DropAnswer) -> list[tuple[Cell, Cell]]:
     made_of = say(
-        "{material}, {thickness} thick, {mass}, {support}", material=block.material.name,
-        support=SUPPORTS[block.support], thickness=Slot(block.thickness, "pressed"),
-        mass=Slot(block.mass, "mass", of="block_mass_kg"),
-    )  # fmt: skip
+        "{material}, {thickness} thick, {mass}, {support}",
+        material=answer.material,
+        support=SUPPORTS[answer.support],
+        thickness=Slot(answer.thickness, "pressed"),
+        mass=Slot(answer.block_mass, "mass"),
+    )
     rows: list[tuple[Cell, Cell]] = [
         ("block", made_of),
-        ("the ball meets it at", Slot(rebound.fall_speed, "speed", 2, of="fall_speed_m_s")),
-        ("leaves it at", Slot(rebound.rebound_speed, "speed", 2, of="rebound_speed_m_s")),
+        ("the ball meets it at", Slot(answer.fall_speed, "speed", 2)),
+        ("leaves it at", Slot(answer.rebound_speed, "speed", 2)),
     ]
-    if not fired:
-        still = rebound.terminal == math.inf
-        air: Cell = "none, no air" if still else Slot(rebound.terminal, "speed", of="terminal_speed_m_s")
+    if answer.question.speed is None:
+        terminal = answer.terminal_speed
         rows += [
-            ("falls from", Slot(rebound.fall_height, "place")),
-            ("comes back to", Slot(rebound.rebound, "place", of="rebound_height_m")),
-            ("terminal speed in the air", air),
+            ("falls from", Slot(answer.fall_height, "place")),
+            ("comes back to", Slot(answer.rebound_height, "place")),
+            ("terminal speed in the air", "none, no air" if terminal is None else Slot(terminal, "speed")),
         ]
     rows += [
-        ("restitution e", Slot(rebound.restitution, "ratio", 4, of="restitution")),
-        ("energy kept by the ball", Slot(rebound.energy_kept, "share", 1, of="energy_kept")),
-        ("energy the block would hold, pressed slowly", Slot(rebound.share, "share", 2, of="block_share")),
-        ("contact time", Slot(impact.contact_time, "contact", 2, of="contact_time_s")),
-        ("peak force", Slot(impact.peak_force, "weight", of="peak_force_n")),
+        ("restitution e", Slot(answer.restitution, "ratio", 4)),
+        ("energy kept by the ball", Slot(answer.energy_kept, "share", 1)),
+        ("energy the block would hold, pressed slowly", Slot(answer.block_share, "share", 2)),
+        ("contact time", Slot(answer.contact_time, "contact", 2)),
+        ("peak force", Slot(answer.peak_force, "weight")),
     ]
-    for name, joules in _ledger(impact.energy).items():
+    incoming = float(answer.energy.incoming)
+    for name, joules in vars(answer.energy).items():
         size = say(
             "{joules}, {part}",
-            joules=Slot(joules, "energy", 3, of=f"energy_j.{name}"),
-            part=Slot(joules / impact.energy.incoming, "share", 1),
+            joules=Slot(joules, "energy", 3),
+            part=Slot(float(joules) / incoming, "share", 1),
         )
         rows.append((f"energy: {name.replace('_', ' ')}", size))
     return rows

@@ -9,33 +9,36 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sweetspot.answers.pendulum import PendulumQuestion, pendulum_answer
 from sweetspot.calibration.measured import Measured
 from sweetspot.numerics.confidence import REACH
-from sweetspot.uncertainty.drawn_pendulums import Hung, drawn_pendulum
+from sweetspot.numerics.interval import Interval
 
-HUNG = Hung(
+HUNG = PendulumQuestion(
     mass=Measured(0.88, 0.003), balance_point=Measured(0.56, 0.001), pivot=Measured(0.1524, 0.0),
-    swung=Measured(1.4545, 0.003), timed=True,
+    swung=Measured(1.4545, 0.003), timed=True, uncertain=True,
 )  # fmt: skip
 
 
 def test_a_moment_by_a_period() -> None:
     """I goes as M d T^2: the parts of its variance are those of M, of d and four times those of T."""
-    answers = drawn_pendulum(HUNG)
+    answer = pendulum_answer(HUNG)
     parts = np.array([0.003 / 0.88, 0.001 / (0.56 - 0.1524), 2 * 0.003 / 1.4545]) ** 2
-    moi, reach = answers.values["moi_kg_m2"][0], answers.reach("moi_kg_m2")
-    half = REACH * moi * parts.sum() ** 0.5
-    assert [float(reach.below), float(reach.above)] == pytest.approx([half, half], rel=0.03)  # T^2 is crooked
-    shares = answers.shares("moi_kg_m2")
+    moi = answer.moi
+    assert isinstance(moi, Interval) and answer.uncertainty is not None
+    half = REACH * moi.value * parts.sum() ** 0.5
+    assert [moi.value - moi.low, moi.high - moi.value] == pytest.approx([half, half], rel=0.03)  # T^2 is crooked
+    shares = answer.uncertainty.shares
     told = [shares[name] for name in ("weight", "balance point", "period")]
     assert told == pytest.approx((parts / parts.sum()).tolist(), abs=0.01)
     assert shares["together"] < 0.001
 
 
 def test_a_period_by_a_moment_goes_back() -> None:
-    moi = drawn_pendulum(HUNG).values["moi_kg_m2"][0]
-    back = replace(HUNG, swung=Measured(float(moi), 0.001), timed=False)
-    assert drawn_pendulum(back).values["period_s"][0] == pytest.approx(1.4545)
+    moi = float(pendulum_answer(HUNG).moi)
+    back = pendulum_answer(replace(HUNG, swung=Measured(moi, 0.001), timed=False))
+    assert float(back.period) == pytest.approx(1.4545)
+    assert isinstance(back.period, Interval) and back.uncertainty is not None and back.uncertainty.of == "period"
 
 
 def test_the_command(run_json: Callable[..., Any], run: Callable[..., tuple[int, str, str]]) -> None:

@@ -10,9 +10,10 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.drop_test import Rebound, fire
+from sweetspot.answers.drop_draws import drawn_drop, drop_sources
 from sweetspot.dynamics.block import Block
 from sweetspot.equipment.ball import Ball
-from sweetspot.uncertainty.drawn_drops import drawn_drop, drop_sources
+from sweetspot.uncertainty.intervals import interval_ends, variance_shares
 from sweetspot.uncertainty.sources import OF_BALL
 
 SPEED = 8.0
@@ -25,19 +26,20 @@ def fired(block: Block, ball: Ball, more: float) -> Rebound:
 def test_draws_are_tests_done_anew() -> None:
     block = Block(material=catalog.material("white-ash"), thickness=0.05)
     rebound = fired(block, catalog.ball(), 0.0)
-    sources = drop_sources(rebound, speed_error=0.3)
-    answers = drawn_drop(rebound, sources, fired, count=64)
-    off = sources.deviations(answers.normal)
-    assert answers.values["restitution"][0] == pytest.approx(rebound.restitution)
+    sources = drop_sources(block, catalog.ball(), speed_error=0.3)
+    drawn = drawn_drop(rebound, sources, fired, count=64)
+    off = sources.deviations(drawn.normal)
+    restitution = drawn.drop["restitution"]
+    assert restitution[0] == pytest.approx(rebound.restitution)
     column = sources.names.index(f"{OF_BALL}restitution")
     law = rebound.ball.restitution
-    row = int(np.argmax(np.abs(answers.normal[:, column])))
+    row = int(np.argmax(np.abs(drawn.normal[:, column])))
     alone = np.zeros_like(off[row])
     alone[column] = off[row, column]
     other = rebound.ball.replaced(restitution=law.replaced(reference=law.reference + alone[column]))
     done = fired(block, other, 0.0).restitution
-    shares = answers.shares("restitution")
-    low, high = answers.ends("restitution")
+    shares = variance_shares(drawn.normal[1:], sources.names, restitution[1:])
+    low, high = interval_ends(restitution[1:])
     assert max(shares, key=lambda name: shares[name]).startswith(OF_BALL)
     assert low < rebound.restitution < high
     assert abs(done - rebound.restitution) == pytest.approx(abs(alone[column]), rel=0.2)  # e is the ball's on a block
