@@ -81,6 +81,12 @@ ADDITIONS = {
         "from sweetspot import catalog\nassert catalog.material('moon-wood').density == 600\n"
         "assert catalog.bat('r161-ash').with_material(catalog.material('moon-wood'))\n",
     ),
+    "a measuring system": Addition(
+        {"tables/headings.toml": '\n[systems.moon]\nname = "Moon radar"\nmarks = [["luna"]]\n\n[systems.moon.columns]\n'
+         'luna = "exit_speed mph"\n'},
+        "from sweetspot.player.columns import columns_of\nfrom sweetspot.season.headings import headings_of\n"
+        "assert headings_of(['LUNA']).system == columns_of(['Luna'], file_name='f').system == 'Moon radar'\n",
+    ),
     "a bat": Addition(
         {"catalog/bats/club-x.toml": (ROOT / "catalog/bats/r161-ash.toml").read_text(encoding="utf-8")},
         "from sweetspot import catalog\nassert 'club-x' in catalog.bat_names() and catalog.bat('club-x').mass\n",

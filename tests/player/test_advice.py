@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.analysis.comparison import compare
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -41,6 +40,7 @@ from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.team import best_option
 from sweetspot.report.player.words import answers, findings, notes
 from sweetspot.report.quantities import US
+from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import FOOT, INCH, MPH
 from tests.real_data import real_file
 

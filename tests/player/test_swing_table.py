@@ -74,11 +74,11 @@ def test_only_what_is_needed_is_read(small: Path, tmp_path: Path) -> None:
     from sweetspot.player.columns import columns_of
 
     table = open_swings(path)
-    columns = columns_of(table.headings, units=None, file_name="swings.parquet")
+    columns = columns_of(table.headings, file_name="swings.parquet")
     rows = table.rows(columns, "592450")
     assert [line for line, _ in rows] == [2, 6]
     assert all(len(cells) == table.width(columns) == 7 for _, cells in rows)
-    assert columns.ignored == ("des",)
+    assert columns.passed == ("des",)
     with pytest.raises(InputError, match="is not in"):
         read_swings(path, length=0.84, batter="1")
     with pytest.raises(InputError, match="of 2 batters"):

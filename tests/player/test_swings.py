@@ -7,15 +7,18 @@ import gzip
 import math
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError
 from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
-from sweetspot.player.columns import columns_of, simplified
+from sweetspot.player.columns import columns_of
 from sweetspot.player.player_swing import PlayerSwing, check_enough
 from sweetspot.player.swings import Swings, evenly, read_swings
+from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.headings import GivenColumns
+from sweetspot.tables.vocabulary import simplified
 from sweetspot.units import INCH, MPH, insisting
 from tests.real_data import real_file
 
@@ -29,8 +32,8 @@ def written(folder: Path, *lines: str, name: str = "swings.csv") -> Path:
     return path
 
 
-def read(path: Path, pitch_speed: float | None = 82 * MPH, **given: str) -> Swings:
-    return read_swings(path, length=LENGTH, pitch_speed=pitch_speed, **given)  # type: ignore[arg-type]
+def read(path: Path, pitch_speed: float | None = 82 * MPH, **more: Any) -> Swings:
+    return read_swings(path, length=LENGTH, pitch_speed=pitch_speed, **more)
 
 
 def test_plain_columns_in_any_order_with_units(tmp_path: Path) -> None:
@@ -80,7 +83,7 @@ def test_units_missing_are_refused_with_what_to_do(tmp_path: Path) -> None:
     path = written(tmp_path, "bat_speed,exit_speed", "70,95")
     with pytest.raises(InputError, match=r"no unit.*bat_speed_mph.*--file-units us"):
         read(path)
-    assert read(path, units="us").swings[0].bat_speed == pytest.approx(70 * MPH)
+    assert read(path, given=GivenColumns(units="us")).swings[0].bat_speed == pytest.approx(70 * MPH)
     with pytest.raises(InputError, match="unknown unit"):
         read(written(tmp_path, "bat_speed_knots,exit_speed_mph", "70,95"))
 
@@ -155,7 +158,7 @@ def test_a_long_file_is_thinned_evenly_and_says_so() -> None:
 
 def test_names_are_simplified_and_systems_recognised() -> None:
     assert simplified(" Bat  Speed (MPH) ") == "bat_speed_mph"
-    assert columns_of(["bat_speed", "launch_speed", "launch_angle"], units=None, file_name="f").system == "Statcast"
+    assert columns_of(["bat_speed", "launch_speed", "launch_angle"], file_name="f").system == "Statcast"
 
 
 def test_real_statcast_files() -> None:
@@ -232,7 +235,7 @@ def test_unknown_columns_are_told_with_what_may_be_meant(tmp_path: Path) -> None
     lines = [f"red,{ball},{bat},{ball}" for bat, ball in ROWS]
     found = read(written(tmp_path, "colour,exit_velocty,bat_speed_mph,exit_speed_mph", *lines))
     note = next(note for note in found.notes if note.startswith("Columns not understood"))
-    assert "'colour'" in note and "'exit_velocty' (did you mean exit_velocity?)" in note
+    assert "'colour'" in note and "'exit_velocty' (did you mean exit_velocity_mph?)" in note
 
 
 def test_too_few_swings_are_refused_unless_somebody_insists(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from sweetspot.errors import InputError
 from sweetspot.player.model import bats_of
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.swings import batters, read_swings
+from sweetspot.tables.headings import GivenColumns
 from sweetspot.units import FOOT, INCH, MPH
 
 LENGTH = 33 * INCH
@@ -46,6 +47,20 @@ def test_cells_are_read_by_their_own_unit(tmp_path: Path) -> None:
         read_swings(bare, length=LENGTH, pitch_speed=0.0)
     other = written(tmp_path, "Bat Speed (mph)", "66.1 furlongs", "67")
     assert "'66.1 furlongs', not a number" in read_swings(other, length=LENGTH).bad_rows[0].reason
+
+
+def test_places_in_cells_count_from_the_end_that_they_name(tmp_path: Path) -> None:
+    """Exact: 27 in from the knob of a bat of 33 in are 6 in from its tip."""
+    path = written(tmp_path, "bat_speed_mph,exit_speed_mph,Position", "66,88,6in-from-tip", "66,89,27 in from knob")
+    found = read_swings(path, length=LENGTH, pitch_speed=0.0).swings
+    assert [one.position for one in found] == pytest.approx([6 * INCH, 6 * INCH])
+
+
+def test_headings_that_a_person_names_may_stand_below_others(tmp_path: Path) -> None:
+    path = written(tmp_path, "My cage,,", "Tempo,Schlag", *(f"{95 + row},{130 + row}" for row in range(30)))
+    said = GivenColumns({"bat_speed": "Tempo:km/h", "exit_speed": "Schlag:km/h"})
+    found = read_swings(path, length=LENGTH, pitch_speed=0.0, given=said)
+    assert len(found.swings) == 30 and found.swings[0].bat_speed == pytest.approx(95 / 3.6)
 
 
 def test_one_batter_however_his_name_is_spelt(tmp_path: Path) -> None:

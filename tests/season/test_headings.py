@@ -17,9 +17,10 @@ from sweetspot.report.quantities import US
 from sweetspot.report.season.document import season_document, season_report
 from sweetspot.report.season.one_player import player_page
 from sweetspot.season.batters import require_batter
-from sweetspot.season.headings import headings_of, quantities
+from sweetspot.season.headings import headings_of
 from sweetspot.season.made_up import MadeSeason, made_season
 from sweetspot.season.season_table import analyse_season, season_columns, season_setting
+from sweetspot.tables.headings import GivenColumns
 from tests.season.conftest import made_up
 
 STATCAST_36 = [
@@ -124,7 +125,7 @@ def test_plain_names_carry_their_units() -> None:
         (["exit_speed_deg"], "has the unit deg, which is no speed"),
         (["launch_angle", "bat_speed", "hc_x"], "swings alone|no column for exit speed"),
         (["launch_angle", "hc_x"], "no column for exit speed"),  # rather than that the angle has no unit
-        (["exit_speed_mph", "launch_angle"], "column launch_angle has no unit"),
+        (["exit_speed_mph", "bat_speed"], "column bat_speed has no unit"),
     ],
 )
 def test_a_doubt_is_one_line_that_names_the_column(names: list[str], words: str) -> None:
@@ -134,30 +135,27 @@ def test_a_doubt_is_one_line_that_names_the_column(names: list[str], words: str)
 
 
 def test_a_measurement_without_a_unit_is_left_alone_and_named() -> None:
-    found = headings_of(["exit_speed_mph", "Attack Angle", "Temperature (°F)", "Hang Time", "note"])
-    assert found.passed == ("Attack Angle", "note") and found.columns["temperature"].unit == "°f"
-    assert found.notes == ("Attack Angle has no unit and is left alone; attack_angle_deg, say, would be read",)
+    found = headings_of(["exit_speed_mph", "Distance", "Temperature (°F)", "Hang Time", "note"])
+    assert found.passed == ("Distance", "note") and found.columns["temperature"].unit == "°f"
+    assert found.notes == ("Distance has no unit and is left alone; distance_ft, say, would be read",)
 
 
 def test_a_person_may_say_what_a_column_is() -> None:
-    found = headings_of(["Tempo", "Winkel"], given={"exit_speed": "Tempo:km/h", "launch_angle": "Winkel:deg"})
+    found = headings_of(
+        ["Tempo", "Winkel"], given=GivenColumns({"exit_speed": "Tempo:km/h", "launch_angle": "Winkel:deg"})
+    )
     assert found.columns["exit_speed"].factor == pytest.approx(1 / 3.6)
     with pytest.raises(InputError, match="no column 'Tempi'"):
-        headings_of(["Tempo"], given={"exit_speed": "Tempi"})
+        headings_of(["Tempo"], given=GivenColumns({"exit_speed": "Tempi"}))
     with pytest.raises(InputError, match="exit_sped is no quantity"):
-        headings_of(["Tempo"], given={"exit_sped": "Tempo"})
+        headings_of(["Tempo"], given=GivenColumns({"exit_sped": "Tempo"}))
 
 
 def test_who_says_which_column_is_the_exit_speed_has_no_leaderboard() -> None:
     names = ["launch_speed", "batted_ball_events"]
     with pytest.raises(InputError, match="leaderboard"):
         headings_of(names)
-    assert headings_of(names, given={"exit_speed": "launch_speed"}).columns["exit_speed"].unit == "mph"
-
-
-def test_every_quantity_has_a_name_that_people_may_use() -> None:
-    for name, entry in quantities().items():
-        assert entry["kind"] and ("plain" in entry or "statcast" in entry), name
+    assert headings_of(names, given=GivenColumns({"exit_speed": "launch_speed"})).columns["exit_speed"].unit == "mph"
 
 
 def trackman() -> pl.DataFrame:

@@ -12,6 +12,7 @@ from polars.testing import assert_frame_equal
 from sweetspot.cli import main
 from sweetspot.flight.air import USUAL_AIR
 from sweetspot.season.season_table import season_columns, season_setting
+from sweetspot.tables.headings import GivenColumns
 from tests.season.conftest import made_up
 
 COLUMNS = {
@@ -75,7 +76,7 @@ def test_weather_moves_chances_as_far_as_measured() -> None:
         "game_date": ["2025-06-01"] * 4, "temperature_f": degrees,
     })  # fmt: skip
     found = season_columns(
-        frame, setting=season_setting(contact=False), given={"launch_direction": "direction_deg:deg"}
+        frame, setting=season_setting(contact=False), given=GivenColumns({"launch_direction": "direction_deg:deg"})
     ).collect()  # fmt: skip
     park = catalog.park("CHC", 2025)
     ball = usual_launch(np.array([103 * MPH]), np.radians([28.0]), np.zeros(1), left=np.zeros(1, bool))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
 from sweetspot.errors import InputError
 
@@ -60,6 +61,7 @@ class ShotOptions:
         Path | None, Parameter(help="CSV of shots at places: ball_in_mph, ball_out_mph, position_in_from_tip.")
     ] = None
     ball: Annotated[str | None, Parameter(help="Ball of the shots; default: the sport's.")] = None
+    columns: ColumnOptions = DEFAULT_COLUMNS
 
 
 @Parameter(name="*")
@@ -108,7 +110,7 @@ def calibrate(
     tapped, damping = _tapped(own, rung.tap or [], rung.at or [])
     measurements += tapped + [_tone(text, own) for text in rung.tone or []]
     if shot.shots is not None:
-        told, of_ball = _shot(own, shot.shots, shot.ball)
+        told, of_ball = _shot(own, shot.shots, shot)
         measurements += told
         unknowns = (*unknowns, of_ball)
     elif shot.ball is not None:
@@ -191,7 +193,7 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     return telling(of_tones(test.tones), own), pooled(bending)
 
 
-def _shot(own: Implement, path: Path, ball: str | None) -> tuple[list[Measurement], Unknown]:
+def _shot(own: Implement, path: Path, given: ShotOptions) -> tuple[list[Measurement], Unknown]:
     """Return what shots say at each place, and how lively their balls may be."""
     from sweetspot import catalog
     from sweetspot.analysis.certification.shots import read_shots
@@ -203,10 +205,10 @@ def _shot(own: Implement, path: Path, ball: str | None) -> tuple[list[Measuremen
         raise InputError(
             f"--shots tell of bats only; {own.name} is calibrated by weight, balance, swing weight and tap"
         )
-    read = read_shots(path, length=own.length)
+    read = read_shots(path, length=own.length, given=given.columns.given())
     for bad in read.bad_rows:
         print(f"sweetspot: {path}, row {bad.row} was left out: {bad.reason}", file=sys.stderr)
-    used = standard_conditions(own).ball if ball is None else catalog.ball(ball)
+    used = standard_conditions(own).ball if given.ball is None else catalog.ball(given.ball)
     return of_shots(read.shots, used), shot_ball_unknown(read.shots, used)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.uncertainty import Uncertainty
 from sweetspot.errors import InputError
@@ -35,6 +36,7 @@ class ShotOptions:
     standard_ball_cor: Annotated[
         str | None, Parameter(help="Restitution that shots are normalised to; default: the ball's at 60 mph.")
     ] = None
+    columns: ColumnOptions = DEFAULT_COLUMNS
 
 
 DEFAULT_SHOTS = ShotOptions()
@@ -77,7 +79,7 @@ def certify(
             tested = tested_by_model(described, leagues, ball=chosen)
     else:
         body = rigid_body(beam_model(described))
-        read, test = _measured(shots, described, body=body, ball=chosen, standard=standard_ball_cor)
+        read, test = _measured(shooting, shots, described, body=body, ball=chosen)
         tested = held_to_rules(described, leagues, ball=chosen, body=body, test=test, shots=read)
     if wall_that_passes:
         with patience():
@@ -137,12 +139,13 @@ def _walls(leagues: list[League], bat: Bat, ball: Ball) -> list[tuple[League, Pa
     ]
 
 
-def _measured(path: Path, bat: Bat, *, body: RigidBody, ball: Ball, standard: str | None) -> tuple[Shots, Measured]:
+def _measured(given: ShotOptions, path: Path, bat: Bat, *, body: RigidBody, ball: Ball) -> tuple[Shots, Measured]:
     from sweetspot.analysis.certification.shot_statistics import measure
     from sweetspot.analysis.certification.shots import read_shots
     from sweetspot.units import parse
 
-    read = read_shots(path, length=bat.length)
+    read = read_shots(path, length=bat.length, given=given.columns.given())
+    standard = given.standard_ball_cor
     wanted = None if standard is None else parse(standard, "ratio", "--standard-ball-cor")
     return read, measure(
         read.shots, bat=bat, body=body, ball=ball, standard_restitution=wanted, unused=read.bad_rows

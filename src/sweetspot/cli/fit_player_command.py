@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError, maybe_meant, spelt_almost
@@ -42,14 +43,12 @@ class FileOptions:
         Parameter(help="Which bat a name in the file is: 'Victus Nox=nox.toml'; may be given again."),
     ] = None
     pitch_speed: Annotated[str | None, Parameter(help="At the plate, for rows without one: 82mph, or tee.")] = None
-    file_units: Annotated[
-        Literal["us", "metric"] | None, Parameter(help="Of the file's columns whose heading names no unit.")
-    ] = None
     batter: Annotated[
         str | None, Parameter(help="Whose rows to use, where the file has several; all: a team sheet.")
     ] = None
     bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip"
     ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
+    columns: ColumnOptions = DEFAULT_COLUMNS
 
 
 @Parameter(name="*")
@@ -75,7 +74,7 @@ DEFAULT_FILE, DEFAULT_WANTED = FileOptions(), WantedOptions()
 
 
 def fit_player(
-    file: Annotated[Path, Parameter(help="CSV or Parquet, a row per swing: Blast, HitTrax, Statcast or plain.")],
+    file: Annotated[Path, Parameter(help="CSV or Parquet, a row per swing: Blast, HitTrax, Statcast, ... or plain.")],
     /,
     *,
     given: FileOptions = DEFAULT_FILE,
@@ -132,7 +131,7 @@ def _team(
         return Teammate(name, replace(alone, weighted=None), _advised(posterior, wanted, goal, air, given).lighter())
 
     with progress("reading the swings") as report:
-        fits = side_by_side(fit, batters(file, units=given.file_units), progress=report)
+        fits = side_by_side(fit, batters(file, given=given.columns.given()), progress=report)
     known = [(name, fit) for name, fit in fits if not isinstance(fit, str)]
     left_out = [f"{name}: {why}" for name, why in fits if isinstance(why, str)]
     if not known:
@@ -178,7 +177,7 @@ def _read(file: Path, given: FileOptions, own: Bat | None = None) -> tuple[Swing
     is_settled = own is not None
     own = load(given.bat or DEFAULT_BAT) if own is None else own
     table = read_swings(
-        file, length=own.length, units=given.file_units, pitch_speed=_arriving(given), batter=given.batter
+        file, length=own.length, given=given.columns.given(), pitch_speed=_arriving(given), batter=given.batter
     )
     good, bats, bad, notes = bats_of(table.swings, load=load, stand_in_for=stand_in_for)
     if given.bat is None and not is_settled:  # the file says itself what is swung

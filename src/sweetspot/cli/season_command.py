@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.weather import DEFAULT_GAMES_AIR, GamesAirOptions
 from sweetspot.errors import InputError
@@ -16,6 +17,7 @@ from sweetspot.units import grouped
 
 if TYPE_CHECKING:
     from sweetspot.season.season_table import Season
+    from sweetspot.tables.headings import GivenColumns
 
 
 @Parameter(name="*")
@@ -47,28 +49,13 @@ class SwungOptions:
 
 @Parameter(name="*")
 @dataclass(frozen=True)
-class ColumnOptions:
-    """What the columns of the tables mean."""
+class SeasonColumnOptions:
+    """What the columns of the tables mean, and whether that is all that is asked."""
 
-    column: Annotated[
-        list[str] | None,
-        Parameter(help="What a heading means, where it is not understood: exit_speed=EV:mph; may be repeated."),
-    ] = None
+    columns: ColumnOptions = DEFAULT_COLUMNS
     show_columns: Annotated[
         bool, Parameter(negative="", help="Print what the columns of the files mean, and stop.")
     ] = False
-
-    def given(self) -> dict[str, str]:
-        """Return the heading of each quantity that was named."""
-        headings = {}
-        for text in self.column or []:
-            quantity, equals, heading = text.partition("=")
-            if not equals or not heading:
-                raise InputError(
-                    f"--column was given as {text!r}; give quantity=heading, for example exit_speed=EV:mph"
-                )
-            headings[quantity.strip()] = heading.strip()
-        return headings
 
 
 @Parameter(name="*")
@@ -101,7 +88,7 @@ class WorkOptions:
         return ""
 
 
-DEFAULT_SWUNG, DEFAULT_COLUMNS, DEFAULT_WORK = SwungOptions(), ColumnOptions(), WorkOptions()
+DEFAULT_SWUNG, DEFAULT_SEASON_COLUMNS, DEFAULT_WORK = SwungOptions(), SeasonColumnOptions(), WorkOptions()
 
 
 def season(
@@ -109,7 +96,7 @@ def season(
     /,
     *,
     bats: SwungOptions = DEFAULT_SWUNG,
-    columns: ColumnOptions = DEFAULT_COLUMNS,
+    columns: SeasonColumnOptions = DEFAULT_SEASON_COLUMNS,
     air: GamesAirOptions = DEFAULT_GAMES_AIR,
     player: Annotated[
         str | None, Parameter(help="A batter's number or name: a page to print of that player alone.")
@@ -122,7 +109,7 @@ def season(
     from sweetspot.season.own_tables import tables_of_balls
     from sweetspot.season.season_table import temporary_folder
 
-    given = columns.given()
+    given = columns.columns.given()
     if columns.show_columns:
         return _show_columns(files, given)
     if output.out is None and work.needs_folder:
@@ -187,7 +174,7 @@ def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
     return code
 
 
-def _show_columns(files: list[Path], given: dict[str, str]) -> int:
+def _show_columns(files: list[Path], given: GivenColumns) -> int:
     from sweetspot.season.season_table import temporary_folder
     from sweetspot.season.table_file import open_table
 

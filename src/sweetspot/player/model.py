@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.catalog.bats import bat_names
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.equipment.ball import Ball
@@ -30,6 +29,7 @@ from sweetspot.player.off_centre import (
 )
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import ANYBODY, NAMES, Population, fixed, log_prior, natural, priors
+from sweetspot.tables.bad_row import BadRow
 
 PLACES_TAKEN = 2
 """Of the tabled places every second is summed over: half an inch is well below what the scatter can be told to."""

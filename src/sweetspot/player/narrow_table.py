@@ -7,8 +7,9 @@ import io
 from pathlib import Path
 
 from sweetspot.errors import InputError
-from sweetspot.player.columns import SYSTEMS, columns_of, simplified
+from sweetspot.player.columns import columns_of
 from sweetspot.player.swing_table import open_swings
+from sweetspot.tables.vocabulary import simplified, systems
 
 
 def narrow_csv(path: Path) -> str:
@@ -25,9 +26,9 @@ def narrow_csv(path: Path) -> str:
     table = open_swings(path)
     if not table.headings:
         raise InputError(f"{path} is empty; it needs a line of column names, for example bat_speed_mph, exit_speed_mph")
-    columns = columns_of(table.headings, units=None, file_name=str(path))
-    kept = [(one.heading, one.index) for one in table.narrowed(columns).understood.values()]
-    marks = {name for system in SYSTEMS for name in system.marks}
+    columns = columns_of(table.headings, file_name=str(path))
+    kept = [(one.heading, one.index) for one in table.narrowed(columns).columns.values()]
+    marks = {name for system in systems() for marks in system.marks for name in marks}
     known = {heading for heading, _ in kept}
     named = [one for one in table.headings if simplified(one) in marks and one.strip() not in known]
     text = io.StringIO()

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import median
 
-from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.player.columns import NEEDED
+from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import INCH, MPH, USUAL, check_usual, insisted, is_usual, shown
 
 FASTEST_BAT, FASTEST_BALL, FASTEST_PITCH = 100 * MPH, 130 * MPH, USUAL["pitch_speed"].high * MPH

@@ -11,14 +11,15 @@ import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sweetspot.errors import InputError, first_line
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, SEPARATORS, is_larger, pointed, read_text, table_rows
 from sweetspot.numerics.whole_parquet import reading_parquet
-from sweetspot.player.columns import Column, Columns, is_heading_line
+from sweetspot.player.columns import is_heading_line
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
 
 if TYPE_CHECKING:
     import polars as pl
@@ -70,19 +71,19 @@ class SwingTable(ABC):
     """Rows below the swings that sum them up; they are not among the rows."""
 
     @abstractmethod
-    def narrowed(self, columns: Columns) -> Columns:
+    def narrowed(self, columns: Headings) -> Headings:
         """Return the columns as they stand in the rows that are given."""
 
     @abstractmethod
-    def width(self, columns: Columns) -> int:
+    def width(self, columns: Headings) -> int:
         """Return how many cells a whole row has."""
 
     @abstractmethod
-    def rows(self, columns: Columns, batter: str | None = None) -> Lines:
+    def rows(self, columns: Headings, batter: str | None = None) -> Lines:
         """Return the rows, of one batter where one is named."""
 
     @abstractmethod
-    def batters(self, columns: Columns) -> list[str]:
+    def batters(self, columns: Headings) -> list[str]:
         """Return the names of the batters, in the order of the alphabet."""
 
 
@@ -96,25 +97,25 @@ class TextTable(SwingTable):
         self._lines, self.summaries = rows[:whole], rows[whole:]
         self._parted: dict[int, dict[str, tuple[str, Lines]]] = {}
 
-    def narrowed(self, columns: Columns) -> Columns:
+    def narrowed(self, columns: Headings) -> Headings:
         """Return the columns as they are: cells stand as in the file."""
         return columns
 
-    def width(self, columns: Columns) -> int:  # noqa: ARG002 - all columns are there
+    def width(self, columns: Headings) -> int:  # noqa: ARG002 - all columns are there
         """Return how many cells a whole row has."""
         return len(self.headings)
 
-    def rows(self, columns: Columns, batter: str | None = None) -> Lines:
+    def rows(self, columns: Headings, batter: str | None = None) -> Lines:
         """Return the rows, of one batter where one is named."""
         return self._lines if batter is None else self._by_batter(columns).get(one_name(batter), ("", ()))[1]
 
-    def batters(self, columns: Columns) -> list[str]:
+    def batters(self, columns: Headings) -> list[str]:
         """Return the names of the batters, in the order of the alphabet."""
         return sorted(name for name, _ in self._by_batter(columns).values() if name)
 
-    def _by_batter(self, columns: Columns) -> dict[str, tuple[str, Lines]]:
+    def _by_batter(self, columns: Headings) -> dict[str, tuple[str, Lines]]:
         """Return every batter's name as it is first spelt and his rows, by the name as it is compared."""
-        place = columns.understood["batter"].index
+        place = columns.columns["batter"].index
         if place not in self._parted:
             parts: dict[str, list[tuple[int, list[str]]]] = {}
             spelt: dict[str, str] = {}
@@ -143,17 +144,17 @@ class ScannedTable(SwingTable):
         self.headings = tuple(name for name in self._schema.names() if name != self.LINE)
         self._all: dict[str, pl.DataFrame] | None = None
 
-    def narrowed(self, columns: Columns) -> Columns:
+    def narrowed(self, columns: Headings) -> Headings:
         """Return the columns as they stand in the rows: only those that mean something are there."""
         order = {column.index: place for place, column in enumerate(self._needed(columns))}
-        known = {name: replace(column, index=order[column.index]) for name, column in columns.understood.items()}
-        return replace(columns, understood=known)
+        known = {name: replace(column, index=order[column.index]) for name, column in columns.columns.items()}
+        return replace(columns, columns=known)
 
-    def width(self, columns: Columns) -> int:
+    def width(self, columns: Headings) -> int:
         """Return how many cells a whole row has."""
-        return len(columns.understood)
+        return len(columns.columns)
 
-    def rows(self, columns: Columns, batter: str | None = None) -> Lines:
+    def rows(self, columns: Headings, batter: str | None = None) -> Lines:
         """Return the rows, of one batter where one is named; others are not read."""
         if batter is not None and self._all is not None:
             named = next((name for name in self._all if one_name(name) == one_name(batter)), None)
@@ -163,7 +164,7 @@ class ScannedTable(SwingTable):
             frame = frame.filter(self._is(columns, batter))
         return self._lines(self._collected(frame.select(self.LINE, *self._cells(columns))))
 
-    def batters(self, columns: Columns) -> list[str]:
+    def batters(self, columns: Headings) -> list[str]:
         """Return the names of the batters; the rows of all are kept, for they will be asked for one after another."""
         if self._all is None:
             import polars as pl
@@ -193,26 +194,26 @@ class ScannedTable(SwingTable):
         except (pl.exceptions.PolarsError, OSError) as error:
             raise InputError(f"{self.path} cannot be read as a table: {first_line(error)}") from None
 
-    def _needed(self, columns: Columns) -> list[Column]:
-        return sorted(columns.understood.values(), key=lambda column: column.index)
+    def _needed(self, columns: Headings) -> list[TableColumn]:
+        return sorted(columns.columns.values(), key=lambda column: column.index)
 
-    def _cells(self, columns: Columns) -> list[pl.Expr]:
+    def _cells(self, columns: Headings) -> list[pl.Expr]:
         import polars as pl
 
         names = [self.headings[column.index] for column in self._needed(columns)]
         return [pl.col(name).cast(pl.String).fill_null("") for name in names]
 
-    def _named(self, columns: Columns) -> pl.Expr:
+    def _named(self, columns: Headings) -> pl.Expr:
         import polars as pl
 
-        name = self.headings[columns.understood["batter"].index]
+        name = self.headings[columns.columns["batter"].index]
         return pl.col(name).cast(pl.String).str.strip_chars().str.strip_suffix(".0")
 
-    def _is(self, columns: Columns, batter: str) -> pl.Expr:
+    def _is(self, columns: Headings, batter: str) -> pl.Expr:
         """Return whether a row is a batter's; numbers are compared as such, so that parts of a file are skipped."""
         import polars as pl
 
-        name = self.headings[columns.understood["batter"].index]
+        name = self.headings[columns.columns["batter"].index]
         if self._schema[name].is_integer() and batter.lstrip("-").isdigit():
             return pl.col(name) == int(batter)
         return self._named(columns).str.to_lowercase().str.replace_all(r"\s+", " ") == " ".join(batter.split()).lower()
@@ -224,8 +225,12 @@ class ScannedTable(SwingTable):
         return tuple((line, cells) for line, cells in rows if any(cell.strip() for cell in cells))
 
 
-def open_swings(path: Path) -> SwingTable:
+def open_swings(path: Path, given: GivenColumns = NOTHING_GIVEN) -> SwingTable:
     """Return a file of swings; the last one is kept, for a league is asked for player after player.
+
+    Parameters
+    ----------
+    given : what a person says of the columns, some of whose headings may be no others' names.
 
     Raises
     ------
@@ -234,7 +239,7 @@ def open_swings(path: Path) -> SwingTable:
     """
     if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV or Parquet file with a row per swing")
-    return _opened(path, _signature(path))
+    return _opened(path, _signature(path), given.told)
 
 
 def _signature(path: Path) -> tuple[int, int]:
@@ -246,14 +251,15 @@ def _signature(path: Path) -> tuple[int, int]:
 
 
 @lru_cache(maxsize=1)
-def _opened(path: Path, signature: tuple[int, int]) -> SwingTable:  # noqa: ARG001 - a changed file is another file
+def _opened(path: Path, signature: tuple[int, int], told: frozenset[str]) -> SwingTable:  # noqa: ARG001 - a changed file is another file
     if path.suffix.lower() in PARQUET:
         return _scanned_parquet(path)
     if is_larger(path, most=MOST_TABLE_BYTES):
-        return _scanned_csv(path)
+        return _scanned_csv(path, told)
     text = read_text(path, most=MOST_TABLE_BYTES, advice=ADVICE)
-    lines = list(table_rows(text, path, is_heading=is_heading_line))
-    first = next((place for place, (_, cells) in enumerate(lines) if is_heading_line(cells)), None)
+    is_heading = partial(is_heading_line, told=told)
+    lines = list(table_rows(text, path, is_heading=is_heading))
+    first = next((place for place, (_, cells) in enumerate(lines) if is_heading(cells)), None)
     return TextTable(tuple(lines[:PREAMBLE] if first is None else lines[first:]))
 
 
@@ -266,11 +272,11 @@ def _scanned_parquet(path: Path) -> SwingTable:
         return ScannedTable(path, pl.scan_parquet(path, row_index_name=ScannedTable.LINE, row_index_offset=1))
 
 
-def _scanned_csv(path: Path) -> SwingTable:
+def _scanned_csv(path: Path, told: frozenset[str]) -> SwingTable:
     """Return a large CSV file: every cell as text, for the same rules as a small one's are to hold."""
     import polars as pl
 
-    separator = _separator(path)
+    separator = _separator(path, told)
     try:
         frame = pl.scan_csv(
             path, separator=separator, infer_schema=False, truncate_ragged_lines=True, encoding="utf8-lossy",
@@ -281,7 +287,7 @@ def _scanned_csv(path: Path) -> SwingTable:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
 
 
-def _separator(path: Path) -> str:
+def _separator(path: Path, told: frozenset[str]) -> str:
     """Return what stands between the cells of a large CSV file, which begins with its headings."""
     try:
         with gzip.open(path) if path.suffix == ".gz" else path.open("rb") as file:
@@ -289,7 +295,7 @@ def _separator(path: Path) -> str:
     except (OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} is damaged: {error}") from None
     for separator in SEPARATORS:
-        if is_heading_line(first.split(separator)):
+        if is_heading_line(first.split(separator), told):
             return separator
     raise InputError(
         f"{path} is larger than {MOST_TABLE_BYTES / 1e6:g} MB and its first line names no column for bat speed or exit "

@@ -9,22 +9,15 @@ from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 
-from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
-from sweetspot.player.columns import (
-    NEEDED,
-    TEXTS,
-    Column,
-    Columns,
-    Units,
-    columns_of,
-    day_of,
-    maybe_a_column,
-)
+from sweetspot.player.columns import NEEDED, TEXTS, columns_of, day_of, maybe_a_column
 from sweetspot.player.player_swing import TOO_FAST, PlayerSwing, check_speeds, fault_of, full_swings
 from sweetspot.player.swing_table import Lines, SwingTable, one_name, open_swings
-from sweetspot.units import insisted, shown, shown_speed
+from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import EMPTY, cell_in_si, require_units
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
+from sweetspot.units import insisted, parse_position, shown, shown_speed
 
 FEW = 20
 """Swings below which the intervals are said to be wide."""
@@ -35,7 +28,6 @@ FOUL, BUNT = "foul", "bunt"
 FEWEST_TOO_FAST, PART_TOO_FAST = 3, 0.1
 """Rows, and part of all rows, from which balls too fast for the pitch speed say that it is wrong. Our choice."""
 ZERO = re.compile(r"[-+]?0*\.?0*(?:\s*[^\d\s.].*)?")
-EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 
 
 @dataclass(frozen=True)
@@ -67,16 +59,16 @@ def read_swings(
     path: Path,
     *,
     length: float,
-    units: Units | None = None,
+    given: GivenColumns = NOTHING_GIVEN,
     pitch_speed: float | None = None,
     batter: str | None = None,
 ) -> Swings:
-    """Return the swings of a file, plain or of Blast, HitTrax or Statcast: CSV, also packed with gzip, or Parquet.
+    """Return the swings of a file, plain or of a measuring system: CSV, also packed with gzip, or Parquet.
 
     Parameters
     ----------
     length : of the player's bat in m, for positions from the knob.
-    units : of columns whose heading has none.
+    given : what a person says of the columns.
     pitch_speed : m/s at the plate, for rows without one; 0: a tee.
     batter : whose rows to use, where the file has several batters.
 
@@ -86,13 +78,14 @@ def read_swings(
         when the file cannot be read, lacks what is needed, holds several batters and none was named, or has no good
         row.
     """
-    table = open_swings(path)
+    table = open_swings(path, given)
     if not table.headings:
         raise InputError(f"{path} is empty; it needs a line of column names, for example bat_speed_mph, exit_speed_mph")
-    understood = columns_of(table.headings, units=units, file_name=str(path))
+    understood = columns_of(table.headings, given=given, file_name=str(path))
     rows = _of_batter(table, understood, batter, path)
     columns, width = table.narrowed(understood), table.width(understood)
     columns, unmeasured = _measured(rows, columns)
+    require_units(rows, columns, str(path))
     read = [_read(line, cells, columns, width=width, length=length, pitch_speed=pitch_speed) for line, cells in rows]
     good = [one for one in read if isinstance(one, PlayerSwing)]
     bad = [one for one in read if isinstance(one, BadRow)]
@@ -111,14 +104,14 @@ def read_swings(
         bad_rows=tuple(bad),
         without_swing=sum(one is None for one in read),
         system=columns.system,
-        ignored_columns=columns.ignored,
+        ignored_columns=columns.passed,
         notes=(*unmeasured, *_notes(good, columns, pitch_speed), *_summaries(table)),
         first_day=days[0] if days else None,
         last_day=days[-1] if days else None,
     )
 
 
-def batters(path: Path, *, units: Units | None = None) -> tuple[str, ...]:
+def batters(path: Path, *, given: GivenColumns = NOTHING_GIVEN) -> tuple[str, ...]:
     """Return the names of a file's batters, in the order of the alphabet.
 
     Raises
@@ -126,13 +119,13 @@ def batters(path: Path, *, units: Units | None = None) -> tuple[str, ...]:
     InputError
         when the file cannot be read, or names none.
     """
-    table = open_swings(path)
-    columns = columns_of(table.headings, units=units, file_name=str(path)) if table.headings else None
-    if columns is None or "batter" not in columns.understood:
+    table = open_swings(path, given)
+    columns = columns_of(table.headings, given=given, file_name=str(path)) if table.headings else None
+    if columns is None or "batter" not in columns.columns:
         raise InputError(f"{path} has no column that names the batter; add one called player, or leave --batter out")
     names = table.batters(columns)
     if not names:
-        raise InputError(f"{path} names no batter in its column {columns.understood['batter'].heading}")
+        raise InputError(f"{path} names no batter in its column {columns.columns['batter'].heading}")
     return tuple(names)
 
 
@@ -149,9 +142,9 @@ def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing,
     return taken, (f"{count} swings are usable; {most} of them, taken evenly, are enough and are used.",)
 
 
-def _of_batter(table: SwingTable, columns: Columns, batter: str | None, path: Path) -> Lines:
+def _of_batter(table: SwingTable, columns: Headings, batter: str | None, path: Path) -> Lines:
     """Return the rows of one batter; a file of several without a name is refused."""
-    if "batter" not in columns.understood:
+    if "batter" not in columns.columns:
         if batter is not None:
             raise InputError(f"--batter {batter} was given, and {path} has no column that names the batter")
         return _some(table.rows(columns), path)
@@ -176,28 +169,29 @@ def _some(rows: Lines, path: Path) -> Lines:
 
 
 def _read(
-    line: int, cells: list[str], columns: Columns, *, width: int, length: float, pitch_speed: float | None
+    line: int, cells: list[str], columns: Headings, *, width: int, length: float, pitch_speed: float | None
 ) -> PlayerSwing | BadRow | None:
     """Return a row as a swing, as a bad row with its reason, or None where it holds no swing at all."""
     if len(cells) != width:
         return BadRow(line, f"{len(cells)} cells under {width} column names")
     try:
-        value = {name: _number(cells[column.index], column) for name, column in columns.understood.items()
-                 if name not in TEXTS}  # fmt: skip
-    except InputError:  # of the whole column
-        raise
+        value = {
+            name: _number(cells[column.index], column, length)
+            for name, column in columns.columns.items()
+            if name not in TEXTS
+        }
     except ValueError as fault:
         return BadRow(line, str(fault))
     if value.get("bat_speed") is None and value.get("exit_speed") is None:
         return None
-    pitch, release = value.get("pitch_speed"), value.get("release_speed")
+    pitch, release = value.get("plate_speed"), value.get("release_speed")
     if pitch is None and release is not None:
         pitch = PLATE_OVER_RELEASE * release
     pitch = pitch_speed if pitch is None else pitch
     position = value.get("position")
-    if position is not None and not columns.understood["position"].from_tip:
+    if position is not None and not columns.columns["position"].from_tip:
         position = length - position
-    named, told = columns.understood.get("bat"), columns.understood.get("outcome")
+    named, told = columns.columns.get("bat"), columns.columns.get("outcome")
     outcome = cells[told.index].strip().lower() if told else ""
     if BUNT in outcome:
         return BadRow(line, f"{outcome.replace('_', ' ')}: not a full swing")
@@ -214,20 +208,20 @@ def _read(
     return BadRow(line, wrong) if wrong else swing
 
 
-def _measured(rows: Lines, columns: Columns) -> tuple[Columns, tuple[str, ...]]:
+def _measured(rows: Lines, columns: Headings) -> tuple[Headings, tuple[str, ...]]:
     """Return the columns without speeds that are 0 in every row, as devices write what they did not measure; notes."""
     unmeasured = [
         column
         for name in NEEDED
-        if (column := columns.understood.get(name)) is not None
+        if (column := columns.columns.get(name)) is not None
         and (cells := [cells[column.index].strip() for _, cells in rows if column.index < len(cells)])
         and {cell for cell in cells if cell.lower() not in EMPTY}
         and all(cell.lower() in EMPTY or ZERO.fullmatch(cell) for cell in cells)
     ]
     gone = {column.quantity for column in unmeasured}
-    kept = {name: column for name, column in columns.understood.items() if name not in gone}
+    kept = {name: column for name, column in columns.columns.items() if name not in gone}
     notes = tuple(f"Column {column.heading} is 0 in every row: taken as not measured." for column in unmeasured)
-    return replace(columns, understood=kept), notes
+    return replace(columns, columns=kept), notes
 
 
 def _summaries(table: SwingTable) -> tuple[str, ...]:
@@ -249,11 +243,12 @@ def _check_pitch(bad: Sequence[BadRow], count: int, pitch_speed: float | None, p
     )
 
 
-def _number(cell: str, column: Column) -> float | None:
+def _number(cell: str, column: TableColumn, length: float) -> float | None:
     text = cell.strip()
     if text.lower() in EMPTY:
         return None
-    number = column.in_si(text)
+    written = column.kind == "place" and column.has_no_unit  # 6in-from-tip
+    number = parse_position(text, length=length) if written else cell_in_si(text, column)
     if not math.isfinite(number):
         raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
     return number
@@ -277,12 +272,12 @@ def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing
     return good, bad
 
 
-def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | None) -> tuple[str, ...]:
+def _notes(swings: list[PlayerSwing], columns: Headings, pitch_speed: float | None) -> tuple[str, ...]:
     """Return what a reader should know about the data before trusting what comes out."""
     notes = []
     count = len(swings)
-    if columns.ignored and columns.system == "plain":
-        notes.append(f"Columns not understood, and not used: {', '.join(map(maybe_a_column, columns.ignored))}.")
+    if columns.passed and columns.system == "plain":
+        notes.append(f"Columns not understood, and not used: {', '.join(map(maybe_a_column, columns.passed))}.")
     fouls = sum(one.foul for one in swings)
     if fouls:
         notes.append(f"{fouls} of {count} swings are fouls; of these only the bat speed is used.")
@@ -294,8 +289,8 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
     for quantity, words in WORDS.items():
         values = [value for one in swings if (value := getattr(one, quantity)) is not None]
         if not values:
-            there = quantity in columns.understood or (
-                quantity == "pitch_speed" and "release_speed" in columns.understood
+            there = columns.has(quantity) or (
+                quantity == "pitch_speed" and (columns.has("plate_speed") or columns.has("release_speed"))
             )
             notes.append(f"{words[0]} is {'empty' if there else 'missing'}: {words[1]}.")
         elif len(values) >= 3 and max(values) == min(values) and (quantity, pitch_speed) != ("pitch_speed", values[0]):
@@ -308,7 +303,7 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
             f"{lone} of {count} swings have a launch angle and no attack angle; where over or under the ball those "
             "were hit is told from exit speed alone, since steep swings and low hits launch alike."
         )
-    if "release_speed" in columns.understood and "pitch_speed" not in columns.understood:
+    if columns.has("release_speed") and not columns.has("plate_speed"):
         notes.append(f"Pitch speed at the plate is taken as {PLATE_OVER_RELEASE:.3f} of the speed at release.")
     return tuple(notes)
 

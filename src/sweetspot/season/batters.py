@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -13,20 +13,21 @@ from sweetspot.errors import InputError, nearest_names
 from sweetspot.numerics.whole_parquet import reading_parquet
 from sweetspot.season.rows import tidy
 from sweetspot.season.table_file import text_columns
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
 BATTER, NAME = "batter", "batter_name"
 MOST_LISTED = 5
 """Batters that are named in a message."""
 
 
-def require_batter(paths: Sequence[Path], batter: str, *, given: Mapping[str, str] | None = None) -> None:
+def require_batter(paths: Sequence[Path], batter: str, *, given: GivenColumns = NOTHING_GIVEN) -> None:
     """Refuse a player whom no table has; tables that cannot be read are left to who reads them.
 
     Parameters
     ----------
     paths : tables, CSV or Parquet.
     batter : number or name.
-    given : heading by quantity, as `headings_of` takes it.
+    given : what a person says of the columns.
 
     Raises
     ------
@@ -42,7 +43,7 @@ def require_batter(paths: Sequence[Path], batter: str, *, given: Mapping[str, st
         raise unknown_batter(batter, found[BATTER] if batter.isdigit() else found[NAME] or found[BATTER])
 
 
-def strangers(paths: Sequence[Path], batters: Sequence[str], *, given: Mapping[str, str] | None = None) -> list[str]:
+def strangers(paths: Sequence[Path], batters: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN) -> list[str]:
     """Return those of some batters, numbers or names, that no table has.
 
     Parameters
@@ -71,7 +72,7 @@ def _listed(names: Sequence[str]) -> str:
                                                         if len(names) > MOST_LISTED else "")  # fmt: skip
 
 
-def _batters(paths: Sequence[Path], given: Mapping[str, str] | None) -> dict[str, list[str]] | None:
+def _batters(paths: Sequence[Path], given: GivenColumns) -> dict[str, list[str]] | None:
     """Return numbers and names of the batters of some tables; None where none can be read, or one only in part."""
     with TemporaryDirectory(prefix="sweetspot-batters-") as folder:
         tables = []

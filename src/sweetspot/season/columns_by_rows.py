@@ -7,7 +7,7 @@ from dataclasses import replace
 import polars as pl
 
 from sweetspot.season.day_order import with_days
-from sweetspot.season.headings import Headings
+from sweetspot.tables.headings import Headings
 
 SEEN = 20_000
 """Rows in which a player's name is held against the numbers beside it."""

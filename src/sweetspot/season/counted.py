@@ -9,8 +9,8 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.season import contact_kernel as kernel
 from sweetspot.season.answers import Answers
 from sweetspot.season.contact import measures
-from sweetspot.season.headings import Headings
 from sweetspot.season.rows import by_number
+from sweetspot.tables.headings import Headings
 from sweetspot.units import INCH
 
 CENTRED, LINED_UP = 4 * INCH, 2 * INCH

@@ -11,10 +11,12 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.numerics.whole_files import written_whole
-from sweetspot.season.headings import KNOWN_UNITS, Headings, headings_of
+from sweetspot.season.headings import headings_of
 from sweetspot.season.row_groups import rows_together
 from sweetspot.season.rows import ABSENT
 from sweetspot.season.text_ends import TextEnds, require_no_more_cells, separator_of
+from sweetspot.tables.headings import GivenColumns, Headings
+from sweetspot.tables.unit_words import KNOWN_UNITS
 
 SUMMARIES = {"total", "totals", "grand total", "average", "averages", "avg", "mean", "median"}
 """Words in the first column, or in place of a day or batter, of lines that spreadsheets put below the balls."""
@@ -51,7 +53,7 @@ class CsvCopy:
 
 
 def copied_csv(
-    path: Path, source: Path, ends: TextEnds, target: Path, *, given: Mapping[str, str] | None
+    path: Path, source: Path, ends: TextEnds, target: Path, *, given: GivenColumns
 ) -> CsvCopy:  # fmt: skip
     """Return what the copy of a CSV table holds.
 
@@ -60,7 +62,7 @@ def copied_csv(
     path : the file that people know, for messages.
     source : the same text in UTF-8.
     target : Parquet file to write.
-    given : heading by quantity, as `headings_of` takes it.
+    given : what a person says of the columns.
     """
     copy = target.with_name(f"{path.name}.lines")
     begun = _schema(source, ends, lines=BEGUN)

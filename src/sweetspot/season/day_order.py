@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import polars as pl
 
-from sweetspot.season.headings import DAY_FIRST, Headings
+from sweetspot.season.headings import DAY_FIRST
+from sweetspot.tables.headings import Headings
 
 SLASHED = r"^\s*(\d{1,2})[/-](\d{1,2})[/-]\d{2,4}\b"
 PEEK = 1000

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import polars as pl
 
-from sweetspot.season.headings import FAHRENHEIT_ZERO, UNITS, TableColumn
+from sweetspot.tables.headings import TableColumn
+from sweetspot.tables.unit_words import FAHRENHEIT_ZERO, UNITS
 from sweetspot.units import DEGREE, FOOT, MPH
 
 ENOUGH = 30

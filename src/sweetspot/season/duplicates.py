@@ -9,11 +9,11 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.numerics.threads import in_order
-from sweetspot.season.headings import Headings
 from sweetspot.season.same_pitch import pitch_keys, shared, tells_pitches
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_parts import PART
 from sweetspot.season.table_reader import TableReader
+from sweetspot.tables.headings import Headings
 
 Keys = tuple[NDArray[np.uint64], NDArray[np.bool_]]
 MOST_KEYS = 10_000_000

@@ -14,7 +14,9 @@ from functools import partial
 
 import polars as pl
 
-from sweetspot.season.headings import DAY_FIRST, UNITS, Headings, TableColumn
+from sweetspot.season.headings import DAY_FIRST
+from sweetspot.tables.headings import Headings, TableColumn
+from sweetspot.tables.unit_words import UNITS
 from sweetspot.units import FOOT, MPH
 
 USED = "used"

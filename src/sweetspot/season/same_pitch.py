@@ -8,8 +8,8 @@ import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
-from sweetspot.season.headings import Headings
 from sweetspot.season.rows import Texts, rows_of
+from sweetspot.tables.headings import Headings
 
 KEYS = (("game", "at_bat", "pitch"), ("pitch_id",))
 """What tells pitches apart, the first that a table has."""

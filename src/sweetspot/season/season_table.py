@@ -58,6 +58,7 @@ from sweetspot.season.survey import Survey, survey_tables
 from sweetspot.season.table_file import frame_headings
 from sweetspot.season.table_parts import PART, parts
 from sweetspot.season.table_warnings import TableWarning
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
 Progress = Callable[[int, int], None]
 MOST_PARTS = 16
@@ -171,7 +172,7 @@ def analyse_season(
     *,
     setting: SeasonSetting | None = None,
     folder: Path | str,
-    given: Mapping[str, str] | None = None,
+    given: GivenColumns = NOTHING_GIVEN,
     resume: bool = False,
     run: Callable[[Plan, Progress | None], None] | None = None,
     progress: Progress | None = None,
@@ -183,7 +184,7 @@ def analyse_season(
     paths : tables, CSV or Parquet.
     setting : how; None: the usual. Its relation of places is learnt from the tables unless it was learnt before.
     folder : made if need be; answers of another plan in it are replaced.
-    given : heading by quantity where a heading is not understood, ``{"exit_speed": "EV:mph"}``.
+    given : what a person says of columns that are not understood, ``GivenColumns({"exit_speed": "EV:mph"})``.
     resume : whether answers of the same plan that are there already are kept; what a killed run left half written is
         removed, what a living one writes is not.
     run : does a plan's tasks; None: in this process, two at a time.
@@ -348,7 +349,7 @@ def season_columns(
     frame: pl.DataFrame | pl.LazyFrame,
     *,
     setting: SeasonSetting | None = None,
-    given: Mapping[str, str] | None = None,
+    given: GivenColumns = NOTHING_GIVEN,
 ) -> pl.LazyFrame:
     """Return a table with the answers beside its own columns, for the rows that are used; lazy in, lazy out.
 
@@ -359,7 +360,7 @@ def season_columns(
     frame : Statcast, Trackman or any other names that are understood. Of a lazy one dates that may begin with the day,
         and whose name ``player_name`` is, are looked at before anything else is read.
     setting : how; None: the usual.
-    given : heading by quantity where a heading is not understood.
+    given : what a person says of columns that are not understood.
 
     Raises
     ------

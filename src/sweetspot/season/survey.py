@@ -22,6 +22,7 @@ from sweetspot.season.table_look import TableLook
 from sweetspot.season.table_parts import PART, part_of
 from sweetspot.season.table_reader import TableReader
 from sweetspot.season.table_warnings import TableWarning
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
 Ending = tuple[str, int | None]
 """How a ball in play ended, in words, and how far out; None where that is not known."""
@@ -63,7 +64,7 @@ def survey_tables(
     paths: Sequence[Path],
     *,
     staging: Path,
-    given: Mapping[str, str] | None = None,
+    given: GivenColumns = NOTHING_GIVEN,
     progress: Callable[[int, int], None] | None = None,
 ) -> Survey:
     """Return what some files hold; one that cannot be read does not keep the others.
@@ -71,7 +72,7 @@ def survey_tables(
     Parameters
     ----------
     staging : folder for copies of CSV files, and of Parquet with large row groups.
-    given : heading by quantity, as `headings_of` takes it.
+    given : what a person says of the columns.
     """
     tables: list[TableFile] = []
     faults: list[tuple[Path, str]] = []

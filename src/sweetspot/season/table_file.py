@@ -19,12 +19,13 @@ from sweetspot.numerics.text_files import near_file
 from sweetspot.numerics.whole_parquet import reading_parquet, unpack_all
 from sweetspot.season.columns_by_rows import told_by_rows, with_player_name
 from sweetspot.season.csv_copy import BESIDE, copied_csv
-from sweetspot.season.headings import Headings, headings_of
+from sweetspot.season.headings import headings_of
 from sweetspot.season.parquet_footer import Footer, footer_of
 from sweetspot.season.row_groups import joined
 from sweetspot.season.rows import ABSENT
 from sweetspot.season.table_copy import copying
 from sweetspot.season.text_ends import cells_of, in_utf8, is_number, separator_of
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
@@ -131,13 +132,13 @@ def no_table(path: Path) -> InputError:
     return InputError(f"{path} is not a file; {meant}give CSV (also .csv.gz) or Parquet")
 
 
-def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = None) -> TableFile:
+def open_table(path: Path, *, staging: Path, given: GivenColumns = NOTHING_GIVEN) -> TableFile:
     """Return a table that can be read in parts.
 
     Parameters
     ----------
     staging : folder where the Parquet copy of a CSV file goes; made if need be.
-    given : heading by quantity, as `headings_of` takes it.
+    given : what a person says of the columns.
 
     Raises
     ------
@@ -161,12 +162,12 @@ def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = N
     return _csv(path, staging, given)
 
 
-def frame_headings(frame: pl.LazyFrame, *, given: Mapping[str, str] | None = None, name: str = "table") -> Headings:
+def frame_headings(frame: pl.LazyFrame, *, given: GivenColumns = NOTHING_GIVEN, name: str = "table") -> Headings:
     """Return what the columns of a frame mean, just as those of a file; of its rows only dates and names are looked at.
 
     Parameters
     ----------
-    given : heading by quantity, as `headings_of` takes it.
+    given : what a person says of the columns.
     name : for messages.
 
     Raises
@@ -185,7 +186,7 @@ def frame_headings(frame: pl.LazyFrame, *, given: Mapping[str, str] | None = Non
 
 
 def text_columns(
-    path: Path, quantities: Sequence[str], *, staging: Path, given: Mapping[str, str] | None = None
+    path: Path, quantities: Sequence[str], *, staging: Path, given: GivenColumns = NOTHING_GIVEN
 ) -> pl.LazyFrame:
     """Return some columns of a table as they are written, those that it has, called by their quantity.
 
@@ -195,7 +196,7 @@ def text_columns(
     ----------
     quantities : that are wanted.
     staging : folder for a copy of a CSV file that is not in UTF-8; it must be there until the columns are collected.
-    given : heading by quantity, as `headings_of` takes it.
+    given : what a person says of the columns.
 
     Raises
     ------
@@ -229,7 +230,7 @@ def _text_frame(path: Path, staging: Path) -> pl.LazyFrame:
     )
 
 
-def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
+def _parquet(path: Path, given: GivenColumns) -> TableFile:
     with reading_parquet(path):
         frame = pl.scan_parquet(path)
         rows = int(frame.select(pl.len()).collect().item())
@@ -244,7 +245,7 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
     return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
 
 
-def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFile:
+def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
     staging.mkdir(parents=True, exist_ok=True)
     with copying(path, staging):
         source, ends = in_utf8(path, staging)

@@ -16,11 +16,11 @@ from sweetspot.season.balls import FIRST_MIDDLE_SEASON
 from sweetspot.season.doubts import ANGLES, DOUBTFUL, ENOUGH, IMPOSSIBLE, LEVEL, exchanged, unusual
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.fields import ELSEWHERE, home_park
-from sweetspot.season.headings import Headings
 from sweetspot.season.rows import BUNTED, DATED, POSSIBLE, REASONED, REASONS, SIDED, TIP, USED, by_value
 from sweetspot.season.same_pitch import tells_pitches
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_warnings import TableWarning
+from sweetspot.tables.headings import Headings
 from sweetspot.units import DEGREE, MPH, grouped
 
 LOOKED_AT = (*POSSIBLE, "home_team", "game_kind", *REASONED, *SIDED, *DATED)

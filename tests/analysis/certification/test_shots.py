@@ -17,6 +17,7 @@ from sweetspot.collision.closed_form import collision_efficiency
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import effective_mass, rigid_body
 from sweetspot.errors import InputError
+from sweetspot.tables.headings import GivenColumns
 from sweetspot.units import INCH, MPH
 
 BAT = catalog.bat("russell-b1")
@@ -199,7 +200,7 @@ def test_units_in_the_headings(tmp_path: Path) -> None:
         ("136,,6", "ball_out_mph is blank"),
         ("136,nan,6", "finite"),
         ("inf,28,6", "finite"),
-        ("136 mph,28,6", "not a plain number"),
+        ("136 furlongs,28,6", "not a number"),
         ("136,28,40", "off the bat"),
         ("136,28,-1", "off the bat"),
         ("136,28,30", "clamp"),
@@ -280,6 +281,26 @@ def test_unknown_columns_and_a_byte_order_mark(tmp_path: Path) -> None:
     path.write_bytes(f"\ufeff{HEADINGS},operator\n{GOOD},ann\n".encode())
     found = read_shots(path, length=BAT.length)
     assert found.ignored_columns == ("operator",) and len(found.shots) == 1
+
+
+def test_words_of_the_test_method_and_units_in_cells(tmp_path: Path) -> None:
+    path = written(tmp_path, "Inbound speed (mph),Rebound speed,Position", "136,45.06 km/h,6in-from-tip")
+    found = read_shots(path, length=BAT.length).shots[0]
+    plain = read_shots(written(tmp_path, HEADINGS, GOOD), length=BAT.length).shots[0]
+    assert found.rebound_speed == pytest.approx(plain.rebound_speed, rel=1e-3)
+    assert (found.ball_speed, found.position) == pytest.approx((plain.ball_speed, plain.position))
+
+
+def test_a_person_says_what_columns_of_shots_mean(tmp_path: Path) -> None:
+    said = GivenColumns({"ball_in": "ein", "ball_out": "aus", "position": "Ort"}, units="us")
+    plain = read_shots(written(tmp_path, HEADINGS, GOOD), length=BAT.length).shots[0]
+    found = read_shots(written(tmp_path, "ein,aus,Ort", GOOD), length=BAT.length, given=said).shots[0]
+    assert found == plain
+    with pytest.raises(InputError, match=r"no column for ball_in and ball_out and position.*--column ball_in=HEADING"):
+        read_shots(written(tmp_path, "ein,aus,Ort", GOOD), length=BAT.length)
+    with pytest.raises(InputError, match=r"unknown unit, knots.*; columns ball_out_mph and rebound_mph both give"):
+        read_shots(written(tmp_path, "ball_in_knots,ball_out_mph,rebound_mph,position_in_from_tip", "1,1,1,1"),
+                   length=BAT.length)  # fmt: skip
 
 
 def test_student(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sweetspot.analysis.certification.shots import BadRow
+from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import INCH, shown
 
 BRACKET = 1.05 * INCH

@@ -9,7 +9,7 @@ from statistics import fmean, median, stdev
 
 from sweetspot.analysis.certification.bracketing import Place, pass_doubt, rows_doubt
 from sweetspot.analysis.certification.rules import Finding
-from sweetspot.analysis.certification.shots import BadRow, Shot
+from sweetspot.analysis.certification.shots import Shot
 from sweetspot.analysis.certification.simulated_test import (
     BASEBALL_TEST,
     BBCOR_SPEED,
@@ -27,6 +27,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import ENDS, REACH, ROBUST_SCALE
+from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import INCH, MPH, USUAL, is_usual
 
 VALID_HITS = 6

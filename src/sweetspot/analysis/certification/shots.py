@@ -1,4 +1,4 @@
-"""Shots measured in a laboratory, from a CSV file: one row per shot, the unit in every column's name.
+"""Shots measured in a laboratory, from a CSV file: one row per shot.
 
 ``ball_in_mph, ball_out_mph, position_in_from_tip`` and, if measured, ``bat_speed_mph, ball_cor,
 ball_stiffness_lbf_in, ball_mass_oz``, or the same in words, ``Position from the tip (in)``. In a column ``position``
@@ -8,33 +8,31 @@ every cell says it itself, 6in-from-tip. Faulty rows are listed with the reason;
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sweetspot.errors import InputError, maybe_meant_heading
+from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
-from sweetspot.units import FOOT, INCH, MPH, OUNCE, POUND_FORCE, parse_position, shown
+from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import cell_in_si, require_units
+from sweetspot.tables.headings import (
+    NOTHING_GIVEN,
+    GivenColumns,
+    Headings,
+    TableColumn,
+    closest,
+    names_one_of,
+    read_headings,
+    refuse_faults,
+)
+from sweetspot.tables.unit_words import UNITS
+from sweetspot.tables.vocabulary import quantities
+from sweetspot.units import MPH, parse_position, shown
 
-SPEEDS = {"mph": MPH, "m_s": 1.0, "km_h": 1 / 3.6, "ft_s": FOOT}
-UNITS: dict[str, dict[str, float]] = {
-    "ball_in": SPEEDS,
-    "ball_out": SPEEDS,
-    "bat_speed": SPEEDS,
-    "position": {
-        f"{unit}_from_{end}": factor
-        for unit, factor in {"in": INCH, "m": 1.0, "cm": 0.01, "mm": 0.001}.items()
-        for end in ("tip", "knob")
-    }
-    | {"": 1.0},
-    "ball_cor": {"": 1.0},
-    "ball_stiffness": {"n_m": 1.0, "lbf_in": POUND_FORCE / INCH, "lb_in": POUND_FORCE / INCH},
-    "ball_mass": {"oz": OUNCE, "kg": 1.0, "g": 0.001},
-}
-"""Columns that are understood: name without its unit, and the units with their size in SI."""
-KNOWN_UNITS = frozenset(unit for units in UNITS.values() for unit in units if unit)
+SHOTS = ("ball_in", "ball_out", "bat_speed", "position", "ball_cor", "ball_stiffness", "ball_mass")
+"""Columns that are understood."""
 NEEDED = ("ball_in", "ball_out", "position")
 FASTEST = 90.0
 """m/s (201 mph); a faster ball or bat is a number in another unit."""
@@ -82,14 +80,6 @@ class Shot:
 
 
 @dataclass(frozen=True)
-class BadRow:
-    """A row that cannot be used, and why."""
-
-    row: int
-    reason: str
-
-
-@dataclass(frozen=True)
 class Shots:
     """A file of shots: those that can be used, those that cannot, and columns that mean nothing here."""
 
@@ -98,116 +88,77 @@ class Shots:
     ignored_columns: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class _Column:
-    """A column's place, quantity and unit; ``plain``: its cells are numbers, in that unit."""
-
-    index: int
-    heading: str
-    quantity: str
-    factor: float
-    from_tip: bool
-    plain: bool
-
-
-def read_shots(path: Path, *, length: float) -> Shots:
+def read_shots(path: Path, *, length: float, given: GivenColumns = NOTHING_GIVEN) -> Shots:
     """Return the shots of a CSV file.
 
     Parameters
     ----------
     length : of the bat in m, for positions from the tip and to refuse those off the bat.
+    given : what a person says of the columns.
 
     Raises
     ------
     InputError
         when the file cannot be read, a needed column is missing or stands there twice, or no row can be used.
     """
-    rows = _rows(path)
-    try:
-        _, headings = next(rows)
-    except StopIteration:
-        raise InputError(f"{path} is empty; it needs a line of column names: {COLUMNS_HINT}") from None
-    columns, ignored = _columns(headings, path)
+    rows = _rows(path, given)
+    if not rows:
+        raise InputError(f"{path} is empty; it needs a line of column names: {COLUMNS_HINT}")
+    names, rows = rows[0][1], rows[1:]
+    headings = _headings(names, given, path)
+    require_units(rows, headings, str(path))
     good, bad = [], []
     for line, cells in rows:
         try:
-            good.append(_shot(line, cells, columns, width=len(headings), length=length))
+            good.append(_shot(line, cells, headings.columns, width=len(names), length=length))
         except ValueError as fault:
             bad.append(BadRow(line, str(fault)))
     if not good:
         reasons = "; ".join(f"row {row.row}: {row.reason}" for row in bad[:3])
         raise InputError(f"{path} has no shot that can be used{': ' + reasons if bad else '; it has no rows'}")
-    return Shots(tuple(good), tuple(bad), ignored)
+    return Shots(tuple(good), tuple(bad), headings.passed)
 
 
-def _rows(path: Path) -> Iterator[tuple[int, list[str]]]:
-    """Yield (line, cells) of every line that is not blank."""
+def _rows(path: Path, given: GivenColumns) -> list[tuple[int, list[str]]]:
+    """Return (line, cells) of every line that is not blank."""
     if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV file with the columns {COLUMNS_HINT}")
     text = read_text(path, most=MOST_TABLE_BYTES, advice=f"give a CSV file with the columns {COLUMNS_HINT}")
-    yield from table_rows(text, path, is_heading=_is_heading)
+
+    def is_heading(cells: Sequence[str]) -> bool:
+        told = any(cell.strip() in given.told for cell in cells)
+        return told or all(names_one_of(cells, (needed,)) for needed in NEEDED)
+
+    return list(table_rows(text, path, is_heading=is_heading))
 
 
-def _is_heading(cells: Sequence[str]) -> bool:
-    names = [_name(cell) for cell in cells]
-    return all(any(name.startswith(needed) for name in names) for needed in NEEDED)
-
-
-def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple[str, ...]]:
-    """Return the columns that are understood by quantity, and the names of those that are not."""
-    columns: dict[str, _Column] = {}
-    ignored = []
-    for index, heading in enumerate(headings):
-        column = _column(index, _name(heading))
-        if column is None:
-            ignored.append(heading.strip())
-            continue
-        if column.quantity in columns:
-            raise InputError(
-                f"{path}: columns {columns[column.quantity].heading} and {column.heading} both give {column.quantity}; "
-                "keep one of them, in one unit"
-            )
-        columns[column.quantity] = column
-    missing = [quantity for quantity in NEEDED if quantity not in columns]
+def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
+    names = [name.strip() for name in names]
+    found = read_headings(names, wanted=SHOTS, given=given, once=True, file_name=str(path))
+    missing = [quantity for quantity in NEEDED if not found.has(quantity) and quantity not in found.faults]
+    faults = list(found.faults.values())
     if missing:
-        examples = ", ".join(f"{quantity}_{next(iter(UNITS[quantity]))}" for quantity in missing)
-        raise InputError(
-            f"{path}: no column for {' and '.join(missing)}; give for example {examples}. "
-            f"The file has: {', '.join(maybe_meant_heading(one.strip(), UNITS, KNOWN_UNITS) for one in headings)}"
+        examples = ", ".join(f"{quantity}_{next(iter(UNITS[quantities()[quantity].kind]))}" for quantity in missing)
+        faults.append(
+            f"no column for {' and '.join(missing)}; give for example {examples}, or say --column "
+            f"{missing[0]}=HEADING. The file has: {closest(names, SHOTS)}"
         )
-    return columns, tuple(ignored)
+    refuse_faults(faults, str(path))
+    return found
 
 
-def _name(heading: str) -> str:
-    """Return a heading as our names are written, the unit of a position before the end it counts from.
-
-    >>> _name(" Position from the tip (in)"), _name("position_from_knob_cm"), _name("Ball in [mph]")
-    ('position_in_from_tip', 'position_cm_from_knob', 'ball_in_mph')
-    """
-    name = re.sub(r"[^a-z0-9]+", "_", heading.lower()).strip("_").replace("_the_", "_")
-    return re.sub(r"_(from_(?:tip|knob))_([a-z]+)$", r"_\2_\1", name)
-
-
-def _column(index: int, name: str) -> _Column | None:
-    """Return what a column means, None for a name that is not ours; a known name with no known unit is refused."""
-    quantity = next((known for known in UNITS if name == known or name.startswith(f"{known}_")), None)
-    if quantity is None:
-        return None
-    unit = name.removeprefix(quantity).removeprefix("_")
-    if unit not in UNITS[quantity]:
-        allowed = ", ".join(f"{quantity}_{unit}".rstrip("_") for unit in UNITS[quantity])
-        raise InputError(f"column {name} has {'an unknown' if unit else 'no'} unit; allowed: {allowed}")
-    plain = quantity != "position" or unit != ""
-    return _Column(index, name, quantity, UNITS[quantity][unit], unit.endswith("_from_tip"), plain)
-
-
-def _shot(line: int, cells: list[str], columns: dict[str, _Column], *, width: int, length: float) -> Shot:
+def _shot(line: int, cells: list[str], columns: Mapping[str, TableColumn], *, width: int, length: float) -> Shot:
     """Return one row as a shot; raises ValueError with the reason when it cannot be used."""
     if len(cells) != width:
         raise ValueError(f"{len(cells)} cells under {width} column names")
-    value = {quantity: _number(cells[column.index], column) for quantity, column in columns.items() if column.plain}
     where = columns["position"]
-    position = value["position"] if where.plain else _written_place(cells[where.index], length)
+    written = where.has_no_unit
+    value = {
+        quantity: _number(cells[column.index], column)
+        for quantity, column in columns.items()
+        if not (written and column is where)
+    }
+    position = _written_place(cells[where.index], length) if written else value["position"]
     position = length - position if where.from_tip else position
     shot = Shot(
         row=line,
@@ -232,19 +183,14 @@ def _written_place(cell: str, length: float) -> float:
         raise ValueError(str(fault)) from None
 
 
-def _number(cell: str, column: _Column) -> float:
+def _number(cell: str, column: TableColumn) -> float:
     text = cell.strip()
     if not text:
         raise ValueError(f"{column.heading} is blank")
-    try:
-        number = float(text)
-    except ValueError:
-        raise ValueError(
-            f"{column.heading} is {text!r}, not a plain number; the unit stands in the column's name"
-        ) from None
+    number = cell_in_si(text, column)
     if not math.isfinite(number):
         raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
-    return number * column.factor
+    return number
 
 
 def _fault(shot: Shot, length: float) -> str:

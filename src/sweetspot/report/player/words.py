@@ -7,7 +7,6 @@ from collections import defaultdict
 from collections.abc import Sequence
 from textwrap import shorten
 
-from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.catalog.bats import bat_names
 from sweetspot.errors import maybe_meant
 from sweetspot.numerics.confidence import sure_sign
@@ -22,6 +21,7 @@ from sweetspot.report.player.goals import goal_shown, goal_words
 from sweetspot.report.player.pair_words import of_those_swung
 from sweetspot.report.player.tried_bats import option_words
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
+from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import INCH, MPH, OUNCE
 
 PARAMETERS: dict[str, tuple[str, str, int | None]] = {
@@ -94,13 +94,14 @@ def _data(posterior: Posterior, swings: Swings) -> Sentence:
     model = posterior.model
     count, bad = len(model.swings), len(swings.bad_rows)
     both = sum(one.exit_speed is not None and one.bat_speed is not None for one in model.swings)
-    kind = f"{swings.system} file" if swings.system != "plain" else "file"
+    article = "an" if swings.system.startswith(tuple("AEIO")) else "a"
+    kind = f"{article} {swings.system} file" if swings.system != "plain" else "a file"
     days = ""
     if swings.first_day and swings.last_day:
         same = swings.first_day == swings.last_day
         days = f" of {swings.first_day}" if same else f" from {swings.first_day} to {swings.last_day}"
     noun = "swing counts" if count == 1 else "swings count"
-    text = f"{count} {noun}, {both} with bat speed and exit speed, from a {kind}{days}"
+    text = f"{count} {noun}, {both} with bat speed and exit speed, from {kind}{days}"
     swung = swung_bats(model)
     if len(swung) > 1:
         text += ": " + ", ".join(f"{one.count} with {one.bat.name}" for one in swung)

@@ -1,0 +1,1 @@
+"""Tables that people bring: what their headings mean, by whichever system, in which units."""

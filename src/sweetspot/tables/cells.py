@@ -1,0 +1,66 @@
+"""Cells of a table: numbers in their column's unit, or in the unit that stands behind them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+
+from sweetspot.tables.headings import Headings, TableColumn, no_unit, refuse_faults
+from sweetspot.tables.unit_words import UNITS, zero_of
+from sweetspot.tables.vocabulary import simplified
+
+NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+))\s*([^\d\s.,+-].*)")
+EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
+"""Words of a cell in which nothing was measured, in lower case."""
+
+
+def cell_in_si(cell: str, column: TableColumn) -> float:
+    """Return a cell's number in SI, by the unit in the cell where it has one.
+
+    Raises
+    ------
+    ValueError
+        for what is no number, or not of the column's kind.
+
+    >>> from sweetspot.units import MPH
+    >>> round(cell_in_si("66.1 km/h", TableColumn("bat_speed", "Bat Speed", "speed", "mph", MPH)), 2)
+    18.36
+    """
+    try:
+        return column.zero + column.factor * float(cell)
+    except ValueError:
+        match = NUMBER_AND_UNIT.fullmatch(cell)
+        unit = simplified(match[2]) if match else ""
+        kind = "length" if column.kind == "place" and not column.has_no_unit else column.kind
+        if match is None or unit not in UNITS[kind]:
+            raise ValueError(f"{column.heading} is {cell!r}, not a number") from None
+        return zero_of(kind, unit) + UNITS[kind][unit] * float(match[1])
+
+
+def require_units(rows: Sequence[tuple[int, Sequence[str]]], headings: Headings, file_name: str) -> None:
+    """Refuse columns of plain numbers whose unit nobody says, all of them at once.
+
+    Parameters
+    ----------
+    rows : line and cells of each.
+
+    Raises
+    ------
+    InputError
+        when there are such columns.
+    """
+    vague = [
+        column
+        for column in headings.columns.values()
+        if column.has_no_unit and any(_is_number(cells[column.index : column.index + 1]) for _, cells in rows)
+    ]
+    refuse_faults(filter(None, (no_unit(vague),)), file_name)
+
+
+def _is_number(cell: Sequence[str]) -> bool:
+    """Return whether a cell, if there is one, is a number without a unit."""
+    try:
+        return math.isfinite(float(cell[0]))
+    except (IndexError, ValueError):
+        return False

@@ -1,0 +1,116 @@
+"""One reader of headings: systems, units in heading and option, all faults at once, hints that lead somewhere."""
+
+from __future__ import annotations
+
+import pytest
+
+from sweetspot.errors import InputError
+from sweetspot.player.columns import SWINGS, columns_of
+from sweetspot.season.headings import BALLS, headings_of
+from sweetspot.tables.headings import GivenColumns, Headings, maybe_heading, read_headings
+from sweetspot.tables.unit_words import UNITS, UNMEASURED
+from sweetspot.tables.vocabulary import quantities, quantities_of, systems
+from sweetspot.units import DEGREE, FOOT, MPH
+
+
+def factors(found: Headings) -> dict[str, float]:
+    return {name: column.factor for name, column in found.columns.items()}
+
+
+SPEED_AND_ANGLE = {"exit_speed": MPH, "launch_angle": DEGREE}
+
+
+@pytest.mark.parametrize(
+    ("names", "system", "expected"),
+    [
+        (["ExitSpeed", "Angle"], "Trackman", SPEED_AND_ANGLE),
+        (["EXIT_SPEED", "LAUNCH_ANGLE", "REL_SPEED"], "Trackman", SPEED_AND_ANGLE | {"release_speed": MPH}),
+        (["ExitVelocity", "LaunchAngle"], "Rapsodo", SPEED_AND_ANGLE),
+        (["Velo", "LA"], "HitTrax", SPEED_AND_ANGLE),
+        (["Velo (km/h)", "LA"], "HitTrax", SPEED_AND_ANGLE | {"exit_speed": 1 / 3.6}),
+        (["launch_speed", "launch_angle"], "Statcast", SPEED_AND_ANGLE),
+        (["exit_velo_mph_x", "blast_bat_speed_mph_x"], "OpenBiomechanics", {"exit_speed": MPH, "bat_speed": MPH}),
+        (["Exit Velocity (mph)", "Launch Angle"], "plain", SPEED_AND_ANGLE),
+        (["ExitVelo mph", "LA"], "plain", SPEED_AND_ANGLE),
+        (["exit_speed_fps", "launch_angle_radians"], "plain", {"exit_speed": FOOT, "launch_angle": 1.0}),
+        (["hit_speed_ms", "la_deg"], "plain", {"exit_speed": 1.0, "launch_angle": DEGREE}),
+    ],
+)
+def test_swings_and_balls_are_read_by_the_same_headings(
+    names: list[str], system: str, expected: dict[str, float]
+) -> None:
+    for found in (headings_of(names), columns_of(names, file_name="f")):
+        assert found.system == system
+        assert factors(found) == pytest.approx(expected)
+
+
+def test_of_two_headings_of_a_system_the_preferred_one_counts() -> None:
+    """A sensor's bat speed is that at 6 in from the tip; motion capture's is in the same file."""
+    names = ["exit_velo_mph_x", "bat_speed_mph_max_x", "blast_bat_speed_mph_x", "user"]
+    found = columns_of(names, file_name="f")
+    assert found.columns["bat_speed"].heading == "blast_bat_speed_mph_x" and found.columns["batter"].heading == "user"
+
+
+def test_a_pitch_s_tilt_on_a_clock_is_no_angle() -> None:
+    assert not headings_of(["ExitSpeed", "Angle", "Tilt"]).has("tilt")
+    assert headings_of(["exit_speed_mph", "swing_tilt"]).columns["tilt"].unit == "deg"
+
+
+def test_units_of_a_whole_file() -> None:
+    """A system's own headings may be metric too, but for Statcast's; what the heading says goes before."""
+    plain, metric = GivenColumns(units="us"), GivenColumns(units="metric")
+    assert factors(headings_of(["ev", "la"], given=plain)) == SPEED_AND_ANGLE
+    assert headings_of(["EV"], given=metric).columns["exit_speed"].factor == 1.0
+    assert headings_of(["ExitSpeed", "Angle"], given=metric).columns["exit_speed"].factor == 1.0
+    assert headings_of(["launch_speed"], given=metric).columns["exit_speed"].factor == MPH
+    assert headings_of(["Velo (mph)", "LA"], given=metric).columns["exit_speed"].factor == MPH
+    assert headings_of(["ev", "distance"], given=plain).columns["distance"].factor == FOOT
+
+
+def test_a_person_names_columns_of_swings_too() -> None:
+    given = GivenColumns({"exit_speed": "Tempo:km/h", "pitch_speed": "Wurf:mph"})
+    found = columns_of(["Tempo", "Wurf"], given=given, file_name="f")
+    assert factors(found) == pytest.approx({"exit_speed": 1 / 3.6, "plate_speed": MPH})
+    with pytest.raises(InputError, match=r"no quantity .* Did you mean .*exit_speed.*; no column 'Wurd'"):
+        columns_of(["Tempo"], given=GivenColumns({"exit_spede": "Tempo", "bat_speed": "Wurd"}), file_name="f")
+
+
+def test_all_faults_of_a_file_are_told_at_once() -> None:
+    with pytest.raises(InputError) as caught:
+        headings_of(["ev", "bat_speed", "hit_spin_mph", "release_speed_knots"])
+    told = str(caught.value)
+    for words in ("columns ev and bat_speed have no unit", "--file-units us", "--column exit_speed=ev:mph",
+                  "the unit mph, which is no spin", "an unknown unit, knots"):  # fmt: skip
+        assert words in told, words
+
+
+@pytest.mark.parametrize("wanted", [SWINGS, BALLS])
+def test_no_hint_leads_into_the_next_refusal(wanted: tuple[str, ...]) -> None:
+    """Every name misspelt by a letter: what is suggested is read, and has a unit."""
+    for quantity in wanted:
+        for name in quantities()[quantity].names:
+            if len(name) < 6:
+                continue
+            hint = maybe_heading(name[:3] + name[4:], wanted)
+            if "did you mean" in hint:
+                meant = hint.partition("did you mean ")[2].removesuffix("?)")
+                found = read_headings([meant], wanted=wanted)
+                assert found.columns and not any(column.has_no_unit for column in found.columns.values()), hint
+
+
+def test_the_names_fit_together() -> None:
+    """Systems give quantities that there are in units that these have, and every quantity has a name somewhere."""
+    own = {quantity for system in systems() for quantity, _ in system.columns.values()}
+    for name, quantity in quantities().items():
+        assert quantity.kind in UNITS and (quantity.names or name in own), name
+    for system in systems():
+        for heading, (name, unit) in system.columns.items():
+            if name:
+                kind = quantities()[name].kind
+                assert (kind in UNMEASURED and not unit) or unit in UNITS[kind], heading
+        assert all(marks <= {*system.columns, *OTHER_MARKS} for marks in system.marks), system.name
+    assert set(quantities_of("balls", "swings")) <= set(quantities())
+
+
+OTHER_MARKS = {"plane_score", "on_plane_efficiency", "pitch_call"}
+"""Headings that give a system away and are no quantities of its own."""
