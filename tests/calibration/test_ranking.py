@@ -23,6 +23,7 @@ from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.report.calibration.ranking_report import ranking_words
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import read
+from sweetspot.tables.headings import GivenColumns
 
 MODEL = catalog.bat("r161-ash")
 LINE, UNKNOWNS = described(MODEL), unknowns_of(MODEL)
@@ -129,6 +130,20 @@ def test_headings_and_cells_as_people_write_them(tmp_path: Path) -> None:
     path.write_text("name;pendulum_s\na;1,454±0,003\nb;1,455\n", encoding="utf-8")
     (a,), (b,) = read_bats(path).values()
     assert (a.value, b.value) == (Measured(1.454, 0.003), Measured(1.455, 0.001))
+
+
+def test_bats_in_words_of_ones_own(tmp_path: Path) -> None:
+    """A person says what headings mean, cells have units, and all that is wrong is told at once."""
+    path = tmp_path / "bats.csv"
+    path.write_text("Nr;Masse;Schwerpunkt;tone\n1;31,2;56,0 cm ± 0,1;171,5±0,4\n", encoding="utf-8")
+    said = GivenColumns({"piece": "Nr", "mass": "Masse:oz", "balance_point": "Schwerpunkt"}, units="us")
+    mass, balance, tone = read_bats(path, given=said)["1"]
+    assert mass.value.value == pytest.approx(31.2 * 0.028349523)
+    assert (balance.value.value, balance.value.error) == pytest.approx((0.56, 0.001))
+    assert (tone.value.value, tone.value.error) == (171.5, 0.4)
+    path.write_text("name,mass_s,balance_point_mph,mas_oz\na,31,22,1\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"s, which is no mass.*mph, which is no length.*did you mean mass_oz"):
+        read_bats(path)
 
 
 def test_a_bat_of_unknown_moisture_among_others(tmp_path: Path) -> None:

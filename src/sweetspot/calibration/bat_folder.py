@@ -13,19 +13,23 @@ from sweetspot.catalog.files.calibration import CalibrationTable
 from sweetspot.catalog.implements import load_implement
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
 TABLES, BAT_FILE = (".csv", ".tsv", ".txt"), ".toml"
 SAME_LENGTH = 0.005
 """Part by which bats of one model may differ in length (our choice): a sixth of an inch."""
 
 
-def read_folder(folder: Path, model: Implement, *, axis: float) -> dict[str, list[Measurement]]:
+def read_folder(
+    folder: Path, model: Implement, *, axis: float, given: GivenColumns = NOTHING_GIVEN
+) -> dict[str, list[Measurement]]:
     """Return what was measured on each bat of a folder, by name; a bat file's bat is called like the file.
 
     Parameters
     ----------
     model : that all are like.
     axis : m from the knob end, of the tables' moments of inertia and pendulums.
+    given : what a person says of the tables' columns.
 
     Raises
     ------
@@ -45,7 +49,7 @@ def read_folder(folder: Path, model: Implement, *, axis: float) -> dict[str, lis
             if path.suffix.lower() == BAT_FILE:
                 found = {path.stem: measured_of(path, model)}
             else:
-                found = read_bats(path, axis=axis, sport=model.sport)
+                found = read_bats(path, axis=axis, sport=model.sport, given=given)
         except InputError as error:
             faults.append(str(error))
             continue

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.errors import InputError
@@ -14,6 +15,7 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.equipment.implement import Implement
+    from sweetspot.tables.headings import GivenColumns
 
 
 def rank(
@@ -35,6 +37,7 @@ def rank(
             help="Axis of the table's pendulum and moi, from the knob end; default: 6in, or that of the swing weight.",
         ),
     ] = None,
+    columns: ColumnOptions = DEFAULT_COLUMNS,
     swing: SwingOptions = DEFAULT_SWING,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
@@ -53,7 +56,7 @@ def rank(
 
     model = catalog.load_implement(like).as_drawn()
     axis = model.swing_axis if pivot is None else parse_position(pivot, length=model.length, what="--pivot-of-table")
-    measured = _measured(table, axis, model)
+    measured = _measured(table, axis, model, columns.given())
     check_likeness(measured, model, axis=axis)
     if not isinstance(model, Bat):
         _check_columns(measured, model)
@@ -82,11 +85,11 @@ def _check_columns(measured: dict[str, list[Measurement]], model: Implement) -> 
                 )
 
 
-def _measured(table: Path, axis: float, model: Implement) -> dict[str, list[Measurement]]:
+def _measured(table: Path, axis: float, model: Implement, given: GivenColumns) -> dict[str, list[Measurement]]:
     """Return what was measured on each bat: of a table, or of all that a folder holds."""
     from sweetspot.calibration.bat_folder import read_folder
     from sweetspot.calibration.bat_table import read_bats
 
     if table.is_dir():
-        return read_folder(table, model, axis=axis)
-    return read_bats(table, axis=axis, sport=model.sport)
+        return read_folder(table, model, axis=axis, given=given)
+    return read_bats(table, axis=axis, sport=model.sport, given=given)

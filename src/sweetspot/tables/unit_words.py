@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, POUND_FORCE, RPM
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM
 
 FileUnits = Literal["us", "metric"]
 
@@ -27,7 +27,9 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "acceleration": {"ft_s2": FOOT, "m_s2": 1.0},
     "temperature": {"degf": 5 / 9, "degc": 1.0, "f": 5 / 9, "c": 1.0, "°f": 5 / 9, "°c": 1.0},
     "pressure": {"hpa": 100.0, "mbar": 100.0, "inhg": 3386.389, "in_hg": 3386.389, "mmhg": 133.3224, "kpa": 1000.0},
-    "mass": {"oz": OUNCE, "kg": 1.0, "g": 0.001, "lb": 16 * OUNCE, "lbs": 16 * OUNCE},
+    "mass": {"oz": OUNCE, "ounces": OUNCE, "kg": 1.0, "g": 0.001, "grams": 0.001, "lb": 16 * OUNCE, "lbs": 16 * OUNCE},
+    "moi": {"oz_in2": OUNCE_INCH_SQUARED, "kg_m2": 1.0, "kg_cm2": 1e-4},
+    "frequency": {"hz": 1.0},
     "stiffness": {"n_m": 1.0, "lbf_in": POUND_FORCE / INCH, "lb_in": POUND_FORCE / INCH},
     "ratio": {"%": 0.01, "pct": 0.01, "percent": 0.01, "ratio": 1.0},
     "count": {},
@@ -38,13 +40,13 @@ FAHRENHEIT_ZERO = -160 / 9
 """degC at 0 degF."""
 UNMEASURED = ("count", "text")
 """Kinds without a unit."""
-ONLY_UNIT = {"time": "s", "angle": "deg"}
+ONLY_UNIT = {"time": "s", "angle": "deg", "frequency": "hz"}
 """Units of kinds that nobody writes down in another one without saying so."""
 FILE_UNITS: Mapping[FileUnits, Mapping[str, str]] = {
     "us": {"speed": "mph", "length": "in", "place": "in_from_tip", "distance": "ft", "spin": "rpm",
-           "temperature": "degf", "pressure": "inhg", "mass": "oz", "stiffness": "lbf_in"},
+           "temperature": "degf", "pressure": "inhg", "mass": "oz", "moi": "oz_in2", "stiffness": "lbf_in"},
     "metric": {"speed": "m_s", "length": "cm", "place": "cm_from_tip", "distance": "m", "spin": "rpm",
-               "temperature": "degc", "pressure": "hpa", "mass": "g", "stiffness": "n_m"},
+               "temperature": "degc", "pressure": "hpa", "mass": "g", "moi": "kg_cm2", "stiffness": "n_m"},
 }  # fmt: skip
 """Units of columns that have none, where a person says in which units a file is."""
 FOREIGN = {"knots", "kn", "mils", "yards", "miles"}
