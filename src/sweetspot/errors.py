@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 ALMOST = 0.75
 """How alike two names are at least, from 0 to 1, where one may be a slip of the other. [Our choice.]"""
@@ -85,20 +85,6 @@ def maybe_meant(name: str, known: Iterable[str]) -> str:
     ("'r161-asch' (did you mean r161-ash?)", "'my gamer'")
     """
     return _with_meant(name, spelt_almost(name, known))
-
-
-def maybe_meant_heading(heading: str, known: Iterable[str], units: Collection[str]) -> str:
-    """Return a column's heading in quotes, and behind it what is spelt almost so, with the unit that it ends in.
-
-    >>> maybe_meant_heading("Bat_sped_mph", ["bat_speed", "exit_speed"], ["mph", "m_s"])
-    "'Bat_sped_mph' (did you mean bat_speed_mph?)"
-    """
-    name = "_".join(heading.lower().split())
-    endings = [f"_{unit}" for unit in units if name.endswith(f"_{unit}")]
-    ending = max(endings, key=len, default="")
-    almost = spelt_almost(name.removesuffix(ending), known)
-    meant = almost and almost + ending
-    return _with_meant(heading, meant if meant != name else None)
 
 
 def spelt_almost(name: str, known: Iterable[str]) -> str | None:

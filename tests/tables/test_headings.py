@@ -32,6 +32,7 @@ SPEED_AND_ANGLE = {"exit_speed": MPH, "launch_angle": DEGREE}
         (["exit_velo_mph_x", "blast_bat_speed_mph_x"], "OpenBiomechanics", {"exit_speed": MPH, "bat_speed": MPH}),
         (["Exit Velocity (mph)", "Launch Angle"], "plain", SPEED_AND_ANGLE),
         (["ExitVelo mph", "LA"], "plain", SPEED_AND_ANGLE),
+        (["Exit velocity in mph", "Launch angle in degrees"], "plain", SPEED_AND_ANGLE),
         (["exit_speed_fps", "launch_angle_radians"], "plain", {"exit_speed": FOOT, "launch_angle": 1.0}),
         (["hit_speed_ms", "la_deg"], "plain", {"exit_speed": 1.0, "launch_angle": DEGREE}),
     ],

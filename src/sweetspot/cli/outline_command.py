@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
 from sweetspot.errors import InputError
 
@@ -63,6 +64,7 @@ def outline(
     /,
     *,
     sizes: SizeOptions = DEFAULT_SIZES,
+    columns: ColumnOptions = DEFAULT_COLUMNS,
     material: Annotated[str, Parameter(help="Material of the catalogue.")] = "white-ash",
     name: Annotated[str | None, Parameter(help="What to call the bat; default: the file's name.")] = None,
     out: Annotated[
@@ -79,7 +81,7 @@ def outline(
     from sweetspot.dynamics.rigid import rigid_body
     from sweetspot.report.calibration.outline_report import outline_document
 
-    measured, bat = _measured(source, sizes, material=material, name=name)
+    measured, bat = _measured(source, sizes, columns, material=material, name=name)
     document = outline_document(measured, bat, rigid_body(beam_model(bat)))
     contents = {path: _content(path, bat, document.reader_of(answer.units)) for path in out or []}
     if contents:
@@ -91,7 +93,9 @@ def outline(
     return present(document, answer.into(None))
 
 
-def _measured(source: str, sizes: SizeOptions, *, material: str, name: str | None) -> tuple[Outline, Bat]:
+def _measured(
+    source: str, sizes: SizeOptions, columns: ColumnOptions, *, material: str, name: str | None
+) -> tuple[Outline, Bat]:
     """Return the outline and its bat: of a table, drawing or photograph, of a bat file, or of the catalogue."""
     from sweetspot import catalog
     from sweetspot.calibration.outline.measured_outline import Outline
@@ -101,7 +105,7 @@ def _measured(source: str, sizes: SizeOptions, *, material: str, name: str | Non
 
     ending = Path(source).suffix.lower()
     if ending in ENDINGS or (ending not in ("", BAT_FILE) and Path(source).exists()):
-        measured = read_outline(Path(source), **sizes.given())
+        measured = read_outline(Path(source), **sizes.given(), given=columns.given())
         bat = Bat(
             name=name or Path(source).stem, length=measured.profile[-1][0], material=catalog.material(material),
             profile=measured.profile,

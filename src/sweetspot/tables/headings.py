@@ -255,6 +255,8 @@ def _cuts(name: str) -> Iterator[tuple[str, str]]:
         unit = _as_unit(name[cut + 1 :])
         if unit:
             yield name[:cut], unit
+            if name[:cut].endswith("_in"):  # exit speed in mph
+                yield name[:cut].removesuffix("_in"), unit
 
 
 def _as_unit(words: str) -> str:
@@ -323,6 +325,12 @@ def _made(quantity: str, heading: str, unit: str, index: int) -> TableColumn:
     return TableColumn(quantity, heading, kind, unit, factor, zero_of(kind, unit), index)
 
 
+def heading_and_unit(text: str, names: Sequence[str]) -> tuple[str, str]:
+    """Return the heading that a person named, and the unit behind it, ``EV:mph``; "" where there is none."""
+    heading, _, unit = ("", "", "") if text in names else text.rpartition(":")
+    return (heading, unit) if heading else (text, "")
+
+
 def _given(
     names: Sequence[str], given: GivenColumns, wanted: tuple[str, ...], file_name: str
 ) -> dict[str, tuple[str, str]]:
@@ -336,9 +344,9 @@ def _given(
             listed = near if "mean" in near else f"Allowed: {', '.join(wanted)}"
             faults.append(f"{told} is no quantity of a table. {listed}")
             continue
-        heading, _, unit = text.rpartition(":") if text not in names else (text, "", "")
+        heading, unit = heading_and_unit(text, names)
         if heading not in names:
-            faults.append(f"no column {heading or text!r} to give {told}. The table has: {closest(names, wanted)}")
+            faults.append(f"no column {heading!r} to give {told}. The table has: {closest(names, wanted)}")
             continue
         kind = quantities()[quantity].kind
         own = next((cut for _, cut in _cuts(simplified(heading)) if cut in UNITS[kind]), "")

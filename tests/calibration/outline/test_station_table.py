@@ -12,6 +12,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.errors import InputError
+from sweetspot.tables.headings import GivenColumns
 from tests.real_data import real_file
 
 INCH = 0.0254
@@ -129,6 +130,20 @@ def test_the_ways_in_which_people_write_tables(
     found = np.array(outline.profile)
     np.testing.assert_allclose(found[:, 0], np.array(PLACES_IN) * INCH, atol=1e-6)
     np.testing.assert_allclose(found[:, 1], 1e-3 * np.array(SIZES_MM), atol=near)
+
+
+def test_a_person_says_what_columns_of_an_outline_mean(tmp_path: Path) -> None:
+    plain = read_outline(written(tmp_path / "bat.csv", "position_in,diameter_mm", IN, MM))
+    path = written(tmp_path / "own.csv", "Ort,Dicke", IN, MM)
+    said = GivenColumns({"position": "Ort", "diameter": "Dicke:mm"}, units="us")
+    assert read_outline(path, given=said).profile == plain.profile
+    both = written(tmp_path / "two.csv", "position_in,diameter_in,Dicke", IN, [f"1,{size}" for size in MM])
+    assert read_outline(both, given=GivenColumns({"diameter": "Dicke:mm"})).profile == plain.profile
+    for wrong, words in (({"diameter": "Dike:mm"}, "no column Dike"), ({"mood": "Dicke"}, "mood is no column")):
+        with pytest.raises(InputError, match=words):
+            read_outline(path, given=GivenColumns(wrong))
+    with pytest.raises(InputError, match="--column position=HEADING:in"):
+        read_outline(path)
 
 
 def test_half_an_inch_in_one_sign(tmp_path: Path) -> None:

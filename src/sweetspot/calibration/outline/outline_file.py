@@ -12,6 +12,7 @@ from sweetspot.calibration.outline.photo.photo_outline import read_photo
 from sweetspot.calibration.outline.station_table import read_stations
 from sweetspot.calibration.outline.svg_file import svg_curves
 from sweetspot.errors import InputError
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
 TABLES, DRAWINGS = (".csv", ".txt", ".tsv"), (".svg", ".dxf")
 PHOTOGRAPHS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".webp", ".bmp")
@@ -21,7 +22,12 @@ ENDINGS = TABLES + DRAWINGS + PHOTOGRAPHS
 
 
 def read_outline(
-    path: Path, *, length: float | None = None, ruler: float | None = None, camera_distance: float | None = None
+    path: Path,
+    *,
+    length: float | None = None,
+    ruler: float | None = None,
+    camera_distance: float | None = None,
+    given: GivenColumns = NOTHING_GIVEN,
 ) -> Outline:
     """Return the outline that a file holds: a table of stations (CSV), a drawing (SVG, DXF) or a photograph.
 
@@ -32,12 +38,17 @@ def read_outline(
     length : m of the bat; needed where places count from the tip, and where a drawing has no units.
     ruler, camera_distance : m, of photographs only; see `sweetspot.calibration.outline.photo.photo_outline.read_photo`.
 
+    given : what a person says of a table's columns.
+
     Raises
     ------
     InputError
         for another ending, and when the file holds no outline.
     """
-    outline = _read(path, length=length, ruler=ruler, camera_distance=camera_distance)
+    if path.suffix.lower() in TABLES and ruler is None and camera_distance is None:
+        outline = read_stations(path, length=length, given=given)
+    else:
+        outline = _read(path, length=length, ruler=ruler, camera_distance=camera_distance)
     return replace(outline, notes=(*outline.notes, *unlike_bats(outline.profile)))
 
 
@@ -48,8 +59,6 @@ def _read(path: Path, *, length: float | None, ruler: float | None, camera_dista
         return read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)
     if ruler is not None or camera_distance is not None:
         raise InputError(f"--ruler and --camera-distance are for photographs; {path} is none")
-    if ending in TABLES:
-        return read_stations(path, length=length)
     if ending in DRAWINGS:
         curves, unit = svg_curves(path) if ending == ".svg" else dxf_curves(path)
         return outline_of_curves(curves, str(path), unit=unit, length=length, axis=ending == ".dxf")

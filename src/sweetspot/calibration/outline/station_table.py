@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -14,6 +14,8 @@ import numpy as np
 from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import FIRST_LINES, MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, heading_and_unit
+from sweetspot.tables.unit_words import FILE_UNITS
 from sweetspot.units import FOOT, INCH, NUMBER, parse, shown
 from sweetspot.units.usual import USUAL, insisted
 
@@ -79,7 +81,7 @@ class _Column:
     from_tip: bool = False
 
 
-def read_stations(path: Path, *, length: float | None = None) -> Outline:
+def read_stations(path: Path, *, length: float | None = None, given: GivenColumns = NOTHING_GIVEN) -> Outline:
     """Return the outline that a CSV file of stations describes.
 
     One column says where: its heading has ``tip`` where it counts from the tip (``in_from_tip``, ``position_mm``).
@@ -91,6 +93,7 @@ def read_stations(path: Path, *, length: float | None = None) -> Outline:
     Parameters
     ----------
     length : m; needed where the places count from the tip, or where the last station is not the tip.
+    given : what a person says of the columns position (position_from_tip), diameter, circumference or radius.
 
     Raises
     ------
@@ -98,19 +101,23 @@ def read_stations(path: Path, *, length: float | None = None) -> Outline:
         when the file has no such columns, a value that is no number, or stations off the bat.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file of a heading and a line for each station")
+
+    def is_heading(cells: Sequence[str]) -> bool:
+        return all(_all_columns(cells, given))
+
     rows = [
         (line, cells)
-        for line, cells in table_rows(text, path, is_heading=_is_heading)
+        for line, cells in table_rows(text, path, is_heading=is_heading)
         if not cells[0].lstrip().startswith(COMMENT)
     ]
-    first = next((index for index, (_, cells) in enumerate(rows[:FIRST_LINES]) if _is_heading(cells)), 0)
+    first = next((index for index, (_, cells) in enumerate(rows[:FIRST_LINES]) if is_heading(cells)), 0)
     rows = rows[first:]
     if len(rows) < FEWEST_STATIONS + 1 or len(rows) > MOST_STATIONS:
         raise InputError(
             f"{path} has {len(rows)} line{'s' if len(rows) != 1 else ''}; allowed are a heading and "
             f"{FEWEST_STATIONS} to {MOST_STATIONS} stations"
         )
-    where, across = _columns(rows[0][1], path)
+    where, across = _columns(rows[0][1], given, path)
     stations = sorted(
         (_number(row, where, line, path), _number(row, across, line, path))
         for line, row in rows[1:]
@@ -224,36 +231,54 @@ def _words(heading: str) -> list[str]:
     return WORD.findall(heading.lower())
 
 
-def _all_columns(heading: Sequence[str]) -> tuple[list[_Column], list[_Column]]:
-    """Return the columns that say where, and those that say how thick."""
+def _all_columns(heading: Sequence[str], given: GivenColumns) -> tuple[list[_Column], list[_Column]]:
+    """Return the columns that say where, and those that say how thick; where a person named some, only those."""
+    names = [text.strip() for text in heading]
+    said = _said(given, names)
+    usual = None if given.units is None else FILE_UNITS[given.units]["length"]
     where: list[_Column] = []
     across: list[_Column] = []
-    for index, text in enumerate(heading):
-        words = _words(text)
+    for index, text in enumerate(names):
+        words = _words(said.get(text, text))
         units = [UNITS[word] for word in words if word in UNITS]
-        unit = next((one for one in units if one != "in"), units[0] if units else None)  # "diameter in mm"
+        unit = next((one for one in units if one != "in"), units[0] if units else usual)  # "diameter in mm"
         size = next((SIZES[word] for word in words if word in SIZES), None)
         if OTHER & set(words):
             continue
         if size is not None:
-            across.append(_Column(index, text.strip(), unit, size))
+            across.append(_Column(index, text, unit, size))
         elif PLACES & set(words) or (words and set(words) <= set(UNITS)):
             end = next((FROM_END[word] for word in words if word in FROM_END), False)
-            where.append(_Column(index, text.strip(), unit, from_tip=end))
-    return where, across
+            where.append(_Column(index, text, unit, from_tip=end))
+    return _named(where, said), _named(across, said)
 
 
-def _is_heading(cells: Sequence[str]) -> bool:
-    return all(_all_columns(cells))
+def _said(given: GivenColumns, names: Sequence[str]) -> dict[str, str]:
+    """Return what the headings that a person named would be called by us, each with its unit."""
+    parts = ((quantity, *heading_and_unit(text, names)) for quantity, text in given.headings.items())
+    return {name: f"{quantity} {unit}" for quantity, name, unit in parts}
 
 
-def _columns(heading: Sequence[str], path: Path) -> tuple[_Column, _Column]:
+def _named(columns: list[_Column], said: Mapping[str, str]) -> list[_Column]:
+    return [one for one in columns if one.heading in said] or columns
+
+
+def _columns(heading: Sequence[str], given: GivenColumns, path: Path) -> tuple[_Column, _Column]:
     """Return the columns that say where and how thick."""
-    where, across = _all_columns(heading)
+    names = [text.strip() for text in heading]
+    if lost := [name for name in _said(given, names) if name not in names]:
+        raise InputError(f"{path} has no column {' and no column '.join(lost)}; its columns are {', '.join(names)}")
+    if wrong := [name for name in given.headings if not {*SIZES, *PLACES} & set(_words(name))]:
+        raise InputError(
+            f"{wrong[0]} is no column of an outline; allowed are position, position_from_tip, diameter, circumference "
+            "and radius"
+        )
+    where, across = _all_columns(heading, given)
     if not where or not across:
         raise InputError(
             f"{path} begins with {', '.join(heading)!r}; name one column like in_from_tip or position_mm and one like "
-            "diameter_mm, circumference_in or radius_cm, with commas, semicolons or tabs between columns"
+            "diameter_mm, circumference_in or radius_cm, with commas, semicolons or tabs between columns; or say "
+            "--column position=HEADING:in and --column diameter=HEADING:mm"
         )
     if len(across) > 1:
         raise InputError(
@@ -273,7 +298,10 @@ def _number(row: Sequence[str], column: _Column, line: int, path: Path) -> float
     what = f"{path}, line {line}"
     bare = NUMBER.match(text.replace(",", ".")) is not None or _is_one_sign(text)
     if bare and column.unit is None:
-        raise InputError(f"{what}: {text!r} has no unit; write it in the heading, as in diameter_mm")
+        raise InputError(
+            f"{what}: {text!r} has no unit; write it in the heading, as in diameter_mm, or say "
+            "--file-units us (inches) or metric (cm)"
+        )
     try:
         value = float(text) * METRES[column.unit or ""]
     except (KeyError, ValueError):
