@@ -169,7 +169,7 @@ def read_headings(
         if once and rank == PLAIN:
             both = f"{first.heading} and {others[0][2].heading}"
             faults[quantity] = (
-                f"columns {both} both give {quantity}; keep one of them, or say which with --column "
+                f"columns {both} both give {quantity}; keep one of them, in one unit, or say which with --column "
                 f"{quantity}={first.heading}"
             )
         notes += [f"{column.heading} gives {quantity} too; {first.heading} is used" for _, _, column in others]
