@@ -18,6 +18,7 @@ from sweetspot.analysis.bat_analysis import analyse, exit_speed_of, hit_at
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.units import INCH, MPH
+from sweetspot.web.errors import NO_OBJECT
 from sweetspot.web.limits import LARGEST_BODY
 from sweetspot.web.views import VIEWS
 
@@ -214,6 +215,12 @@ BODIES = {
     "10 MB": (b"x" * 10_000_000, 413),
     "just too large": (b" " * (LARGEST_BODY + 1), 413),
 }
+
+
+def test_a_body_that_is_no_json_names_no_control(client: httpx.Client) -> None:
+    response = client.post("/api/v1/explorer", content=b"{", headers={"content-type": "application/json"})
+    error = response.json()["error"]
+    assert error["field"] == "" and error["message"] == NO_OBJECT
 
 
 @pytest.mark.parametrize("name", BODIES)

@@ -71,8 +71,10 @@ def _together(faults: list[dict[str, Any]]) -> dict[str, Any]:
 def _one(problem: Any) -> dict[str, Any]:
     place = problem["loc"] if problem["loc"][:1] == ("others",) else problem["loc"][:1]  # whose items have controls
     field = ".".join(str(part) for part in place)
+    if problem["type"] == "json_invalid":  # its place is a number of letters, and no control
+        return {"field": "", "message": NO_OBJECT}
     if problem["type"] in ("model_attributes_type", "model_type", "dict_type", "missing") and not field:
-        return {"field": "", "message": "the message must be one JSON object, sent as application/json"}
+        return {"field": "", "message": NO_OBJECT}
     return {"field": field, "message": shortened(_sentence(problem))}
 
 
@@ -85,6 +87,7 @@ def _sentence(problem: Any) -> str:
     return f"{text}; given was {str(given)[:60]!r}" if isinstance(given, str | int | float) else text
 
 
+NO_OBJECT = "the message must be one JSON object, sent as application/json"
 _WORDS = {
     "extra_forbidden": "there is no such control",
     "missing": "this field is required",
