@@ -157,6 +157,14 @@ def test_no_bat(tmp_path: Path, how: dict[str, Any], message: str) -> None:
         read_photo(saved(tmp_path / "bat.jpg", rendered(**how), quality=90), length=BAT.length)
 
 
+def test_a_huge_picture_of_one_colour_is_refused_by_its_header(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Such a file of 400 kB took 1.8 GB before it was refused."""
+    Image.new("RGB", (6200, 6200), (9, 99, 200)).save(tmp_path / "equal.png")
+    monkeypatch.setattr(Image.Image, "load", lambda _: pytest.fail("pixels were read"))
+    with pytest.raises(InputError, match="nearly empty for its 6200 x 6200 pixels"):
+        read_picture(tmp_path / "equal.png")
+
+
 def test_refusals(tmp_path: Path) -> None:
     path = saved(tmp_path / "bat.png", rendered())
     with pytest.raises(InputError, match="no ruler"):

@@ -19,8 +19,8 @@ MOST_PIXELS = 120_000_000
 """Of a file; they take 360 MB as bytes."""
 LARGEST = 200_000_000
 """Bytes of a file."""
-MOST_PER_BYTE = 500
-"""Pixels in a byte of a file; a drawing of three plain colours has about 200."""
+MOST_PER_BYTE = 240
+"""Pixels in a byte of a file; a drawing of three plain colours has about 200, one colour alone 250 to 320."""
 LONGEST_SIDE, SHORTEST_SIDE = 6000, 300
 """Pixels; larger pictures are made smaller, smaller ones show nothing."""
 DIAGONAL = 43.2666
@@ -117,7 +117,7 @@ def read_picture(path: Path) -> Picture:
         with _untold(Image.DecompressionBombWarning), Image.open(path) as file:
             if file.width * file.height > MOST_PIXELS:
                 raise InputError(f"{path} has {file.width} x {file.height} pixels; make it smaller than 120 megapixels")
-            if file.width * file.height > MOST_PER_BYTE * path.stat().st_size:
+            if file.width * file.height > max(LONGEST_SIDE**2, MOST_PER_BYTE * path.stat().st_size):
                 raise InputError(
                     f"{path} is nearly empty for its {file.width} x {file.height} pixels; give a photograph"
                 )
