@@ -29,7 +29,8 @@ def test_a_held_launch_carries_as_far_as_one_searched_anew() -> None:
     sources = NOTHING.with_source(Source(DRAG, 0.1044, ""))
     answers = drawn_optimum(sources, launches=[(left, flying)], count=64)
     drag = sources.of(DRAG, sources.deviations(answers.normal))
-    carry = answers.values["launches.0.carry_m"]
+    assert answers.main_name == "launches.0.carry"
+    carry = answers.main
     assert carry[0] == pytest.approx(best.carry)
     row = int(np.argmin(np.abs(drag + 0.1)))
     other = law.replaced(drag=law.drag * math.exp(drag[row]))
@@ -38,9 +39,7 @@ def test_a_held_launch_carries_as_far_as_one_searched_anew() -> None:
     assert carry[row] == pytest.approx(anew.carry, rel=3e-3)
 
 
-def test_the_command(run_json: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    function: Any = drawn_optimum
-    monkeypatch.setitem(function.__kwdefaults__, "count", 128)
+def test_the_command(run_json: Callable[..., Any]) -> None:
     asked = ("--pitch", "FF", "--exit-speed", "100mph", "--park", "fenway")
     found = run_json("optimum", *asked, "--bat-speed", "70mph±1mph", "--uncertainty")
     swing, launch, park = (found[name][0] for name in ("swings", "launches", "parks"))

@@ -16,23 +16,31 @@ from sweetspot.analysis.optimum import EasiestHomeRun, easiest_home_run
 from sweetspot.answers.flight_draws import DRAG, dragged, draws_of_sources, flight_columns
 from sweetspot.answers.play_draws import drawn_play
 from sweetspot.answers.play_question import PlayQuestion
+from sweetspot.answers.records import Columns
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array
-from sweetspot.uncertainty.intervals import DrawnAnswers
-from sweetspot.uncertainty.sources import DRAWS, Sources
+from sweetspot.uncertainty.sources import Sources
 
-TOLD = {
-    "exit_speed": "exit_speed_m_s",
-    "launch_angle": "launch_angle_rad",
-    "spray": "spray_rad",
-    "backspin": "backspin_rad_s",
-    "sidespin": "sidespin_rad_s",
-    "pitch_speed": "pitch_speed_m_s",
-    "carry": "carry_m",
-    "hang_time": "hang_time_s",
-}
-"""Fields of a play and of its flight, with their names in the data of a best swing."""
+OF_PLAY = ("exit_speed", "launch_angle", "spray", "backspin", "sidespin", "pitch_speed", "carry", "hang_time")
+"""Fields of a best swing that draws of its play answer."""
+
+
+@dataclass(frozen=True)
+class DrawnOptimum:
+    """What draws answer to what was asked about the best way to hit.
+
+    Parameters
+    ----------
+    normal : standard normal numbers behind every draw, shape (draws, n).
+    columns : by the fields of `OptimumAnswer`.
+    main, main_name : the first number that was asked for, shape (draws,), and where it stands.
+    """
+
+    normal: Array
+    columns: Columns
+    main: Array
+    main_name: str
 
 
 @dataclass(frozen=True)
@@ -50,9 +58,9 @@ def drawn_optimum(
     launches: Sequence[tuple[BallMotion, FlightConditions]] = (),
     parks: Sequence[AskedPark] = (),
     backspin: float = 0.0,
-    count: int = DRAWS,
-) -> DrawnAnswers:
-    """Return the answers of draws to what was asked about the best way to hit, by their names in its data.
+    count: int,
+) -> DrawnOptimum:
+    """Return what draws answer to what was asked about the best way to hit.
 
     Parameters
     ----------
@@ -63,25 +71,31 @@ def drawn_optimum(
     """
     normal, off = draws_of_sources(sources, count)
     drag = sources.of(DRAG, off)
-    values: dict[str, Array] = {}
-    for index, asked in enumerate(swings):
-        drawn = drawn_play(replace(asked, draws=count), sources)
-        answers = {**drawn.contact, **drawn.flight}
-        values |= {f"swings.{index}.{told}": answers[name] for name, told in TOLD.items()}
-    for index, (left, flying) in enumerate(launches):
-        balls = BallMotions(
-            velocity=np.tile(np.asarray(left.velocity), (len(off), 1)), spin=np.asarray(left.spin),
-            position=np.asarray(left.position),
-        )  # fmt: skip
-        values[f"launches.{index}.carry_m"] = flight_columns(balls, flying, drag)["carry"]
-    size = float(np.std(drag))
-    for index, park in enumerate(parks):
-        where = [park.best.direction]  # the fence that asks least
-        up, down = (
-            easiest_home_run(
-                park.best.park, dragged(park.conditions, sign * size), backspin=backspin, directions=where
-            ).exit_speed
-            for sign in (1.0, -1.0)
-        )
-        values[f"parks.{index}.exit_speed_m_s"] = park.best.exit_speed + drag / size * (up - down) / 2
-    return DrawnAnswers(normal, sources.names, values)
+    plays = [drawn_play(replace(asked, draws=count), sources) for asked in swings]
+    of_swings = [{name: {**play.contact, **play.flight}[name] for name in OF_PLAY} for play in plays]
+    flown = [flight_columns(_alike(left, len(off)), flying, drag) for left, flying in launches]
+    of_launches = [{"carry": one["carry"]} for one in flown]
+    of_parks = [{"exit_speed": _slowest(park, drag, backspin)} for park in parks]
+    rows = {"swings": of_swings, "launches": of_launches, "parks": of_parks}
+    columns = {name: row for name, row in rows.items() if row}
+    first, name = next((row[0], name) for name, row in columns.items())
+    number = "carry" if "carry" in first else "exit_speed"
+    return DrawnOptimum(normal, columns, first[number], f"{name}.0.{number}")
+
+
+def _alike(left: BallMotion, count: int) -> BallMotions:
+    """Return a ball many times."""
+    velocity = np.tile(np.asarray(left.velocity), (count, 1))
+    return BallMotions(velocity=velocity, spin=np.asarray(left.spin), position=np.asarray(left.position))
+
+
+def _slowest(park: AskedPark, drag: Array, backspin: float) -> Array:
+    """Return the exit speed of the slowest home run over the fence that asks least, for every drag."""
+    size, where = float(np.std(drag)), [park.best.direction]
+    up, down = (
+        easiest_home_run(
+            park.best.park, dragged(park.conditions, sign * size), backspin=backspin, directions=where
+        ).exit_speed
+        for sign in (1.0, -1.0)
+    )
+    return np.asarray(park.best.exit_speed + drag / size * (up - down) / 2)

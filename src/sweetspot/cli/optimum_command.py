@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
@@ -15,18 +15,9 @@ from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
-    from sweetspot.answers.play_question import PlayQuestion
-    from sweetspot.cli.options.swing import SwungBat
-    from sweetspot.dynamics.reduction import ReducedBat
+    from sweetspot.answers.optimum import LaunchSearch, ParkSearch, SwingSearch
     from sweetspot.equipment.bat import Bat
-    from sweetspot.flight.conditions import FlightConditions
-    from sweetspot.flight.park import Park
-    from sweetspot.flight.pitch import PitchFlight
     from sweetspot.motion.swing import Conditions
-    from sweetspot.report.document import Document
-    from sweetspot.report.optimum.answers import AskedLaunch
-    from sweetspot.uncertainty.sources import Sources
 
 ALL = "all"
 SPEEDS, SLOWER = ("90mph", "100mph", "110mph"), ("60mph", "70mph", "80mph")
@@ -106,11 +97,13 @@ def optimum(
 ) -> int:
     """Find the swing and the launch angle that carry farthest, and with --park (or --park all) the slowest home run."""
     from sweetspot import catalog
+    from sweetspot.answers.flight_draws import drag_source
+    from sweetspot.answers.optimum import OptimumQuestion, optimum_answer
+    from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.options.weather import through
     from sweetspot.cli.output import patience, present
-    from sweetspot.report.optimum.answers import Optimum
     from sweetspot.report.optimum.document import optimum_document
-    from sweetspot.units import parse
+    from sweetspot.uncertainty.sources import NOTHING
 
     _check_shown(show, pitch, contact, sent)
     everywhere = air.park == ALL or (show == "parks" and air.park is None)
@@ -125,24 +118,21 @@ def optimum(
     sent = replace(
         sent, exit_speed=sent.exit_speed or (SPEEDS if its.stroke.swing_speed.value > FAST_SWING else SLOWER)
     )
-    spin = parse(sent.backspin, "angular speed", "--backspin")
+    stroke = _stroke(contact)
+    player = swung_bat(described, stroke) if "swing" in asked else None
     with patience():
-        swung = _swings(described, pitch, contact, weather) if "swing" in asked else None
-        launches = _launches(sent, ball, weather) if "launch" in asked else None
-        searched = _parks(sent.backspin, ball, weather, everywhere) if "parks" in asked and parks else None
-        optimum = Optimum(
-            described, swings=None if swung is None else swung.rows, launches=launches,
-            parks=None if searched is None else [best for best, _ in searched],
-        )  # fmt: skip
-        document = optimum_document(optimum, held=contact.uncertainty)
+        question = OptimumQuestion(
+            described,
+            swing=None if player is None else _swing_search(described, pitch, contact, weather, player.conditions),
+            launch=_launch_search(sent, ball, weather) if "launch" in asked else None,
+            park=_park_search(sent.backspin, ball, weather, everywhere) if "parks" in asked and parks else None,
+        )
         if contact.uncertainty:
-            sources = None if swung is None else sources_for(bat, described, swung.conditions, swung.told)
-            document = _sure(
-                document, swung, launches or [], searched or [], through(weather, ball), sources=sources, backspin=spin
-            )
-    if swung is not None:
-        document = swung.player.told(document)
-    return present(document, output)
+            of_hit = NOTHING if player is None else sources_for(bat, described, player.conditions, stroke)
+            drag = drag_source(through(weather, ball).aerodynamics)
+            question = replace(question, sources=of_hit.with_source(drag))
+        document = optimum_document(optimum_answer(question))
+    return present(document if player is None else player.told(document), output)
 
 
 def _check_shown(show: str, pitch: PitchOptions, contact: ContactOptions, sent: SentOptions) -> None:
@@ -156,132 +146,56 @@ def _check_shown(show: str, pitch: PitchOptions, contact: ContactOptions, sent: 
         refuse_unused(given(sent, "backspin"), "the best launch", "leave --show out")
 
 
-class _Swung(NamedTuple):
-    """The best contact with every pitch, and what it was searched with."""
-
-    rows: list[tuple[BestSwing, PitchFlight]]
-    model: ReducedBat[Bat]
-    conditions: Conditions
-    flying: FlightConditions
-    tilt: float
-    told: SwingOptions
-    player: SwungBat
+def _stroke(contact: ContactOptions) -> SwingOptions:
+    """Return the options of the contact that other commands have too."""
+    return SwingOptions(
+        **{one.name: getattr(contact, one.name) for one in fields(SwingOptions) if hasattr(contact, one.name)}
+    )
 
 
-def _sure(
-    document: Document,
-    swung: _Swung | None,
-    launches: list[AskedLaunch],
-    searched: list[tuple[EasiestHomeRun, FlightConditions]],
-    flying: FlightConditions,
-    *,
-    sources: Sources | None,
-    backspin: float,
-) -> Document:
-    """Return the answer with an interval beside what follows from the best contact, launch angle and park."""
-    from sweetspot.answers.flight_draws import drag_source
-    from sweetspot.answers.optimum_draws import AskedPark, drawn_optimum
-    from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
-    from sweetspot.uncertainty.sources import NOTHING
-
-    known = (sources or NOTHING).with_source(drag_source(flying.aerodynamics))
-    left = [
-        launched(
-            speed=one.exit_speed, launch_angle=one.best.launch_angle, backspin=one.backspin, position=USUAL_CONTACT
-        )
-        for one in launches
-    ]
-    answers = drawn_optimum(
-        known, backspin=backspin, swings=[] if swung is None else _played(swung),
-        launches=[(one, flying) for one in left],
-        parks=[AskedPark(best, here) for best, here in searched],
-    )  # fmt: skip
-    main = "swings.0.carry_m" if swung is not None else "launches.0.carry_m" if launches else "parks.0.exit_speed_m_s"
-    named = "slowest home run" if main.startswith("parks") else "first farthest carry"
-    return uncertain(document, answers, main=main, named=named, where=known.described)
-
-
-def _played(swung: _Swung) -> list[PlayQuestion]:
-    """Return the best contact with every pitch as a play."""
-    from sweetspot.answers.play_question import PlayQuestion
-    from sweetspot.collision.hit_in_space import Contact
-    from sweetspot.motion.swing_path import SwingPath
-
-    conditions, plays = swung.conditions, []
-    for best, thrown in swung.rows:
-        path = SwingPath(attack_angle=best.attack_angle, tilt=max(swung.tilt, abs(best.attack_angle)))
-        pitched = conditions.replaced(pitch=conditions.pitch.replaced(speed=thrown.plate.speed))
-        contact = Contact(best.position, best.offset)
-        plays.append(PlayQuestion(swung.model, pitched, swung.flying, path, thrown.plate, contact))
-    return plays
-
-
-def _swings(bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: AirOptions) -> _Swung:
-    from sweetspot.analysis.optimum import best_swing
+def _swing_search(
+    bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: AirOptions, conditions: Conditions
+) -> SwingSearch:
     from sweetspot.analysis.optimum.swing import Held
+    from sweetspot.answers.optimum import SwingSearch
     from sweetspot.cli.options.pitching import pitched
-    from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.options.weather import through
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.equipment.implement import check_position
-    from sweetspot.motion.swing_path import SwingPlane
     from sweetspot.units import parse, parse_position
 
-    told = SwingOptions(
-        **{one.name: getattr(contact, one.name) for one in fields(SwingOptions) if hasattr(contact, one.name)}
-    )
-    player = swung_bat(bat, told)
-    conditions = player.conditions
     flying = replace(through(weather, str(contact.ball)), ball=conditions.ball)
     position = None if contact.at is None else parse_position(contact.at, length=bat.length, what="--at")
     if position is not None:
         check_position(bat, position, "--at")
     steep = None if contact.attack_angle is None else parse(contact.attack_angle, "angle", "--attack-angle")
-    model = reduced_bat(bat, ball=conditions.ball).held(conditions.hands)
-    rows, tilt = [], parse(contact.tilt, "angle", "--tilt")
-    for name in pitch.pitch:
-        thrown = pitched(name, pitch.release_speed, flying)
-        best = best_swing(
-            model,
-            flying,
-            swing=conditions.swing,
-            pitch=thrown.plate,
-            plane=SwingPlane(tilt=tilt),
-            held=Held(position=position, attack_angle=steep),
-        )
-        rows.append((best, thrown))
-    return _Swung(rows, model, conditions, flying, tilt, told, player)
+    return SwingSearch(
+        reduced_bat(bat, ball=conditions.ball).held(conditions.hands),
+        conditions,
+        flying,
+        pitches=tuple(pitched(name, pitch.release_speed, flying) for name in pitch.pitch),
+        tilt=parse(contact.tilt, "angle", "--tilt"),
+        held=Held(position=position, attack_angle=steep),
+    )
 
 
-def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLaunch]:
-    from sweetspot.analysis.optimum import best_launch
+def _launch_search(sent: SentOptions, ball: str, weather: AirOptions) -> LaunchSearch:
+    from sweetspot.answers.optimum import LaunchSearch
     from sweetspot.catalog.balls import ball_sport
     from sweetspot.catalog.sports import check_exit_speed
     from sweetspot.cli.options.weather import through
-    from sweetspot.report.optimum.answers import AskedLaunch
     from sweetspot.units import parse
 
-    spin = parse(sent.backspin, "angular speed", "--backspin")
-    flying = through(weather, ball)
-    rows = []
-    for text in sent.exit_speed:
-        speed = parse(text, "speed", "--exit-speed")
+    speeds = tuple(parse(text, "speed", "--exit-speed") for text in sent.exit_speed)
+    for speed, text in zip(speeds, sent.exit_speed, strict=True):
         check_exit_speed(speed, ball_sport(ball), "--exit-speed", text)
-        best = best_launch(speed, flying, backspin=spin)
-        rows.append(AskedLaunch(speed, spin, best))
-    return rows
+    return LaunchSearch(through(weather, ball), speeds, parse(sent.backspin, "angular speed", "--backspin"))
 
 
-def _parks(
-    backspin: str, ball: str, weather: AirOptions, everywhere: bool
-) -> list[tuple[EasiestHomeRun, FlightConditions]]:
-    """Return the slowest home run of every park that was asked for, and what was flown through there.
-
-    The park that is easiest to leave is the first.
-    """
+def _park_search(backspin: str, ball: str, weather: AirOptions, everywhere: bool) -> ParkSearch:
+    """Return every park that was asked for, and what is flown through there."""
     from sweetspot import catalog
-    from sweetspot.analysis.optimum import easiest_home_run
+    from sweetspot.answers.optimum import ParkSearch
     from sweetspot.cli.options.weather import park_of, through
     from sweetspot.units import parse
 
@@ -291,12 +205,10 @@ def _parks(
             "--park was given with a wind; the slowest home run is found in still air only, so leave out --wind-speed "
             "or ask with --show swing or --show launch"
         )
-    spin = parse(backspin, "angular speed", "--backspin")
     named = park_of(weather)
-    parks: list[Park] = list(catalog.parks()) if everywhere or named is None else [named]
-    rows = []
-    for park in parks:
-        own = everywhere and weather.elevation is None
-        here = catalog.conditions_in(park, flying, own_elevation=own)
-        rows.append((easiest_home_run(park, here, backspin=spin), here))
-    return sorted(rows, key=lambda row: row[0].exit_speed)
+    parks = list(catalog.parks()) if everywhere or named is None else [named]
+    own = everywhere and weather.elevation is None
+    return ParkSearch(
+        tuple((park, catalog.conditions_in(park, flying, own_elevation=own)) for park in parks),
+        parse(backspin, "angular speed", "--backspin"),
+    )

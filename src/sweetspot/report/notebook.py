@@ -59,6 +59,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.flight import FlightAnswer, flight_of
     from sweetspot.answers.fly import FlyAnswer
     from sweetspot.answers.hit import HitAnswer
+    from sweetspot.answers.optimum import OptimumAnswer
     from sweetspot.answers.pendulum import PendulumAnswer
     from sweetspot.answers.play import PlayAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
@@ -77,6 +78,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.hit.document import hit_document, impact_document
     from sweetspot.report.hit.many_hits import impacts_document
     from sweetspot.report.modes.document import modes_document
+    from sweetspot.report.optimum.document import optimum_document
     from sweetspot.report.pendulum.document import pendulum_document
     from sweetspot.report.play.bare_play import bare_play_document, strike_document
     from sweetspot.report.play.document import play_document
@@ -87,6 +89,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (FlyAnswer, fly_document),
         (FlightAnswer, flight_document),
         (PlayAnswer, play_document),
+        (OptimumAnswer, optimum_document),
         (DropAnswer, drop_document),
         (PendulumAnswer, pendulum_document),
         (Comparison, comparison_document),

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sweetspot.report.optimum.answers import Optimum
+from sweetspot.answers.optimum import OptimumAnswer
 from sweetspot.report.pictures.style import (
     HUGE,
     INK,
@@ -31,13 +31,13 @@ Row = tuple[str, float, str]
 
 
 @styled
-def optimum_figure(optimum: Optimum, reading: Reader) -> Figure:
+def optimum_figure(answer: OptimumAnswer, reading: Reader) -> Figure:
     """Return the figure: a panel for every question that was answered."""
-    panels = _panels(optimum, reading)
+    panels = _panels(answer, reading)
     heights = [ROW * (len(rows) + 0.5) for _, _, rows, _ in panels]
     height = HEADER + sum(heights) + BETWEEN * (len(panels) - 1) + FOOTER
     figure = Figure(figsize=(WIDTH, height))
-    title, size = fitted(f"The best way to hit: {optimum.bat.name}", width=WIDTH - 2 * SIDE, size=HUGE)
+    title, size = fitted(f"The best way to hit: {answer.bat}", width=WIDTH - 2 * SIDE, size=HUGE)
     figure.text(SIDE / WIDTH, 1 - 0.42 / height, title, size=size, weight="bold", parse_math=False)
     top = HEADER
     for (title, scale, rows, colour), tall in zip(panels, heights, strict=True):
@@ -47,25 +47,29 @@ def optimum_figure(optimum: Optimum, reading: Reader) -> Figure:
     return figure
 
 
-def _panels(optimum: Optimum, reading: Reader) -> list[tuple[str, str, Sequence[Row], str]]:
+def _panels(answer: OptimumAnswer, reading: Reader) -> list[tuple[str, str, Sequence[Row], str]]:
     """Return title, scale, rows and colour of every panel."""
     shown = reading.shown
     panels: list[tuple[str, str, Sequence[Row], str]] = []
-    if optimum.swings:
+    if answer.swings:
         swings = [
-            (pitch.delivery.name, best.carry, f"attack {shown(best.attack_angle, 'angle', digits=0)}")
-            for best, pitch in optimum.swings
+            (best.pitch, float(best.carry), f"attack {shown(float(best.attack_angle), 'angle', digits=0)}")
+            for best in answer.swings
         ]
         panels.append(("Farthest carry of each pitch", "distance", swings, BLUE))
-    if optimum.launches:
+    if answer.launches:
         launches = [
-            (shown(one.exit_speed, "speed", digits=0), one.best.carry, f"at {shown(one.best.launch_angle, 'angle')}")
-            for one in optimum.launches
+            (
+                shown(float(best.exit_speed), "speed", digits=0),
+                float(best.carry),
+                f"at {shown(float(best.launch_angle), 'angle')}",
+            )
+            for best in answer.launches
         ]
         panels.append(("Farthest carry of each exit speed", "distance", launches, GREEN))
-    if optimum.parks:
-        ordered = sorted(optimum.parks, key=lambda one: one.exit_speed)
-        parks = [(one.park.name, one.exit_speed, shown(one.exit_speed, "speed")) for one in ordered]
+    if answer.parks:
+        ordered = sorted((float(best.exit_speed), best.park) for best in answer.parks)
+        parks = [(name, speed, shown(speed, "speed")) for speed, name in ordered]
         panels.append(("Slowest home run of each park", "speed", parks, RED))
     return panels
 

@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 from shlex import quote
 from typing import Any
 
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, best_swing, easiest_home_run
+from sweetspot.analysis.optimum import best_launch
+from sweetspot.answers.optimum import LaunchSearch, OptimumQuestion, ParkSearch, SwingSearch, optimum_answer
 from sweetspot.catalog.sports import pitched_aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.park import Park
 from sweetspot.flight.pitch import PitchFlight, aimed
 from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
-from sweetspot.motion.swing_path import SwingPlane
-from sweetspot.report.optimum.answers import AskedLaunch, Optimum
 from sweetspot.report.optimum.document import optimum_document
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
@@ -70,31 +67,23 @@ def swing(state: OptimumState) -> dict[str, Any]:
     reduced_bat = reduced(state, ball_of(state))
     conditions, through = conditions_of(state, reduced_bat.bat), _through(state)
     thrown = _thrown(state, through)
+    search = SwingSearch(
+        reduced_bat.held(conditions.hands), conditions, through, (thrown,), tilt=math.radians(state.tilt_deg)
+    )
+    launch = LaunchSearch(through, (state.exit_speed_mph * MPH,), state.backspin_rpm * RPM)
     with about("tilt_deg"):
-        best = best_swing(
-            reduced_bat.held(conditions.hands), through, swing=conditions.swing, pitch=thrown.plate,
-            plane=SwingPlane(tilt=math.radians(state.tilt_deg)),
-        )  # fmt: skip
-    speed, spin = state.exit_speed_mph * MPH, state.backspin_rpm * RPM
-    launches = [AskedLaunch(speed, spin, best_launch(speed, through, backspin=spin))]
-    return told(optimum_document(Optimum(reduced_bat.bat, swings=[(best, thrown)], launches=launches)))
+        found = optimum_answer(OptimumQuestion(reduced_bat.bat, search, launch))
+    return told(optimum_document(found))
 
 
 def parks(state: OptimumState) -> dict[str, Any]:
     """Return the slowest home run of every park, each in its own air, as a document."""
     state = swung(state)
-    reduced_bat = reduced(state, ball_of(state))
-    homers = _easiest(state.ball or "", state.backspin_rpm, parks_of(reduced_bat.bat))
-    return told(optimum_document(Optimum(reduced_bat.bat, parks=list(homers))))
-
-
-@lru_cache(maxsize=32)
-def _easiest(ball: str, backspin_rpm: float, parks: tuple[Park, ...]) -> tuple[EasiestHomeRun, ...]:
-    outdoors = FlightConditions(ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics_of_ball(ball), air=Air())
-    found = [
-        easiest_home_run(park, catalog.conditions_in(park, outdoors), backspin=backspin_rpm * RPM) for park in parks
-    ]
-    return tuple(sorted(found, key=lambda one: one.exit_speed))
+    bat, name = reduced(state, ball_of(state)).bat, state.ball or ""
+    outdoors = FlightConditions(ball=catalog.ball(name), aerodynamics=catalog.aerodynamics_of_ball(name), air=Air())
+    there = tuple((park, catalog.conditions_in(park, outdoors)) for park in parks_of(bat))
+    question = OptimumQuestion(bat, park=ParkSearch(there, state.backspin_rpm * RPM))
+    return told(optimum_document(optimum_answer(question)))
 
 
 def _through(state: OptimumState) -> FlightConditions:

@@ -1,0 +1,260 @@
+"""The best way to hit: how to swing at a pitch, how high to send a ball, and where a park is easiest to leave."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Annotated
+
+from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, best_swing, easiest_home_run
+from sweetspot.analysis.optimum.swing import NOTHING_HELD, BestSwing, Held
+from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.optimum_draws import AskedPark, drawn_optimum
+from sweetspot.answers.play_question import PlayQuestion
+from sweetspot.answers.records import INTERNAL, Angle, Distance, Length, Speed, Spin, Time, with_intervals
+from sweetspot.collision.hit_in_space import Contact
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.equipment.bat import Bat
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.park import Park
+from sweetspot.flight.pitch import PitchFlight
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_path import SwingPath, SwingPlane
+from sweetspot.uncertainty.intervals import reach_of_draws
+from sweetspot.uncertainty.sources import DRAWS, Sources
+
+
+@dataclass(frozen=True)
+class SwingSearch:
+    """The contact that carries farthest is searched for each of these pitches; see `best_swing`.
+
+    Parameters
+    ----------
+    reduced : the bat, with what the hands do to it.
+    tilt : of the swing's plane, rad.
+    held : place and attack angle that are not searched.
+    """
+
+    reduced: ReducedBat[Bat]
+    conditions: Conditions
+    flying: FlightConditions
+    pitches: tuple[PitchFlight, ...]
+    tilt: float
+    held: Held = NOTHING_HELD
+
+    def best(self, pitch: PitchFlight) -> BestSwing:
+        """Return the contact with one pitch that carries farthest."""
+        return best_swing(
+            self.reduced,
+            self.flying,
+            swing=self.conditions.swing,
+            pitch=pitch.plate,
+            plane=SwingPlane(tilt=self.tilt),
+            held=self.held,
+        )
+
+    def play(self, best: BestSwing, pitch: PitchFlight) -> PlayQuestion:
+        """Return the best contact with one pitch as a play."""
+        return PlayQuestion(
+            self.reduced,
+            self.conditions,
+            self.flying,
+            path=SwingPath(attack_angle=best.attack_angle, tilt=max(self.tilt, abs(best.attack_angle))),
+            pitch=pitch.plate,
+            contact=Contact(best.position, best.offset),
+        )
+
+
+@dataclass(frozen=True)
+class LaunchSearch:
+    """The launch angle that carries farthest is searched for each exit speed (m/s) and a backspin (rad/s)."""
+
+    flying: FlightConditions
+    exit_speeds: tuple[float, ...]
+    backspin: float
+
+
+@dataclass(frozen=True)
+class ParkSearch:
+    """The slowest home run is searched in each park, with what is flown through there, and a backspin (rad/s)."""
+
+    parks: tuple[tuple[Park, FlightConditions], ...]
+    backspin: float
+
+
+@dataclass(frozen=True)
+class OptimumQuestion:
+    """What is asked about the best way to hit; None: not asked.
+
+    Parameters
+    ----------
+    sources : what is not known, of the hit and of the drag; None: no intervals are asked for.
+    draws : how many answers the intervals come from, a power of two.
+    """
+
+    bat: Bat
+    swing: SwingSearch | None = None
+    launch: LaunchSearch | None = None
+    park: ParkSearch | None = None
+    sources: Sources | None = None
+    draws: int = DRAWS
+
+
+@dataclass(frozen=True, kw_only=True)
+class FarthestSwing:
+    """The contact with a pitch that carries farthest; see `BestSwing`. What was searched has no interval."""
+
+    pitch: str
+    release_speed: Speed
+    pitch_speed: Speed
+    attack_angle: Angle
+    offset: Length
+    undercut: Length
+    position: Length
+    exit_speed: Speed
+    launch_angle: Angle
+    spray: Angle
+    backspin: Spin
+    sidespin: Spin
+    carry: Distance
+    hang_time: Time
+
+
+@dataclass(frozen=True)
+class FarthestLaunch:
+    """The launch angle that carries farthest."""
+
+    exit_speed: Speed
+    backspin: Spin
+    launch_angle: Angle
+    carry: Distance
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlowestHomeRun:
+    """The slowest home run of a park; see `EasiestHomeRun`."""
+
+    park: str
+    team: str
+    elevation: Distance
+    exit_speed: Speed
+    launch_angle: Angle
+    direction: Angle
+    fence_distance: Distance
+    fence_height: Distance
+
+
+@dataclass(frozen=True, kw_only=True)
+class OptimumAnswer(Answer):
+    """The best way to hit; None: not asked for.
+
+    Parameters
+    ----------
+    swings : the best contact with each pitch.
+    parks : the slowest home run of each park, the easiest to leave first.
+    uncertainty : what the intervals come from; None: there are none.
+    """
+
+    question: Annotated[OptimumQuestion, INTERNAL]
+    bat: str
+    swings: tuple[FarthestSwing, ...] | None = None
+    launches: tuple[FarthestLaunch, ...] | None = None
+    parks: tuple[SlowestHomeRun, ...] | None = None
+    uncertainty: Uncertainty | None = None
+
+
+def optimum_answer(question: OptimumQuestion) -> OptimumAnswer:
+    """Return the best way to hit.
+
+    Raises
+    ------
+    InputError
+        where no contact makes the ball fly, or no ball leaves a park.
+    """
+    swing, launch, park = question.swing, question.launch, question.park
+    swings = [] if swing is None else [(swing.best(pitch), pitch) for pitch in swing.pitches]
+    launches = (
+        []
+        if launch is None
+        else [
+            FarthestLaunch(speed, launch.backspin, best.launch_angle, best.carry)
+            for speed in launch.exit_speeds
+            for best in [best_launch(speed, launch.flying, backspin=launch.backspin)]
+        ]
+    )
+    parks = () if park is None else _easiest(park)
+    plain = OptimumAnswer(
+        question=question,
+        bat=question.bat.name,
+        swings=None if swing is None else tuple(_farthest(*found) for found in swings),
+        launches=None if launch is None else tuple(launches),
+        parks=None if park is None else tuple(_slowest(found.best) for found in parks),
+    )
+    if question.sources is None:
+        return plain
+    drawn = drawn_optimum(
+        question.sources,
+        swings=[] if swing is None else [swing.play(*found) for found in swings],
+        launches=[] if launch is None else [(_ball(found), launch.flying) for found in launches],
+        parks=parks,
+        backspin=0.0 if park is None else park.backspin,
+        count=question.draws,
+    )
+    known = uncertainty_of(
+        drawn.main,
+        of=drawn.main_name,
+        normal=drawn.normal,
+        names=question.sources.names,
+        sources=question.sources.described,
+    )
+    return with_intervals(replace(plain, uncertainty=known), drawn.columns, reach_of_draws)
+
+
+@lru_cache(maxsize=32)
+def _easiest(search: ParkSearch) -> tuple[AskedPark, ...]:
+    """Return the slowest home runs, the slowest first; no bat makes a difference to them."""
+    found = [AskedPark(easiest_home_run(park, here, backspin=search.backspin), here) for park, here in search.parks]
+    return tuple(sorted(found, key=lambda one: one.best.exit_speed))
+
+
+def _ball(found: FarthestLaunch) -> BallMotion:
+    return launched(
+        speed=float(found.exit_speed),
+        launch_angle=float(found.launch_angle),
+        backspin=float(found.backspin),
+        position=USUAL_CONTACT,
+    )
+
+
+def _farthest(best: BestSwing, pitch: PitchFlight) -> FarthestSwing:
+    left = best.launched
+    return FarthestSwing(
+        pitch=pitch.delivery.name,
+        release_speed=pitch.delivery.speed,
+        pitch_speed=pitch.plate.speed,
+        attack_angle=best.attack_angle,
+        offset=best.offset,
+        undercut=best.undercut,
+        position=best.position,
+        exit_speed=left.speed,
+        launch_angle=left.launch_angle,
+        spray=left.spray,
+        backspin=left.backspin,
+        sidespin=left.sidespin,
+        carry=best.carry,
+        hang_time=best.hang_time,
+    )
+
+
+def _slowest(best: EasiestHomeRun) -> SlowestHomeRun:
+    return SlowestHomeRun(
+        park=best.park.name,
+        team=best.park.team,
+        elevation=best.park.elevation,
+        exit_speed=best.exit_speed,
+        launch_angle=best.launch_angle,
+        direction=best.direction,
+        fence_distance=best.distance,
+        fence_height=best.height,
+    )
