@@ -133,7 +133,7 @@ PASSED_ON = {
     *("Friction", "ContactLaw | None", "PatchLaw", "Choices | None"),
 }
 """Annotations of what is handed on as it is."""
-PURE_NUMBERS = {"patch_factor"}
+PURE_NUMBERS = {"wall_doubt", "patch_factor"}
 
 
 def test_every_parameter_of_every_public_function_is_known() -> None:
