@@ -15,9 +15,9 @@ from sweetspot.player.columns import NEEDED, TEXTS, columns_of, day_of, maybe_a_
 from sweetspot.player.player_swing import TOO_FAST, PlayerSwing, check_speeds, fault_of, full_swings
 from sweetspot.player.swing_table import Lines, SwingTable, one_name, open_swings
 from sweetspot.tables.bad_row import BadRow
-from sweetspot.tables.cells import EMPTY, cell_in_si, require_units
+from sweetspot.tables.cells import EMPTY, cell_in_si, place_in_si, require_units
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
-from sweetspot.units import insisted, parse_position, shown, shown_speed
+from sweetspot.units import insisted, shown, shown_speed
 
 FEW = 20
 """Swings below which the intervals are said to be wide."""
@@ -188,9 +188,6 @@ def _read(
     if pitch is None and release is not None:
         pitch = PLATE_OVER_RELEASE * release
     pitch = pitch_speed if pitch is None else pitch
-    position = value.get("position")
-    if position is not None and not columns.columns["position"].from_tip:
-        position = length - position
     named, told = columns.columns.get("bat"), columns.columns.get("outcome")
     outcome = cells[told.index].strip().lower() if told else ""
     if BUNT in outcome:
@@ -201,7 +198,7 @@ def _read(
             return None
     swing = PlayerSwing(
         row=line, bat_speed=value.get("bat_speed"), exit_speed=value.get("exit_speed"), pitch_speed=pitch,
-        launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=position,
+        launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=value.get("position"),
         bat=cells[named.index].strip() if named else "", foul=FOUL in outcome,
     )  # fmt: skip
     wrong = fault_of(swing, length)
@@ -247,8 +244,7 @@ def _number(cell: str, column: TableColumn, length: float) -> float | None:
     text = cell.strip()
     if text.lower() in EMPTY:
         return None
-    written = column.kind == "place" and column.has_no_unit  # 6in-from-tip
-    number = parse_position(text, length=length) if written else cell_in_si(text, column)
+    number = length - place_in_si(text, column, length) if column.kind == "place" else cell_in_si(text, column)
     if not math.isfinite(number):
         raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
     return number

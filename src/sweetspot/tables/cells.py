@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from sweetspot.tables.headings import Headings, TableColumn, no_unit, refuse_faults
 from sweetspot.tables.unit_words import UNITS, zero_of
 from sweetspot.tables.vocabulary import simplified
+from sweetspot.units import parse_position
 
 NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+))\s*([^\d\s.,+-].*)")
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
@@ -36,6 +37,29 @@ def cell_in_si(cell: str, column: TableColumn) -> float:
         if match is None or unit not in UNITS[kind]:
             raise ValueError(f"{column.heading} is {cell!r}, not a number") from None
         return zero_of(kind, unit) + UNITS[kind][unit] * float(match[1])
+
+
+def place_in_si(cell: str, column: TableColumn, length: float) -> float:
+    """Return a place in m from the knob end, by the end that cell or heading names; a cell alone may: ``6in-from-tip``.
+
+    Parameters
+    ----------
+    length : of the implement in m.
+
+    Raises
+    ------
+    ValueError
+        for what is no place.
+
+    >>> column = TableColumn("position", "Position from tip", "place", "from_tip", math.nan)
+    >>> [round(place_in_si(cell, column, 0.84), 3) for cell in ("4 cm", "4cm-from-knob")]
+    [0.8, 0.04]
+    """
+    if not column.has_no_unit:
+        place = cell_in_si(cell, column)
+        return length - place if column.from_tip else place
+    end = "" if "from" in cell or not column.unit else f"-{column.unit.replace('_', '-')}"
+    return parse_position(f"{cell.strip()}{end}", length=length)
 
 
 def require_units(rows: Sequence[tuple[int, Sequence[str]]], headings: Headings, file_name: str) -> None:

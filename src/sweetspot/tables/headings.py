@@ -27,6 +27,8 @@ from sweetspot.tables.vocabulary import (
 COPY = re.compile(r"_duplicated_\d+$")
 """What polars writes behind a heading that stands twice."""
 PLACE = re.compile(r"^(?:(?P<before>[a-z]+)_)?from_(?:the_)?(?P<end>tip|knob)(?:_(?P<behind>[a-z]+))?$")
+ENDS = ("from_tip", "from_knob")
+"""Of a place: half a unit."""
 MOST_HEADINGS = 12
 """Headings of a table that a message lists."""
 
@@ -83,7 +85,12 @@ class TableColumn:
     @property
     def heading_with_unit(self) -> str:
         """Its heading as it might be written to say the unit."""
-        return f"{simplified(self.heading)}_{next(iter(UNITS[self.kind]))}"
+        return f"{simplified(self.heading)}_{'in' if self.unit else self.example_unit}"
+
+    @property
+    def example_unit(self) -> str:
+        """A unit that it might be in."""
+        return f"in_{self.unit}" if self.unit else next(iter(UNITS[self.kind]))
 
     @property
     def from_tip(self) -> bool:
@@ -154,7 +161,7 @@ def read_headings(
             continue
         for rank, place, quantity, unit in _meanings(name, short[index], index, said, system, wanted):
             try:
-                column = _made(quantity, name, unit or _unit(quantity, rank, system, given.units), index)
+                column = _made(quantity, name, _whole_unit(quantity, unit, rank, system, given.units), index)
             except InputError as error:
                 faults.setdefault(quantity, str(error))
             else:
@@ -219,7 +226,7 @@ def no_unit(columns: Sequence[TableColumn]) -> str:
         f"column{'s' * several} {' and '.join(one.heading.strip() for one in columns)} ha{'ve' if several else 's'} no "
         f"unit; write it into the heading{'s' * several}, for example {first.heading_with_unit}, or say "
         f"--file-units us (mph, feet, inches from the tip) or metric (m/s, m, cm from the tip), or of one "
-        f"column --column {first.quantity}={first.heading.strip()}:{next(iter(UNITS[first.kind]))}"
+        f"column --column {first.quantity}={first.heading.strip()}:{first.example_unit}"
     )
 
 
@@ -255,21 +262,24 @@ def _cuts(name: str) -> Iterator[tuple[str, str]]:
         unit = _as_unit(name[cut + 1 :])
         if unit:
             yield name[:cut], unit
-            if name[:cut].endswith("_in"):  # exit speed in mph
+            if name[:cut].endswith("_in") and unit not in ENDS:  # exit speed in mph
                 yield name[:cut].removesuffix("_in"), unit
 
 
 def _as_unit(words: str) -> str:
     """Return words behind a name as a unit; "" where they are none.
 
-    >>> _as_unit("km_h"), _as_unit("from_the_tip_in"), _as_unit("in_from_knob"), _as_unit("left")
-    ('km_h', 'in_from_tip', 'in_from_knob', '')
+    >>> _as_unit("km_h"), _as_unit("from_the_tip_in"), _as_unit("from_knob"), _as_unit("left")
+    ('km_h', 'in_from_tip', 'from_knob', '')
     """
     if words in KNOWN_UNITS:
         return words
     place = PLACE.match(words)
-    unit = f"{place['before'] or place['behind']}_from_{place['end']}" if place else ""
-    return unit if unit in UNITS["place"] else ""
+    if place is None:
+        return ""
+    length = place["before"] or place["behind"]
+    unit = f"{length}_from_{place['end']}" if length else f"from_{place['end']}"
+    return unit if not length or unit in UNITS["place"] else ""
 
 
 def _belongs(names: Sequence[str], system: MeasuringSystem) -> bool:
@@ -313,15 +323,24 @@ def _unit(quantity: str, rank: int, system: MeasuringSystem | None, units: FileU
     return ONLY_UNIT.get(kind, "") or ("" if units is None else FILE_UNITS[units].get(kind, ""))
 
 
+def _whole_unit(quantity: str, unit: str, rank: int, system: MeasuringSystem | None, units: FileUnits | None) -> str:
+    """Return a column's unit, with what its heading leaves out: all of it, or of a place the length."""
+    if unit and unit not in ENDS:
+        return unit
+    usual = _unit(quantity, rank, system, units)
+    return usual.replace("from_tip", unit) if unit and usual else unit or usual
+
+
 def _made(quantity: str, heading: str, unit: str, index: int) -> TableColumn:
     kind = quantities()[quantity].kind
     if kind in UNMEASURED:
         return TableColumn(quantity, heading, kind, "", 1.0, index=index)
-    if unit and unit not in UNITS[kind]:
+    half = kind == "place" and unit in ENDS
+    if unit and not half and unit not in UNITS[kind]:
         known = kind != "place" and any(unit in units for units in UNITS.values())  # a place counts from an end
         wrong = f"the unit {unit}, which is no {kind}" if known else f"an unknown unit, {unit}"
         raise InputError(f"column {heading.strip()} has {wrong}; allowed: {', '.join(UNITS[kind])}")
-    factor = UNITS[kind][unit] if unit else math.nan
+    factor = UNITS[kind][unit] if unit and not half else math.nan
     return TableColumn(quantity, heading, kind, unit, factor, zero_of(kind, unit), index)
 
 

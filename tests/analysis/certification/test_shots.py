@@ -291,6 +291,23 @@ def test_words_of_the_test_method_and_units_in_cells(tmp_path: Path) -> None:
     assert (found.ball_speed, found.position) == pytest.approx((plain.ball_speed, plain.position))
 
 
+def test_a_heading_that_names_the_end_alone(tmp_path: Path) -> None:
+    """Cells or the option give the unit; plain numbers without one are refused with what to write."""
+    heading = "ball_in_mph,ball_out_mph,Position from the tip"
+    plain = read_shots(written(tmp_path, HEADINGS, GOOD), length=BAT.length).shots[0].position
+    for cell, units in (
+        ("6", "us"),
+        ("6 in", None),
+        ("15.24 cm", None),
+        (f"{BAT.length / INCH - 6} in-from-knob", None),
+    ):
+        path = written(tmp_path, heading, f"136,28,{cell}")
+        found = read_shots(path, length=BAT.length, given=GivenColumns(units=units)).shots[0]  # type: ignore[arg-type]
+        assert found.position == pytest.approx(plain), cell
+    with pytest.raises(InputError, match=r"has no unit; .*position_from_the_tip_in, .*the tip:in_from_tip"):
+        read_shots(written(tmp_path, heading, GOOD), length=BAT.length)
+
+
 def test_a_person_says_what_columns_of_shots_mean(tmp_path: Path) -> None:
     said = GivenColumns({"ball_in": "ein", "ball_out": "aus", "position": "Ort"}, units="us")
     plain = read_shots(written(tmp_path, HEADINGS, GOOD), length=BAT.length).shots[0]

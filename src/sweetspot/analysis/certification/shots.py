@@ -16,7 +16,7 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
 from sweetspot.tables.bad_row import BadRow
-from sweetspot.tables.cells import cell_in_si, require_units
+from sweetspot.tables.cells import cell_in_si, place_in_si, require_units
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
     GivenColumns,
@@ -29,7 +29,7 @@ from sweetspot.tables.headings import (
 )
 from sweetspot.tables.unit_words import UNITS
 from sweetspot.tables.vocabulary import quantities
-from sweetspot.units import MPH, parse_position, shown
+from sweetspot.units import MPH, shown
 
 SHOTS = ("ball_in", "ball_out", "bat_speed", "position", "ball_cor", "ball_stiffness", "ball_mass")
 """Columns that are understood."""
@@ -151,21 +151,13 @@ def _shot(line: int, cells: list[str], columns: Mapping[str, TableColumn], *, wi
     """Return one row as a shot; raises ValueError with the reason when it cannot be used."""
     if len(cells) != width:
         raise ValueError(f"{len(cells)} cells under {width} column names")
-    where = columns["position"]
-    written = where.has_no_unit
-    value = {
-        quantity: _number(cells[column.index], column)
-        for quantity, column in columns.items()
-        if not (written and column is where)
-    }
-    position = _written_place(cells[where.index], length) if written else value["position"]
-    position = length - position if where.from_tip else position
+    value = {quantity: _number(cells[column.index], column, length) for quantity, column in columns.items()}
     shot = Shot(
         row=line,
         ball_speed=value["ball_in"],
         rebound_speed=value["ball_out"],
         bat_speed=value.get("bat_speed", 0.0),
-        position=position,
+        position=value["position"],
         ball_cor=value.get("ball_cor"),
         ball_stiffness=value.get("ball_stiffness"),
         ball_mass=value.get("ball_mass"),
@@ -175,19 +167,11 @@ def _shot(line: int, cells: list[str], columns: Mapping[str, TableColumn], *, wi
     return shot
 
 
-def _written_place(cell: str, length: float) -> float:
-    """Return a place that is written with its unit and end, m from the knob end; raises ValueError with the reason."""
-    try:
-        return parse_position(cell, length=length, what="position")
-    except InputError as fault:
-        raise ValueError(str(fault)) from None
-
-
-def _number(cell: str, column: TableColumn) -> float:
+def _number(cell: str, column: TableColumn, length: float) -> float:
     text = cell.strip()
     if not text:
         raise ValueError(f"{column.heading} is blank")
-    number = cell_in_si(text, column)
+    number = place_in_si(text, column, length) if column.kind == "place" else cell_in_si(text, column)
     if not math.isfinite(number):
         raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
     return number
