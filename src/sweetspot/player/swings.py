@@ -27,7 +27,7 @@ FOUL, BUNT = "foul", "bunt"
 """Words of an outcome, such as Statcast's description, that tell such a swing."""
 FEWEST_TOO_FAST, PART_TOO_FAST = 3, 0.1
 """Rows, and part of all rows, from which balls too fast for the pitch speed say that it is wrong. Our choice."""
-ZERO = re.compile(r"[-+]?0*\.?0*(?:\s*[^\d\s.].*)?")
+ZERO = re.compile(r"[-+]?(?:0+\.?0*|\.0+)(?:\s*[^\d\s.].*)?")
 
 
 @dataclass(frozen=True)
