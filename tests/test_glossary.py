@@ -91,6 +91,10 @@ def test_every_name_stands_once_with_meaning_and_unit() -> None:
     assert [name for name, meaning, unit in terms() if not meaning or not unit] == []
 
 
+OUT_IN = {"out_in", "expected_out_in"}
+"""How many parks a ball is out in: no inches."""
+
+
 @pytest.mark.parametrize("ending", ["_mph", "_in", "_m", "_kg", "_hz", "_ms", "_deg", "_oz", "_mm"])
 def test_no_name_inside_the_package_carries_a_unit(ending: str) -> None:
-    assert [name for name in used_names() if name.endswith(ending)] == []
+    assert [name for name in used_names() if name.endswith(ending) and name not in OUT_IN] == []
