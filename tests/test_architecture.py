@@ -288,10 +288,10 @@ def test_the_front_door_opens() -> None:
 
 
 BUDGET = {
-    "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 3_000, "calibration": 7_000, "catalog": 3_600,
+    "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 3_700, "calibration": 7_000, "catalog": 3_600,
     "cli": 4_600, "collision": 3_100, "design": 3_200, "dynamics": 4_900, "equipment": 3_400, "errors": 150,
     "flight": 3_500, "front_door": 300, "motion": 700, "numerics": 1_900, "paper": 1_000, "player": 4_200,
-    "references": 150, "report": 13_600, "season": 8_100, "uncertainty": 2_000, "units": 1_100, "validation": 2_500,
+    "references": 150, "report": 13_500, "season": 8_100, "uncertainty": 2_000, "units": 1_100, "validation": 2_500,
     "tables": 750, "web": 7_600,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,15 +14,10 @@ from sweetspot.cli.options.uncertainty import Uncertainty
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.analysis.certification.passing_wall import PassingWall
     from sweetspot.analysis.certification.rules import League
-    from sweetspot.analysis.certification.shot_statistics import Measured
-    from sweetspot.analysis.certification.shots import Shots
-    from sweetspot.dynamics.rigid import RigidBody
     from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.bat import Bat
-    from sweetspot.report.certification.tested_bat import TestedBat
-    from sweetspot.report.document import Document
+    from sweetspot.uncertainty.sources import Sources
 
 ALL = "all"
 
@@ -60,46 +55,41 @@ def certify(
 ) -> int:
     """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when one fails or none can be decided."""
     from sweetspot import catalog
+    from sweetspot.analysis.certification.shots import read_shots
+    from sweetspot.answers.certify import CertifyQuestion, certify_answer
     from sweetspot.catalog.rules import DEFAULT_LEAGUE
     from sweetspot.cli.output import patience, present
-    from sweetspot.dynamics.beam import beam_model
-    from sweetspot.dynamics.rigid import rigid_body
-    from sweetspot.report.certification.document import tested_document
-    from sweetspot.report.certification.tested_bat import held_to_rules, tested_by_model
+    from sweetspot.report.certification.document import certificate_document
+    from sweetspot.units import parse
 
     if bat is None:
         raise InputError("certify needs a bat: BBCOR takes the recoil from its weight, balance and moment of inertia")
-    shots, standard_ball_cor = shooting.shots, shooting.standard_ball_cor
-    if standard_ball_cor is not None and shots is None:
+    shots, cor = shooting.shots, shooting.standard_ball_cor
+    if cor is not None and shots is None:
         raise InputError("--standard-ball-cor normalises measured shots; give them with --shots")
     described = catalog.load_bat(bat)
     leagues, chosen = _leagues(league or catalog.sport(described.sport).rules or DEFAULT_LEAGUE, ball)
-    if shots is None:
-        with patience():
-            tested = tested_by_model(described, leagues, ball=chosen)
-    else:
-        body = rigid_body(beam_model(described))
-        read, test = _measured(shooting, shots, described, body=body, ball=chosen)
-        tested = held_to_rules(described, leagues, ball=chosen, body=body, test=test, shots=read)
-    if wall_that_passes:
-        with patience():
-            tested = replace(tested, walls=_walls(leagues, described, chosen))
-    if not uncertainty:
-        return present(tested_document(tested), output)
+    question = CertifyQuestion(
+        described,
+        leagues,
+        chosen,
+        shots=None if shots is None else read_shots(shots, length=described.length, given=shooting.columns.given()),
+        standard_restitution=None if cor is None else parse(cor, "ratio", "--standard-ball-cor"),
+        passing_wall=wall_that_passes,
+        sources=_sources(bat, described, chosen) if uncertainty else None,
+    )
     with patience():
-        document = _with_doubt(tested, bat)
-    return present(document, output)
+        answer = certify_answer(question)
+    return present(certificate_document(answer), output)
 
 
-def _with_doubt(tested: TestedBat, name: str) -> Document:
-    """Return a test with intervals, and how probable it is that the bat passes each rule."""
+def _sources(name: str, bat: Bat, ball: Ball) -> Sources:
+    """Return what is not known of a hit with this bat."""
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.cli.options.swing import SwingOptions
     from sweetspot.cli.options.uncertainty import sources_for
-    from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt
 
-    conditions = standard_conditions(tested.bat).replaced(ball=tested.ball)
-    return certificate_with_doubt(tested, conditions, sources_for(name, tested.bat, conditions, SwingOptions()))
+    return sources_for(name, bat, standard_conditions(bat).replaced(ball=ball), SwingOptions())
 
 
 def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
@@ -124,29 +114,3 @@ def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
             "--ball out, or add --force if it is meant"
         )
     return [one], catalog.ball(ball_name or one.ball)
-
-
-def _walls(leagues: list[League], bat: Bat, ball: Ball) -> list[tuple[League, PassingWall]]:
-    """Return the wall that would just pass every league's limit on BBCOR or BPF."""
-    from sweetspot.analysis.certification.passing_wall import MEASURES
-    from sweetspot.analysis.certification.passing_wall import wall_that_passes as thinnest
-
-    limits = [(one, rule) for one in leagues for rule in one.rules if rule.quantity in MEASURES and rule.most]
-    if not limits:
-        raise InputError("no rule of this league limits BBCOR or BPF; leave --wall-that-passes out")
-    return [
-        (one, thinnest(bat, ball=ball, limit=rule.most, measure=rule.quantity)) for one, rule in limits if rule.most
-    ]
-
-
-def _measured(given: ShotOptions, path: Path, bat: Bat, *, body: RigidBody, ball: Ball) -> tuple[Shots, Measured]:
-    from sweetspot.analysis.certification.shot_statistics import measure
-    from sweetspot.analysis.certification.shots import read_shots
-    from sweetspot.units import parse
-
-    read = read_shots(path, length=bat.length, given=given.columns.given())
-    standard = given.standard_ball_cor
-    wanted = None if standard is None else parse(standard, "ratio", "--standard-ball-cor")
-    return read, measure(
-        read.shots, bat=bat, body=body, ball=ball, standard_restitution=wanted, unused=read.bad_rows
-    )  # fmt: skip

@@ -15,10 +15,10 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.comparison import Comparison
+    from sweetspot.answers.certify import CertifyAnswer
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing_law import SwingLaw
-    from sweetspot.report.certification.tested_bat import TestedBat
     from sweetspot.uncertainty.sources import Sources
 
 
@@ -121,16 +121,16 @@ def compare(
     return present(document, output)
 
 
-def _tested(bat: Bat) -> TestedBat:
+def _tested(bat: Bat) -> CertifyAnswer:
     """Return a bat held against the rules of its sport; a wooden one of baseball also against those of the majors."""
     from sweetspot import catalog
+    from sweetspot.answers.certify import CertifyQuestion, certify_answer
     from sweetspot.catalog.rules import DEFAULT_LEAGUE, WOODEN_LEAGUE, league
-    from sweetspot.report.certification.tested_bat import tested_by_model
 
     own = catalog.sport(bat.sport).rules or DEFAULT_LEAGUE
     names = [own, WOODEN_LEAGUE] if own == DEFAULT_LEAGUE and bat.material.family == "wood" else [own]
     leagues = [league(name) for name in names]
-    return tested_by_model(bat, leagues, ball=catalog.ball(leagues[0].ball))
+    return certify_answer(CertifyQuestion(bat, leagues, catalog.ball(leagues[0].ball)))
 
 
 def _sources(comparison: Comparison[Implement], names: tuple[str, ...], swing: SwingOptions) -> list[Sources]:

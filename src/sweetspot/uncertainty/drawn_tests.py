@@ -6,8 +6,11 @@ is, and through how large a patch it presses, does.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
+from sweetspot.analysis.certification.rules import PERFORMANCE
 from sweetspot.analysis.certification.simulated_test import (
     BPF_SPEED,
     CLAMP,
@@ -24,7 +27,6 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import top
 from sweetspot.uncertainty.drawn_hits import Draws, draws_of
-from sweetspot.uncertainty.intervals import DrawnAnswers
 from sweetspot.uncertainty.sources import DRAWS, OF_BALL, PITCH, SWING, Sources
 
 NORMALISED = (f"{OF_BALL}restitution", f"{OF_BALL}restitution slope", f"{OF_BALL}mass")
@@ -36,10 +38,36 @@ def sources_of_test(sources: Sources) -> Sources:
     return sources.without(*NORMALISED, SWING, PITCH)
 
 
+@dataclass(frozen=True)
+class DrawnTest:
+    """What draws answer to a simulated test, arrays of shape (draws,); the first draw is the bat as described.
+
+    Parameters
+    ----------
+    best_position, slow_best_position : of the game's closing speed and of 60 mph, m from the knob end.
+    """
+
+    draws: Draws
+    bbcor: Array
+    besr: Array
+    bpf: Array
+    collision_efficiency: Array
+    batted_ball_speed: Array
+    best_position: Array
+    slow_best_position: Array
+
+    def of_rule(self, quantity: str) -> Array | None:
+        """Return the answers to what a rule limits, by its name in `QUANTITIES`; None where draws answer none."""
+        if quantity == "moi":
+            return self.draws.moi(CLAMP)
+        answers: Array | None = getattr(self, quantity) if quantity in PERFORMANCE else None
+        return answers
+
+
 def drawn_test(
     line: BeamModel, conditions: Conditions, sources: Sources, tested: Certification, *, count: int = DRAWS
-) -> DrawnAnswers:
-    """Return the answers of draws to a simulated test, by their names in its data, and to the rules' quantities.
+) -> DrawnTest:
+    """Return the answers of draws to a simulated test.
 
     Parameters
     ----------
@@ -48,29 +76,20 @@ def drawn_test(
     tested : the test of the bat as described; draws are counted from its measures.
     """
     draws = draws_of(line, conditions, sources, count=count)
-    efficiency, best, place = _fired(draws, tested.swung.closing_speed)
+    drawn, best, place = _fired(draws, tested.swung.closing_speed)
     _, slow, slow_place = _fired(draws, BPF_SPEED)
+    efficiency = tested.fast.best_efficiency + drawn - drawn[0]
     restitution = conditions.ball.restitution.at(BPF_SPEED)
-    values = {
-        "bbcor": tested.bbcor + best - best[0],
-        "besr": besr(tested.fast.best_efficiency) + efficiency - efficiency[0],
-        "collision_efficiency": tested.fast.best_efficiency + efficiency - efficiency[0],
-        "bpf": tested.bpf + bpf(1.0, ball_restitution=restitution) * (slow - slow[0]),
-        "moi": draws.moi(CLAMP),
-        "best_position_m": place, "fast.best_position_m": place, "slow.best_position_m": slow_place,
-    }  # fmt: skip
-    values["batted_ball_speed_m_s"] = tested.swung.batted_ball_speed(values["collision_efficiency"])
-    told = {f"test.{name}": value for name, value in values.items() if name != "moi"}
-    body = draws.bats.bending
-    weight = {"bat.mass_kg": body.mass, "bat.balance_point_m": body.balance_point, "bat.moi_6in_kg_m2": values["moi"]}
-    return DrawnAnswers(draws.normal, sources.names, {**told, **weight})
-
-
-RULED = {
-    "bbcor": "test.bbcor", "besr": "test.besr", "bpf": "test.bpf", "batted_ball_speed": "test.batted_ball_speed_m_s",
-    "moi": "bat.moi_6in_kg_m2",
-}  # fmt: skip
-"""Quantities that rules limit, by their names in the answers."""
+    return DrawnTest(
+        draws,
+        bbcor=tested.bbcor + best - best[0],
+        besr=besr(efficiency),
+        bpf=tested.bpf + bpf(1.0, ball_restitution=restitution) * (slow - slow[0]),
+        collision_efficiency=efficiency,
+        batted_ball_speed=tested.swung.batted_ball_speed(efficiency),
+        best_position=place,
+        slow_best_position=slow_place,
+    )
 
 
 def _fired(draws: Draws, speed: float) -> tuple[Array, Array, Array]:

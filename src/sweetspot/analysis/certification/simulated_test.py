@@ -201,7 +201,7 @@ class Certification(ShownInNotebooks):
         return {name: (min(numbers), max(numbers)) for name, numbers in values.items()}
 
 
-def besr(efficiency: float) -> float:
+def besr(efficiency: Real) -> Real:
     """Return BESR = q + 1/2 [nathan2003sabr].
 
     >>> round(besr((97 - 66) / (70 + 66)), 3)  # 97 mph off a 66 mph bat from a 70 mph ball: the limit of 1999

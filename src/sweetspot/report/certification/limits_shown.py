@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sweetspot.analysis.certification.rules import QUANTITIES, Check, League, Verdict, title
+from sweetspot.analysis.certification.rules import QUANTITIES, Check, Verdict, title
+from sweetspot.answers.certify import RuleCheck
+from sweetspot.numerics.interval import Number
 from sweetspot.report.document import Marked
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
 
@@ -27,13 +29,13 @@ BROKEN = {
 """What is wrong with a bat whose value says nothing beside the rule's name."""
 
 
-def broken_words(league: League, check: Check) -> Sentence:
+def broken_words(check: RuleCheck) -> Sentence:
     """Return a broken rule with its league, since another league's rules may be kept, and by what it is broken."""
-    if check.rule.quantity in BROKEN:
-        return say("{fault} ({league})", fault=BROKEN[check.rule.quantity], league=league.name)
+    if check.quantity in BROKEN:
+        return say("{fault} ({league})", fault=BROKEN[check.quantity], league=check.league_name)
     return say(
-        "{rule} of {league} ({value}, allowed {limit})", rule=title(check.rule), league=league.name,
-        value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check),
+        "{rule} of {league} ({value}, allowed {limit})", rule=check.title, league=check.league_name,
+        value=value_shown(check.quantity, check.outcome.value), limit=limit_shown(check),
     )  # fmt: skip
 
 
@@ -46,24 +48,23 @@ def unsure_words(checks: Sequence[Check], *, verdict: Verdict = Verdict.PASS) ->
     return f" Not sure: {' and '.join(names)}. It just {does}; what is not known reaches across the limit."
 
 
-def limit_shown(check: Check) -> Words:
+def limit_shown(check: RuleCheck) -> Words:
     """Return the limit of a rule with the side it is on."""
-    rule = check.rule
-    if QUANTITIES[rule.quantity][1] == "yes or no":
+    if check.unit == "yes or no":
         return "yes"
-    sides = [("at least", rule.least), ("at most", rule.most)]
+    sides = [("at least", check.least), ("at most", check.most)]
     return joined(
-        say("{side} {limit}", side=side, limit=value_shown(rule.quantity, limit)) for side, limit in sides
+        say("{side} {limit}", side=side, limit=value_shown(check.quantity, limit)) for side, limit in sides
         if limit is not None
     )  # fmt: skip
 
 
-def value_shown(quantity: str, value: float | None, *, sign: bool = False, of: str = "") -> Sentence:
-    """Return a value in the unit that people use for it; ``of`` as in `Slot`."""
+def value_shown(quantity: str, value: Number | None, *, sign: bool = False) -> Sentence:
+    """Return a value in the unit that people use for it, with its interval where it has one."""
     if value is None:
         return Sentence(())
     unit = QUANTITIES[quantity][1]
     if unit == "yes or no":
-        return say("yes" if value else "no")
+        return say("yes" if float(value) else "no")
     scale, digits = SCALES.get(unit, ("ratio", 4))
-    return Sentence((Slot(value, scale, digits, sign, of=of),))
+    return Sentence((Slot(value, scale, digits, sign),))

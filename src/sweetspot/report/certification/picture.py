@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 
 from sweetspot.analysis.certification.rules import NOT_SURE, Verdict
 from sweetspot.analysis.certification.shot_statistics import Measured
-from sweetspot.analysis.certification.simulated_test import BatTest, Certification
+from sweetspot.analysis.certification.simulated_test import BatTest
+from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.pictures.ruler import from_the_tip
 from sweetspot.report.pictures.style import (
     HUGE,
@@ -55,26 +55,26 @@ class _Curve:
 
 @styled
 def certification_figure(
-    tested: TestedBat, reading: Reader = US, *, paper: tuple[float, float, float, float] = ALONE
+    answer: CertifyAnswer, reading: Reader = US, *, paper: tuple[float, float, float, float] = ALONE
 ) -> Figure:
     """Return the figure of a test from the model or from shots."""
     width, header, panel, footer = paper
     height = header + panel + footer
     figure = Figure(figsize=(width, height))
     if paper == ALONE:
-        _header(figure, tested, width, height)
-    curve = _curve(tested)
+        _header(figure, answer, width, height)
+    curve = _curve(answer)
     name = curve.measure.upper()
     axes = axes_in_inches(figure, left=SIDE, top=header, width=width - 2 * SIDE, height=panel)
     heading(axes, name, "along the barrel, on a bat at rest; the scale does not begin at 0")
     inch = reading.units["place"].size
-    from_tip = (tested.bat.length - curve.position) / inch
-    if isinstance(tested.test, Certification):
+    from_tip = (answer.implement.length - curve.position) / inch
+    if answer.test is not None:
         axes.fill_between(from_tip, curve.low, curve.high, color=SKY, alpha=0.35, linewidth=0)
         axes.plot(from_tip, curve.value, color=BLUE)
     else:
         axes.plot(from_tip, curve.value, "o", color=BLUE, markersize=4)
-    limits = _limits(tested, curve.measure)
+    limits = _limits(answer, curve.measure)
     values = np.concatenate([curve.low, curve.high, curve.value, [limit for _, limit, _ in limits]])
     low, high = float(values.min()), float(values.max())
     room = ROOM * (high - low)
@@ -83,17 +83,17 @@ def certification_figure(
     pad = 0.04 * (far - near) or 1.0
     axes.set_xlim(far + pad, near - pad)
     _draw_limits(axes, limits)
-    place, value = (tested.bat.length - curve.best[0]) / inch, curve.best[1]
+    place, value = (answer.implement.length - curve.best[0]) / inch, curve.best[1]
     axes.plot(place, value, "o", color=RED, markersize=6, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)
     axes.annotate(
         f"{value:.3f}", (place, value), xytext=(0, -8), textcoords="offset points", color=INK, weight="bold",
         ha="center", va="top", path_effects=halo(),
     )  # fmt: skip
-    axes.set_xlabel(from_the_tip(tested.bat, reading))
+    axes.set_xlabel(from_the_tip(answer.implement, reading))
     light_grid(axes)
     kind = (
         "Computed. Band: what the size of the ball's patch leaves open."
-        if isinstance(tested.test, Certification) else "Measured: each dot is a place, the mean of its shots."
+        if answer.test is not None else "Measured: each dot is a place, the mean of its shots."
     )  # fmt: skip
     figure.text(
         SIDE / width,
@@ -105,16 +105,16 @@ def certification_figure(
     return figure
 
 
-def _header(figure: Figure, tested: TestedBat, width: float, height: float) -> None:
+def _header(figure: Figure, answer: CertifyAnswer, width: float, height: float) -> None:
     """Write whose test it is, with which ball, and how many rules it keeps."""
-    words, size = fitted(tested.bat.name, width=width - 2 * SIDE, size=HUGE)
+    words, size = fitted(answer.bat.name, width=width - 2 * SIDE, size=HUGE)
     figure.text(SIDE / width, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
     verdicts = "; ".join(
         _counted(count, verdict, doubt)
         for verdict, doubt in product(Verdict, ("", NOT_SURE))
-        if (count := sum(check.words == f"{verdict}{doubt}" for _, check in tested.checks))
+        if (count := sum(one.outcome.words == f"{verdict}{doubt}" for one in answer.checks))
     )
-    figure.text(SIDE / width, 1 - 0.68 / height, f"{tested.ball.name}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
+    figure.text(SIDE / width, 1 - 0.68 / height, f"{answer.ball}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
                 parse_math=False)  # fmt: skip
 
 
@@ -129,10 +129,10 @@ def _capital(verdicts: str) -> str:
     return f"Rules: {verdicts}." if verdicts else "No rules were held against it."
 
 
-def _curve(tested: TestedBat) -> _Curve:
+def _curve(answer: CertifyAnswer) -> _Curve:
     """Return what is drawn: what the rules limit, BBCOR where they limit something else."""
-    asked = {check.rule.quantity for _, check in tested.checks if check.rule.most is not None}
-    test = tested.test
+    asked = {one.quantity for one in answer.checks if one.most is not None}
+    test = answer.result
     if isinstance(test, Measured):
         places = np.array([place.position for place in test.places])
         values = np.array([place.bbcor for place in test.places])
@@ -150,13 +150,13 @@ def _values(test: BatTest, measure: str) -> Array:
     return test.bbcor / test.ball_restitution if measure == "bpf" else test.bbcor
 
 
-def _limits(tested: TestedBat, measure: str) -> list[tuple[str, float, str]]:
+def _limits(answer: CertifyAnswer, measure: str) -> list[tuple[str, float, str]]:
     """Return the leagues that limit a measure, the limit, and its colour; leagues with one limit share a line."""
     limits: dict[float, tuple[list[str], str]] = {}
-    for league, check in tested.checks:
-        if check.rule.quantity == measure and check.rule.most is not None:
-            names, _ = limits.setdefault(check.rule.most, ([], COLOURS[check.verdict] if check.sure else MUTED))
-            names.append(league.key)
+    for one in answer.checks:
+        if one.quantity == measure and one.most is not None:
+            names, _ = limits.setdefault(one.most, ([], COLOURS[one.outcome.verdict] if one.sure else MUTED))
+            names.append(one.league)
     return [(", ".join(names), limit, colour) for limit, (names, colour) in limits.items()]
 
 

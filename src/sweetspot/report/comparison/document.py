@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.answers.conditions import hit_conditions
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
@@ -18,7 +19,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
-from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.legality import legality_json, legality_table
 from sweetspot.report.comparison.words import (
     INTERVAL_HOLDS,
@@ -53,7 +53,7 @@ def comparison_document(
     comparison: Comparison[Implement],
     *,
     corking: bool = False,
-    tested: Sequence[TestedBat | None] = (),
+    tested: Sequence[CertifyAnswer | None] = (),
     sources: Sequence[Sources] | None = None,
     reaches: Reaches | None = None,
 ) -> Document:
@@ -107,7 +107,7 @@ def comparison_document(
 
 
 def _data(
-    comparison: Comparison[Implement], words: Sequence[str], interval_is: str, tested: Sequence[TestedBat | None]
+    comparison: Comparison[Implement], words: Sequence[str], interval_is: str, tested: Sequence[CertifyAnswer | None]
 ) -> dict[str, Any]:
     data = comparison_json(comparison, words, interval_is)
     for bat, test in zip(data["bats"], tested, strict=False):

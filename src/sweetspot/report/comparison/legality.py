@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sweetspot.analysis.certification.rules import NOT_SURE, Check, Verdict, title
+from sweetspot.analysis.certification.rules import NOT_SURE, Verdict
+from sweetspot.answers.certify import CertifyAnswer, RuleCheck
+from sweetspot.answers.records import to_dict
 from sweetspot.report.certification.limits_shown import MARKS, broken_words, limit_shown, value_shown
-from sweetspot.report.certification.numbers import check_json
-from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Cell, Column, Marked, Table
 from sweetspot.report.sentences import Sentence, joined, say
 
@@ -16,7 +16,7 @@ TOLD = ("league", "quantity", "verdict", "sure", "value", "unit")
 """Of a decided rule in the JSON."""
 
 
-def legality_table(tested: Sequence[tuple[str, TestedBat]]) -> Table:
+def legality_table(tested: Sequence[tuple[str, CertifyAnswer]]) -> Table:
     """Return the verdict on every bat, and which rules make it or stay open.
 
     Parameters
@@ -28,17 +28,17 @@ def legality_table(tested: Sequence[tuple[str, TestedBat]]) -> Table:
     return Table("By the rules, as the model sees it; no certificate", columns, rows, name="compared")
 
 
-def legality_json(tested: TestedBat) -> dict[str, Any]:
+def legality_json(tested: CertifyAnswer) -> dict[str, Any]:
     """Return the verdict on one bat with the rules behind it; `certify` tells their limits and sources."""
     checks = [
-        {name: value for name, value in check_json(league.key, check).items() if name in TOLD}
-        for league, check in tested.checks
-        if check.decided
+        {name: value for name, value in to_dict(one).items() if name in TOLD}
+        for one in tested.checks
+        if one.outcome.decided
     ]
     return {"passed": tested.passed, "verdict": _word(tested), "sure": tested.sure, "checks": checks}
 
 
-def verdict(tested: TestedBat) -> Marked:
+def verdict(tested: CertifyAnswer) -> Marked:
     """Return pass, fail or not decidable for all rules together, marked where it is sure."""
     word = _word(tested)
     if word is Verdict.NOT_DECIDABLE:
@@ -46,35 +46,35 @@ def verdict(tested: TestedBat) -> Marked:
     return Marked(word.value, MARKS[word]) if tested.sure else Marked(f"{word}{NOT_SURE}", "")
 
 
-def _word(tested: TestedBat) -> Verdict:
+def _word(tested: CertifyAnswer) -> Verdict:
     if tested.failed:
         return Verdict.FAIL
     return Verdict.PASS if tested.passed else Verdict.NOT_DECIDABLE
 
 
-def reason(tested: TestedBat) -> Sentence:
+def reason(tested: CertifyAnswer) -> Sentence:
     """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
     if tested.failed:
-        return joined([broken_words(league, check) + say(_doubt(check)) for league, check in tested.failed], "; ")
+        return joined([broken_words(one) + say(_doubt(one)) for one in tested.failed], "; ")
     lively = [
-        say("{rule} of the test {value}, allowed {limit}{doubt}", rule=title(check.rule),
-            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check), doubt=_doubt(check))
-        for _, check in tested.checks
-        if check.verdict is Verdict.PASS and check.rule.quantity in ("bbcor", "bpf", "besr")
+        say("{rule} of the test {value}, allowed {limit}{doubt}", rule=one.title,
+            value=value_shown(one.quantity, one.value), limit=limit_shown(one), doubt=_doubt(one))
+        for one in tested.checks
+        if one.outcome.verdict is Verdict.PASS and one.quantity in ("bbcor", "bpf", "besr")
     ]  # fmt: skip
     lively += [
-        say("one piece of wood, which {league} do not hold to {rule}", league=league.name, rule=title(check.rule))
-        for league, check in tested.checks
-        if check.verdict is Verdict.NOT_APPLICABLE and check.rule.quantity == "bbcor"
+        say("one piece of wood, which {league} do not hold to {rule}", league=one.league_name, rule=one.title)
+        for one in tested.checks
+        if one.outcome.verdict is Verdict.NOT_APPLICABLE and one.quantity == "bbcor"
     ]
-    left = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
+    left = [one.title for one in tested.checks if one.outcome.verdict is Verdict.NOT_DECIDABLE]
     return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
 
 
-def _doubt(check: Check) -> str:
+def _doubt(check: RuleCheck) -> str:
     return "" if check.sure else NOT_SURE
 
 
-def _leagues(tested: TestedBat) -> str:
-    names = {league.key: league.name for league, _ in tested.checks}
+def _leagues(tested: CertifyAnswer) -> str:
+    names = {one.league: one.league_name for one in tested.checks}
     return "; ".join(names.values())

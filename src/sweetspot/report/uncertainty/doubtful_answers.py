@@ -1,24 +1,18 @@
-"""Comparisons and bat tests with an interval beside every number, and what the intervals come from."""
+"""Comparisons with an interval beside every number, and what the intervals come from."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sweetspot.analysis.certification.simulated_test import Certification
 from sweetspot.analysis.comparison import Comparison
-from sweetspot.dynamics.beam import beam_model
+from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing import Conditions
-from sweetspot.report.certification.document import tested_document
-from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.document import comparison_document
 from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.uncertainty.gains import gain_json, gain_words
-from sweetspot.report.uncertainty.passing_words import with_chances
 from sweetspot.report.uncertainty.uncertainty_section import uncertain
 from sweetspot.uncertainty.comparison_draws import LAW, drawn_comparison, names_of_bats
-from sweetspot.uncertainty.drawn_tests import drawn_test, sources_of_test
 from sweetspot.uncertainty.sources import DRAWS, Sources
 
 
@@ -27,7 +21,7 @@ def comparison_with_doubt(
     sources: list[Sources],
     *,
     corking: bool = False,
-    tested: Sequence[TestedBat | None] = (),
+    tested: Sequence[CertifyAnswer | None] = (),
     count: int = DRAWS,
 ) -> Document:
     """Return a comparison with intervals, and how sure each bat's gain over the first is.
@@ -56,22 +50,3 @@ def comparison_with_doubt(
         {"label": label, **gain_json(answers, index)} for label, index in gains
     ]}}  # fmt: skip
     return replace(told, blocks=[*told.blocks[:last], *words, *told.blocks[last:]], data=data)
-
-
-def certificate_with_doubt(
-    tested: TestedBat, conditions: Conditions, sources: Sources, *, count: int = DRAWS
-) -> Document:
-    """Return a bat test with intervals, and how probable it is that the bat passes each rule.
-
-    Parameters
-    ----------
-    conditions : whose ball is fired; see `drawn_test`.
-    sources : of a hit with this bat; what a test normalises or does not have is left out.
-    """
-    document = tested_document(tested)
-    if not isinstance(tested.test, Certification):
-        return with_chances(document, tested)
-    asked = sources_of_test(sources)
-    answers = drawn_test(beam_model(tested.bat), conditions, asked, tested.test, count=count)
-    told = uncertain(document, answers, main="test.bbcor", named="BBCOR", where=asked.described)
-    return with_chances(told, tested, answers)

@@ -12,10 +12,12 @@ from markupsafe import escape
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.analysis.certification.rules import League, title
+from sweetspot.analysis.certification.rules import League
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
+from sweetspot.answers.certify import CertifyQuestion, certificate_of
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.corking import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
@@ -24,8 +26,6 @@ from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.certification.numbers import check_json
-from sweetspot.report.certification.tested_bat import held_to_rules
 from sweetspot.report.comparison.document import comparison_json
 from sweetspot.report.comparison.words import (
     LINEAR_HOLDS,
@@ -157,7 +157,7 @@ def sure(state: CompareState) -> dict[str, Any]:
 
 def rules_sure(state: CompareState) -> dict[str, Any]:
     """Return every bat's simulated test with intervals, one below the other, for leagues with the first one's ball."""
-    from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt
+    from sweetspot.report.certification.document import certificate_document
 
     state = swung(state)
     reductions, labels = _bats(state, ball_of(state))
@@ -169,9 +169,10 @@ def rules_sure(state: CompareState) -> dict[str, Any]:
         bat = _unheld(reduction.bat)
         done = _certified(bat, every[0].ball)
         conditions = standard_conditions(bat).replaced(ball=done.ball)
-        tested = held_to_rules(bat, leagues, ball=done.ball, body=reduction.body, test=done)
-        document = certificate_with_doubt(tested, conditions, sources_for(own, bat, conditions), count=PAGE_DRAWS)
-        for system, page in told(document, mark=f"-{number}")["html"].items():
+        sources = sources_for(own, bat, conditions)
+        question = CertifyQuestion(bat, leagues, done.ball, sources=sources, draws=PAGE_DRAWS)
+        tested = certificate_of(question, body=reduction.body, test=done)
+        for system, page in told(certificate_document(tested), mark=f"-{number}")["html"].items():
             pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
     return {"title": "", "html": pages}
 
@@ -277,11 +278,9 @@ def _certification(state: CompareState, reductions: list[ReducedBat], labels: li
         bat, checks, measures = reduction.bat, [], {}
         for each in leagues:
             done = _certified(_unheld(bat), each.ball)
+            question = CertifyQuestion(bat, [each], done.ball)
             measures = {"bbcor": done.bbcor, "besr": done.besr, "bpf": done.bpf, "ball": done.ball.name}
-            checks += [
-                {**check_json(each.key, check), "league_name": each.name, "title": title(check.rule)}
-                for _, check in held_to_rules(bat, [each], ball=done.ball, body=reduction.body, test=done).checks
-            ]
+            checks += [to_dict(check) for check in certificate_of(question, body=reduction.body, test=done).checks]
         rows.append({"label": label, **measures, "checks": checks})
     return rows
 

@@ -10,7 +10,8 @@ from pathlib import Path
 from shlex import quote
 from typing import Any, TypeVar
 
-from sweetspot.analysis.certification.rules import Check, League, check_rules, title
+from sweetspot.analysis.certification.rules import Check, League, check_rules
+from sweetspot.answers.certify import rule_check
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.files.write import bat_toml, legible
@@ -30,7 +31,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
-from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.design.document import compared
 from sweetspot.report.design.sizes import drawing, tolerance_words
 from sweetspot.report.design.words import (
@@ -159,10 +159,7 @@ def _checks(state: DesignState, request: Asked, bat: Bat, measured: MeasuredDesi
 
 
 def _rules(state: DesignState, request: Asked, bat: Bat, measured: MeasuredDesigns) -> list[dict[str, Any]]:
-    return [
-        {**check_json(league.key, check), "title": title(check.rule), "league_name": league.name}
-        for league, check in _checks(state, request, bat, measured)
-    ]
+    return [to_dict(rule_check(league, check)) for league, check in _checks(state, request, bat, measured)]
 
 
 def _curves(request: Asked, measured: MeasuredDesigns) -> dict[str, Any]:

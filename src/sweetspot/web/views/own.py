@@ -11,7 +11,8 @@ from typing import Any
 
 import tomli_w
 
-from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
+from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings
+from sweetspot.answers.certify import rule_check
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table
@@ -42,7 +43,6 @@ from sweetspot.report.calibration.document import (
     supposed_words,
     unknown_words,
 )
-from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
@@ -204,10 +204,7 @@ def _rules(state: OwnState, fitted: Implement, body: RigidBody, values: dict[str
             known["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
     else:
         known = {name: Finding(size) for name, size in sizes_of(fitted).items()}
-    return [
-        {**check_json(rules.key, check), "title": title(check.rule), "league_name": rules.name}
-        for check in check_rules(rules, bat=fitted, findings=known)
-    ]
+    return [to_dict(rule_check(rules, check)) for check in check_rules(rules, bat=fitted, findings=known)]
 
 
 def file(state: OwnState) -> dict[str, str]:
