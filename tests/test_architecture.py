@@ -288,10 +288,10 @@ def test_the_front_door_opens() -> None:
 
 
 BUDGET = {
-    "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 3_700, "calibration": 7_000, "catalog": 3_600,
+    "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 3_900, "calibration": 7_000, "catalog": 3_600,
     "cli": 4_600, "collision": 3_100, "design": 3_200, "dynamics": 4_900, "equipment": 3_400, "errors": 150,
     "flight": 3_500, "front_door": 300, "motion": 700, "numerics": 1_900, "paper": 1_000, "player": 4_200,
-    "references": 150, "report": 13_500, "season": 8_100, "uncertainty": 2_000, "units": 1_100, "validation": 2_500,
+    "references": 150, "report": 13_100, "season": 8_100, "uncertainty": 1_900, "units": 1_100, "validation": 2_500,
     "tables": 750, "web": 7_600,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
@@ -316,7 +316,7 @@ SEVERAL_MEANINGS = {
 }  # fmt: skip
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {
-    "answers": 8, "calibration": 6, "catalog": 52, "cli": 1, "design": 1, "equipment": 8, "flight": 1, "report": 74,
+    "answers": 8, "calibration": 6, "catalog": 52, "cli": 1, "design": 1, "equipment": 8, "flight": 1, "report": 62,
     "season": 2, "validation": 8, "web": 131,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""

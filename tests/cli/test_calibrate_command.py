@@ -14,11 +14,11 @@ from scipy.io import wavfile
 
 from sweetspot import catalog
 from sweetspot.answers.certify import CertifyQuestion
-from sweetspot.answers.report_draws import drawn_report
+from sweetspot.answers.compare import CompareQuestion
+from sweetspot.answers.report import ReportQuestion
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_frequencies
-from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
 
 Run = Callable[..., tuple[int, str, str]]
 WEIGHED = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--pendulum", "1.4545s±0.003s")
@@ -176,10 +176,8 @@ def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path
 @pytest.fixture
 def few_draws(monkeypatch: pytest.MonkeyPatch) -> None:
     """A quarter of the draws: enough for which interval stands where."""
-    functions: tuple[Any, ...] = (drawn_report, comparison_with_doubt)
-    for function in functions:
-        monkeypatch.setitem(function.__kwdefaults__, "count", 256)
-    monkeypatch.setitem(CertifyQuestion.__init__.__kwdefaults__, "draws", 256)  # type: ignore[arg-type]
+    for question in (ReportQuestion, CompareQuestion, CertifyQuestion):
+        monkeypatch.setitem(question.__init__.__kwdefaults__, "draws", 256)  # type: ignore[arg-type]
 
 
 @pytest.mark.usefixtures("few_draws")

@@ -105,7 +105,7 @@ def test_units_are_the_readers(run: Run, tmp_path: Path) -> None:
     assert code == 0 and "swung 0.88 m/s faster" in words and "mass g" in words and "kg cm²" in words
     assert "mph" not in words and " oz" not in words
     page = (tmp_path / "compare.html").read_text(encoding="utf-8")
-    assert "0.87 m/s faster" in page and "BBCOR in play" in page
+    assert "0.88 m/s faster" in page and "BBCOR in play" in page
 
 
 def test_a_difference_that_nobody_could_see_is_no_loss(run: Run, tmp_path: Path) -> None:

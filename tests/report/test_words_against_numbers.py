@@ -11,9 +11,11 @@ import pytest
 import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.answers.compare import compare_of
 from sweetspot.answers.report import misses_of
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import NO_SPEED, sure_sign
+from sweetspot.numerics.interval import Interval
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.tables import spots_table
 from sweetspot.report.bat.words import answer_words
@@ -129,7 +131,9 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
         assert sentence.endswith((": the sign is not sure.", ": a gain.", ": a loss."))
         ends = data["change_m_s"]["low"], data["change_m_s"]["high"]
         assert ("not sure" in sentence) == (sure_sign(*ends, nothing=NO_SPEED) == 0)
-    for sentence, bare in zip(sentences, changes(comparison), strict=True):  # without a word on how sure it is
+    for sentence, bare in zip(
+        sentences, changes(compare_of(comparison)), strict=True
+    ):  # without a word on how sure it is
         assert sentence.startswith(read(bare, US).removesuffix("."))
         assert not re.search("sure|gain|loss|if ", read(bare, US))
 
@@ -145,11 +149,10 @@ def test_an_interval_that_is_told_to_end_at_nothing_leaves_the_sign_open(
     bats = [catalog.bat(name) for name in ("r161-ash", "corked-r161")]
     conditions = sweetspot.standard_conditions(bats[0])
     found = sweetspot.compare(bats, conditions=conditions, law=catalog.swing_law(), labels=["unmodified", "cork"])
-    first, cork = found.compared
-    change = replace(cork.change, low=ends[0] * MPH, value=sum(ends) / 2 * MPH, high=ends[1] * MPH)
-    hair = replace(
-        found, compared=(first, replace(cork, exit_speed=change.shifted(first.exit_speed.value), change=change))
-    )
-    sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in hair.compared]
-    assert said in read(verdict(hair, sources=sources)[0], US)
+    sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in found.compared]
+    answer = compare_of(found, sources)
+    first, cork = answer.bats
+    change = Interval(sum(ends) / 2 * MPH, ends[0] * MPH, ends[1] * MPH)
+    hair = replace(answer, bats=(first, replace(cork, change=change)))
+    assert said in read(verdict(hair)[0], US)
     assert corked in read(cork_verdict(hair)[0], US)

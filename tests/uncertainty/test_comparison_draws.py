@@ -18,7 +18,7 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.uncertainty.comparison_draws import drawn_comparison
 from sweetspot.uncertainty.drawn_hits import draws_of
 from sweetspot.uncertainty.implement_doubt import WEIGHED, doubt_of
-from sweetspot.uncertainty.linear_doubt import comparison_reaches
+from sweetspot.uncertainty.linear_doubt import linear_comparison, linear_reach
 from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, MPH, OUNCE
 
@@ -50,10 +50,10 @@ def test_a_bat_that_was_changed_is_drawn_as_the_bat_it_was() -> None:
     compared = compare([plain, corked, other], conditions=conditions, law=catalog.swing_law())
     sources = [sources_of(one.analysis.bat, conditions) for one in compared.compared]
     answers = drawn_comparison(compared, sources, count=256)
-    moments = [answers.values[f"bats.{index}.bat.moi_6in_kg_m2"][1:] for index in range(3)]
+    moments = [one.draws.moi(STANDARD_AXIS)[1:] for one in answers.bats]
     assert np.corrcoef(moments[0], moments[1])[0, 1] > 0.99
     assert abs(np.corrcoef(moments[0], moments[2])[0, 1]) < 0.2
-    changes = [answers.values[f"bats.{index}.change_m_s"].std() for index in (1, 2)]
+    changes = [one.change.std() for one in answers.bats[1:]]
     assert changes[0] < changes[1] / 3
     assert len(answers.names) == answers.normal.shape[1]
 
@@ -77,8 +77,7 @@ def halves(folder: Path, *files: str) -> list[float]:
         sources_of(one.analysis.bat, one.analysis.conditions, known=deviations_of(name))
         for one, name in zip(found.compared, named, strict=True)
     ]
-    reaches = comparison_reaches(found, sources)
-    return [float(reaches[f"bats.{index}.change_m_s"].below) / MPH for index in range(1, len(files))]
+    return [float(linear_reach(one.change).below) / MPH for one in linear_comparison(found, sources).bats[1:]]
 
 
 def knob(parent: str, grams: float, place: str = "0.5 in") -> str:

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import numpy as np
 import pytest
 
 from sweetspot import catalog, compare
 from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.answers.compare import compare_of
 from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
 from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import Interval, Number
 from sweetspot.report.bat.sure_words import doubt_words
-from sweetspot.uncertainty.comparison_draws import drawn_comparison
-from sweetspot.uncertainty.linear_doubt import SpeedDoubt, comparison_reaches, speed_doubt
+from sweetspot.uncertainty.linear_doubt import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.sources import Sources, sources_of
 
 
@@ -26,8 +25,13 @@ def half_of_draws(analysis: Analysis[Implement], sources: Sources) -> float:
     hit = hit_answer(
         HitQuestion(analysis.bat, analysis.conditions, analysis.sweet_spots.max_exit_speed, sources=sources)
     )
-    assert isinstance(hit.exit_speed, Interval)
-    return (hit.exit_speed.high - hit.exit_speed.low) / 2
+    return half(hit.exit_speed)
+
+
+def half(number: Number) -> float:
+    """Half of the width of a number's interval."""
+    assert isinstance(number, Interval)
+    return (number.high - number.low) / 2
 
 
 @pytest.mark.parametrize(
@@ -57,17 +61,16 @@ def test_a_comparison_s_intervals_are_those_of_draws(pair: str) -> None:
     bats = [catalog.bat(name) for name in PAIRS.get(pair, ("r161-ash", "corked-r161"))]
     found = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
     sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in found.compared]
-    reaches, drawn = comparison_reaches(found, sources), drawn_comparison(found, sources, count=512)
-    for name in ("change_m_s", "exit_speed_m_s", "bat_speed_m_s"):
-        half = float(np.diff(np.array(drawn.ends(f"bats.1.{name}")), axis=0)[0]) / 2
-        assert float(reaches[f"bats.1.{name}"].below) == pytest.approx(half, rel=0.15), name
+    straight, drawn = (compare_of(found, sources, drawn=drawn, draws=512).bats[1] for drawn in (False, True))
+    for name in ("change", "exit_speed", "bat_speed"):
+        assert half(getattr(straight, name)) == pytest.approx(half(getattr(drawn, name)), rel=0.15), name
 
 
 def test_one_bat_twice_differs_by_nothing(analysis: Analysis[Bat]) -> None:
     """Exact: both are off alike in everything that is not known."""
     found = compare([analysis.bat] * 2, conditions=analysis.conditions, law=catalog.swing_law())
-    reaches = comparison_reaches(found, [sources_of(analysis.bat, analysis.conditions)] * 2)
-    assert float(reaches["bats.1.change_m_s"].below) == 0.0 < float(reaches["bats.1.exit_speed_m_s"].below)
+    again = compare_of(found, [sources_of(analysis.bat, analysis.conditions)] * 2).bats[1]
+    assert half(again.change) == 0.0 < half(again.exit_speed)
 
 
 def test_a_speed_that_was_written_with_an_error_counts(analysis: Analysis[Bat]) -> None:

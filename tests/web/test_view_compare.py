@@ -13,6 +13,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import compare
+from sweetspot.answers.compare import compare_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.outline_doubt import OF_SWING
 from sweetspot.numerics.confidence import REACH
@@ -30,7 +31,7 @@ def test_it_is_the_librarys_comparison() -> None:
     bats = [catalog.bat("r161-ash"), catalog.bat("russell-b6")]
     expected = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
     found = asked(others=[{"bat": "russell-b6"}])
-    assert found["verdict"] == [str(sentence) for sentence in changes(expected)]
+    assert found["verdict"] == [str(sentence) for sentence in changes(compare_of(expected))]
     for row, one in zip(found["bats"], expected.compared, strict=True):
         assert row["exit_speed_m_s"]["value"] == pytest.approx(one.exit_speed.value, rel=1e-12)
         assert row["change_m_s"]["value"] == pytest.approx(one.change.value, abs=1e-12)

@@ -135,6 +135,13 @@ class CertifyAnswer(Answer):
         return _untested(self.checks)
 
     @property
+    def verdict(self) -> Verdict:
+        """Pass, fail or not decidable for all rules together."""
+        if self.failed:
+            return Verdict.FAIL
+        return Verdict.PASS if self.passed else Verdict.NOT_DECIDABLE
+
+    @property
     def sure(self) -> bool:
         """Whether what is not known cannot turn pass into fail, or a fail into pass: one sure fail is enough."""
         if self.failed:

@@ -17,7 +17,7 @@ from typing import Annotated, Any, Final, TypeVar, Union, get_args, get_origin, 
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import Band, Curve, Interval, Number
+from sweetspot.numerics.interval import Band, Curve, Interval, Number, interval_of
 from sweetspot.uncertainty.intervals import Reach
 from sweetspot.units.dimensions import (
     ANGLE,
@@ -39,6 +39,8 @@ from sweetspot.units.dimensions import (
 
 INTERNAL: Final = "internal"
 """Mark of a field that other programs do not see."""
+NESTED: Final = "nested"
+"""Mark of a number whose interval other programs see below its own name, {"value", "low", "high"}."""
 
 Speed = Annotated[Number, SPEED]
 Length = Annotated[Number, LENGTH]
@@ -94,16 +96,20 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
     system : of units; angles in radians or degrees.
     """
     table: dict[str, Any] = {}
-    for field, _, dimension in visible_fields(type(record)):
+    for field, hint, dimension in visible_fields(type(record)):
         value = getattr(record, field.name)
         if value is None and field.default is None:
             continue
-        table |= _entries(field.name, value, dimension, system)
+        table |= _entries(field.name, value, dimension, system, nested=NESTED in _marks(hint))
     return table
 
 
-def _entries(name: str, value: Any, dimension: Dimension, system: System) -> dict[str, Any]:
+def _entries(name: str, value: Any, dimension: Dimension, system: System, *, nested: bool) -> dict[str, Any]:
     """Return one field's keys and values."""
+    if nested:
+        number = interval_of(value)
+        sides = {"value": number.value, "low": number.low, "high": number.high}
+        return {dimension.key(name, system): _plain(sides, dimension, system)}
     if isinstance(value, (Interval, Band)):
         ends = {name: value.value, f"{name}_low": value.low, f"{name}_high": value.high}
         return {dimension.key(key, system): _plain(end, dimension, system) for key, end in ends.items()}

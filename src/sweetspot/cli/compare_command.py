@@ -14,10 +14,11 @@ from sweetspot.cli.options.what_if_table import TableOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.analysis.comparison import Comparison
-    from sweetspot.answers.certify import CertifyAnswer
+    from collections.abc import Sequence
+
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
+    from sweetspot.motion.swing import Conditions
     from sweetspot.motion.swing_law import SwingLaw
     from sweetspot.uncertainty.sources import Sources
 
@@ -82,13 +83,11 @@ def compare(
 ) -> int:
     """Put bats side by side for one player's swing: what each gains or loses, and how surely."""
     from sweetspot import catalog
-    from sweetspot.analysis.comparison import compare as compared
+    from sweetspot.answers.compare import CompareQuestion, compare_answer
     from sweetspot.catalog.corking import LABELS
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present
-    from sweetspot.equipment.bat import Bat
-    from sweetspot.report.comparison.document import comparison_document
-    from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
+    from sweetspot.report.comparison.document import compare_document
 
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
@@ -107,41 +106,30 @@ def compare(
         if len(bats) != 1:
             raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")
         described = list(corking.corked(_bat(described[0])))
+    conditions = conditions_for(described[0], swing)
+    question = CompareQuestion(
+        described,
+        conditions,
+        law,
+        labels=LABELS if corked else None,
+        sources=_sources(described, (None,) * len(described) if corked else bats, conditions, swing),
+        drawn=uncertainty,
+        rules=True,
+    )
     with patience():
-        comparison = compared(
-            described, conditions=conditions_for(described[0], swing), law=law, labels=LABELS if corked else None
-        )
-    with patience():
-        tested = [_tested(one) if isinstance(one, Bat) else None for one in described]
-        sources = _sources(comparison, bats, swing)
-        if not uncertainty:
-            document = comparison_document(comparison, corking=corked, tested=tested, sources=sources)
-        else:
-            document = comparison_with_doubt(comparison, sources, corking=corked, tested=tested)
-    return present(document, output)
+        answer = compare_answer(question)
+    return present(compare_document(answer, corking=corked), output)
 
 
-def _tested(bat: Bat) -> CertifyAnswer:
-    """Return a bat held against the rules of its sport; a wooden one of baseball also against those of the majors."""
-    from sweetspot import catalog
-    from sweetspot.answers.certify import CertifyQuestion, certify_answer
-    from sweetspot.catalog.rules import DEFAULT_LEAGUE, WOODEN_LEAGUE, league
-
-    own = catalog.sport(bat.sport).rules or DEFAULT_LEAGUE
-    names = [own, WOODEN_LEAGUE] if own == DEFAULT_LEAGUE and bat.material.family == "wood" else [own]
-    leagues = [league(name) for name in names]
-    return certify_answer(CertifyQuestion(bat, leagues, catalog.ball(leagues[0].ball)))
-
-
-def _sources(comparison: Comparison[Implement], names: tuple[str, ...], swing: SwingOptions) -> list[Sources]:
+def _sources(
+    implements: Sequence[Implement], names: Sequence[str | None], conditions: Conditions, swing: SwingOptions
+) -> list[Sources]:
     """Return what is not known, bat by bat; the speeds as they were written are the first bat's."""
     from sweetspot.cli.options.uncertainty import sources_for
 
-    compared = comparison.compared
-    files = names if len(names) == len(compared) else (None,) * len(compared)
     return [
-        sources_for(name, one.analysis.bat, one.analysis.conditions, swing if number == 0 else SwingOptions())
-        for number, (one, name) in enumerate(zip(compared, files, strict=True))
+        sources_for(name, one, conditions, swing if number == 0 else SwingOptions())
+        for number, (one, name) in enumerate(zip(implements, names, strict=True))
     ]
 
 

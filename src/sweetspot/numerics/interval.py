@@ -64,6 +64,11 @@ Curve = Array | Band
 """A curve, with its interval where one is known."""
 
 
+def interval_of(number: Number) -> Interval:
+    """Return a number with its interval, of no width where none is known."""
+    return number if isinstance(number, Interval) else Interval(number, number, number)
+
+
 def values_of(curve: Curve) -> Array:
     """Return a curve without its intervals."""
     return curve.value if isinstance(curve, Band) else curve

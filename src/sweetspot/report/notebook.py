@@ -55,6 +55,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.analysis.comparison import Comparison
     from sweetspot.analysis.full_play import Play, Plays
+    from sweetspot.answers.certify import CertifyAnswer
+    from sweetspot.answers.compare import CompareAnswer
     from sweetspot.answers.drop import DropAnswer
     from sweetspot.answers.flight import FlightAnswer, flight_of
     from sweetspot.answers.fly import FlyAnswer
@@ -70,8 +72,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.flight.kernel import Flights
     from sweetspot.flight.trajectory import Flight
     from sweetspot.report.bat.document import described_document, report_document
-    from sweetspot.report.certification.document import certification_document
-    from sweetspot.report.comparison.document import comparison_document
+    from sweetspot.report.certification.document import certificate_document, certification_document
+    from sweetspot.report.comparison.document import compare_document, comparison_document
     from sweetspot.report.drop.document import drop_document
     from sweetspot.report.flight.document import flight_document, fly_document
     from sweetspot.report.flight.many_flights import flights_document
@@ -96,6 +98,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),
         (ReportAnswer, report_document),
+        (CertifyAnswer, certificate_document),
+        (CompareAnswer, compare_document),
         (HitAnswer, hit_document),
         (Impact, impact_document),
         (Implement, described_document),

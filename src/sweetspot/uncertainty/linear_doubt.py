@@ -17,9 +17,9 @@ from sweetspot.analysis.comparison import Comparison
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
-from sweetspot.uncertainty.comparison_draws import drawn_comparison, drawn_names
+from sweetspot.uncertainty.comparison_draws import DrawnComparison, drawn_comparison, drawn_names
 from sweetspot.uncertainty.drawn_hits import draws_of, hits_along
-from sweetspot.uncertainty.intervals import Reach, Reaches
+from sweetspot.uncertainty.intervals import Reach
 from sweetspot.uncertainty.sources import Sources
 
 
@@ -58,16 +58,14 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
     return SpeedDoubt(whole**0.5, {name: part / whole for name, part in ranked})
 
 
-def comparison_reaches(comparison: Comparison[Implement], sources: Sequence[Sources]) -> Reaches:
-    """Return how far the intervals of a comparison's answers go, by the answers' names in its data.
+def linear_comparison(comparison: Comparison[Implement], sources: Sequence[Sources]) -> DrawnComparison:
+    """Return the answers to a comparison with one source off at a time; `linear_reach` makes intervals of them.
 
     Parameters
     ----------
-    sources : of every bat; see `drawn_comparison`, whose draws these are with one source off at a time.
+    sources : of every bat; see `drawn_comparison`.
     """
-    names = drawn_names(comparison, sources)
-    answers = drawn_comparison(comparison, sources, normal=_one_by_one(len(names)))
-    return {name: _reach(values[1:]) for name, values in answers.values.items()}
+    return drawn_comparison(comparison, sources, normal=_one_by_one(len(drawn_names(comparison, sources))))
 
 
 def _one_by_one(count: int) -> Array:
@@ -75,8 +73,13 @@ def _one_by_one(count: int) -> Array:
     return np.vstack([np.eye(count), -np.eye(count)])
 
 
-def _reach(values: Array) -> Reach:
-    """Return the interval of an answer, shape (2 * count, ...), to sources that are off `_one_by_one`."""
-    up, down = np.split(values, 2)
+def linear_reach(values: Array) -> Reach:
+    """Return how far the interval of an answer goes that is straight in every source.
+
+    Parameters
+    ----------
+    values : as described, then with every source one standard deviation up, then down, shape (1 + 2 * count, ...).
+    """
+    up, down = np.split(values[1:], 2)
     half = REACH * np.sqrt((((up - down) / 2) ** 2).sum(axis=0))
     return Reach(half, half)

@@ -12,6 +12,7 @@ from matplotlib.transforms import Bbox
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import Comparison, compare
+from sweetspot.answers.compare import compare_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.report.comparison.picture import compare_figure
 from sweetspot.report.pictures.files import png_bytes, svg_bytes
@@ -34,7 +35,7 @@ def found(request: pytest.FixtureRequest) -> Comparison:
 
 @pytest.fixture(scope="module")
 def picture(found: Comparison) -> Figure:
-    return compare_figure(found)
+    return compare_figure(compare_of(found))
 
 
 def test_no_label_lies_on_another_or_is_cut_off(picture: Figure) -> None:
@@ -83,5 +84,5 @@ def test_every_bat_is_named_with_its_speed(picture: Figure, found: Comparison) -
 
 @pytest.mark.parametrize("found", ["three"], indirect=True)
 def test_files_are_the_same_every_time(found: Comparison, picture: Figure) -> None:
-    assert svg_bytes(compare_figure(found)) == svg_bytes(compare_figure(found))
+    assert svg_bytes(compare_figure(compare_of(found))) == svg_bytes(compare_figure(compare_of(found)))
     assert png_bytes(picture).startswith(b"\x89PNG")

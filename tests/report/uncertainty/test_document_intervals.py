@@ -15,8 +15,7 @@ from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SI, US
 from sweetspot.report.sentences import Sentence, Slot, say, with_doubt, within
 from sweetspot.report.uncertainty.document_intervals import with_intervals
-from sweetspot.report.uncertainty.gains import gain_json
-from sweetspot.uncertainty.intervals import DrawnAnswers, Reach
+from sweetspot.uncertainty.intervals import Reach
 
 
 def reach(below: float, above: float) -> Reach:
@@ -95,8 +94,3 @@ def test_a_terminal_breaks_long_intervals_and_clips_none() -> None:
     Console(file=printed, width=110).print(terminal.table(table, terminal.Screen(US)))
     assert "…" not in printed.getvalue()
     assert printed.getvalue().count("0.140)") == 9
-
-
-def test_no_difference_is_as_often_faster_as_slower() -> None:
-    answers = DrawnAnswers(np.zeros((9, 1)), ("bat",), {"bats.1.change_m_s": np.zeros(9)})
-    assert gain_json(answers, 1)["faster_probability"] == 0.5

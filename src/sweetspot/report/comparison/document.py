@@ -7,34 +7,24 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.analysis.comparison import Compared, Comparison
-from sweetspot.answers.certify import CertifyAnswer
-from sweetspot.answers.conditions import hit_conditions
-from sweetspot.answers.implement import mass_properties
-from sweetspot.answers.records import to_dict
+from sweetspot.analysis.comparison import Comparison
+from sweetspot.answers.compare import CompareAnswer, ComparedBat, compare_of
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.interval import Interval
-from sweetspot.report.comparison.legality import legality_json, legality_table
-from sweetspot.report.comparison.words import (
-    INTERVAL_HOLDS,
-    LINEAR_HOLDS,
-    assumed,
-    cork_verdict,
-    verdict,
-)
+from sweetspot.numerics.interval import Number, interval_of
+from sweetspot.report.bat.tables import moment
+from sweetspot.report.comparison.legality import legality_table
+from sweetspot.report.comparison.words import assumed, cork_verdict, gain_words, verdict
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.report.json_shapes import as_columns, cleaned
+from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.quantities import Reader, reader
-from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, joined, read, with_doubt, within
-from sweetspot.uncertainty.comparison_draws import with_intervals
-from sweetspot.uncertainty.intervals import Reaches
-from sweetspot.uncertainty.linear_doubt import comparison_reaches
-from sweetspot.uncertainty.sources import Sources, sources_of
+from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, joined, read, within
+from sweetspot.report.uncertainty.uncertainty_section import how_sure
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH
 
 BBCOR_OF_PLAY = (
@@ -46,138 +36,126 @@ PLACES = INCH * np.array([1, 2, 3, 4, 5, 6, 7, 8, 10, 12])
 """m from the tip; hits that are told one by one."""
 MOST_BY_PLACE = 3
 """Bats beside the first whose columns fit a terminal; the picture draws any number."""
+OF_MASS = ("mass", "balance_point", "moi_6in", "moi_knob")
+"""Mass properties of a bat's row."""
 WITH_RULES, WITHOUT = ", as in the table of the rules", "; `sweetspot certify` computes that one"
 
 
-def comparison_document(
-    comparison: Comparison[Implement],
-    *,
-    corking: bool = False,
-    tested: Sequence[CertifyAnswer | None] = (),
-    sources: Sequence[Sources] | None = None,
-    reaches: Reaches | None = None,
-) -> Document:
-    """Return a comparison as a document, with intervals of all that is not known.
+def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Document:
+    """Return a comparison as a document.
 
     Parameters
     ----------
     corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
-    tested : every bat held against the rules of its own sport, in the comparison's order, None of what has no such
-        rules; none: no rules were asked.
-    sources : what is not known, bat by bat; None: what is not of bats of these descriptions.
-    reaches : of the intervals of draws, see `drawn_comparison`; None: they are worked out without draws.
     """
-    drawn = reaches is not None
-    if sources is None:
-        sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in comparison.compared]
-    if reaches is None:
-        reaches = comparison_reaches(comparison, sources)
-    comparison, interval_is = with_intervals(comparison, reaches), INTERVAL_HOLDS if drawn else LINEAR_HOLDS
-    reference = comparison.reference.analysis
+    reference, bats, known = answer.comparison.reference.analysis, answer.bats, answer.uncertainty
     its = sport(reference.bat.sport)
-    reading, tool, number = reader(None, its.words), its.words.implement, len(comparison.compared)
-    ruled = [(one.label, test) for one, test in zip(comparison.compared, tested, strict=False) if test is not None]
-    words = verdict(comparison, sources=sources) + (cork_verdict(comparison) if corking else [])
+    reading, tool, number = reader(None, its.words), its.words.implement, len(bats)
+    gains, corked = verdict(answer), cork_verdict(answer) if corking else []
+    chances = [] if known is None else [gain_words(one, answer.reference) for one in known.gains]
+    main = "exit speed" if number == 1 else f"change of {bats[-1].label}"
     picture = Picture(
-        "curves", lambda reading: _drawn(comparison, reaches, reading),
+        "curves", lambda reading: _drawn(answer, reading),
         label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
         caption="Tips aligned. Boxes: sweet zones. Dots: best places.",
-        sheet=lambda reading: _drawn_sheet(comparison, reaches, reading),
+        sheet=lambda reading: _drawn_sheet(answer, reading),
     )  # fmt: skip
+    ruled = any(one.certificate is not None for one in bats)
+    taken = assumed(answer, draws="`--uncertainty`")
     notes: list[Words] = [
-        joined(
-            [
-                assumed(comparison, sources, draws="" if drawn else "`--uncertainty`"),
-                *([PLUS_MINUS] if _has_doubt(comparison.compared) else []),
-            ]
-        ),
+        joined([taken, PLUS_MINUS] if _has_doubt(bats) else [taken]),
         *([BBCOR_OF_PLAY.format(where=WITH_RULES if ruled else WITHOUT)] if isinstance(reference.bat, Bat) else []),
     ]
+    data = answer.to_dict() | {"verdict": [read(sentence, reading) for sentence in (*gains, *corked)]}
     return Document(
         name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
-        subtitle=_effort(comparison), kind="Comparison",
+        subtitle=_effort(answer), kind="Comparison",
         blocks=[
-            *map(Paragraph, words), picture, _things(comparison.compared), _in_play(comparison.compared),
-            *([legality_table(ruled)] if ruled else []),
+            *map(Paragraph, (*gains, *chances, *corked)), picture, _things(answer), _in_play(answer),
+            *([legality_table(bats)] if ruled else []),
             *(Paragraph(note, "note") for note in notes),
+            *([] if known is None else [how_sure(known, main)]),
         ],
-        data=_data(comparison, [read(sentence, reading) for sentence in words], interval_is, tested),
-        rows=as_columns(comparison_rows(comparison)), reader=reading, drawing=picture, details=_by_place(comparison),
+        data=data, rows=as_columns([_row(one) for one in data["bats"]]), reader=reading, drawing=picture,
+        details=_by_place(answer),
     )  # fmt: skip
 
 
-def _data(
-    comparison: Comparison[Implement], words: Sequence[str], interval_is: str, tested: Sequence[CertifyAnswer | None]
-) -> dict[str, Any]:
-    data = comparison_json(comparison, words, interval_is)
-    for bat, test in zip(data["bats"], tested, strict=False):
-        if test is not None:
-            bat["rules"] = cleaned(legality_json(test))
-    return data
+def comparison_document(comparison: Comparison[Implement]) -> Document:
+    """Return a comparison alone as a document: nothing is known of its implements but what they are."""
+    every = (one.analysis for one in comparison.compared)
+    return compare_document(compare_of(comparison, [sources_of(one.bat, one.conditions) for one in every]))
 
 
-def _effort(comparison: Comparison[Implement]) -> str:
-    tool = sport(comparison.reference.analysis.bat.sport).words.implement
-    law = comparison.law
+def _effort(answer: CompareAnswer) -> str:
+    tool, law = sport(answer.comparison.reference.analysis.bat.sport).words.implement, answer.swing_law
     return f"all at the same {tool} speed" if law is None else f"same effort by the law of {law.name}"
 
 
-def _has_doubt(compared: Sequence[Compared[Implement]]) -> bool:
+def _has_doubt(bats: Sequence[ComparedBat]) -> bool:
     """Return whether a moment of inertia among them was not measured."""
-    every = (one.analysis for one in compared)
+    every = (one.compared.analysis for one in bats)
     return any(isinstance(one.bat, Bat) and moi_doubt(one.bat, one.body, STANDARD_AXIS) > 0 for one in every)
 
 
-def _things(compared: Sequence[Compared[Implement]]) -> Table:
+def _things(answer: CompareAnswer) -> Table:
     """Return what the implements are; round bats have a BBCOR, others their sport's own swing weight."""
-    bat = compared[0].analysis.bat
+    bat = answer.comparison.reference.analysis.bat
     tool, convention = sport(bat.sport).words.implement, swing_weight(bat.sport)
     columns = [Column(tool), Column("mass", "mass"), Column("balance", "length")]
     weighed = Column("MOI" if isinstance(bat, Bat) else convention.name, right=True)
     columns += [weighed, Column("f1", "frequency"), Column("q max", "ratio")]
     columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
     rows: list[list[Cell]] = []
-    for number, one in enumerate(compared):
-        body, at = one.analysis.body, f"bats.{number}."
+    for one in answer.bats:
+        own, body = one.compared.analysis.bat, one.compared.analysis.body
         turning: Cell = convention.shown(body)
-        if isinstance(own := one.analysis.bat, Bat):
-            doubt = moi_doubt(own, body, STANDARD_AXIS)
-            turning = with_doubt(body.moi(STANDARD_AXIS), doubt, "moi", of=f"{at}bat.moi_6in_kg_m2")
+        if isinstance(own, Bat):
+            turning = moment(_of_draws(answer, one.bat.moi_6in), moi_doubt(own, body, STANDARD_AXIS))
         row: list[Cell] = [
-            one.label, Slot(body.mass, "mass", unit=False, of=f"{at}bat.mass_kg"),
-            Slot(body.balance_point, "length", unit=False, of=f"{at}bat.balance_point_m"),
+            one.label, Slot(_of_draws(answer, one.bat.mass), "mass", unit=False),
+            Slot(_of_draws(answer, one.bat.balance_point), "length", unit=False),
             turning,
-            Slot(first_frequency(one, "bending"), "frequency", unit=False, of=f"{at}bending_1_hz"),
-            Slot(one.collision_efficiency, "ratio", of=f"{at}max_collision_efficiency"),
+            Slot(_of_draws(answer, one.bending_1), "frequency", unit=False),
+            Slot(_of_draws(answer, one.max_collision_efficiency), "ratio"),
         ]  # fmt: skip
-        row += [Slot(one.bbcor, "ratio", of=f"{at}max_bbcor")] if isinstance(bat, Bat) else []
+        row += [Slot(_of_draws(answer, one.max_bbcor), "ratio")] if isinstance(bat, Bat) else []
         rows.append(row)
     return Table(f"The {tool}s", columns, rows, name="compared")
 
 
-def _in_play(compared: Sequence[Compared[Implement]]) -> Table:
-    words = sport(compared[0].analysis.bat.sport).words
+def _of_draws(answer: CompareAnswer, number: Number) -> Number:
+    """Return a number with its interval where draws were made; straight lines have room for the speeds' alone."""
+    return float(number) if answer.uncertainty is None else number
+
+
+def _in_play(answer: CompareAnswer) -> Table:
+    words = sport(answer.comparison.reference.analysis.bat.sport).words
     tool = words.implement
     columns = [
         Column(tool), Column(f"{tool} speed", "speed"), Column(words.exit_speed, "speed"),
         Column("change", "speed_change"), Column("break-even", "speed"),
     ]  # fmt: skip
+
+    def speed(number: Number, scale: str = "speed", *, sign: bool = False) -> Cell:
+        if answer.uncertainty is not None:
+            return Slot(number, scale, sign=sign, unit=False)
+        return within(interval_of(number), scale, sign=sign, unit=False)
+
     rows: list[list[Cell]] = [
         [
-            one.label, within(one.bat_speed, "speed", unit=False, of=f"bats.{number}.bat_speed_m_s"),
-            within(one.exit_speed, "speed", unit=False, of=f"bats.{number}.exit_speed_m_s"),
-            within(one.change, "speed_change", sign=True, unit=False, of=f"bats.{number}.change_m_s")
-            if number else "reference",
-            Slot(one.break_even, "speed", unit=False, of=f"bats.{number}.break_even_bat_speed_m_s"),
+            one.label, speed(one.bat_speed), speed(one.exit_speed),
+            speed(one.change, "speed_change", sign=True) if number else "reference",
+            Slot(_of_draws(answer, one.break_even_bat_speed), "speed", unit=False),
         ]
-        for number, one in enumerate(compared)
+        for number, one in enumerate(answer.bats)
     ]  # fmt: skip
     return Table("In play", columns, rows, name="compared")
 
 
-def _by_place(comparison: Comparison[Implement]) -> list[Block]:
+def _by_place(answer: CompareAnswer) -> list[Block]:
     """Return what each place on a round bat gains beside the first bat, as the picture draws it; none for many bats."""
-    first, others = comparison.reference, comparison.compared[1:]
+    first, *others = answer.comparison.compared
     if not isinstance(first.analysis.bat, Bat) or not 0 < len(others) <= MOST_BY_PLACE:
         return []
     known = first.exit_speed_from_tip(PLACES)
@@ -189,84 +167,27 @@ def _by_place(comparison: Comparison[Implement]) -> list[Block]:
     return [Table(f"Change by place, against {first.label}", columns, rows)]
 
 
-def _drawn(comparison: Comparison[Implement], reaches: Reaches | None, reading: Reader) -> Any:
+def _drawn(answer: CompareAnswer, reading: Reader) -> Any:
     from sweetspot.report.comparison.picture import compare_figure
 
-    return compare_figure(comparison, reading, reaches=reaches)
+    return compare_figure(answer, reading)
 
 
-def _drawn_sheet(comparison: Comparison[Implement], reaches: Reaches | None, reading: Reader) -> Any:
+def _drawn_sheet(answer: CompareAnswer, reading: Reader) -> Any:
     from sweetspot.report.comparison.picture import compare_sheet
 
-    return compare_sheet(comparison, reading, reaches=reaches)
+    return compare_sheet(answer, reading)
 
 
-def comparison_json(comparison: Comparison[Implement], verdict: Sequence[str], interval_is: str) -> dict[str, Any]:
-    """Return everything about a comparison; the first bat is the reference."""
-    law, reference = comparison.law, comparison.reference
-    exponents = law.exponents if law else None
-    return cleaned(
-        {
-            "reference": reference.label,
-            "same": "speed" if law is None else "effort",
-            "swing_law": law and exponents and {
-                "name": law.name,
-                "exponent": _interval(exponents),
-                "axis_from_grip_m": law.axis,
-                "lightest_moi_kg_m2": law.lightest_moi,
-            },
-            "interval": interval_is,
-            "bats": [_bat(compared) for compared in comparison.compared],
-            "verdict": list(verdict),
-            "conditions": to_dict(hit_conditions(reference.analysis.conditions)),
-        }
-    )  # fmt: skip
-
-
-def comparison_rows(comparison: Comparison[Implement]) -> list[dict[str, Any]]:
-    """Return one flat row per bat."""
-    rows = []
-    for compared in comparison.compared:
-        described = _bat(compared)
-        row: dict[str, Any] = {"label": compared.label}
-        for key, value in described.items():
-            if key == "bat":
-                row |= {name: value[name] for name in ("mass_kg", "balance_point_m", "moi_6in_kg_m2", "moi_knob_kg_m2")}
-            elif isinstance(value, dict) and "value" in value:
-                stem = key.removesuffix("_m_s")
-                row |= {key: value["value"], f"{stem}_low_m_s": value["low"], f"{stem}_high_m_s": value["high"]}
-            elif isinstance(value, float | None):
-                row[key] = value
-        rows.append(cleaned(row))
-    return rows
-
-
-def first_frequency(compared: Compared[Implement], family: str) -> float:
-    """Return the lowest frequency in Hz of a family of modes, nan where the bat has none."""
-    modes = compared.analysis.modes
-    return min(
-        (float(modes.frequency[i]) for i, name in enumerate(modes.families) if name == family), default=float("nan")
-    )
-
-
-def _bat(compared: Compared[Implement]) -> dict[str, Any]:
-    analysis = compared.analysis
-    return {
-        "label": compared.label,
-        "bat": to_dict(mass_properties(analysis.bat, analysis.body)),
-        "bending_1_hz": first_frequency(compared, "bending"),
-        "hoop_1_hz": first_frequency(compared, "hoop"),
-        "max_collision_efficiency": compared.collision_efficiency,
-        "max_bbcor": compared.bbcor,
-        "bat_speed_m_s": _interval(compared.bat_speed),
-        "exit_speed_m_s": _interval(compared.exit_speed),
-        "change_m_s": _interval(compared.change),
-        "break_even_bat_speed_m_s": compared.break_even,
-        "max_exit_speed_m": analysis.sweet_spots.max_exit_speed,
-        "zone_m": analysis.sweet_spots.zone,
-        "scan": {"position_m": analysis.scan.position, "exit_speed_m_s": analysis.scan.exit_speed},
-    }
-
-
-def _interval(interval: Interval) -> dict[str, float]:
-    return {"value": interval.value, "low": interval.low, "high": interval.high}
+def _row(bat: dict[str, Any]) -> dict[str, Any]:
+    """Return one bat of the data as a flat row."""
+    row: dict[str, Any] = {"label": bat["label"]}
+    for key, value in bat.items():
+        if key == "bat":
+            row |= {name: number for name, number in value.items() if name.startswith(OF_MASS)}
+        elif isinstance(value, dict) and "value" in value:
+            stem = key.removesuffix("_m_s")
+            row |= {key: value["value"], f"{stem}_low_m_s": value["low"], f"{stem}_high_m_s": value["high"]}
+        elif isinstance(value, float | None):
+            row[key] = value
+    return row

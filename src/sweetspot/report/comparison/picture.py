@@ -14,10 +14,12 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.analysis.comparison import Compared
+from sweetspot.answers.compare import CompareAnswer, ComparedBat
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Band, interval_of
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.ruler import from_the_tip
 from sweetspot.report.pictures.style import (
@@ -38,8 +40,6 @@ from sweetspot.report.pictures.style import (
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, US, Reader
 from sweetspot.report.sentences import within
 from sweetspot.report.sport_words import words_of
-from sweetspot.uncertainty.comparison_draws import CHANGE_ALONG
-from sweetspot.uncertainty.intervals import Reach, Reaches
 
 WIDTH, SIDE, HEADER, CURVES, DIFFERENCES, ROW, BETWEEN, FOOTER = 8.0, 0.62, 1.05, 2.6, 1.3, 0.27, 0.5, 0.85
 """Inches of paper: page, margins, title, curves, differences, one bat's row of the zones, the gaps, the foot."""
@@ -56,17 +56,14 @@ POINTS = 200
 
 
 @styled
-def compare_figure(
-    comparison: Comparison[Implement], reading: Reader = US, *, reaches: Reaches | None = None
-) -> Figure:
+def compare_figure(answer: CompareAnswer, reading: Reader = US) -> Figure:
     """Return the figure: outlines, exit speed, its difference from the first, and a row with zone and best place each.
 
     Parameters
     ----------
     reading : whose units.
-    reaches : of the intervals that are drawn as bands, see `drawn_comparison`; None: none.
     """
-    compared, known = comparison.compared, reaches or {}
+    compared = answer.comparison.compared
     length = max(one.analysis.bat.length for one in compared)
     across = WIDTH - 2 * SIDE
     scale = ruler.metres_per_inch_of_paper(length, across)
@@ -76,7 +73,7 @@ def compare_figure(
     between = BETWEEN + (ZOOMED if zoomed else 0.0)
     height = HEADER + outlines + BETWEEN + CURVES + differences + between + rows + FOOTER
     figure = Figure(figsize=(WIDTH, height))
-    _header(figure, comparison, height, reading)
+    _header(figure, answer, height, reading)
 
     def panel(top: float, tall: float, *, whole: bool = False) -> Axes:
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
@@ -87,26 +84,26 @@ def compare_figure(
     top = HEADER + outlines + BETWEEN
     lowest = panel(top, CURVES)
     _curves(lowest, compared, length, reading)
-    _zones(panel(top + CURVES + differences + between, rows, whole=True), compared, length, reading)
+    _zones(panel(top + CURVES + differences + between, rows, whole=True), answer.bats, length, reading)
     _outlines(panel(HEADER, outlines, whole=True), compared, length, scale * outlines / 2)
     if differences:
         lowest = panel(top + CURVES + BETWEEN, DIFFERENCES)
-        _differences(lowest, compared, length, reading, known)
+        _differences(lowest, answer.bats, length, reading)
     if zoomed:
         ruler.show_from_tip(lowest, length, reading)
     words = (
         "Boxes: sweet zones. Dots: best places. Change: against the first. Hit straight on. Speeds do not begin at 0."
     )
-    if known:
+    if answer.sources:
         words = words.replace("Hit straight on.", "Bands: 90 % intervals of it.")
     figure.text(SIDE / WIDTH, 0.12 / height, words, color=MUTED, size=SMALL)
     return figure
 
 
 @styled
-def compare_sheet(comparison: Comparison[Implement], reading: Reader = US, *, reaches: Reaches | None = None) -> Figure:
+def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
     """Return `compare_figure` for a printed sheet, whose tables hold the zones' numbers: curves side by side."""
-    compared, side, top = comparison.compared, 0.5, 0.22
+    compared, side, top = answer.comparison.compared, 0.5, 0.22
     length, across = max(one.analysis.bat.length for one in compared), SHEET - 2 * side
     scale = ruler.metres_per_inch_of_paper(length, across)
     outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
@@ -121,15 +118,16 @@ def compare_sheet(comparison: Comparison[Implement], reading: Reader = US, *, re
         _outlines(axes, compared, length, scale * outlines / 2)
         top += outlines + 0.38
     note = f"{reading.unit('speed_change')}; above 0: faster"
-    panels: list[Callable[..., None]] = [_curves]
-    if len(compared) > 1:
-        panels.append(partial(_differences, reaches=reaches or {}, note=note))
+    panels: list[Callable[[Axes], None]] = [
+        lambda axes: _curves(axes, compared, length, reading),
+        lambda axes: _differences(axes, answer.bats, length, reading, note),
+    ][: len(compared)]
     wide = across / len(panels) - (0.25 if len(panels) > 1 else 0.0)
     start = max(_window(compared, length), (1 - OUTER) * length)
     for number, draw in enumerate(panels):
         axes = axes_in_inches(figure, left=side + number * (wide + 0.5), top=top, width=wide, height=tall)
         axes.set_xlim(start - 0.02 * (length - start), length + 0.02 * (length - start))
-        draw(axes, compared, length, reading)
+        draw(axes)
         ruler.show_from_tip(axes, length, reading)
         axes.set_xlabel(from_the_tip(compared[0].analysis.bat, reading), labelpad=2)
     lines = [Line2D([], [], color=_look(number)[0], linestyle=_look(number)[1]) for number in range(len(compared))]
@@ -144,11 +142,11 @@ def _window(compared: Sequence[Compared[Implement]], length: float) -> float:
                if ruler.is_zoomed(one.analysis.bat) else 0.0 for one in compared)  # fmt: skip
 
 
-def _header(figure: Figure, comparison: Comparison[Implement], height: float, reading: Reader) -> None:
-    conditions, law = comparison.reference.analysis.conditions, comparison.law
-    words = sport(comparison.reference.analysis.bat.sport).words
+def _header(figure: Figure, answer: CompareAnswer, height: float, reading: Reader) -> None:
+    reference, law = answer.comparison.reference.analysis, answer.swing_law
+    conditions, words = reference.conditions, sport(reference.bat.sport).words
     left, tool = SIDE / WIDTH, words.implement
-    number = len(comparison.compared)
+    number = len(answer.bats)
     title = f"One {tool}" if number == 1 else f"{number} {tool}s, one player"
     figure.text(left, 1 - 0.42 / height, title, size=HUGE, weight="bold")
     effort = f"all at the same {tool} speed" if law is None else f"same effort by the law of {law.name}"
@@ -195,69 +193,48 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
     axes.set_ylim(low - 0.05 * (top - low), top + 0.08 * (top - low))
 
 
-def _differences(
-    axes: Axes,
-    compared: Sequence[Compared[Implement]],
-    length: float,
-    reading: Reader,
-    reaches: Reaches,
-    note: str = "",
-) -> None:
-    """Draw by how much the ball leaves faster than from the first one, equally far from the tip."""
+def _differences(axes: Axes, bats: Sequence[ComparedBat], length: float, reading: Reader, note: str = "") -> None:
+    """Draw by how much the ball leaves faster than from the first one, equally far from the tip, with its interval."""
     ruler.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=5, prune="upper"))
     light_grid(axes, vertical=False)
-    far = f"equally far from the {words_of(compared[0].analysis.bat).tip}, {reading.unit('speed_change')}"
+    far = f"equally far from the {words_of(bats[0].compared.analysis.bat).tip}, {reading.unit('speed_change')}"
     heading(axes, "Difference from the first", note or f"{far}; above 0: faster")
     size = reading.units["speed_change"].size
     places = np.linspace((1 - OUTER) * length, length, POINTS)
     axes.axhline(0, color=COLOURS[0], linewidth=1.0)
-    first, ends = compared[0].exit_speed_from_tip(length - places), [0.0]
-    for number, one in enumerate(compared[1:], start=1):
-        difference, (colour, dash) = (one.exit_speed_from_tip(length - places) - first) / size, _look(number)
-        axes.plot(places, difference, color=colour, linestyle=dash, linewidth=1.5)
-        reach = _at(one, reaches.get(f"bats.{number}.{CHANGE_ALONG}"), places, length)
-        shown = [difference, *_band(axes, places, difference, reach, colour, size=size)]
+    ends = [0.0]
+    for number, one in enumerate(bats[1:], start=1):
+        along, (colour, dash) = one.scan.position + length - one.compared.analysis.bat.length, _look(number)
+        change = one.scan.change
+        sides = (change.value, change.low, change.high) if isinstance(change, Band) else (change,)
+        shown = [np.interp(places, along, side, left=np.nan, right=np.nan) / size for side in sides]
+        axes.plot(places, shown[0], color=colour, linestyle=dash, linewidth=1.5)
+        if isinstance(change, Band):
+            axes.fill_between(places, shown[1], shown[2], color=colour, alpha=0.15, linewidth=0, zorder=1.5, gid="band")
         ends += [float(np.nanmin(shown, initial=0.0)), float(np.nanmax(shown, initial=0.0))]
     room = 0.1 * (max(ends) - min(ends)) or 1.0
     axes.set_ylim(min(ends) - room, max(ends) + room)
-
-
-def _band(axes: Axes, places: Array, curve: Array, reach: Reach | None, colour: str, *, size: float) -> list[Array]:
-    """Draw the interval around a curve, and return its ends; none where it has none."""
-    if reach is None:
-        return []
-    low, high = curve - reach.below / size, curve + reach.above / size
-    axes.fill_between(places, low, high, color=colour, alpha=0.15, linewidth=0, zorder=1.5, gid="band")
-    return [low, high]
-
-
-def _at(compared: Compared[Implement], reach: Reach | None, places: Array, length: float) -> Reach | None:
-    """Return an interval along a bat's scan at places on the common axis."""
-    if reach is None:
-        return None
-    along = compared.analysis.scan.position + length - compared.analysis.bat.length
-    return Reach(*(np.interp(places, along, side, left=np.nan, right=np.nan) for side in (reach.below, reach.above)))
 
 
 def _places(compared: Compared[Implement]) -> Array:
     return np.linspace(0.0, compared.analysis.bat.length, POINTS)
 
 
-def _zones(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
+def _zones(axes: Axes, bats: Sequence[ComparedBat], length: float, reading: Reader) -> None:
     """Draw a row per bat: name, sweet zone on the common axis, exit speed, and the change with its interval."""
     ruler.show_from_tip(axes, length, reading)
-    axes.set_xlabel(from_the_tip(compared[0].analysis.bat, reading), labelpad=2)
+    axes.set_xlabel(from_the_tip(bats[0].compared.analysis.bat, reading), labelpad=2)
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
-    axes.set_ylim(-len(compared) + 0.3, 0.7)
+    axes.set_ylim(-len(bats) + 0.3, 0.7)
     heading(axes, "Sweet zones", "fast and quiet; with the exit speed at the best place, and its change")
     edge = axes.get_xlim()[0]
-    for number, one in enumerate(compared):
+    for number, one in enumerate(bats):
         colour, dash = _look(number)
-        zone, best = one.analysis.sweet_spots.zone, _best(one, length)
+        zone, best = one.zone, _best(one.compared, length)
         if zone is not None:
-            start = zone[0] + length - one.analysis.bat.length
+            start = zone[0] + length - one.compared.analysis.bat.length
             axes.add_patch(
                 Rectangle((start, -number - 0.3), zone[1] - zone[0], 0.6, facecolor=colour, alpha=0.22, linewidth=0,
                           gid="zone")
@@ -267,8 +244,8 @@ def _zones(axes: Axes, compared: Sequence[Compared[Implement]], length: float, r
         name, size = fitted(one.label, width=NAME_WIDTH, size=NORMAL, smallest=SMALL)
         look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": size, "parse_math": False}
         axes.text(edge + 0.035 * length, -number, name, ha="left", **look)
-        change = within(one.change, "speed_change", sign=True).read(reading)
-        words = reading.shown(one.exit_speed.value, "speed") + (f"  {change}" if number else "")
+        change = within(interval_of(one.change), "speed_change", sign=True).read(reading)
+        words = reading.shown(float(one.exit_speed), "speed") + (f"  {change}" if number else "")
         left = edge + 0.66 * (axes.get_xlim()[1] - edge)
         axes.text(left, -number, words, ha="right", va="center_baseline", color=INK, size=SMALL, parse_math=False)
 

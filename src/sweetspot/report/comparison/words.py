@@ -3,67 +3,61 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import replace
 
-from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.analysis.comparison import Comparison
 from sweetspot.analysis.trampoline import wall_point_of
+from sweetspot.answers.compare import BatGain, CompareAnswer, ComparedBat
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import NO_SPEED, sure_sign
+from sweetspot.numerics.confidence import ENDS, NO_SPEED, sure_sign
+from sweetspot.numerics.interval import Interval, Number, interval_of
 from sweetspot.report.sentences import Sentence, Slot, joined, say, within
-from sweetspot.uncertainty.sources import Sources
+from sweetspot.report.uncertainty.probability import chance_words
 from sweetspot.units import MPH
 
+SURE = ENDS[1]
+"""Chance from which on a difference is called sure: its 90 % interval leaves zero out."""
 PUBLISHED_EFFICIENCY = (0.214, 0.193)
 """q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
 """m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
-INTERVAL_HOLDS = "90 % of draws of all that is not known: bats, ball, swing, swing law"
-"""What intervals of draws hold; see `drawn_comparison`."""
-LINEAR_HOLDS = "90 %, by straight lines, of all that is not known: bats, ball, swing, swing law"
-"""What intervals hold that were worked out without draws; see `comparison_reaches`."""
 
 
-def verdict(comparison: Comparison[Implement], *, sources: Sequence[Sources]) -> list[Sentence]:
+def verdict(answer: CompareAnswer) -> list[Sentence]:
     """Return one sentence for every bat after the first, whether its gain or loss is sure.
 
-    Parameters
-    ----------
-    comparison : with intervals of all that is not known, see `with_intervals`.
-    sources : what the intervals hold, bat by bat. What is not in them is taken as described, and every sentence says
-        itself that it holds only if that is so.
+    What is not in the intervals is taken as described, and a sentence says itself that it holds only if that is so.
     """
     sentences = []
-    for index, one in enumerate(comparison.compared[1:], start=1):
-        taken = [comparison.compared[which].label for which in (0, index) if not sources[which].unknowns]
+    for index, one in enumerate(answer.bats[1:], start=1):
+        taken = [answer.bats[which].label for which in (0, index) if not answer.sources[which].unknowns]
         given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
-        sentences.append(_sentence(one, comparison.reference, index, given=given))
+        sentences.append(_sentence(answer, one, given=given))
     return sentences
 
 
-def changes(comparison: Comparison[Implement]) -> list[Sentence]:
+def changes(answer: CompareAnswer) -> list[Sentence]:
     """Return one sentence for every bat after the first, without a word on how sure it is."""
-    return [
-        _change_words(one, comparison.reference, index) + "."
-        for index, one in enumerate(comparison.compared[1:], start=1)
-    ]
+    return [_change_words(answer, one) + "." for one in answer.bats[1:]]
 
 
-def cork_verdict(comparison: Comparison[Implement]) -> list[Sentence]:
+def gain_words(gain: BatGain, reference: str) -> Sentence:
+    """Return how probable it is that a bat's exit speed is higher than that of the first, hit by the same ball."""
+    chance = gain.faster_probability
+    sure = "surely a difference" if max(chance, 1 - chance) >= SURE else "not surely a difference"
+    return say(
+        "Hit by the same ball, {name} is faster than {reference} with a probability of {chance}: {verdict}.",
+        name=gain.label, reference=reference, chance=chance_words(chance), verdict=sure,
+    )  # fmt: skip
+
+
+def cork_verdict(answer: CompareAnswer) -> list[Sentence]:
     """Return the answer to "does corking help?" for a comparison labelled unmodified, drilled, cork, ...
 
     The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
-
-    Parameters
-    ----------
-    comparison : with intervals of all that is not known.
     """
-    first = comparison.reference
-    corked = next(compared for compared in comparison.compared if compared.label == "cork")
-    answer = _answer(first, corked, comparison)
-    return [answer, _beside_published(first, corked), _papers_argument(first, corked)]
+    first, corked = answer.bats[0], next(one for one in answer.bats if one.label == "cork")
+    return [_answer(first, corked, answer), _beside_published(first, corked), _papers_argument(first, corked)]
 
 
 def wall_verdict(comparison: Comparison) -> list[Sentence]:
@@ -85,9 +79,9 @@ def wall_verdict(comparison: Comparison) -> list[Sentence]:
     ]  # fmt: skip
 
 
-def assumptions(comparison: Comparison[Implement]) -> Sentence:
+def assumptions(answer: CompareAnswer) -> Sentence:
     """Return what the numbers were computed under."""
-    reference, law = comparison.reference.analysis, comparison.law
+    reference, law = answer.comparison.reference.analysis, answer.comparison.law
     words, conditions = sport(reference.bat.sport).words, reference.conditions
     tool, pitch = words.implement, conditions.pitch.speed
     greatest = (
@@ -110,21 +104,20 @@ def assumptions(comparison: Comparison[Implement]) -> Sentence:
     )  # fmt: skip
 
 
-def assumed(comparison: Comparison[Implement], sources: Sequence[Sources], *, draws: str) -> Sentence:
+def assumed(answer: CompareAnswer, *, draws: str) -> Sentence:
     """Return what the numbers were computed under, and what their intervals hold.
 
     Parameters
     ----------
-    sources : see `verdict`.
     draws : where draws are, for intervals that come from none.
     """
-    held = [without_draws(comparison, draws)] if draws else []
-    return joined([assumptions(comparison), *held, *taken_as_described(comparison, sources)])
+    held = [without_draws(answer, draws)] if answer.uncertainty is None else []
+    return joined([assumptions(answer), *held, *taken_as_described(answer)])
 
 
-def without_draws(comparison: Comparison[Implement], draws: str) -> Sentence:
+def without_draws(answer: CompareAnswer, draws: str) -> Sentence:
     """Return what the intervals in brackets hold that come from no draws, and where draws are."""
-    law, words = comparison.law, sport(comparison.reference.analysis.bat.sport).words
+    law, words = answer.comparison.law, sport(answer.comparison.reference.analysis.bat.sport).words
     power = "" if law is None else say(
         ", and of the power (-{low} to -{high})",
         low=Slot(law.exponents.low, "ratio", 2), high=Slot(law.exponents.high, "ratio", 2),
@@ -136,9 +129,9 @@ def without_draws(comparison: Comparison[Implement], draws: str) -> Sentence:
     )  # fmt: skip
 
 
-def taken_as_described(comparison: Comparison[Implement], sources: Sequence[Sources]) -> list[Sentence]:
+def taken_as_described(answer: CompareAnswer) -> list[Sentence]:
     """Return of which of them no doubt is in the intervals, bat by bat; none: of every one it is."""
-    every = zip(comparison.compared, sources, strict=True)
+    every = zip(answer.bats, answer.sources, strict=True)
     return [say("{label} is {where}.", label=one.label, where=its.bat_where) for one, its in every if not its.unknowns]
 
 
@@ -148,53 +141,50 @@ def _axis(axis: float, butt: str) -> Sentence:
     return say("{place} above the bottom of the grip", place=Slot(axis, "place"))
 
 
-def _change(speed: float, *, sign: bool = False) -> Slot:
+def _change(speed: Number, *, sign: bool = False) -> Slot:
     return Slot(speed, "speed_change", sign=sign)
 
 
-def _change_words(compared: Compared[Implement], first: Compared[Implement], index: int) -> Sentence:
+def _change_words(answer: CompareAnswer, bat: ComparedBat) -> Sentence:
     """Return how much faster a bat is swung and the ball leaves, as far as it goes without an end."""
-    faster = compared.bat_speed.value - first.bat_speed.value
-    change = compared.change
+    faster, change = float(bat.swung_faster), float(bat.change)
     swung = say("")
     if abs(faster) > NO_SPEED:
-        of = f"{'-' if faster < 0 else ''}bats.{index}.swung_faster_m_s"
-        much = replace(_change(abs(faster)), of=of)
-        swung = say("swung {speed} {way}, ", speed=much, way="faster" if faster > 0 else "slower")
-    text = say("{label}: {swung}the ball leaves ", label=compared.label, swung=swung)
-    if abs(change.value) < NO_SPEED:
-        return text + f"as fast as from {first.label}"
-    way = "faster" if change.value > 0 else "slower"
-    return text + say("{speed} {way}", speed=_change(abs(change.value)), way=way)
+        much: Number = bat.swung_faster if faster > 0 else -bat.swung_faster
+        much = float(much) if answer.uncertainty is None else much
+        swung = say("swung {speed} {way}, ", speed=_change(much), way="faster" if faster > 0 else "slower")
+    text = say("{label}: {swung}the ball leaves ", label=bat.label, swung=swung)
+    if abs(change) < NO_SPEED:
+        return text + f"as fast as from {answer.reference}"
+    return text + say("{speed} {way}", speed=_change(abs(change)), way="faster" if change > 0 else "slower")
 
 
-def _sentence(compared: Compared[Implement], first: Compared[Implement], index: int, *, given: str) -> Sentence:
-    change, text = compared.change, _change_words(compared, first, index)
+def _sentence(answer: CompareAnswer, bat: ComparedBat, *, given: str) -> Sentence:
+    change, text = interval_of(bat.change), _change_words(answer, bat)
     if max(abs(change.value), abs(change.low) / 3, abs(change.high) / 3) < NO_SPEED:
         return text + "."
     if change.low < change.high:
-        text += say(" ({ends})", ends=_ends(change.low, change.high))
+        text += say(" ({ends})", ends=_ends(change))
     if sign := sure_sign(change.low, change.high, nothing=NO_SPEED):
         return text + say(": a {gain}{given}.", gain="gain" if sign > 0 else "loss", given=given)
     return text + ": the sign is not sure."
 
 
-def _ends(low: float, high: float) -> Sentence:
-    return say("{low} to {high}", low=_change(low, sign=True).bare, high=_change(high, sign=True).bare)
+def _ends(change: Interval) -> Sentence:
+    low, high = (_change(end, sign=True).bare for end in (change.low, change.high))
+    return say("{low} to {high}", low=low, high=high)
 
 
-def _answer(first: Compared[Implement], corked: Compared[Implement], comparison: Comparison[Implement]) -> Sentence:
-    change = corked.change
-    lighter = Slot(first.analysis.body.mass - corked.analysis.body.mass, "mass")
+def _answer(first: ComparedBat, corked: ComparedBat, answer: CompareAnswer) -> Sentence:
+    change = interval_of(corked.change)
+    lighter = Slot(float(first.bat.mass) - float(corked.bat.mass), "mass")
     text = say("Does corking help? The corked bat is {mass} lighter", mass=lighter)
-    if comparison.law is None:
+    if answer.swing_law is None:
         sent = say("; swung no faster, it sends the ball off {speed}.", speed=_change(change.value, sign=True))
         return joined([text + sent, _needed(first, corked)])
-    gained = corked.bat_speed.shifted(-first.bat_speed.value)
+    gained = interval_of(corked.swung_faster)
     swung = say(" and the same player swings it {speed} faster", speed=_change(gained.value))
-    if first.bat_speed.low == first.bat_speed.high:  # else the ends are those of both swings
-        swung += say(" ({ends})", ends=_ends(gained.low, gained.high))
-    swung += "."
+    swung += say(" ({ends}).", ends=_ends(gained))
     net = say("Net change of the exit speed: {change}.", change=within(change, "speed_change", sign=True))
     sign = sure_sign(change.low, change.high, nothing=NO_SPEED)
     if sign < 0:
@@ -206,17 +196,18 @@ def _answer(first: Compared[Implement], corked: Compared[Implement], comparison:
     return joined([text + swung, _needed(first, corked), net, end])
 
 
-def _needed(first: Compared[Implement], corked: Compared[Implement]) -> Sentence:
-    more = corked.break_even - first.bat_speed.value
+def _needed(first: ComparedBat, corked: ComparedBat) -> Sentence:
+    more = float(corked.break_even_bat_speed) - float(first.bat_speed)
     if math.isnan(more):
         return say("No swing is fast enough to break even with it.")
     way = "faster" if more > 0 else "slower"
     return say("To break even it must be swung {speed} {way}.", speed=_change(abs(more)), way=way)
 
 
-def _beside_published(first: Compared[Implement], corked: Compared[Implement]) -> Sentence:
+def _beside_published(first: ComparedBat, corked: ComparedBat) -> Sentence:
     whole, after = PUBLISHED_EFFICIENCY
-    before, now = first.collision_efficiency, corked.collision_efficiency
+    before, now = float(first.max_collision_efficiency), float(corked.max_collision_efficiency)
+    returned = float(corked.max_bbcor) - float(first.max_bbcor)
     return say(
         "Predicted and published: the greatest q falls from {before} to {now}, by {fall}; in the laboratory it fell "
         "from {whole} to {after}, by {fell}, for another bat. At a {pitch} pitch and {bat} of bat speed the published "
@@ -225,12 +216,12 @@ def _beside_published(first: Compared[Implement], corked: Compared[Implement]) -
         before=Slot(before, "ratio"), now=Slot(now, "ratio"), fall=Slot(before - now, "ratio"),
         whole=Slot(whole, "ratio"), after=Slot(after, "ratio"), fell=Slot(whole - after, "ratio"),
         pitch=Slot(94 * MPH, "speed", 0), bat=Slot(70 * MPH, "speed", 0),
-        needed=_change(PUBLISHED_BREAK_EVEN, sign=True), bbcor=Slot(corked.bbcor - first.bbcor, "ratio", sign=True),
+        needed=_change(PUBLISHED_BREAK_EVEN, sign=True), bbcor=Slot(returned, "ratio", sign=True),
     )  # fmt: skip
 
 
-def _papers_argument(first: Compared[Implement], corked: Compared[Implement]) -> Sentence:
-    before, after = first.analysis.best, corked.analysis.best
+def _papers_argument(first: ComparedBat, corked: ComparedBat) -> Sentence:
+    before, after = first.compared.analysis.best, corked.compared.analysis.best
     return say(
         "The paper argues with Hooke's law and momentum: a softer bat is pressed in further, so the force F = k x is "
         "greater and acts longer, so F t and with it the ball's change of speed are greater. But a softer spring is "

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from functools import lru_cache
 from shlex import quote
 from typing import Annotated, Any, Literal
@@ -17,6 +16,7 @@ from sweetspot.analysis.certification.simulated_test import Certification, certi
 from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.answers.certify import CertifyQuestion, certificate_of
+from sweetspot.answers.compare import compare_of
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.corking import FILLS, LABELS
@@ -26,9 +26,8 @@ from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.comparison.document import comparison_json
+from sweetspot.numerics.interval import Band
 from sweetspot.report.comparison.words import (
-    LINEAR_HOLDS,
     assumed,
     assumptions,
     changes,
@@ -38,8 +37,6 @@ from sweetspot.report.comparison.words import (
 )
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.report.sentences import Sentence, say
-from sweetspot.uncertainty.comparison_draws import CHANGE_ALONG, with_intervals
-from sweetspot.uncertainty.intervals import Reach
 from sweetspot.uncertainty.sources import Sources
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
@@ -54,8 +51,6 @@ from sweetspot.web.view import View
 ALL = "all"
 NOTHING = "nothing"
 ALONE = say("Choose another bat to compare this one with.")
-_NONE = defaultdict[str, Reach](lambda: Reach(np.zeros(()), np.zeros(())))
-"""No interval of anything."""
 
 
 class CompareState(SwungState):
@@ -85,9 +80,10 @@ def answer(state: CompareState) -> dict[str, Any]:
     ball = ball_of(state)
     _leagues(state)  # a wrong name is told at once, though the rules come apart
     reductions, comparison = _compared(state, ball)
-    words = changes(comparison) or [ALONE]
-    verdicts, taken = in_both_systems(words + _of_wall(state, comparison)), in_both_systems([assumptions(comparison)])
-    table = comparison_json(with_intervals(comparison, _NONE), verdicts["us"], "none here: /compare/intervals has them")
+    plain = compare_of(comparison)
+    words = changes(plain) or [ALONE]
+    verdicts, taken = in_both_systems(words + _of_wall(state, comparison)), in_both_systems([assumptions(plain)])
+    table = plain.to_dict() | {"verdict": verdicts["us"], "interval": "none here: /compare/intervals has them"}
     for row, one in zip(table["bats"], comparison.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
         row["bat"]["moi_6in_half_kg_m2"] = moi_half(one.analysis.bat, one.analysis.body)
@@ -108,20 +104,16 @@ def answer(state: CompareState) -> dict[str, Any]:
 
 def intervals(state: CompareState) -> dict[str, Any]:
     """Return the intervals of all that is not known, and the verdict and what it assumes, as the command has them."""
-    from sweetspot.uncertainty.linear_doubt import comparison_reaches
-
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
-    sources = _sources(state, comparison)
-    reaches = comparison_reaches(comparison, sources)
-    known = with_intervals(comparison, reaches)
-    words = (verdict(known, sources=sources) or [ALONE]) + (cork_verdict(known) if state.what_if == "cork" else [])
+    known = compare_of(comparison, _sources(state, comparison))
+    words = (verdict(known) or [ALONE]) + (cork_verdict(known) if state.what_if == "cork" else [])
     verdicts = in_both_systems(words + _of_wall(state, comparison))
-    taken = in_both_systems([assumed(known, sources, draws="the fold below")])
+    taken = in_both_systems([assumed(known, draws="the fold below")])
     bats = []
-    for index, row in enumerate(comparison_json(known, verdicts["us"], LINEAR_HOLDS)["bats"]):
-        half = reaches.get(f"bats.{index}.{CHANGE_ALONG}")
-        along = {} if half is None else {"change_half_m_s": np.round(half.above, 4)}
+    for one, row in zip(known.bats, known.to_dict()["bats"], strict=True):
+        change = one.scan.change
+        along = {"change_half_m_s": np.round(change.high - change.value, 4)} if isinstance(change, Band) else {}
         bats.append({name: row[name] for name in ("bat_speed_m_s", "exit_speed_m_s", "change_m_s")} | along)
     return {
         "bats": bats, "verdict": verdicts["us"], "assumptions": taken["us"][0],
@@ -147,12 +139,12 @@ def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], C
 
 def sure(state: CompareState) -> dict[str, Any]:
     """Return the comparison with an interval beside each number, and what they come from."""
-    from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
+    from sweetspot.report.comparison.document import compare_document
 
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
-    sources = _sources(state, comparison)
-    return told(comparison_with_doubt(comparison, sources, corking=state.what_if == "cork", count=PAGE_DRAWS))
+    answer = compare_of(comparison, _sources(state, comparison), drawn=True, draws=PAGE_DRAWS)
+    return told(compare_document(answer, corking=state.what_if == "cork"))
 
 
 def rules_sure(state: CompareState) -> dict[str, Any]:

@@ -1,0 +1,350 @@
+"""Implements side by side in one player's hands: what each gains or loses, how surely, and which keep the rules."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Annotated
+
+import numpy as np
+
+from sweetspot.analysis.comparison import Compared, Comparison, compare
+from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, certify_answer
+from sweetspot.answers.conditions import HitConditions, hit_conditions
+from sweetspot.answers.implement import MassProperties, mass_columns, mass_properties
+from sweetspot.answers.records import (
+    INTERNAL,
+    NESTED,
+    Columns,
+    Frequency,
+    Length,
+    MomentOfInertia,
+    Ratio,
+    Speed,
+    with_intervals,
+)
+from sweetspot.catalog.balls import ball
+from sweetspot.catalog.rules import DEFAULT_LEAGUE, WOODEN_LEAGUE, league
+from sweetspot.catalog.sports import sport
+from sweetspot.dynamics.modes import Family
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_law import SwingLaw
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Curve, Number
+from sweetspot.uncertainty.comparison_draws import LAW, DrawnBat, DrawnComparison, drawn_comparison, names_of_bats
+from sweetspot.uncertainty.intervals import reach_of_draws
+from sweetspot.uncertainty.linear_doubt import linear_comparison, linear_reach
+from sweetspot.uncertainty.sources import DRAWS, Sources
+from sweetspot.units.dimensions import LENGTH, SPEED
+
+ALIKE = "none: everything is just as described"
+LINEAR = "90 %, by straight lines, of all that is not known: bats, ball, swing, swing law"
+DRAWN = "90 % of draws of all that is not known: bats, ball, swing, swing law"
+"""What intervals hold where no sources are given, without draws (`linear_comparison`), and with them."""
+
+SpeedWithEnds = Annotated[Number, SPEED, NESTED]
+
+
+@dataclass(frozen=True)
+class EffortLaw:
+    """The law by which bats are swung with the same effort; see `SwingLaw`.
+
+    Parameters
+    ----------
+    axis_from_grip : where the moment of inertia counts, from the bottom of the grip.
+    lightest_moi : below which a bat is swung no faster.
+    """
+
+    name: str
+    exponent: Annotated[Number, NESTED]
+    axis_from_grip: Length
+    lightest_moi: MomentOfInertia
+
+
+@dataclass(frozen=True)
+class DecidedRule:
+    """A rule that is kept or broken; `RuleCheck` has its limits and its source."""
+
+    league: str
+    quantity: str
+    verdict: str
+    sure: bool
+    value: Number | None
+    unit: str
+
+
+@dataclass(frozen=True)
+class RulesKept:
+    """Whether a bat keeps the rules of its own sport, and the rules behind that."""
+
+    passed: bool
+    verdict: str
+    sure: bool
+    checks: tuple[DecidedRule, ...]
+
+
+@dataclass(frozen=True)
+class ComparedCurves:
+    """Exit speed along one implement, from the knob end, arrays of shape (n,).
+
+    Parameters
+    ----------
+    change : against the first one, equally far from the tip; nan where nothing of the kind is known.
+    """
+
+    position: Annotated[Array, LENGTH]
+    exit_speed: Annotated[Curve, SPEED]
+    change: Annotated[Curve, SPEED, INTERNAL]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparedBat:
+    """One implement of a comparison, the first one being the reference; see `Compared`.
+
+    Parameters
+    ----------
+    bending_1, hoop_1 : the lowest tones of bending and of the wall; nan where it has none.
+    max_collision_efficiency, max_bbcor : the greatest on the barrel.
+    bat_speed, exit_speed : where the swing is measured, and the greatest along it.
+    change, swung_faster : exit speed and bat speed against the reference's.
+    break_even_bat_speed : with which the ball leaves as fast as from the reference; nan where none would do.
+    max_exit_speed : the best place, from the knob end.
+    rules : whether it keeps those of its own sport; None: that was not asked, or it has none.
+    """
+
+    label: str
+    bat: MassProperties
+    bending_1: Frequency
+    hoop_1: Frequency
+    max_collision_efficiency: Ratio
+    max_bbcor: Ratio
+    bat_speed: SpeedWithEnds
+    exit_speed: SpeedWithEnds
+    change: SpeedWithEnds
+    break_even_bat_speed: Speed
+    max_exit_speed: Length
+    zone: Annotated[tuple[float, float] | None, LENGTH]
+    scan: ComparedCurves
+    rules: RulesKept | None = None
+    swung_faster: Annotated[Speed, INTERNAL]
+    compared: Annotated[Compared[Implement], INTERNAL]
+    certificate: Annotated[CertifyAnswer | None, INTERNAL] = None
+
+
+@dataclass(frozen=True)
+class BatGain:
+    """How much faster than from the first bat the ball leaves, and how probable it is that it does."""
+
+    label: str
+    exit_speed_gain: Speed
+    faster_probability: float
+
+
+@dataclass(frozen=True)
+class ComparisonUncertainty(Uncertainty):
+    """What the intervals of a comparison are, and how sure each bat's gain over the first is."""
+
+    gains: tuple[BatGain, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class CompareAnswer(Answer):
+    """Implements side by side.
+
+    Parameters
+    ----------
+    reference : label of the first.
+    same : what is the same for all of them: "effort" or "speed".
+    interval : what the intervals hold.
+    conditions : of the first.
+    uncertainty : of the last one's change, where draws were made.
+    sources : what is not known, one by one; none: no intervals were asked.
+    """
+
+    reference: str
+    same: str
+    swing_law: EffortLaw | None
+    interval: str
+    bats: tuple[ComparedBat, ...]
+    conditions: HitConditions
+    uncertainty: ComparisonUncertainty | None = None
+    comparison: Annotated[Comparison[Implement], INTERNAL]
+    sources: Annotated[tuple[Sources, ...], INTERNAL] = ()
+
+
+@dataclass(frozen=True)
+class CompareQuestion:
+    """A comparison that is asked for.
+
+    Parameters
+    ----------
+    conditions, law, labels : see `compare`.
+    sources : what is not known, one by one; None: no intervals.
+    drawn : whether the intervals come from draws, with what they come from; else every source is one standard deviation
+        up and down.
+    rules : whether bats are held against the rules of their own sport.
+    draws : a power of two.
+    """
+
+    implements: Sequence[Implement]
+    conditions: Conditions
+    law: SwingLaw | None
+    labels: Sequence[str] | None = None
+    sources: Sequence[Sources] | None = None
+    drawn: bool = False
+    rules: bool = False
+    draws: int = field(default=DRAWS, kw_only=True)
+
+
+def compare_answer(question: CompareQuestion) -> CompareAnswer:
+    """Return implements side by side.
+
+    Raises
+    ------
+    InputError
+        without one, of different sports, or when one of them or its swing is refused; see `compare`.
+    """
+    comparison = compare(question.implements, conditions=question.conditions, law=question.law, labels=question.labels)
+    answer = compare_of(comparison, question.sources, drawn=question.drawn, draws=question.draws)
+    return _with_rules(answer) if question.rules else answer
+
+
+def compare_of(
+    comparison: Comparison[Implement],
+    sources: Sequence[Sources] | None = None,
+    *,
+    drawn: bool = False,
+    draws: int = DRAWS,
+) -> CompareAnswer:
+    """Return the answer of a comparison; see `CompareQuestion`."""
+    plain = _described(comparison)
+    if sources is None:
+        return plain
+    plain = replace(plain, sources=tuple(sources))
+    if not drawn:
+        straight = linear_comparison(comparison, sources)
+        return with_intervals(replace(plain, interval=LINEAR), _columns(straight), linear_reach)
+    found = drawn_comparison(comparison, sources, count=draws)
+    sure = with_intervals(replace(plain, interval=DRAWN), _columns(found), reach_of_draws)
+    return replace(sure, uncertainty=_uncertainty(sure, found))
+
+
+def _described(comparison: Comparison[Implement]) -> CompareAnswer:
+    """Return a comparison of implements just as they are described."""
+    law, reference = comparison.law, comparison.reference
+    return CompareAnswer(
+        reference=reference.label,
+        same="speed" if law is None else "effort",
+        swing_law=None if law is None else EffortLaw(law.name, law.exponents, law.axis, law.lightest_moi),
+        interval=ALIKE,
+        bats=tuple(_compared_bat(one, reference) for one in comparison.compared),
+        conditions=hit_conditions(reference.analysis.conditions),
+        comparison=comparison,
+    )
+
+
+def _compared_bat(one: Compared[Implement], reference: Compared[Implement]) -> ComparedBat:
+    analysis, scan, known = one.analysis, one.analysis.scan, reference.analysis
+    there = scan.position + (known.bat.length - analysis.bat.length)  # equally far from the tip
+    before = np.interp(there, known.scan.position, known.scan.exit_speed, left=np.nan, right=np.nan)
+    return ComparedBat(
+        label=one.label,
+        bat=mass_properties(analysis.bat, analysis.body),
+        bending_1=_lowest(one, "bending"),
+        hoop_1=_lowest(one, "hoop"),
+        max_collision_efficiency=one.collision_efficiency,
+        max_bbcor=one.bbcor,
+        bat_speed=one.bat_speed.value,
+        exit_speed=one.exit_speed.value,
+        change=one.change.value,
+        break_even_bat_speed=one.break_even,
+        max_exit_speed=analysis.sweet_spots.max_exit_speed,
+        zone=analysis.sweet_spots.zone,
+        scan=ComparedCurves(scan.position, scan.exit_speed, scan.exit_speed - before),
+        swung_faster=one.bat_speed.value - reference.bat_speed.value,
+        compared=one,
+    )
+
+
+def _lowest(one: Compared[Implement], family: Family) -> float:
+    """Return the lowest frequency in Hz of a family of modes; nan where there is none."""
+    modes = one.analysis.modes
+    return min(map(float, modes.frequency[modes.of_family(family)]), default=float("nan"))
+
+
+def _columns(found: DrawnComparison) -> Columns:
+    """Return what draws answer, by the fields of `CompareAnswer`."""
+    return {"bats": [_columns_of(bat, first=number == 0) for number, bat in enumerate(found.bats)]}
+
+
+def _columns_of(bat: DrawnBat, *, first: bool) -> Columns:
+    columns: dict[str, Array | Columns] = {
+        "bat": mass_columns(bat.draws) if bat.draws.sources.unknowns else {},
+        "max_collision_efficiency": bat.max_collision_efficiency,
+        "max_bbcor": bat.max_bbcor,
+        "bat_speed": bat.bat_speed,
+        "exit_speed": bat.exit_speed,
+        "change": bat.change,
+        "scan": {"exit_speed": bat.exit_speed_along} | ({} if first else {"change": bat.change_along}),
+        "swung_faster": bat.swung_faster,
+    }
+    more = {"break_even_bat_speed": bat.break_even, "bending_1": bat.bending_1}
+    return {**columns, **{name: column for name, column in more.items() if column is not None}}
+
+
+def _uncertainty(answer: CompareAnswer, found: DrawnComparison) -> ComparisonUncertainty:
+    """Return how sure the gains are, and what the change of the last one, or else the exit speed, comes from."""
+    last = len(found.bats) - 1
+    main = "change" if last else "exit_speed"
+    labels = names_of_bats(answer.comparison)
+    own = {label: one.bat_where for label, one in zip(labels, answer.sources, strict=True)}
+    others = {one.name: one.where for one in answer.sources[0].others}
+    known = uncertainty_of(
+        getattr(found.bats[last], main),
+        of=f"bats.{last}.{main}",
+        normal=found.normal,
+        names=found.names,
+        sources={**own, **others, LAW: "spread of its exponent in the catalogue"},
+    )
+    gains = tuple(
+        BatGain(bat.label, bat.change, chance_above_zero(drawn.change))
+        for bat, drawn in zip(answer.bats[1:], found.bats[1:], strict=True)
+    )
+    return ComparisonUncertainty(**vars(known), gains=gains)
+
+
+def chance_above_zero(values: Array) -> float:
+    """Return the part of the draws above zero, the first left out; of those at zero one half."""
+    drawn = values[1:]
+    return float(np.mean(drawn > 0) + np.mean(drawn == 0) / 2)
+
+
+def _with_rules(answer: CompareAnswer) -> CompareAnswer:
+    """Return a comparison whose bats are held against the rules of their own sport."""
+    bats = []
+    for one in answer.bats:
+        implement = one.compared.analysis.bat
+        certificate = certificate_of_sport(implement) if isinstance(implement, Bat) else None
+        rules = None if certificate is None else _rules_kept(certificate)
+        bats.append(replace(one, rules=rules, certificate=certificate))
+    return replace(answer, bats=tuple(bats))
+
+
+def certificate_of_sport(bat: Bat) -> CertifyAnswer:
+    """Return a bat held against the rules of its sport; a wooden one of baseball also against those of the majors."""
+    own = sport(bat.sport).rules or DEFAULT_LEAGUE
+    names = [own, WOODEN_LEAGUE] if own == DEFAULT_LEAGUE and bat.material.family == "wood" else [own]
+    leagues = [league(name) for name in names]
+    return certify_answer(CertifyQuestion(bat, leagues, ball(leagues[0].ball)))
+
+
+def _rules_kept(certificate: CertifyAnswer) -> RulesKept:
+    checks = tuple(
+        DecidedRule(one.league, one.quantity, one.verdict, one.sure, one.value, one.unit)
+        for one in certificate.checks
+        if one.outcome.decided
+    )
+    return RulesKept(certificate.passed, certificate.verdict.value, certificate.sure, checks)
