@@ -32,6 +32,7 @@ LAYERS = [
     {"motion"},
     {"equipment"},
     {"tables"},
+    {"plausibility"},
     {"numerics"},
     {"errors", "units", "references"},
 ]
@@ -290,9 +291,9 @@ def test_the_front_door_opens() -> None:
 BUDGET = {
     "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 3_900, "calibration": 7_000, "catalog": 3_600,
     "cli": 4_600, "collision": 3_100, "design": 3_200, "dynamics": 4_900, "equipment": 3_400, "errors": 150,
-    "flight": 3_500, "front_door": 300, "motion": 700, "numerics": 1_900, "paper": 1_000, "player": 4_200,
-    "references": 150, "report": 13_100, "season": 8_100, "uncertainty": 1_900, "units": 1_100, "validation": 2_500,
-    "tables": 750, "web": 7_600,
+    "flight": 3_500, "front_door": 300, "motion": 700, "numerics": 1_900, "paper": 1_000, "plausibility": 700,
+    "player": 4_200, "references": 150, "report": 13_100, "season": 8_100, "tables": 750, "uncertainty": 1_900,
+    "units": 800, "validation": 2_500, "web": 7_600,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
 package that shrinks gives its lines back."""
@@ -312,7 +313,7 @@ def test_each_package_keeps_to_its_budget() -> None:
 SEVERAL_MEANINGS = {
     "Answers": 3, "Asked": 2, "Band": 2, "Energies": 2, "Expected": 2, "Gain": 2, "Hit": 2, "Limit": 2,
     "Measured": 2, "Outline": 2, "Picture": 2, "Posterior": 2, "Question": 4, "Row": 2, "Section": 2, "ShotOptions": 2,
-    "Sources": 2, "Swings": 2, "Table": 2, "Usual": 3, "Verdict": 2, "Wanted": 2, "Words": 3, "_Held": 2,
+    "Sources": 2, "Swings": 2, "Table": 2, "Usual": 2, "Verdict": 2, "Wanted": 2, "Words": 3, "_Held": 2,
 }  # fmt: skip
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {

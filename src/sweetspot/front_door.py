@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from sweetspot.errors import InputError, UnusualWarning
+from sweetspot.plausibility import bounds, insisted
+from sweetspot.plausibility.table import TABLE
 from sweetspot.units.quantities import KIND_OF, in_si
-from sweetspot.units.usual import USUAL, insisted, is_usual
 
 if TYPE_CHECKING:
     from sweetspot.dynamics.reduction import ReducedBat
@@ -140,7 +141,7 @@ def _numbers(value: Any, name: str, *, callers: int = 3) -> Any:
     if name not in KIND_OF:
         return value
     numbers = in_si(value, name)
-    if KIND_OF[name] == "speed" and name in USUAL and numbers is not None and not insisted():
+    if KIND_OF[name] == "speed" and name in TABLE and numbers is not None and not insisted():
         _warn_of_unusual(numbers, name, callers=callers)
     return numbers
 
@@ -150,12 +151,14 @@ def _warn_of_unusual(speeds: Any, name: str, *, callers: int) -> None:
     import numpy as np
 
     many = np.ravel(np.asarray(speeds, dtype=float))
-    odd = [float(speed) for speed in many[np.isfinite(many) & (many != 0)] if not is_usual(float(speed), name)]
+    odd = [
+        float(speed) for speed in many[np.isfinite(many) & (many != 0)] if bounds(name).verdict(float(speed)) != "fine"
+    ]
     if odd:
-        usual, size = USUAL[name], USUAL[name].size
+        usual = bounds(name)
         warnings.warn(
-            f"{name} is {odd[0]:.4g} m/s ({odd[0] / size:.4g} {usual.unit}); usual is {usual.low:g} to {usual.high:g} "
-            f"{usual.unit}. Plain numbers are m/s; miles an hour are written '{odd[0]:.4g} mph'",
+            f"{name} is {odd[0]:.4g} m/s ({usual.in_unit(odd[0]):.4g} {usual.unit}); usual is {usual.low:g} to "
+            f"{usual.high:g} {usual.unit}. Plain numbers are m/s; miles an hour are written '{odd[0]:.4g} mph'",
             UnusualWarning,
             stacklevel=callers + 1,
         )

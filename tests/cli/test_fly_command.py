@@ -145,7 +145,7 @@ def test_files(run: Run, tmp_path: Path) -> None:
     ("arguments", "words"),
     [
         (("--exit-speed", "100"), "--exit-speed was given as 100 without a unit"),
-        (("--exit-speed", "-5mph"), "exit speed"),
+        (("--exit-speed", "-5mph"), "--exit-speed was given as -5mph; usual is 1"),
         (("--height", "-1ft"), "below the ground"),
         (("--height", "-1ft:1ft:3"), "below the ground"),
         (("--temperature", "900degF"), "temperature"),

@@ -57,7 +57,7 @@ FILES = {
     ): "goes back from 0.2286 m (9 in) to 0.0762 m (3 in)",
     BASE + '[cup]\ndiameter = "2.6 in"\ndepth = "1 in"\n': "cup is 0.06604 m (2.6 in) wide and has to be narrower",
     BASE.replace('"aluminium 7xxx"', '{ like = "ash", youngs_modulus = "9 GPa" }'): "known are like, density, long",
-    BASE + '[[point_mass]]\nposition = "30 in"\nmass = "-1.5 oz"\n': "point mass: mass was given as -0.04252",
+    BASE + '[[point_mass]]\nposition = "30 in"\nmass = "-1.5 oz"\n': "mass was given as -1.5 oz; usual is 0 to 8.82 oz",
 }
 
 

@@ -36,7 +36,7 @@ FIT, SHOTS = ("fit-player", "FILE"), ("certify", "r161-ash", "--shots", "FILE")
         (FIT, HEAD, ["66,88,60"] * 10, "is one row copied"),
         (SHOTS, "ball_in_mph,ball_out_mph,position_in_from_tip", ["136,80,6", "136,81,6"], "bats have 0.2 to 0.6"),
         (("fly", "--exit-speed", "1,030mph"), "", [], "write thousands without it"),
-        (("report", "r161-ash", "--bat-speed", "70m/s"), "", [], "usual is 2.24 to 67.1 m/s"),
+        (("report", "r161-ash", "--bat-speed", "70m/s"), "", [], "usual is 0.447 to 49.2 m/s in baseball"),
         (("hit", "r161-ash", "--at", "6in"), "", [], "there the hands are"),
     ],
 )

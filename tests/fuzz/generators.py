@@ -30,8 +30,9 @@ from sweetspot.catalog.records import unwrapped
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.plausibility import parse
 from sweetspot.player.swings import read_swings
-from sweetspot.units import SI, parse
+from sweetspot.units import SI
 
 NUMBERS = ("0", "-1", "1e-320", "1e308", "1e400", "nan", "inf", "1e-9", "0.5", "1e6", "33 1/2", "2 ft 9.5", "9" * 400)
 STRANGERS: tuple[Any, ...] = (None, True, -1, 0, 1e308, 10**400, [], {}, ["racket"], "x" * 3000, "", "\0")

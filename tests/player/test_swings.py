@@ -13,13 +13,14 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
+from sweetspot.plausibility import insisting
 from sweetspot.player.columns import columns_of
 from sweetspot.player.player_swing import PlayerSwing, check_enough
 from sweetspot.player.swings import Swings, evenly, read_swings
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.tables.headings import GivenColumns
 from sweetspot.tables.vocabulary import simplified
-from sweetspot.units import INCH, MPH, insisting
+from sweetspot.units import INCH, MPH
 from tests.real_data import real_file
 
 LENGTH = 33 * INCH
@@ -218,7 +219,7 @@ def test_a_decimal_comma_between_commas_is_a_bad_row(tmp_path: Path) -> None:
     [
         ("exit_speed_mph,bat_speed_mph", ROWS, "swapped"),
         ("bat_speed_mph,exit_speed_mph", [(bat * MPH, ball * MPH) for bat, ball in ROWS], "write the unit"),
-        ("bat_speed_mph,exit_speed_mph,pitch_speed_mph", [(*row, 0.6) for row in ROWS], "slower than any pitch"),
+        ("bat_speed_mph,exit_speed_mph,pitch_speed_mph", [(*row, 0.6) for row in ROWS], "usual is 10 to 125 mph"),
         ("bat_speed_mph,exit_speed_mph,position_in_from_tip", [(*row, 27) for row in ROWS], "from the other end"),
         ("Player Name,bat_speed_mph,exit_speed_mph", list(zip("aabbcc", *zip(*ROWS, strict=True), strict=True)),
          "3 batters"),

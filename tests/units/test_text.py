@@ -15,7 +15,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweetspot.errors import InputError
-from sweetspot.units import Kind, parse, parse_position
+from sweetspot.plausibility import parse, parse_position
+from sweetspot.units import Kind
 from sweetspot.units import text as units
 from sweetspot.units.usual_units import TEMPERATURES, WRITTEN, written
 
@@ -156,7 +157,7 @@ def test_powers_of_units_are_understood() -> None:
 
 def test_units_leave_nothing_on_disk(tmp_path: Path) -> None:
     """A cache that is cut off or half-written would make every quantity unreadable."""
-    code = "from sweetspot.units import parse; print(round(parse('33 in', 'length'), 4))"
+    code = "from sweetspot.plausibility import parse; print(round(parse('33 in', 'length'), 4))"
     torn = tmp_path / "pint"
     torn.mkdir()
     environment = {**os.environ, "HOME": str(tmp_path), "XDG_CACHE_HOME": str(tmp_path)}

@@ -23,13 +23,14 @@ from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
-from sweetspot.motion.swing import MAX_SPEED, Conditions
+from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw, turned_faster
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.parabola import peak, top
-from sweetspot.units import insisted
+from sweetspot.plausibility import insisted
+from sweetspot.plausibility.table import MAX_SPEED
 
 ACCURACY = 1e-9
 """m/s of exit speed to which a break-even bat speed is found."""

@@ -31,6 +31,7 @@ from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.plausibility import check
 from sweetspot.tables.cells import require_units
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
@@ -42,7 +43,7 @@ from sweetspot.tables.headings import (
     refuse_faults,
 )
 from sweetspot.tables.vocabulary import quantities_of, simplified
-from sweetspot.units import CLAMPED, Kind, check_usual
+from sweetspot.units import CLAMPED, Kind
 
 BATS = quantities_of("bats")
 """Columns that are understood."""
@@ -164,7 +165,7 @@ def _values(said: Mapping[str, str], headings: Headings, what: str) -> dict[str,
         unit = WRITTEN.get(column.unit, column.unit)
         values[name] = parse_measured(_with_unit(cell, unit), cast("Kind", column.kind), f"{what}, {name}")
         usual = {"pendulum": "period"}.get(name, name)
-        check_usual(values[name].value, usual, f"{cell} {unit} ({what})")
+        check(values[name].value, usual, f"{cell} {unit} ({what})")
     moisture = values.get("moisture")
     if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
         low, high = (100 * one for one in MOISTURES)

@@ -11,11 +11,8 @@ from sweetspot.dynamics.rigid import pendulum_period, rigid_body
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.units import insisted
-
-APART: Mapping[str, float] = {"mass": 1.5, "balance_point": 1.2, "moi": 1.7, "period": 1.2, "frequency": 1.7}
-"""Factor by which a bat of one model may differ from it, by kind of measurement. Our choice: wood of one profile
-differs by half of these; a slip of a unit or of a column by more."""
+from sweetspot.plausibility import insisted
+from sweetspot.plausibility.implements import SAME_MODEL
 
 
 def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Implement, *, axis: float = STANDARD_AXIS) -> None:
@@ -47,9 +44,9 @@ def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Implement, 
             if expected is None or insisted():
                 continue
             factor = one.value.value / expected
-            if not 1 / APART[one.kind] < factor < APART[one.kind]:
+            if not 1 / SAME_MODEL[one.kind] < factor < SAME_MODEL[one.kind]:
                 what = str(mode) if mode is not None else one.kind.replace("_", " ")
                 raise InputError(
                     f"{name}: the {what} is {factor:.3g} times that of {model.name}; bats of one model come within a "
-                    f"factor of {APART[one.kind]:g}. Check the unit and the column, or add --force if it is meant"
+                    f"factor of {SAME_MODEL[one.kind]:g}. Check the unit and the column, or add --force if it is meant"
                 )

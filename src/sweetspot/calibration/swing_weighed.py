@@ -10,7 +10,7 @@ from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.written import SEPARATOR, parse_measured
 from sweetspot.catalog.swing_weights import MOMENTS, swing_weight
 from sweetspot.errors import InputError
-from sweetspot.units import parse
+from sweetspot.plausibility import parse
 
 POINTS = re.compile(r"\s*[A-Za-z]\d(?:\.(\d+))?\s*")
 

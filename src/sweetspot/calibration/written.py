@@ -6,7 +6,8 @@ import re
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.errors import InputError
-from sweetspot.units import NUMBER, Kind, parse
+from sweetspot.plausibility import parse
+from sweetspot.units import NUMBER, Kind
 
 SEPARATOR = re.compile(r"\s*(?:±|\+/-|\+-)\s*")
 DECIMALS = re.compile(r"^\s*[-+]?\d*(?:\.(\d+))?\s*(.*)$")

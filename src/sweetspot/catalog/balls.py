@@ -14,7 +14,8 @@ from sweetspot.equipment.ball import (
     stiffness_from_load,
     stiffness_from_peak_force,
 )
-from sweetspot.units import Kind, parse
+from sweetspot.plausibility import parse
+from sweetspot.units import Kind
 
 FILE = "balls.toml"
 DEFAULT_BALL = "baseball"

@@ -6,7 +6,8 @@ from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
 from sweetspot.equipment.material import Material
-from sweetspot.units import Kind, parse
+from sweetspot.plausibility import parse
+from sweetspot.units import Kind
 
 FILE = "materials.toml"
 CALLED = {

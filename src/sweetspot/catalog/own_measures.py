@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from sweetspot.catalog.usual_sizes import USUAL_SIZES
 from sweetspot.dynamics.beam import BeamModel, beam_model, moments
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.dynamics.weight_match import Way, drawn_mass, weight_matched
@@ -24,6 +23,7 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.stretch import stretched
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError
+from sweetspot.plausibility import bounds, fine
 from sweetspot.units import shown, shown_mass
 
 THICKNESS = (0.75, 1.35)
@@ -164,7 +164,7 @@ def _club(club: GolfClub, known: Measures) -> tuple[Implement, str]:
     shaft = moments(BeamModel(club, 1.0, 0.0, ()))[0] - club.grip_mass
     head = mass - shaft - club.grip_mass
     parts = f"a grip of {shown_mass(club.grip_mass)}, a shaft of {shown_mass(shaft)} and a head of {shown_mass(head)}"
-    if not USUAL_SIZES["golf-club"]["head.mass"].holds(max(head, 1e-6)):
+    if head <= 0 or not bounds("golf-club head.mass").accepts(head):
         least, most = club_weights(club)
         raise InputError(
             f"a club with a shaft of {shown_mass(shaft)} and a grip of {shown_mass(club.grip_mass)} weighs "
@@ -178,9 +178,9 @@ def _club(club: GolfClub, known: Measures) -> tuple[Implement, str]:
 
 def club_weights(club: GolfClub) -> tuple[float, float]:
     """Return the least and the greatest weight that a club with this shaft has, kg: the lightest and heaviest head."""
-    usual = USUAL_SIZES["golf-club"]["head.mass"]
+    lightest, heaviest = fine("golf-club head.mass")
     rest = rigid_body(beam_model(club)).mass - club.head.mass
-    return rest + usual.low * usual.size, rest + usual.high * usual.size
+    return rest + lightest, rest + heaviest
 
 
 def with_shaft(club: GolfClub, material: Material) -> GolfClub:
@@ -198,21 +198,21 @@ def _balanced(club: GolfClub, mass: float, balance: float) -> GolfClub:
 
     middle = club.length - club.head.height / 2
     walls = [size for _, size in club.wall]
-    usual = USUAL_SIZES["golf-club"]["wall"]
-    limits = (usual.low * usual.size / min(walls), usual.high * usual.size / max(walls))
+    thinnest, thickest = fine("golf-club wall")
+    factors = (thinnest / min(walls), thickest / max(walls))
 
     def excess(factor: float) -> float:
         """Return by how much the balance point is too far out, m."""
         own, first, _ = moments(BeamModel(_with_wall(club, factor), 1.0, 0.0, ()))
         return (first + (mass - own) * middle) / mass - balance
 
-    out, near = (excess(factor) for factor in limits)
+    out, near = (excess(factor) for factor in factors)
     if not near <= 0 <= out:
         raise InputError(
             f"a club of {shown_mass(mass)} with this shaft can balance {shown(balance + near)} to "
             f"{shown(balance + out)} from the butt; given was {shown(balance)}"
         )
-    return _with_wall(club, float(brentq(excess, *limits, xtol=1e-13)))
+    return _with_wall(club, float(brentq(excess, *factors, xtol=1e-13)))
 
 
 def _with_wall(club: GolfClub, factor: float) -> GolfClub:

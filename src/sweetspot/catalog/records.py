@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar
 
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.units import Kind, parse
+from sweetspot.plausibility import parse
+from sweetspot.units import Kind
 
 FOLDER = Path(__file__).parent
 Entry = TypeVar("Entry")

@@ -15,8 +15,8 @@ from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
 from sweetspot.equipment.sport import Certainty, CourtMark, DropRule, Known, Limit, Sport, Stroke, Words, counted
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.units import MPH, Kind, parse
-from sweetspot.units.usual import Usual, refuse_unusual
+from sweetspot.plausibility import parse
+from sweetspot.units import Kind
 
 FILE, RULES = "sports.toml", "rules.toml"
 DEFAULT_SPORT = "baseball"
@@ -55,7 +55,6 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
             hands=parse(stroke["hands"], "length", f"{key} hands"),
             pivot=parse(stroke.get("pivot", "0 m"), "length", f"{key} pivot"),
         ),
-        usual_exit_speed=_bounds(sport_entry["usual_exit_speed"], f"{key} usual_exit_speed"),
         words=Words(**sport_entry.get("words", {})),
         speeds=tuple(_known(table) for table in sport_entry.get("speed", ())),
         limits=tuple(_limit(table) for table in sport_entry.get("limit", ())),
@@ -88,28 +87,6 @@ def pitched_aerodynamics(pitch: str) -> Aerodynamics:
     """
     its = delivery_sport(pitch)
     return aerodynamics("pitched-baseball" if its.endswith("baseball") else sport(its).aerodynamics)
-
-
-def check_exit_speed(speed: float, name: str, what: str, given: object) -> None:
-    """Refuse a speed that no ball of the sport of that name leaves with, unless it is insisted on.
-
-    Parameters
-    ----------
-    speed : m/s.
-    what, given : its option or column, and how it was written, for the message.
-
-    >>> check_exit_speed(100 * 0.44704, "baseball", "--exit-speed", "100mph")
-    >>> check_exit_speed(100.0, "baseball", "--exit-speed", "100m/s")
-    Traceback (most recent call last):
-    ...
-    sweetspot.errors.InputError: --exit-speed was given as 100m/s; usual is 5 to 130 mph in baseball. Check \
-the unit and the decimal point, or add --force if it is meant
-    """
-    game = sport(name)
-    unit = game.words.speed_unit
-    size = MPH if unit == "mph" else 1.0
-    low, high = (float(f"{bound / size:.6g}") for bound in game.usual_exit_speed)
-    refuse_unusual(Usual(low, high, f"{unit} in {game.name.lower()}", size, above=-0.001), speed, what, given)
 
 
 def certainty(name: str) -> dict[Certainty, int]:
@@ -171,11 +148,6 @@ def _values(table: dict[str, Any]) -> dict[str, Any]:
         "where": table.get("where", ""),
         "kind": table["kind"],
     }
-
-
-def _bounds(pair: list[str], what: str) -> tuple[float, float]:
-    low, high = (parse(text, "speed", what) for text in pair)
-    return low, high
 
 
 def _drop(table: dict[str, Any]) -> DropRule:

@@ -6,7 +6,7 @@ from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
 from sweetspot.motion.swing_law import SwingLaw
-from sweetspot.units import parse
+from sweetspot.plausibility import parse
 
 FILE = "swing_laws.toml"
 DEFAULT_SWING_LAW = "baseball"

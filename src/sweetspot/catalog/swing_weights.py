@@ -6,7 +6,8 @@ from functools import cache
 
 from sweetspot.catalog.records import entry, read_table
 from sweetspot.dynamics.swing_weight import SwingWeight
-from sweetspot.units import Kind, parse
+from sweetspot.plausibility import parse
+from sweetspot.units import Kind
 
 FILE = "swing_weights.toml"
 MOMENTS: dict[int, Kind] = {1: "first moment", 2: "moi"}

@@ -11,8 +11,8 @@ from contextlib import contextmanager, nullcontext, suppress
 from typing import Any
 
 from sweetspot.errors import SweetspotError, UnusualWarning
+from sweetspot.plausibility import insisting
 from sweetspot.report.plain_signs import spelled_for
-from sweetspot.units.usual import insisting
 
 EXIT_BAD_INPUT = 2
 EXIT_INTERRUPTED = 130

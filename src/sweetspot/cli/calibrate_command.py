@@ -101,8 +101,8 @@ def calibrate(
     from sweetspot.calibration.posterior import calibrate as fitted
     from sweetspot.calibration.unknowns import described, unknowns_of
     from sweetspot.cli.output import present
+    from sweetspot.plausibility import parse
     from sweetspot.report.calibration.document import calibration_document
-    from sweetspot.units import parse
 
     own = catalog.load_implement(bat).as_drawn()
     unknowns = unknowns_of(own, diameter_spread=parse(trust.diameter_error, "ratio", "--diameter-error"))
@@ -139,7 +139,7 @@ def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.swing_weighed import of_swing_weight
     from sweetspot.calibration.written import parse_measured
-    from sweetspot.units import parse_position
+    from sweetspot.plausibility import parse_position
 
     pivot = weighed.pivot
     axis = own.swing_axis if pivot is None else parse_position(pivot, length=own.length, what="--pivot")

@@ -59,8 +59,8 @@ def certify(
     from sweetspot.answers.certify import CertifyQuestion, certify_answer
     from sweetspot.catalog.rules import DEFAULT_LEAGUE
     from sweetspot.cli.output import patience, present
+    from sweetspot.plausibility import parse
     from sweetspot.report.certification.document import certificate_document
-    from sweetspot.units import parse
 
     if bat is None:
         raise InputError("certify needs a bat: BBCOR takes the recoil from its weight, balance and moment of inertia")
@@ -97,7 +97,7 @@ def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
     from sweetspot import catalog
     from sweetspot.catalog.balls import DEFAULT_BALL
     from sweetspot.catalog.rules import league, league_names
-    from sweetspot.units import insisted
+    from sweetspot.plausibility import insisted
 
     if name.strip().lower() == ALL:
         ball_name = ball_name or DEFAULT_BALL

@@ -55,7 +55,7 @@ class CorkingOptions:
     def corked(self, bat: Bat) -> list[Bat]:
         """Return the bat as it is and with each filling of the catalogue."""
         from sweetspot.catalog.corking import corkings
-        from sweetspot.units import parse
+        from sweetspot.plausibility import parse
 
         return list(
             corkings(

@@ -59,8 +59,8 @@ def drop(
     from sweetspot.answers.drop import DropQuestion, drop_answer
     from sweetspot.answers.drop_draws import drop_sources
     from sweetspot.cli.output import patience, present
+    from sweetspot.plausibility import parse
     from sweetspot.report.drop.document import drop_document
-    from sweetspot.units import parse
 
     if fall.height is not None and fall.speed is not None:
         raise InputError("give either --height or --speed, and only one of them")
@@ -84,7 +84,7 @@ def block_of(options: BlockOptions) -> Block:
     """Return the block that the options describe."""
     from sweetspot import catalog
     from sweetspot.dynamics.block import FLOOR_MODULUS, Block
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     side = parse(options.size, "length", "--size")
     return Block(

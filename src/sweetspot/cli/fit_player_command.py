@@ -84,10 +84,10 @@ def fit_player(
 ) -> int:
     """Learn a player's bat speed and scatter from measured swings, and say which bat and contact point serve."""
     from sweetspot.cli.output import present, progress, today
+    from sweetspot.plausibility import parse
     from sweetspot.player.goal import Goal
     from sweetspot.player.posterior import fit_player as fitted
     from sweetspot.report.player.document import player_document
-    from sweetspot.units import parse
 
     if wanted.seed < 0:
         raise InputError(f"--seed was given as {wanted.seed}; allowed is a whole number from 0 up")
@@ -177,7 +177,12 @@ def _read(file: Path, given: FileOptions, own: Bat | None = None) -> tuple[Swing
     is_settled = own is not None
     own = load(given.bat or DEFAULT_BAT) if own is None else own
     table = read_swings(
-        file, length=own.length, given=given.columns.given(), pitch_speed=_arriving(given), batter=given.batter
+        file,
+        length=own.length,
+        given=given.columns.given(),
+        pitch_speed=_arriving(given, own.sport),
+        batter=given.batter,
+        sport=own.sport,
     )
     good, bats, bad, notes = bats_of(table.swings, load=load, stand_in_for=stand_in_for)
     if given.bat is None and not is_settled:  # the file says itself what is swung
@@ -242,7 +247,7 @@ def _check_named(swings: tuple[PlayerSwing, ...], known: dict[str, Bat], given: 
 
 def _measured_at(own: Bat, given: FileOptions) -> float:
     """Return how far in m from the tip bat speed is measured."""
-    from sweetspot.units import parse_position
+    from sweetspot.plausibility import parse_position
 
     place = own.length - parse_position(given.bat_speed_at, length=own.length, what="--bat-speed-at")
     if not 0 <= place < own.length / 2:
@@ -252,14 +257,14 @@ def _measured_at(own: Bat, given: FileOptions) -> float:
     return place
 
 
-def _arriving(given: FileOptions) -> float | None:
+def _arriving(given: FileOptions, sport: str) -> float | None:
     """Return the speed in m/s of pitches whose row has none; None: not said."""
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     text = given.pitch_speed
     if text is None:
         return None
-    arriving = 0.0 if text.strip().lower() == "tee" else parse(text, "speed", "--pitch-speed")
+    arriving = 0.0 if text.strip().lower() == "tee" else parse(text, "speed", "--pitch-speed", sport=sport)
     if arriving < 0:
         raise InputError(f"--pitch-speed was given as {text}; allowed is tee, or a speed at the plate, as 82mph")
     return arriving

@@ -80,28 +80,29 @@ def fly(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Say how far a hit ball carries. Any one or two options may be ranges (from:to:count); the answer is a table."""
+    from sweetspot.catalog import ball_sport
     from sweetspot.catalog.aerodynamic_laws import DEFAULT_AERODYNAMICS, usual_spin_line
     from sweetspot.cli.output import present
     from sweetspot.flight.sweep import VARIATIONS, BattedBall
-    from sweetspot.units.usual import USUAL, refuse_unusual
+    from sweetspot.plausibility import check
 
+    game = ball_sport(launch.ball)
     values: dict[str, Any] = {}
     ranges: list[Varied] = []
     for name, text in _texts(launch, air).items():
         varied = next((known for known in VARIATIONS if known == name), None)
         if ":" in text and varied is not None:
-            ranges.append((varied, spread(text, KINDS[name], _option(name))))
+            ranges.append((varied, spread(text, KINDS[name], _option(name), sport=game)))
         else:
             values[name] = (
-                pressure_of(air) if name == "pressure" and ":" not in (air.elevation or "") else _number(name, text)
+                pressure_of(air)
+                if name == "pressure" and ":" not in (air.elevation or "")
+                else _number(name, text, game)
             )
     for name, values_of in ranges:
         values[name] = values_of[0]
-    _check_exit_speeds(
-        launch, [values["exit_speed"], *(at for name, row in ranges if name == "exit_speed" for at in row)]
-    )
     for height in [values["height"], *(at for name, row in ranges if name == "height" for at in row)]:
-        refuse_unusual(USUAL["launch_height"], height, "--height", launch.height)
+        check(height, "--height", launch.height, quantity="launch_height")
     hit = BattedBall(**values, bats=launch.bats, line=usual_spin_line(launch.law or DEFAULT_AERODYNAMICS))
     if len(ranges) > 2:
         named = " and ".join(_option(name) for name, _ in ranges)
@@ -141,23 +142,14 @@ def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
     return {name: text for name, text in options.items() if text is not None}
 
 
-def _check_exit_speeds(launch: LaunchOptions, speeds: list[float]) -> None:
-    """Refuse speeds that no ball of this ball's sport leaves with."""
-    from sweetspot.catalog import ball_sport
-    from sweetspot.catalog.sports import check_exit_speed
-
-    for speed in speeds:
-        check_exit_speed(speed, ball_sport(launch.ball), "--exit-speed", launch.exit_speed)
-
-
 def _option(name: str) -> str:
     return "--wind-profile" if name == "wind_exponent" else f"--{name.replace('_', '-')}"
 
 
-def _number(name: str, text: str) -> float:
-    from sweetspot.units import parse
+def _number(name: str, text: str, sport: str) -> float:
+    from sweetspot.plausibility import parse
 
-    return parse(without_error(text) if name in WITH_ERRORS else text, KINDS[name], _option(name))
+    return parse(without_error(text) if name in WITH_ERRORS else text, KINDS[name], _option(name), sport=sport)
 
 
 def _law(launch: LaunchOptions) -> Aerodynamics:

@@ -28,8 +28,8 @@ def hit(
     from sweetspot.cli.options.swing import swung_bat
     from sweetspot.cli.output import present
     from sweetspot.equipment.implement import check_lateral, check_on_face, check_position
+    from sweetspot.plausibility import parse, parse_position
     from sweetspot.report.hit.document import hit_document
-    from sweetspot.units import parse, parse_position
 
     implement = catalog.load_implement(bat)
     swung = swung_bat(implement, swing)
@@ -47,7 +47,8 @@ def hit(
 
 def check_beyond_hands(position: float, hands: float, given: str) -> None:
     """Refuse a hit on the hands: a place that was meant from the tip counts from the knob end."""
-    from sweetspot.units import INCH, insisted
+    from sweetspot.plausibility import insisted
+    from sweetspot.units import INCH
 
     if position <= hands and not insisted():
         raise InputError(

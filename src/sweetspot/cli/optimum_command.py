@@ -162,7 +162,7 @@ def _swing_search(
     from sweetspot.cli.options.weather import through
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.equipment.implement import check_position
-    from sweetspot.units import parse, parse_position
+    from sweetspot.plausibility import parse, parse_position
 
     flying = replace(through(weather, str(contact.ball)), ball=conditions.ball)
     position = None if contact.at is None else parse_position(contact.at, length=bat.length, what="--at")
@@ -182,13 +182,10 @@ def _swing_search(
 def _launch_search(sent: SentOptions, ball: str, weather: AirOptions) -> LaunchSearch:
     from sweetspot.answers.optimum import LaunchSearch
     from sweetspot.catalog.balls import ball_sport
-    from sweetspot.catalog.sports import check_exit_speed
     from sweetspot.cli.options.weather import through
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
-    speeds = tuple(parse(text, "speed", "--exit-speed") for text in sent.exit_speed)
-    for speed, text in zip(speeds, sent.exit_speed, strict=True):
-        check_exit_speed(speed, ball_sport(ball), "--exit-speed", text)
+    speeds = tuple(parse(text, "speed", "--exit-speed", sport=ball_sport(ball)) for text in sent.exit_speed)
     return LaunchSearch(through(weather, ball), speeds, parse(sent.backspin, "angular speed", "--backspin"))
 
 
@@ -197,7 +194,7 @@ def _park_search(backspin: str, ball: str, weather: AirOptions, everywhere: bool
     from sweetspot import catalog
     from sweetspot.answers.optimum import ParkSearch
     from sweetspot.cli.options.weather import park_of, through
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     flying = through(weather, ball)
     if flying.one_wind.speed > 0:

@@ -39,7 +39,7 @@ class SizeOptions:
 
     def given(self) -> dict[str, float]:
         """Return the sizes that were given, in m by name."""
-        from sweetspot.units import parse
+        from sweetspot.plausibility import parse
 
         texts = {one.name: getattr(self, one.name) for one in fields(self)}
         return {

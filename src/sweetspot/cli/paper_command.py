@@ -47,7 +47,7 @@ def choices_for(options: PaperOptions) -> Choices:
     """Return the choices that the options describe."""
     from sweetspot.catalog.materials import material
     from sweetspot.paper.choices import RATIOS, Choices
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     def read(name: str, kind: Literal["length", "ratio", "angle"]) -> float:
         return parse(getattr(options, name), kind, f"--{name.replace('_', '-')}")

@@ -37,8 +37,8 @@ def pendulum(
     from sweetspot.answers.pendulum import PendulumQuestion, pendulum_answer
     from sweetspot.calibration.measured import Measured
     from sweetspot.cli.output import present
+    from sweetspot.plausibility import parse
     from sweetspot.report.pendulum.document import pendulum_document
-    from sweetspot.units import parse
 
     if (period is None) == (moi is None):
         raise InputError("give either --period or --moi, and only one of them")
@@ -67,7 +67,8 @@ def pendulum(
 
 def _check_body(inertia: float, weight: float, balance: float, axis: float, *, given: str, balance_given: str) -> None:
     """Raise `InputError` where no implement is like that: a moment of inertia in kg m^2 about an axis, kg and m."""
-    from sweetspot.units import OUNCE_INCH_SQUARED, insisted
+    from sweetspot.plausibility import insisted
+    from sweetspot.units import OUNCE_INCH_SQUARED
 
     least = weight * (balance - axis) ** 2
     if inertia <= least and not insisted():

@@ -94,8 +94,8 @@ def play(
     from sweetspot.cli.output import patience, present
     from sweetspot.collision.hit_in_space import Contact
     from sweetspot.dynamics.reduction import reduced_bat
+    from sweetspot.plausibility import parse, parse_position
     from sweetspot.report.play.document import play_document
-    from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
     swung = swung_bat(described, swing)
@@ -151,7 +151,7 @@ def _pitch_at_plate(arrival: ArrivalOptions, swing: SwingOptions, speed: float, 
 def path_of(options: PathOptions) -> SwingPath:
     """Return the swing's path that the options describe."""
     from sweetspot.motion.swing_path import SwingPath
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     return SwingPath(
         attack_angle=parse(options.attack_angle, "angle", "--attack-angle"),
@@ -166,11 +166,10 @@ def arriving(options: ArrivalOptions, speed: float) -> BallMotion:
     import math
 
     from sweetspot.motion.ball_motion import launched
-    from sweetspot.units import parse
-    from sweetspot.units.usual import USUAL, refuse_unusual
+    from sweetspot.plausibility import check, parse
 
     height = parse(options.height, "length", "--height")
-    refuse_unusual(USUAL["launch_height"], height, "--height", options.height)
+    check(height, "--height", options.height, quantity="launch_height")
     return launched(
         speed=speed,
         launch_angle=parse(options.approach_angle, "angle", "--approach-angle"),

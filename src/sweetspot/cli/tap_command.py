@@ -127,7 +127,7 @@ def tap(
 def tap_places(described: Implement, texts: list[str], what: str = "--at") -> list[float]:
     """Return the places in m from the knob end that texts of an option name."""
     from sweetspot.equipment.implement import check_position
-    from sweetspot.units import parse_position
+    from sweetspot.plausibility import parse_position
 
     places = [parse_position(text, length=described.length, what=what) for text in texts]
     for place in places:
@@ -136,7 +136,7 @@ def tap_places(described: Implement, texts: list[str], what: str = "--at") -> li
 
 
 def _most_damping(text: str) -> float:
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     ratio = parse(text, "ratio", "--most-damping")
     if not 0 < ratio < 1:
@@ -165,7 +165,7 @@ def _bar(sizes: str | None, mass: str | None) -> Bar | None:
 
 def _band(text: str) -> Band:
     from sweetspot.calibration.recording import Band
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     ends = text.split(":")
     if len(ends) != 2:
@@ -180,8 +180,8 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     from sweetspot.calibration.recording import recording_bytes
     from sweetspot.calibration.synthetic import synthesised
     from sweetspot.calibration.tap_modes import frame_modes
+    from sweetspot.plausibility import parse
     from sweetspot.report.file_set import write_all
-    from sweetspot.units import parse
 
     seed = 1 if synthesis.seed is None else synthesis.seed
     if seed < 0:

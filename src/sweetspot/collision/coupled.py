@@ -48,7 +48,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import crossing, vertex
-from sweetspot.units import check_place
+from sweetspot.plausibility import check_place
 
 STEP = 4e-6
 """s; exit speeds are then well within 1e-4 of the converged ones (the docs have the curve)."""

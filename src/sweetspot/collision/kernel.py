@@ -33,7 +33,7 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
-from sweetspot.units import check_place
+from sweetspot.plausibility import check_place
 
 STEP = 26e-6
 """s; exit speeds are within 1e-4 of the converged ones for hits at game speed (`make bench` prints the curve)."""

@@ -21,7 +21,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled
 from sweetspot.numerics.parabola import vertex
-from sweetspot.units import check_place
+from sweetspot.plausibility import check_place
 
 # numbers that change from kick to kick; the compression from which the ball springs back is nan while it is pressed on
 BALL_POSITION, BALL_SPEED, WORK, PEAK, TURNED_AT, GREATEST, HARDEST, MISSING, BEFORE, EARLIER, APPROACH = range(11)

@@ -14,7 +14,8 @@ import numpy as np
 from sweetspot.design.contacts import ContactPlaces, contacts_at
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.numerics.text_files import read_text, table_rows
-from sweetspot.units import INCH, parse, shown
+from sweetspot.plausibility import parse
+from sweetspot.units import INCH, shown
 
 MOST_BYTES = 5_000_000
 LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")

@@ -14,7 +14,8 @@ from sweetspot.dynamics.beam import BeamModel, moments_with_roll
 from sweetspot.equipment.base import Real
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.units import check_place, shown
+from sweetspot.plausibility import check_place
+from sweetspot.units import shown
 
 
 @dataclass(frozen=True)

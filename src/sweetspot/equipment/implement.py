@@ -22,7 +22,8 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.notebook_display import ShownInNotebooks
-from sweetspot.units import insisted, shown
+from sweetspot.plausibility import insisted
+from sweetspot.units import shown
 
 Look = Literal["wood", "metal", "filler", "laminate"]
 

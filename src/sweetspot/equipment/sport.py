@@ -165,7 +165,6 @@ class Sport(Validated):
     balls : catalogue names, the usual one first.
     aerodynamics : catalogue name of the coefficients of drag and lift of its balls.
     stroke : the usual one.
-    usual_exit_speed : m/s, least and most that its balls usually leave with.
     words : what its people call things.
     speeds : other typical speeds and spins.
     limits : of the rules.
@@ -185,7 +184,6 @@ class Sport(Validated):
     balls: tuple[str, ...]
     aerodynamics: str
     stroke: Stroke
-    usual_exit_speed: tuple[NonNegative, Positive] = (2.0, 112.0)
     words: Words = Words()
     speeds: tuple[Known, ...] = ()
     limits: tuple[Limit, ...] = ()

@@ -12,7 +12,8 @@ from pydantic import AfterValidator, Field, model_validator
 
 from sweetspot.equipment.base import Fraction, NonNegative, Positive, Validated
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import MPH, check_angle
+from sweetspot.plausibility import check_angle
+from sweetspot.units import MPH
 
 STANDARD_PRESSURE = 101325.0
 """Pa, of the standard atmosphere at sea level: 760 mm of mercury."""

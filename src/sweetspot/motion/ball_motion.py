@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import FOOT, check_angles
+from sweetspot.plausibility import check_angles
+from sweetspot.units import FOOT
 from sweetspot.units.quantities import in_si
 
 USUAL_CONTACT = (0.0, 2 * FOOT, 3 * FOOT)

@@ -8,18 +8,13 @@ from pydantic import Field, model_validator
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.base import NonNegative, Validated
-from sweetspot.units import INCH, MPH, check_place, shown
+from sweetspot.plausibility import check_place, check_possible
+from sweetspot.units import INCH, shown
 
-MAX_SPEED = 70.0
-"""m/s (157 mph): half as fast again as any recorded pitch or swing."""
 SPEED_FROM_TIP = 6 * INCH
 """m from the tip where the speed of a bat is measured, as Statcast does [statcast]."""
 LIGHTEST_HAND = 0.01
 """kg."""
-
-
-def _speed(value: float) -> str:
-    return f"{value:.4g} m/s ({value / MPH:.4g} mph)"
 
 
 class Pitch(Validated):
@@ -27,15 +22,14 @@ class Pitch(Validated):
 
     Parameters
     ----------
-    speed : m/s towards the bat, >= 0 (0 is a ball on a tee), at most `MAX_SPEED`.
+    speed : m/s towards the bat, >= 0 (0 is a ball on a tee), at most 70.
     """
 
     speed: NonNegative
 
     @model_validator(mode="after")
     def _is_possible(self) -> Pitch:
-        if self.speed > MAX_SPEED:
-            raise ValueError(f"speed is {_speed(self.speed)}; allowed is 0 (a tee) to {_speed(MAX_SPEED)}")
+        check_possible(self.speed, "speed", "pitch_speed")
         return self
 
 
@@ -44,7 +38,7 @@ class Swing(Validated):
 
     Parameters
     ----------
-    bat_speed : m/s at ``measured_at``, > 0, at most `MAX_SPEED`.
+    bat_speed : m/s at ``measured_at``, > 0, at most 70.
     measured_at : m from the knob end, beyond ``pivot``.
     pivot : m from the knob end of the axis the bat turns about; negative: beyond the knob.
     """
@@ -57,10 +51,7 @@ class Swing(Validated):
     def _is_a_swing(self) -> Swing:
         check_place(self.measured_at, "measured_at")
         check_place(self.pivot, "pivot")
-        if not 0 < self.bat_speed <= MAX_SPEED:
-            raise ValueError(
-                f"bat speed is {_speed(self.bat_speed)}; allowed is more than 0 and at most {_speed(MAX_SPEED)}"
-            )
+        check_possible(self.bat_speed, "bat speed", "bat_speed")
         if self.measured_at <= self.pivot:
             raise ValueError(
                 f"bat speed is measured at {shown(self.measured_at)}, not beyond the pivot at "

@@ -10,14 +10,14 @@ from statistics import median
 
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import SPEED_FROM_TIP
+from sweetspot.plausibility import check, insisted, objection
 from sweetspot.player.columns import NEEDED
 from sweetspot.tables.bad_row import BadRow
-from sweetspot.units import INCH, MPH, USUAL, check_usual, insisted, is_usual, shown
+from sweetspot.units import INCH, MPH, shown
 
-FASTEST_BAT, FASTEST_BALL, FASTEST_PITCH = 100 * MPH, 130 * MPH, USUAL["pitch_speed"].high * MPH
-"""m/s; faster ones are numbers in another unit."""
 TOO_FAST = "is more than any bat gives"
 """Words of such a fault."""
+SPEEDS = ("bat_speed", "exit_speed", "pitch_speed")
 LIVELIEST = 0.45
 """Collision efficiency beyond any bat's; a faster ball is a wrong reading. Our choice."""
 FULL_SWING = 0.6
@@ -58,44 +58,36 @@ class PlayerSwing:
     foul: bool = False
 
 
-def fault_of(swing: PlayerSwing, length: float) -> str:
-    """Return why a swing cannot be true, or an empty text."""
-
-    def outside(value: float | None, low: float, high: float) -> bool:
-        return value is not None and not low <= value <= high
-
-    def mph(value: float | None) -> str:
-        return f"{(value or 0.0) / MPH:.1f} mph"
-
+def fault_of(swing: PlayerSwing, length: float, sport: str = "baseball") -> str:
+    """Return why a swing cannot be true of a bat of this length (m) in a sport, or an empty text."""
     bat, ball, pitch = swing.bat_speed, swing.exit_speed, swing.pitch_speed
-    wrong = "allowed is above 0, up to"
-    faults = (
-        (outside(bat, 1e-9, FASTEST_BAT), f"bat speed is {mph(bat)}; {wrong} {mph(FASTEST_BAT)}"),
-        (outside(ball, 1e-9, FASTEST_BALL), f"exit speed is {mph(ball)}; {wrong} {mph(FASTEST_BALL)}"),
-        (outside(pitch, 0.0, FASTEST_PITCH), f"pitch speed is {mph(pitch)}; allowed is 0 to {mph(FASTEST_PITCH)}"),
-        (
-            pitch is not None and not is_usual(pitch, "pitch_speed"),
-            f"pitch speed is {mph(pitch)}, slower than any pitch and no tee, which is 0; is it in another unit?",
-        ),
-        (outside(swing.launch_angle, -math.pi / 2, math.pi / 2), "launch angle is beyond -90 to 90 degrees"),
-        (outside(swing.attack_angle, -math.pi / 3, math.pi / 3), "attack angle is beyond -60 to 60 degrees"),
-        (outside(swing.position, 0.0, length), f"position is off the bat of {shown(length)}"),
-    )
-    text = next((text for holds, text in faults if holds), "")
-    if text or bat is None or ball is None or pitch is None:
-        return text
+    for name in (*SPEEDS, "launch_angle", "attack_angle"):
+        value = getattr(swing, name)
+        if value is not None:
+            given = _mph(value) if name in SPEEDS else f"{math.degrees(value):.1f} deg"
+            quantity = "tracked_launch_angle" if name == "launch_angle" else name
+            if wrong := objection(quantity, value, name.replace("_", " "), given, sport, column=True):
+                return wrong
+    if swing.position is not None and not 0.0 <= swing.position <= length:
+        return f"position is off the bat of {shown(length)}"
+    if bat is None or ball is None or pitch is None:
+        return ""
     fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat
     if ball > fastest:
-        met = f"against {mph(pitch)}" if pitch else "off a tee"
-        return f"exit speed {mph(ball)} {TOO_FAST} at {mph(bat)} {met} ({mph(fastest)})"
+        met = f"against {_mph(pitch)}" if pitch else "off a tee"
+        return f"exit speed {_mph(ball)} {TOO_FAST} at {_mph(bat)} {met} ({_mph(fastest)})"
     if swing.position is not None and not insisted():
         there = bat * (length - swing.position) / (length - SPEED_FROM_TIP)  # near enough
         if ball > max(LIVELIEST * pitch + (1 + LIVELIEST) * there, 0.0) and swing.position > SPEED_FROM_TIP:
             return (
-                f"a ball met {swing.position / INCH:.1f} in from the tip cannot leave at {mph(ball)}; does the "
+                f"a ball met {swing.position / INCH:.1f} in from the tip cannot leave at {_mph(ball)}; does the "
                 "position count from the other end?"
             )
     return ""
+
+
+def _mph(speed: float) -> str:
+    return f"{speed / MPH:.1f} mph"
 
 
 def full_swings(swings: list[PlayerSwing]) -> tuple[list[PlayerSwing], list[BadRow]]:
@@ -124,7 +116,7 @@ def check_speeds(swings: Sequence[PlayerSwing], path: Path) -> None:
         if len(values) >= FEWEST:
             middle[quantity] = median(values)
             name = f"median_{quantity}"
-            check_usual(middle[quantity], name.replace("_", " "), f"{middle[quantity] / MPH:.1f} mph by {path}")
+            check(middle[quantity], name.replace("_", " "), f"{middle[quantity] / MPH:.1f} mph by {path}")
     angles = [abs(one.launch_angle) for one in swings if one.launch_angle is not None]
     if len(angles) >= FEWEST and 0 < max(angles) < LEVEL and not insisted():
         raise InputError(

@@ -11,13 +11,14 @@ from pathlib import Path
 
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
+from sweetspot.plausibility import insisted
 from sweetspot.player.columns import NEEDED, TEXTS, columns_of, day_of, maybe_a_column
 from sweetspot.player.player_swing import TOO_FAST, PlayerSwing, check_speeds, fault_of, full_swings
 from sweetspot.player.swing_table import Lines, SwingTable, one_name, open_swings
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.tables.cells import EMPTY, cell_in_si, place_in_si, require_units
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
-from sweetspot.units import insisted, shown, shown_speed
+from sweetspot.units import shown, shown_speed
 
 FEW = 20
 """Swings below which the intervals are said to be wide."""
@@ -62,6 +63,7 @@ def read_swings(
     given: GivenColumns = NOTHING_GIVEN,
     pitch_speed: float | None = None,
     batter: str | None = None,
+    sport: str = "baseball",
 ) -> Swings:
     """Return the swings of a file, plain or of a measuring system: CSV, also packed with gzip, or Parquet.
 
@@ -71,6 +73,7 @@ def read_swings(
     given : what a person says of the columns.
     pitch_speed : m/s at the plate, for rows without one; 0: a tee.
     batter : whose rows to use, where the file has several batters.
+    sport : catalogue name of what is played: its bounds hold for speeds.
 
     Raises
     ------
@@ -86,7 +89,10 @@ def read_swings(
     columns, width = table.narrowed(understood), table.width(understood)
     columns, unmeasured = _measured(rows, columns)
     require_units(rows, columns, str(path))
-    read = [_read(line, cells, columns, width=width, length=length, pitch_speed=pitch_speed) for line, cells in rows]
+    read = [
+        _read(line, cells, columns, width=width, length=length, pitch_speed=pitch_speed, sport=sport)
+        for line, cells in rows
+    ]
     good = [one for one in read if isinstance(one, PlayerSwing)]
     bad = [one for one in read if isinstance(one, BadRow)]
     good, partial = full_swings(good)
@@ -169,7 +175,14 @@ def _some(rows: Lines, path: Path) -> Lines:
 
 
 def _read(
-    line: int, cells: list[str], columns: Headings, *, width: int, length: float, pitch_speed: float | None
+    line: int,
+    cells: list[str],
+    columns: Headings,
+    *,
+    width: int,
+    length: float,
+    pitch_speed: float | None,
+    sport: str,
 ) -> PlayerSwing | BadRow | None:
     """Return a row as a swing, as a bad row with its reason, or None where it holds no swing at all."""
     if len(cells) != width:
@@ -201,7 +214,7 @@ def _read(
         launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=value.get("position"),
         bat=cells[named.index].strip() if named else "", foul=FOUL in outcome,
     )  # fmt: skip
-    wrong = fault_of(swing, length)
+    wrong = fault_of(swing, length, sport)
     return BadRow(line, wrong) if wrong else swing
 
 

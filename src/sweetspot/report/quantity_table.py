@@ -8,10 +8,10 @@ from typing import Any, Literal
 
 from sweetspot.equipment.sport import Words
 from sweetspot.numerics.confidence import REACH
+from sweetspot.plausibility import parse
 from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, SYSTEMS, Reader, System, Unit
 from sweetspot.report.sentences import Slot
 from sweetspot.report.sweet_spots import SPOTS
-from sweetspot.units import parse
 
 Stored = Literal["us", "si", "plain"]
 ENDINGS: dict[str, tuple[str, Stored]] = {

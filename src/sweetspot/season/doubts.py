@@ -7,42 +7,31 @@ inside when it is read in another unit.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 import polars as pl
 
+from sweetspot.plausibility import PlausibleRange, bounds
 from sweetspot.tables.headings import TableColumn
 from sweetspot.tables.unit_words import FAHRENHEIT_ZERO, UNITS
-from sweetspot.units import DEGREE, FOOT, MPH
+from sweetspot.units import DEGREE
 
 ENOUGH = 30
 """Balls of a part of a table from which columns are doubted."""
 
 
-class UsualQuantile(NamedTuple):
-    """What is usual of a column: bounds of one of its quantiles in a unit, its words, its size in SI and its zero."""
-
-    quantile: float
-    low: float
-    high: float
-    unit: str
-    size: float
-    zero: float = 0.0
-
-
-USUAL: Mapping[str, UsualQuantile] = {
-    "exit_speed": UsualQuantile(0.5, 42, 115, "mph", MPH),
-    "bat_speed": UsualQuantile(0.5, 40, 95, "mph", MPH),
-    "release_speed": UsualQuantile(0.5, 42, 105, "mph", MPH),
-    "plate_speed": UsualQuantile(0.5, 40, 100, "mph", MPH),
-    "plate_height": UsualQuantile(0.5, 1.0, 5.0, "ft", FOOT),
-    "distance": UsualQuantile(0.99, 150, 550, "ft", FOOT),
-    "temperature": UsualQuantile(0.5, 36, 108, "°F", 5 / 9, FAHRENHEIT_ZERO),
-    "pressure": UsualQuantile(0.5, 990, 1040, "hPa", 100.0),
-    "humidity": UsualQuantile(0.5, 5, 100, "%", 0.01),
+DOUBTED: Mapping[str, tuple[float, str]] = {
+    **{
+        name: (0.5, f"median_{name}")
+        for name in (
+            *("exit_speed", "bat_speed", "release_speed", "plate_speed", "plate_height"),
+            *("temperature", "pressure", "humidity"),
+        )
+    },
+    "distance": (0.99, "longest_distance"),
 }
+"""The quantile of a column that is looked at, and its name in the table of bounds."""
 ANGLES = ("launch_angle", "attack_angle", "tilt", "attack_direction", "attack_to_right", "launch_direction", "bearing")
-DOUBTFUL = (*USUAL, *ANGLES, "map_x", "map_y")
+DOUBTFUL = (*DOUBTED, *ANGLES, "map_x", "map_y")
 """Quantities whose columns are doubted."""
 LEVEL = 1.6 * DEGREE
 """rad; where 99 of 100 are less, a column of degrees is written in radians."""
@@ -59,19 +48,18 @@ def unusual(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> Iterator[
     some : balls in play, those that cannot be among them, in SI.
     columns : of the table.
     """
-    for name, usual in USUAL.items():
+    for name, (quantile, quantity) in DOUBTED.items():
         held = some[name].drop_nulls() if name in some.columns else pl.Series()
         if len(held) < ENOUGH:
             continue
-        value = float(held.cast(pl.Float64).quantile(usual.quantile))  # type: ignore[arg-type]
-        told = (value - usual.zero) / usual.size
-        if not usual.low <= told <= usual.high:
-            middle = "in the median" if usual.quantile == 0.5 else "for the longest in a hundred"
+        value, usual = float(held.cast(pl.Float64).quantile(quantile)), bounds(quantity)  # type: ignore[arg-type]
+        if usual.verdict(value) != "fine":
+            middle = "in the median" if quantile == 0.5 else "for the longest in a hundred"
             yield (
                 name,
                 (
-                    f"{columns[name].heading} is {told:.3g} {usual.unit} {middle}; usual is {usual.low:g} to "
-                    f"{usual.high:g} {usual.unit}{_as_if_in(columns[name], value, usual)}"
+                    f"{columns[name].heading} is {usual.in_unit(value):.3g} {usual.sign} {middle}; usual is "
+                    f"{usual.low:g} to {usual.high:g} {usual.sign}{_as_if_in(columns[name], value, usual)}"
                 ),
             )
     for name in ANGLES:
@@ -80,14 +68,14 @@ def unusual(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> Iterator[
             yield name, f"no {columns[name].heading} is above 1.6 degrees: are they radians?"
 
 
-def _as_if_in(column: TableColumn, value: float, usual: UsualQuantile) -> str:
+def _as_if_in(column: TableColumn, value: float, usual: PlausibleRange) -> str:
     """Return in which unit the same numbers would be usual, in words."""
     if column.kind == "pressure":
         return ": is it reduced to sea level, as weather reports give it?"
     written = (value - column.zero) / column.factor
     for unit, factor in UNITS[column.kind].items():
         zero = FAHRENHEIT_ZERO if column.kind == "temperature" and factor != 1 else 0.0
-        if usual.low <= (zero + factor * written - usual.zero) / usual.size <= usual.high:
+        if usual.verdict(zero + factor * written) == "fine":
             return f": are they {unit}?"
     return ""
 

@@ -6,7 +6,6 @@ the ledger under the first reason that holds.
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Iterator, Mapping
 from datetime import date
@@ -14,10 +13,10 @@ from functools import partial
 
 import polars as pl
 
+from sweetspot.plausibility import bounds, fine
 from sweetspot.season.headings import DAY_FIRST
 from sweetspot.tables.headings import Headings, TableColumn
 from sweetspot.tables.unit_words import UNITS
-from sweetspot.units import FOOT, MPH
 
 USED = "used"
 REASONS = {
@@ -32,21 +31,20 @@ REASONS = {
 """Why a row is where it is in the ledger, in the order in which they are asked."""
 ABSENT = ("", "NA", "N/A", "na", "n/a", "#N/A", "<NA>", "NaN", "nan", "NaT", "null", "NULL", "None", "none", "-", "--")
 """Words that mean that there is nothing. Missing is never zero."""
-SLOWEST, FASTEST = 1 * MPH, 125 * MPH
-"""m/s of balls that were put in play."""
-_SPEEDS, _TURNS, _RIGHT = (1 * MPH, 140 * MPH), (-math.pi, math.pi), (-math.pi / 2, math.pi / 2)
+SPORT = "baseball"
 POSSIBLE: Mapping[str, tuple[float, float]] = {
-    "bat_speed": _SPEEDS, "release_speed": _SPEEDS, "plate_speed": (0.0, 140 * MPH), "attack_angle": _RIGHT,
-    "tilt": _RIGHT, "attack_direction": _RIGHT, "attack_to_right": _RIGHT, "launch_direction": _TURNS,
-    "bearing": _TURNS, "axial_offset": (-1.0, 1.0), "plate_side": (-15 * FOOT, 15 * FOOT),
-    "plate_height": (-15 * FOOT, 15 * FOOT), "distance": (0.0, 700 * FOOT), "hang_time": (0.0, 15.0),
-    "temperature": (-40.0, 60.0), "pressure": (87e3, 108.5e3), "humidity": (0.0, 1.0),
-    "elevation": (-500.0, 9000.0), "map_x": (-100.0, 400.0), "map_y": (-100.0, 400.0),
-    **{f"velocity_{axis}": (-200 * MPH, 200 * MPH) for axis in "xyz"},
-    **{f"acceleration_{axis}": (-300 * FOOT, 300 * FOOT) for axis in "xyz"},
+    **{name: fine(name, SPORT) for name in (
+        "attack_direction", "axial_offset", "plate_side", "plate_height", "distance",
+        "hang_time", "temperature", "pressure", "humidity", "elevation")},
+    **{name: fine(f"tracked_{name}") for name in ("attack_angle", "tilt", "launch_direction", "bearing")},
+    **{name: (fine(name, SPORT)[0], bounds(name, SPORT).can_be[1]) for name in ("bat_speed", "release_speed")},
+    "plate_speed": bounds("pitch_speed", SPORT).can_be, "attack_to_right": fine("attack_direction"),
+    **dict.fromkeys(("map_x", "map_y"), fine("map_position")),
+    **{f"{name}_{axis}": fine(name) for name in ("velocity", "acceleration") for axis in "xyz"},
 }  # fmt: skip
-"""SI, what a measurement can be at all (a pressure: at sea level, what was ever measured); beyond it
-stands for something missing (0, -9999) or a slip, and is missing.
+"""SI, what is fine for a measurement (a pressure: at sea level); beyond it stands for something missing (0, -9999) or a
+slip, and is missing. Fast bats and pitches stay as long as they are possible: whether a column is in another unit shows
+in what is usual of many (`doubts`).
 Exit speed and launch angle decide by themselves whether a row counts."""
 DATES = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%d.%m.%Y", "%Y%m%d", "%m-%d-%Y", "%d-%b-%Y")
 SWAPPED = {"%m/%d/%Y": "%d/%m/%Y", "%m/%d/%y": "%d/%m/%y", "%m-%d-%Y": "%d-%m-%Y"}
@@ -342,5 +340,15 @@ def _conditions(headings: Headings) -> Iterator[tuple[str, pl.Expr]]:
             bunted = bunted | pl.col(f"bunted by {name}").fill_null(value=False)
     yield "bunt", bunted
     yield "untracked", pl.col("exit_speed").is_null()
-    steep = (pl.col("launch_angle").abs() > 1.5708).fill_null(value=False) if headings.has("launch_angle") else False
-    yield "impossible", ~pl.col("exit_speed").is_between(SLOWEST, FASTEST) | steep
+    steep = (
+        ~_near(pl.col("launch_angle"), "tracked_launch_angle").fill_null(value=True)
+        if headings.has("launch_angle")
+        else False
+    )
+    yield "impossible", ~_near(pl.col("exit_speed"), "exit_speed") | steep
+
+
+def _near(value: pl.Expr, quantity: str) -> pl.Expr:
+    """Return whether a value is fine for its quantity, its bounds included whatever it is rounded to."""
+    low, high = fine(quantity, SPORT)
+    return value.is_between(low - 1e-5, high + 1e-5)

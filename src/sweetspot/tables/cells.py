@@ -6,10 +6,10 @@ import math
 import re
 from collections.abc import Sequence
 
+from sweetspot.plausibility import parse_position
 from sweetspot.tables.headings import Headings, TableColumn, no_unit, refuse_faults
 from sweetspot.tables.unit_words import UNITS, zero_of
 from sweetspot.tables.vocabulary import simplified
-from sweetspot.units import parse_position
 
 NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+))\s*([^\d\s.,+-].*)")
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")

@@ -17,9 +17,10 @@ from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.patch import contact_patch
 from sweetspot.equipment.ball import Ball
-from sweetspot.motion.swing import MAX_SPEED, Conditions
+from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.plausibility.table import MAX_SPEED
 from sweetspot.uncertainty.bat_draws import DrawnBats, drawn_bats
 from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING, Sources
 

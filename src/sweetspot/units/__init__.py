@@ -1,4 +1,4 @@
-"""Units at the border: texts with units in, SI out; the sizes of people's units; what is usual for each quantity."""
+"""Units at the border: texts with units in, SI out; the sizes of people's units."""
 
 from sweetspot.units.factors import (
     DEGREE,
@@ -17,22 +17,11 @@ from sweetspot.units.text import (
     SI,
     Kind,
     grouped,
-    parse,
-    parse_position,
     shown,
     shown_density,
     shown_mass,
     shown_speed,
-)
-from sweetspot.units.usual import (
-    USUAL,
-    check_angle,
-    check_angles,
-    check_place,
-    check_usual,
-    insisted,
-    insisting,
-    is_usual,
+    to_si,
 )
 
 __all__ = [
@@ -48,20 +37,11 @@ __all__ = [
     "POUND_FORCE",
     "RPM",
     "SI",
-    "USUAL",
     "Kind",
-    "check_angle",
-    "check_angles",
-    "check_place",
-    "check_usual",
     "grouped",
-    "insisted",
-    "insisting",
-    "is_usual",
-    "parse",
-    "parse_position",
     "shown",
     "shown_density",
     "shown_mass",
     "shown_speed",
+    "to_si",
 ]

@@ -7,8 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.units.text import SI, Kind, parse
-from sweetspot.units.usual import insisting
+from sweetspot.units.text import SI, Kind, to_si
 
 KIND_OF: Mapping[str, Kind] = {
     **dict.fromkeys(("speed", "bat_speed", "pitch_speed", "closing_speed", "velocity", "reference_speed"), "speed"),
@@ -60,8 +59,7 @@ def in_si(value: Any, name: str) -> Any:
     if type(value) in PLAIN:
         return value
     if isinstance(value, str):
-        with insisting():  # what is unusual is warned of where it is used, not refused
-            return parse(value, KIND_OF[name], name)
+        return to_si(value, KIND_OF[name], name)  # what is unusual is warned of where it is used
     if hasattr(value, "dimensionality"):
         return _magnitude(value, name)
     if hasattr(value, "unit") or hasattr(value, "units"):

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM, Kind, parse
+from sweetspot.plausibility import parse
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM, Kind
 from sweetspot.validation.cases import CASES, Case, Row, sources
 from sweetspot.validation.computations.registry import COMPUTATIONS
 from sweetspot.validation.result import Result

@@ -6,9 +6,25 @@ shows both in either system.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
+
+from sweetspot.plausibility import bounds
+from sweetspot.plausibility.bounds import in_unit
+
+
+def within(
+    quantity: str, unit: str, sport: str = "baseball", *, least: float | None = None, most: float | None = None
+) -> Any:
+    """Return the bounds of a control: what is fine for its quantity in a unit, or less where its travel is shorter.
+
+    A control never goes beyond what the command line and Python call fine.
+    """
+    record = bounds(quantity, sport)
+    low, high = (round(in_unit(end, unit), 6) for end in (0.0 if record.absent else record.fine[0], record.fine[1]))
+    return Field(ge=low if least is None else max(least, low), le=high if most is None else min(most, high))
+
 
 LONGEST_TOML = 20_000
 """Letters of an uploaded bat; the longest in the catalogue has 3000."""
@@ -48,10 +64,10 @@ class BatState(ViewState):
 class SwingState(ViewState):
     """Pitch, swing, hands and ball; what is empty is as is usual in the bat's sport, see `web.bats.swung`."""
 
-    pitch_speed_mph: Annotated[float, Field(ge=0, le=110)] | None = Field(
+    pitch_speed_mph: Annotated[float, within("pitch_speed", "mph")] | None = Field(
         None, description="of the ball at the plate; 0: on a tee; empty: as is usual in the bat's sport"
     )
-    bat_speed_mph: Annotated[float, Field(ge=20, le=110)] | None = Field(
+    bat_speed_mph: Annotated[float, within("bat_speed", "mph")] | None = Field(
         None,
         description="of the bat as it was before it was changed, 6 in from the tip; empty: as is usual in its sport",
     )
@@ -60,13 +76,13 @@ class SwingState(ViewState):
     )
     hands_in: float = Field(6.0, ge=3, le=12, description="centre of the top hand above the bottom of the grip")
     ball: Name | None = Field(None, description="name in the catalogue; empty: the first of the bat's sport")
-    ball_cor: Annotated[float, Field(ge=0.2, le=0.8)] | None = Field(
+    ball_cor: Annotated[float, within("ball_cor", "")] | None = Field(
         None, description="restitution at its law's speed, as bought; empty: the catalogue's"
     )
-    ball_humidity: Annotated[float, Field(ge=0, le=1)] | None = Field(
+    ball_humidity: Annotated[float, within("humidity", "")] | None = Field(
         None, description="relative humidity the ball was stored at"
     )
-    ball_temperature_degf: Annotated[float, Field(ge=-20, le=130)] | None = Field(
+    ball_temperature_degf: Annotated[float, within("temperature", "degF")] | None = Field(
         None, description="temperature of the ball"
     )
 
@@ -84,7 +100,9 @@ class PlacedState(SwungState):
 class HitState(PlacedState):
     """The bat, the swing, the ball, and where they meet."""
 
-    offset_in: float = Field(0.0, ge=-2.5, le=2.5, description="ball's centre above the bat's axis at impact")
+    offset_in: Annotated[float, within("offset", "in", least=-2.5, most=2.5)] = Field(
+        0.0, description="ball's centre above the bat's axis at impact"
+    )
 
 
 class HeldState(ViewState):

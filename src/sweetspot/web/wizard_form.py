@@ -12,8 +12,6 @@ from sweetspot.catalog.own_measures import club_weights, with_shaft
 from sweetspot.catalog.records import read_table, unwrapped
 from sweetspot.catalog.rubbers import rubber, rubber_names
 from sweetspot.catalog.swing_weights import swing_weight
-from sweetspot.catalog.usual_bodies import BATS, USUAL_BODIES, UsualBody
-from sweetspot.catalog.usual_sizes import USUAL_SIZES
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -21,6 +19,8 @@ from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
+from sweetspot.plausibility import bounds as bounds_of
+from sweetspot.plausibility.implements import ROUND_BAT, WHOLE, WholeImplement
 from sweetspot.report.quantity_table import words_in_both_systems
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.schemas import Choice
@@ -104,7 +104,7 @@ def _form(sport: str, patterns: dict[str, str]) -> Form:
 
 def _questions(key: str, sport: str) -> list[Question]:
     pattern = catalog.implement(key)
-    usual = USUAL_BODIES.get(sport, BATS)
+    usual = WHOLE.get(sport, ROUND_BAT)
     body, length = rigid_body(beam_model(pattern)), pattern.length
     low, high = (part * length for part in LENGTHS)
     butt = catalog.sport(sport).words.butt
@@ -166,7 +166,7 @@ def _made_of(pattern: Implement) -> list[Question]:
     return []
 
 
-def _swing_weight(sport: str, usual: UsualBody, lengths: tuple[float, float]) -> list[Question]:
+def _swing_weight(sport: str, usual: WholeImplement, lengths: tuple[float, float]) -> list[Question]:
     """Ask for a swing weight in the sport's own way; where it only repeats the balance point, it is not asked."""
     its, words = swing_weight(sport), catalog.sport(sport).words
     if its.order == 1:
@@ -187,11 +187,11 @@ def _swing_weight(sport: str, usual: UsualBody, lengths: tuple[float, float]) ->
     return [Question(field="swing_weight_oz_in2", label=told, kind="_oz_in2", system=own, least=least, most=most)]
 
 
-def _stiffness(pattern: Implement, usual: UsualBody) -> list[Question]:
+def _stiffness(pattern: Implement, usual: WholeImplement) -> list[Question]:
     tone = _number("tone_hz", "First bending tone hung freely, if tapped", None, usual.frequency)
     if not isinstance(pattern, Racket):
         return [] if isinstance(pattern, Bat | TableTennisRacket) else [tone]
-    tension = USUAL_SIZES["racket"]["strings.tension"]
+    tension = bounds_of("racket strings.tension")
     most = min(tension.high, pattern.greatest_tension or tension.high)
     strings = _number("string_tension_n", "Tension of the strings", pattern.bed.tension, (tension.low, most))
     if pattern.sport != "tennis":

@@ -222,9 +222,9 @@ def test_bad_rows_are_listed_and_the_others_used(row: str, reason: str, tmp_path
     ("heading", "cell", "reason"),
     [
         ("bat_speed_mph", "-3", "run from the ball"),
-        ("ball_cor", "54", "rigid wall, 0.3 to 0.7"),
-        ("ball_stiffness_n_m", "0", "not that of a ball"),
-        ("ball_stiffness_n_m", "1e308", "not that of a ball"),
+        ("ball_cor", "54", "usual is 0.3 to 0.7; it is that of a ball on a rigid wall"),
+        ("ball_stiffness_n_m", "0", "usual is 0.1 to 20 MN/m"),
+        ("ball_stiffness_n_m", "1e308", "usual is 0.1 to 20 MN/m"),
         ("ball_cor", "0.051", "rigid wall"),
         ("ball_cor", "1e-320", "rigid wall"),
         ("ball_mass_kg", "5.125", "another unit"),

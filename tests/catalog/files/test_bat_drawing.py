@@ -8,7 +8,7 @@ import pytest
 
 from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.errors import InputError
-from sweetspot.units.usual import insisting
+from sweetspot.plausibility import insisting
 
 OUTLINE = [["0 in", "2 in"], ["1.25 in", "1 in"], ["12 in", "1 in"], ["24 in", "2.3 in"], ["33 in", "2.5 in"]]
 PLAIN: dict[str, Any] = {"name": "mine", "length": "33 in", "material": "white ash", "profile": OUTLINE}

@@ -27,8 +27,9 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import ENDS, REACH, ROBUST_SCALE
+from sweetspot.plausibility import check
 from sweetspot.tables.bad_row import BadRow
-from sweetspot.units import INCH, MPH, USUAL, is_usual
+from sweetspot.units import INCH, MPH
 
 VALID_HITS = 6
 """Hits that the mean at the best location takes [ncaa_bbcor]."""
@@ -289,11 +290,7 @@ def _check_bbcor(hits: list[Hit]) -> None:
                 f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; allowed is below 1, where ball and bat "
                 "part as fast as they met. Check the speeds, the ball's restitution and the bat's moment of inertia"
             )
-        if not is_usual(hit.normalised, "bbcor"):
-            raise InputError(
-                f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; usual is {USUAL['bbcor'].low:g} to "
-                f"{USUAL['bbcor'].high:g}, and {USUAL['bbcor'].hint}, or add --force if it is meant"
-            )
+        check(hit.normalised, f"the BBCOR of row {hit.shot.row}", f"{hit.normalised:.3g}", quantity="bbcor")
 
 
 def _normalised_efficiency(hit: Hit, body: RigidBody, ball: Ball) -> float:

@@ -14,10 +14,10 @@ import numpy as np
 from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import FIRST_LINES, MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.plausibility import insisted, parse, verdict
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, heading_and_unit
 from sweetspot.tables.unit_words import FILE_UNITS
-from sweetspot.units import FOOT, INCH, NUMBER, parse, shown
-from sweetspot.units.usual import USUAL, insisted
+from sweetspot.units import FOOT, INCH, NUMBER, shown
 
 UNITS = {
     **dict.fromkeys(("in", "inch", "inches", '"', "\u2033"), "in"), **dict.fromkeys(("ft", "foot", "feet"), "ft"),
@@ -174,10 +174,7 @@ def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, a
 def _like_a_bat(reach: float, thin: float, thick: float) -> bool:
     """Return whether a bat has these sizes in m, that of its thinnest part without the ends."""
     named = ("bat_length", reach), ("smallest_diameter", thin), ("greatest_diameter", thick)
-    usual = all(
-        USUAL[name].low * USUAL[name].size <= size <= USUAL[name].high * USUAL[name].size for name, size in named
-    )
-    return usual and reach > SLENDER * thick
+    return all(verdict(name, size) == "fine" for name, size in named) and reach > SLENDER * thick
 
 
 def _check_each_once(stations: Sequence[tuple[float, float]], where: _Column, path: Path) -> None:

@@ -24,7 +24,8 @@ from sweetspot.equipment.ring import Ring
 from sweetspot.equipment.shell import InnerWall, Shell, check_count
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
-from sweetspot.units import INCH, check_usual, insisted, insisting, parse, shown
+from sweetspot.plausibility import check, insisted, insisting, parse
+from sweetspot.units import INCH, shown
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
@@ -223,24 +224,24 @@ def _is_fitted(record: dict[str, Any]) -> bool:
 
 def checked_drawing(bat: Bat) -> Bat:
     """Return a bat whose drawing is drawn as drawings are: from the knob end, in diameters, a wall of millimetres."""
-    check_usual(bat.length, "bat length", shown(bat.length))
+    check(bat.length, "bat length", shown(bat.length))
     if bat.profile is not None:
         greatest = max(diameter for _, diameter in bat.profile)
-        check_usual(greatest, "greatest diameter", shown(greatest))
+        check(greatest, "greatest diameter", shown(greatest))
         places = np.linspace(0, bat.length, 200)
         smallest = float(np.min(bat.diameter_at(places[10:-10])))  # ends may be round down to the axis
-        check_usual(smallest, "smallest diameter", shown(smallest))
+        check(smallest, "smallest diameter", shown(smallest))
         areas = np.asarray(bat.diameter_at(places)) ** 2
         middle = float(areas @ places / areas.sum()) / bat.length
-        check_usual(middle, "middle of the outline", f"{middle:.2f} of the length")
+        check(middle, "middle of the outline", f"{middle:.2f} of the length")
     if bat.shell is not None:
         walls = [thickness for _, thickness in bat.shell.wall]
         walls += [] if bat.shell.inner_wall is None else [thickness for _, thickness in bat.shell.inner_wall.wall]
         for what, wall in (("thinnest wall", min(walls)), ("thickest wall", max(walls))):
-            check_usual(wall, what, f"{1e3 * wall:.3g} mm ({wall / INCH:.3g} in)")
+            check(wall, what, f"{1e3 * wall:.3g} mm ({wall / INCH:.3g} in)")
         if bat.shell.joint is not None:
             joint = bat.shell.joint / bat.length
-            check_usual(joint, "joint", f"{joint:.2f} of the length")
+            check(joint, "joint", f"{joint:.2f} of the length")
     return bat
 
 
@@ -257,7 +258,7 @@ def _bat(file: BatFile) -> Bat:
             name: parsed(text, "length", f"turned.{name}", "bat") for name, text in file.turned.model_dump().items()
         }
         end = sizes["taper_end"] / length
-        check_usual(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
+        check(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
         profile = turned_profile(length=length, **sizes)
     original = None if file.original is None else _bat(file.original)
     shell = None if file.shell is None else _shell(file.shell, own, length=file.length)

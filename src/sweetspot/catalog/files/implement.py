@@ -45,7 +45,7 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.string_bed import StringBed
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.units import check_usual, insisted, insisting
+from sweetspot.plausibility import check, insisted, insisting
 
 
 class AddedTable(FileTable):
@@ -277,7 +277,7 @@ def _table_tennis_racket(file: TableTennisRacketFile) -> TableTennisRacket:
     sides = {side: rubber(name) for side, name in (("front", file.front), ("back", file.back)) if name is not None}
     blade = laminate_of(file.blade, "blade")
     thickness = sum(ply.thickness for ply in blade.plies)
-    check_usual(thickness, "blade", f"{1e3 * thickness:.3g} mm")
+    check(thickness, "blade", f"{1e3 * thickness:.3g} mm")
     made_of = {"blade": blade, "handle_material": material(file.handle_material)}
     return TableTennisRacket(**{**_common(file), **made_of, **sides})
 

@@ -21,7 +21,8 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.implement import AddedMass
 from sweetspot.equipment.stretch import stretched
 from sweetspot.errors import InputError
-from sweetspot.units import Kind, parse
+from sweetspot.plausibility import parse
+from sweetspot.units import Kind
 
 FOLDERS = ("bats", "implements")
 OUTLINES = frozenset({"profile", "turned", "linear_density"})

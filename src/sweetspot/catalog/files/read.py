@@ -8,7 +8,7 @@ from typing import Any
 from sweetspot.catalog.files.bat import bat_of_table, read_toml
 from sweetspot.catalog.files.implement import implement_of_table
 from sweetspot.catalog.files.like import resolved
-from sweetspot.catalog.usual_bodies import warn_of_doubts
+from sweetspot.catalog.implement_doubts import warn_of_doubts
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 

@@ -7,10 +7,10 @@ from typing import Annotated, Any
 
 from pydantic import ConfigDict
 
-from sweetspot.catalog.usual_sizes import check_size
 from sweetspot.equipment.base import Validated
 from sweetspot.equipment.shell import check_count
-from sweetspot.units import Kind, parse
+from sweetspot.plausibility import check, parse
+from sweetspot.units import Kind
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class FileTable(Validated):
 def parsed(text: str, kind: Kind, what: str, implement: str) -> float:
     """Return a quantity of a file in SI; one far from usual for this kind of implement is refused."""
     value = parse(text, kind, what)
-    check_size(implement, what, value, text)
+    check(value, what, text, quantity=f"{implement} {what}")
     return value
 
 
@@ -73,7 +73,7 @@ def in_si(table: FileTable, what: str = "", *, implement: str) -> dict[str, Any]
                     for first, second in value
                 ]
                 for (_, size), (_, text) in zip(pairs, value, strict=True):
-                    check_size(implement, label, size, text)
+                    check(size, label, text, quantity=f"{implement} {label}")
                 value = tuple(pairs)
         values[name] = value
     return values

@@ -70,7 +70,7 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
     from sweetspot.design.batter import Batter
     from sweetspot.design.batter_files import fitted_player
     from sweetspot.design.contacts import fitted_contact, known_contact, usual_batter
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     if options.batter is not None and options.contacts is None:
         raise InputError(f"--batter was given as {options.batter}, but no table; give it by --contacts")

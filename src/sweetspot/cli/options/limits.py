@@ -94,7 +94,7 @@ def materials_of(options: LimitOptions) -> list[Material | None]:
 def space_of(bat: Implement, options: LimitOptions, material: Material | None) -> Space:
     """Return what may change of a bat, built of this material."""
     from sweetspot.design.usual_limits import space_of as space_around
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     deepest = parse(options.cup, "length", "--cup")
     if not 0 <= deepest < bat.length / 4:
@@ -105,7 +105,7 @@ def space_of(bat: Implement, options: LimitOptions, material: Material | None) -
 
 
 def _range_of(name: str, text: str) -> tuple[float, float]:
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     option, parts = f"--{name.replace('_', '-')}", text.split(":")
     if len(parts) != 2 or not all(part.strip() for part in parts):
@@ -128,7 +128,7 @@ def league_of(bat: Implement, options: LimitOptions) -> League | None:
 def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tuple[Limit, ...]:
     """Return every limit of the question."""
     from sweetspot.design.usual_limits import kept_limits
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     bands = {"mass": options.mass, "moi": options.moi, "balance_point": options.balance,
              "durability": options.durability}  # fmt: skip
@@ -147,7 +147,7 @@ def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tupl
 
 def _band_of(name: str, text: str, kind: Kind) -> Limit:
     from sweetspot.design.limits import Limit
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     option = f"--{'balance' if name == 'balance_point' else name}"
     parts = text.split(":")

@@ -14,7 +14,7 @@ def pitched(name: str, release_speed: str | None, flying: FlightConditions) -> P
     from sweetspot import catalog
     from sweetspot.catalog.sports import pitched_aerodynamics
     from sweetspot.flight.pitch import aimed
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     delivery = catalog.delivery(name)
     if release_speed is not None:

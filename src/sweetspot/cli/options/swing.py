@@ -110,7 +110,7 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.cli.options.written_errors import without_error
     from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
-    from sweetspot.units import parse, parse_position
+    from sweetspot.plausibility import parse, parse_position
 
     usual = standard_conditions(bat)
 
@@ -129,12 +129,12 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
             temperature=None if warm is None else parse(warm, "temperature", "--ball-temperature"),
         )
     conditions = Conditions(
-        pitch=usual.pitch if options.pitch_speed is None else Pitch(speed=_pitch_speed(options.pitch_speed)),
+        pitch=usual.pitch if options.pitch_speed is None else Pitch(speed=_pitch_speed(options.pitch_speed, bat.sport)),
         swing=Swing(
             bat_speed=(
                 usual.swing.bat_speed
                 if options.bat_speed is None
-                else parse(without_error(options.bat_speed), "speed", "--bat-speed")
+                else parse(without_error(options.bat_speed), "speed", "--bat-speed", sport=bat.sport)
             ),
             measured_at=place(options.bat_speed_at, usual.swing.measured_at, "--bat-speed-at"),
             pivot=place(options.pivot, usual.swing.pivot, "--pivot"),
@@ -149,13 +149,11 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
     return conditions
 
 
-USUAL_STROKES = (0.5, 1.7)
-"""Of the sport's usual speed, from children to the best: a warning outside, where miles per hour were often m/s."""
-
-
 def _say_if_unusual(option: str, text: str, of_usual: float) -> None:
     """Warn of a speed that is so many times its sport's usual; a ball at rest is none."""
-    low, high = USUAL_STROKES
+    from sweetspot.plausibility.implements import STROKES
+
+    low, high = STROKES
     if of_usual and not low <= of_usual <= high:
         words = f"{option} was given as {text}, {of_usual:.2g} times its sport's usual; check the unit"
         warnings.warn(words, UnusualWarning, stacklevel=2)
@@ -174,14 +172,14 @@ def say_if_of_another_sport(bat: Implement, ball_name: str) -> None:
               file=sys.stderr)  # fmt: skip
 
 
-def _pitch_speed(text: str) -> float:
+def _pitch_speed(text: str, sport: str) -> float:
     """Return the pitch speed in m/s; 0 must be meant, so it is written ``tee``."""
     from sweetspot.cli.options.written_errors import without_error
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     if text.strip().lower() == "tee":
         return 0.0
-    speed = parse(without_error(text), "speed", "--pitch-speed")
+    speed = parse(without_error(text), "speed", "--pitch-speed", sport=sport)
     if speed <= 0:
         raise InputError(
             f"--pitch-speed was given as {text!r}; allowed is a speed above zero towards the bat, "

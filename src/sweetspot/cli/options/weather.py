@@ -80,7 +80,7 @@ def air_of(options: AirOptions) -> Air:
 def weather_of(options: WeatherOptions, *, above_sea: float = 0.0) -> Air:
     """Return the air that the options describe, at an elevation (m) where they name none."""
     from sweetspot.flight.air import Air
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     return Air(
         temperature=parse(options.temperature, "temperature", "--temperature"),
@@ -92,7 +92,7 @@ def weather_of(options: WeatherOptions, *, above_sea: float = 0.0) -> Air:
 
 def pressure_of(options: WeatherOptions) -> float:
     """Return the barometer in Pa; where the elevation is said to be 0, one that was read at a high field is allowed."""
-    from sweetspot.units import insisted, insisting, parse
+    from sweetspot.plausibility import insisted, insisting, parse
 
     at_the_field = options.elevation is not None and parse(options.elevation, "length", "--elevation") == 0
     with insisting(insisted() or at_the_field):
@@ -102,7 +102,7 @@ def pressure_of(options: WeatherOptions) -> float:
 def wind_of(options: AirOptions) -> Wind:
     """Return the wind that the options describe."""
     from sweetspot.flight.air import Wind
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     check_wind(options)
     return Wind(

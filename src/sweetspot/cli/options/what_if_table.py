@@ -65,7 +65,7 @@ class TableOptions:
 def _axis(text: str | None, what: str) -> Axis:
     """Return an axis written as ``mass=29oz:33oz:5``: what is varied, from, to, and how many values."""
     from sweetspot.analysis.two_way import VARIATIONS, Axis
-    from sweetspot.units.usual import check_usual
+    from sweetspot.plausibility import check
 
     name, _, span = (text or "").partition("=")
     variation = next((known for known in VARIATIONS if known == name.strip().replace("-", "_")), None)
@@ -77,5 +77,5 @@ def _axis(text: str | None, what: str) -> Axis:
         )
     values = spread(span, KINDS[variation], what)
     for value, given in zip((values[0], values[-1]), span.split(":"), strict=False):
-        check_usual(value, name.strip(), given)
+        check(value, name.strip(), given)
     return Axis(variation, values)

@@ -26,7 +26,7 @@ def error_behind(text: str, kind: Kind, what: str) -> float:
     (0.0127, 0.0)
     """
     from sweetspot.calibration.written import SEPARATOR
-    from sweetspot.units import parse
+    from sweetspot.plausibility import parse
 
     behind = SEPARATOR.split(text, maxsplit=1)[1:]
     error = parse(behind[0], kind, f"the error of {what}") if behind else 0.0

@@ -19,9 +19,9 @@ from sweetspot.flight.pitch.spin import pitch_spin
 from sweetspot.flight.pitch.tracked import approach_angles
 from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
 from sweetspot.motion.ball_motion import BallMotion
-from sweetspot.motion.swing import MAX_SPEED
 from sweetspot.motion.swing_path import Side
 from sweetspot.numerics.constants import STANDARD_GRAVITY
+from sweetspot.plausibility import check_possible
 from sweetspot.units import FOOT, MPH
 
 STEP = 0.01
@@ -40,7 +40,7 @@ class Delivery(Validated):
     Parameters
     ----------
     name : what people call it.
-    speed : m/s, > 0, at most `MAX_SPEED`.
+    speed : m/s, > 0, at most 70.
     launch_angle : rad above the level.
     turn : rad, from the line to the plate, positive to the right as the catcher sees it.
     spin_rate : rad/s, of the whole spin.
@@ -67,10 +67,7 @@ class Delivery(Validated):
 
     @model_validator(mode="after")
     def _is_a_pitch(self) -> Delivery:
-        if self.speed > MAX_SPEED:
-            raise ValueError(
-                f"speed is {self.speed:.4g} m/s ({self.speed / MPH:.4g} mph); allowed is at most {MAX_SPEED:g} m/s"
-            )
+        check_possible(self.speed, "speed", "pitch_speed")
         way = self.distance - PLATE
         if not 0 <= self.extension < way:
             raise ValueError(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from shlex import quote
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -23,7 +23,7 @@ from sweetspot.web.documents import told
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text, stroke_options
-from sweetspot.web.states import Name, SwungState
+from sweetspot.web.states import Name, SwungState, within
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import carries, parks_of
 
@@ -34,9 +34,13 @@ class OptimumState(SwungState):
     pitch: Name | None = Field(
         None, description="kind of pitch, by name or letters; empty: what is mostly thrown at such a bat"
     )
-    tilt_deg: float = Field(32.0, ge=0, le=75, description="of the swing's plane")
-    exit_speed_mph: float = Field(100.0, ge=50, le=125, description="for the best launch angle")
-    backspin_rpm: float = Field(2200.0, ge=-1000, le=5000, description="of the ball in the last two questions")
+    tilt_deg: Annotated[float, within("tilt", "deg", most=75)] = Field(32.0, description="of the swing's plane")
+    exit_speed_mph: Annotated[float, within("exit_speed", "mph")] = Field(
+        100.0, description="for the best launch angle"
+    )
+    backspin_rpm: Annotated[float, within("backspin", "rpm", least=-1000, most=5000)] = Field(
+        2200.0, description="of the ball in the last two questions"
+    )
     park: Name | None = Field(None, description="name, team or its letters; empty: where such bats are swung")
 
 

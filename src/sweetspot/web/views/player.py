@@ -39,7 +39,7 @@ from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.one_system import in_one_system
 from sweetspot.web.recipes import bat_name, bat_text, option
-from sweetspot.web.states import BatState
+from sweetspot.web.states import BatState, within
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
 
@@ -65,7 +65,7 @@ class PlayerState(BatState):
     )
     upload: UploadKey | None = Field(None, description="a file that was handed in, to be made a table of swings")
     goal: Literal["exit-speed", "carry"] = Field("exit-speed", description="what the player wants more of")
-    given_pitch_mph: Annotated[float, Field(ge=0, le=110)] = Field(
+    given_pitch_mph: Annotated[float, within("pitch_speed", "mph")] = Field(
         55.0, description="at the plate, for rows without one; 0: a tee"
     )
 
@@ -165,7 +165,9 @@ def _swings(state: PlayerState) -> Swings:
     with _file(state.swings_csv) as path, about("swings_csv"):
         batter = state.swings_of or (names[0] if len(names) > 1 else None)
         try:
-            swings = read_swings(path, length=own.length, pitch_speed=state.given_pitch_mph * MPH, batter=batter)
+            swings = read_swings(
+                path, length=own.length, pitch_speed=state.given_pitch_mph * MPH, batter=batter, sport=own.sport
+            )
             good, _, bad, notes = bats_of(swings.swings, load=listed_bat)
             check_enough(good, path, (*swings.bad_rows, *bad))
         except SweetspotError as error:

@@ -31,7 +31,7 @@ from sweetspot.units import INCH, MPH
 from sweetspot.web.bats import implement_of
 from sweetspot.web.documents import in_both_systems
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.states import Name, Toml, ViewState
+from sweetspot.web.states import Name, Toml, ViewState, within
 from sweetspot.web.view import View
 
 ALONG, ACROSS = 48, 30
@@ -45,10 +45,12 @@ class SportsState(ViewState):
         "tennis-racket", description="name in the catalogue; not looked at when implement_toml is given"
     )
     implement_toml: Toml | None = Field(None, description="the text of a file of one's own")
-    swing_mph: Annotated[float, Field(ge=5, le=150)] | None = Field(
+    swing_mph: Annotated[float, within("bat_speed", "mph", "tennis")] | None = Field(
         None, description="of the implement, where measured"
     )
-    incoming_mph: Annotated[float, Field(ge=0, le=250)] | None = Field(None, description="of the ball before")
+    incoming_mph: Annotated[float, within("pitch_speed", "mph", "tennis")] | None = Field(
+        None, description="of the ball before"
+    )
     met_from_tip_in: Annotated[float, Field(ge=0, le=52)] | None = Field(None, description="where the ball meets it")
     aside_in: float = Field(0.0, ge=-6, le=6, description="across the face, from its line")
 

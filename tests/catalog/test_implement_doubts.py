@@ -9,8 +9,8 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.catalog.bats import bat_names
+from sweetspot.catalog.implement_doubts import doubts
 from sweetspot.catalog.implements import implement_names
-from sweetspot.catalog.usual_bodies import doubts
 from sweetspot.errors import UnusualWarning
 
 BAT = """name = "slip"

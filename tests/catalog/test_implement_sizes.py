@@ -2,32 +2,14 @@
 
 from __future__ import annotations
 
-import runpy
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-from sweetspot import catalog
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.errors import InputError
-from sweetspot.units import insisting
-
-TOOL = Path(__file__).resolve().parents[2] / "tools" / "unit_slips.py"
-EVERY = 17
-"""Which share of all slips is tried here; the tool tries all of them."""
-
-
-def test_no_slip_that_matters_is_taken_in_silence() -> None:
-    tool: dict[str, Any] = runpy.run_path(str(TOOL))
-    tables = implement_tables()
-    slips = list(tool["slips"](tables))
-    assert len(slips) > 700
-    true = {name: tool["answers"](catalog.implement(name)) for name in tables}
-    outcomes = {str(slip): tool["outcome"](slip.table(tables), true[slip.name]) for slip in slips[::EVERY]}
-    assert {slip for slip, became in outcomes.items() if became == "silent"} == set()
-    assert {"refused", "warned", "harmless"} >= set(outcomes.values())
+from sweetspot.plausibility import insisting
 
 
 @pytest.mark.parametrize(
