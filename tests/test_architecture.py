@@ -292,7 +292,7 @@ BUDGET = {
     "__init__": 100, "__main__": 10, "analysis": 4_000, "answers": 3_900, "calibration": 7_000, "catalog": 3_600,
     "cli": 4_600, "collision": 3_100, "design": 3_200, "dynamics": 4_900, "equipment": 3_400, "errors": 150,
     "flight": 3_500, "front_door": 300, "motion": 700, "numerics": 1_900, "paper": 1_000, "plausibility": 700,
-    "player": 4_200, "references": 150, "report": 13_100, "season": 8_100, "tables": 750, "uncertainty": 1_900,
+    "player": 4_200, "references": 150, "report": 12_800, "season": 8_100, "tables": 750, "uncertainty": 1_800,
     "units": 800, "validation": 2_500, "web": 7_600,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
@@ -317,7 +317,7 @@ SEVERAL_MEANINGS = {
 }  # fmt: skip
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {
-    "answers": 8, "calibration": 6, "catalog": 52, "cli": 1, "design": 1, "equipment": 8, "flight": 1, "report": 62,
+    "answers": 8, "calibration": 6, "catalog": 52, "cli": 1, "design": 1, "equipment": 8, "flight": 1, "report": 60,
     "season": 2, "validation": 8, "web": 131,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""

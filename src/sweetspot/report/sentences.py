@@ -13,7 +13,7 @@ from sweetspot.report.quantities import NOTHING, US, Reader
 from sweetspot.units import grouped
 
 PLUS_MINUS = "Plus or minus, and give or take: 90 % intervals."
-"""What ± means wherever a number has one: `Doubtful` and `Slot.reach` are given halves of such intervals."""
+"""What ± means wherever a number has one: `Doubtful` is given half of such an interval, `Slot` all of it."""
 MOST_DIGITS = 6
 """Of an interval that is narrower than the digits of its number."""
 SHARP = 1e-6
@@ -34,9 +34,6 @@ class Slot:
     sign : whether a plus is written.
     unit : whether its unit is written.
     round : whether a zero behind the point is left out: "3 mph", but "1.3 m/s".
-    of : where the number is in the document's data, "best_hit.exit_speed_m_s", so that an interval finds it; with a
-        minus in front where it is counted the other way round, and "@position" behind for one of a curve. "": nowhere.
-    reach : how far the interval goes below and above it, SI; None: there is none.
     """
 
     value: Number
@@ -45,8 +42,6 @@ class Slot:
     sign: bool = False
     unit: bool = True
     round: bool = False
-    of: str = ""
-    reach: tuple[float, float] | None = None
 
     def read(self, reader: Reader) -> str:
         """Return the number as a reader sees it, its interval beside it."""
@@ -65,7 +60,7 @@ class Slot:
         """How far the interval goes below and above the value; None where there is none."""
         if isinstance(self.value, Interval):
             return (self.value.value - self.value.low, self.value.high - self.value.value)
-        return self.reach
+        return None
 
     def _give_or_take(self, value: float, sides: tuple[float, float], reader: Reader) -> str:
         """Return number and interval, "103.9 ± 2.1" where it is as wide either way, else with its ends."""
@@ -121,13 +116,12 @@ class Span:
 
 @dataclass(frozen=True)
 class Doubtful:
-    """A number and its doubt, SI: two digits of that, and no more of the number; ``of`` as in `Slot`."""
+    """A number and its doubt, SI: two digits of that, and no more of the number."""
 
     value: float
     doubt: float
     scale: str
     sign: bool = False
-    of: str = ""
 
     def read(self, reader: Reader) -> str:
         """Return both as a reader sees them."""
@@ -231,28 +225,22 @@ def read(words: Words, reader: Reader) -> str:
 
 
 def within(
-    interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False, unit: bool = True, of: str = ""
+    interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False, unit: bool = True
 ) -> Sentence:
-    """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width.
-
-    Parameters
-    ----------
-    of : see `Slot`; another interval that is found there takes this one's place.
-    """
-    value = Slot(interval.value, scale, digits, sign, unit, of=of)
+    """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width."""
+    value = Slot(interval.value, scale, digits, sign, unit)
     return Sentence((value, Bounds(value, interval.low, interval.high)))
 
 
-def with_doubt(value: float, doubt: float, scale: str, *, of: str = "") -> Sentence:
+def with_doubt(value: float, doubt: float, scale: str) -> Sentence:
     """Return a value with half of its 90 % interval, with no more digits than are known; alone where there is none.
 
     Parameters
     ----------
     doubt : standard deviation of the value.
-    of : see `Slot`.
 
     >>> with_doubt(1.88354e-1, 1.13e-2, "moi").read(US)
     '10,300 ± 1000 oz in²'
     """
     half = REACH * doubt
-    return Sentence((Doubtful(value, half, scale, of=of) if half > 0 else Slot(value, scale, of=of),))
+    return Sentence((Doubtful(value, half, scale) if half > 0 else Slot(value, scale),))

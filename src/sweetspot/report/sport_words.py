@@ -39,6 +39,6 @@ def arriving(words: Words, speed: float) -> Sentence:
     return in_words("a {incoming} at {speed}", words, speed=Slot(speed, "speed", round=True))
 
 
-def weight(mass: Number, of: str = "") -> Slot:
-    """Return a mass (kg), with a digit more where it is that of a small ball; ``of`` as in `Slot`."""
-    return Slot(mass, "mass", 1 if float(mass) < LIGHT else None, of=of)
+def weight(mass: Number) -> Slot:
+    """Return a mass (kg), with a digit more where it is that of a small ball."""
+    return Slot(mass, "mass", 1 if float(mass) < LIGHT else None)

@@ -9,9 +9,8 @@ bat's unknowns, which depend on each other once the bat was weighed, are one sou
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import combinations
 
 import numpy as np
@@ -29,56 +28,6 @@ class Reach:
 
     below: Array
     above: Array
-
-
-Reaches = Mapping[str, Reach]
-"""By the number's name in a document's data."""
-
-
-@dataclass(frozen=True)
-class DrawnAnswers:
-    """What many draws answer.
-
-    Parameters
-    ----------
-    normal : standard normal numbers behind every draw, shape (draws, n); the first draw is everything as described.
-    names : of the source of each, shape (n,).
-    values : by the answer's name in a document's data, SI, shapes (draws,) or (draws, m).
-    """
-
-    normal: Array
-    names: tuple[str, ...]
-    values: Mapping[str, Array]
-
-    def reach(self, name: str) -> Reach:
-        """Return how far the interval of an answer goes from what the described bat answers."""
-        return reach_of_draws(self.values[name])
-
-    def ends(self, name: str) -> tuple[Array, Array]:
-        """Return the ends of an answer's 90 % interval; draws without an answer are left out."""
-        return interval_ends(self.values[name][1:])
-
-    @cached_property
-    def reaches(self) -> Reaches:
-        """`reach` of every answer."""
-        return {name: self.reach(name) for name in self.values}
-
-    def shares(self, name: str) -> dict[str, float]:
-        """Return the first Sobol index of every source for an answer that is one number, the greatest first.
-
-        What is left of 1 has the name `TOGETHER`.
-        """
-        return variance_shares(self.normal[1:], self.names, self.values[name][1:])
-
-    def chance(self, name: str, *, least: float | None, most: float | None) -> float:
-        """Return the part of the draws whose answer keeps limits."""
-        values = self.values[name][1:]
-        kept = np.ones(len(values), bool)
-        if least is not None:
-            kept &= values >= least
-        if most is not None:
-            kept &= values <= most
-        return float(np.mean(kept))
 
 
 def interval_ends(values: Array) -> tuple[Array, Array]:

@@ -9,6 +9,7 @@ import numpy as np
 import polars as pl
 
 from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.season_drag import FEWEST, DragOfMonth, home_runs_with, residuals, residuals_in
 from sweetspot.units import DEGREE, MPH
@@ -75,7 +76,8 @@ def left_over_words(counted: pl.LazyFrame) -> list[Sentence]:
 
 
 def _slot(value: float, error: float) -> Slot:
-    return Slot(float(value), "distance", digits=1, sign=True, reach=(REACH * float(error),) * 2)
+    known, half = float(value), REACH * float(error)
+    return Slot(Interval(known, known - half, known + half), "distance", digits=1, sign=True)
 
 
 def _where(table: pl.DataFrame, row: int, kind: Kind) -> str | Slot:

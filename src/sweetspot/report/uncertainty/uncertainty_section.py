@@ -4,38 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
-from sweetspot.answers.answer import Uncertainty, uncertainty_of
-from sweetspot.answers.records import to_dict
+from sweetspot.answers.answer import Uncertainty
 from sweetspot.catalog.sports import sport, sport_names
-from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Section, Table
-from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.document import Cell, Column, Paragraph, Picture, Section, Table
 from sweetspot.report.sentences import Slot, say
-from sweetspot.report.uncertainty.document_intervals import with_intervals
-from sweetspot.uncertainty.intervals import TOGETHER, DrawnAnswers
+from sweetspot.uncertainty.intervals import TOGETHER
 
 LEAST_SHARE = 0.005
 LONGEST_BAR = 30
 """Characters."""
-
-
-def uncertain(
-    document: Document, answers: DrawnAnswers, *, main: str, named: str, where: Mapping[str, str]
-) -> Document:
-    """Return a document with intervals beside its numbers, and what the interval of its main one comes from.
-
-    Parameters
-    ----------
-    answers : of draws, by the names of the document's data.
-    main, named : the answer whose doubt is taken apart, and what people call it.
-    where : what the distribution of every source rests on, in words.
-    """
-    told = with_intervals(document, answers.reaches)
-    known = uncertainty_of(answers.values[main], of=main, normal=answers.normal, names=answers.names, sources=where)
-    data = {**told.data, "uncertainty": cleaned(to_dict(known))}
-    return replace(told, blocks=[*told.blocks, how_sure(known, named)], data=data)
 
 
 def how_sure(known: Uncertainty, named: str) -> Section:
