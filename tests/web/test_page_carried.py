@@ -152,7 +152,7 @@ def test_a_wrong_address_shows_the_first_picture_and_each_fault_beside_its_contr
 ) -> None:
     page.goto(f"{server}/explorer?pitch_speed_mph=999&bore_diameter_in=7")
     answered(page)
-    expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("110")
+    expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("125")
     expect(page.locator("[data-field=bore_diameter_in] .fault")).to_be_visible()  # its fold has opened
 
 

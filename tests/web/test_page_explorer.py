@@ -114,7 +114,7 @@ def test_dragging_a_slider_redraws_before_it_is_let_go(opened: Page, answered: A
     opened.mouse.down()
     opened.mouse.move(box["x"] + 0.5 * box["width"], middle, steps=5)
     answered(opened, count)
-    until(opened, "parseFloat(document.querySelector('[data-field=pitch_speed_mph] input').value) < 60")
+    until(opened, "parseFloat(document.querySelector('[data-field=pitch_speed_mph] input').value) < 65")
     answered(opened)
     assert number(opened, "Exit speed") < before - 2
     assert "pitch_speed_mph" not in opened.url  # not yet a step for the back button
@@ -247,7 +247,7 @@ def test_a_number_out_of_bounds_is_explained_beside_the_field(opened: Page) -> N
     box = opened.locator("[data-field=pitch_speed_mph]")
     box.locator("input[type=number]").fill("900")
     box.locator("input[type=number]").press("Enter")
-    expect(box.locator(".fault")).to_have_text("Allowed is 0 to 110 mph.")
+    expect(box.locator(".fault")).to_have_text("Allowed is 0 to 125 mph.")
     expect(box.locator("input[type=number]")).to_have_attribute("aria-invalid", "true")
 
 

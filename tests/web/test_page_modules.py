@@ -339,6 +339,7 @@ def test_words_keep_their_meanings_when_a_view_is_drawn_anew(
 ) -> None:
     """Its tables are then other ones: another system of units or another width must not take the meanings away."""
     page.goto(f"{server}/compare")
+    expect(page.locator("th .term", has_text="Swing weight").first).to_be_attached()  # drawn with the whole intervals
     settled(page)
     before = page.locator("th .term").all_text_contents()
     assert "Swing weight" in before

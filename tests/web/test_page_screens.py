@@ -37,7 +37,7 @@ def test_the_drawer_is_shut_in_a_low_window_and_opens_where_a_fault_lies(
     page.goto(f"{server}/explorer?pitch_speed_mph=999")
     answered(page)
     expect(drawer).to_have_attribute("aria-expanded", "true")
-    expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("110")
+    expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("125")
 
 
 def test_a_drawer_that_nobody_shut_opens_when_there_is_room(page: Page, server: str, answered: Answered) -> None:

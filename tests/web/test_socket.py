@@ -80,7 +80,7 @@ def test_the_latest_question_wins(server: str, monkeypatch: pytest.MonkeyPatch) 
     ("text", "words"),
     [
         ("{", "JSON"),
-        ("[" * 5000, "recursion"),
+        ("[" * 5000, "one JSON object"),
         ("null", "JSON object"),
         ('{"id": 1}', "required"),
         ('{"id": -1, "view": "explorer", "state": {}}', "0 or more"),

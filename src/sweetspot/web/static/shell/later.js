@@ -64,8 +64,10 @@ export class Later {
         again = /** @type {{ again?: boolean }} */ (fault)?.again ?? false; // it is still being worked out; otherwise the next answer asks
       }
       if (this.asides.get(name) !== asked) return;
-      if (found) onAnswer(found);
-      else this.asides.delete(name);
+      if (found) {
+        onAnswer(found);
+        await this.app.explain(); // what is drawn anew lacks the meanings of its words
+      } else this.asides.delete(name);
       if (again) this.aside(name, but, 2000, onAnswer);
       else this.app.waits(name, false);
     };
