@@ -32,7 +32,7 @@ KINDS = {
 }  # fmt: skip
 """Reasons, with what a row's description and event say."""
 NO_CONTACT = ("ball", "called_strike", "swinging_strike", "foul_tip")
-NEVER = ("999.0", "0", "-9999", "126.5")
+NEVER = ("999.0", "0", "-9999", "130.5")
 """Exit speeds in mph that cannot be."""
 NAMED = {"untracked": "untracked", "bunt": "bunts", "foul": "fouls", "impossible": "impossible",
          "duplicate": "duplicates"}  # fmt: skip

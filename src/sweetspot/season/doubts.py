@@ -35,6 +35,8 @@ DOUBTFUL = (*DOUBTED, *ANGLES, "map_x", "map_y")
 """Quantities whose columns are doubted."""
 LEVEL = 1.6 * DEGREE
 """rad; where 99 of 100 are less, a column of degrees is written in radians."""
+FASTER = 1.2
+"""How many times as fast as bats balls are at least, in the median: some 88 of 70 mph in the major league."""
 HIGH, NEGATIVE, IMPOSSIBLE = 45 * DEGREE, 0.05, 0.2
 """rad of the median launch angle, the part of exit speeds below 0, above which the two stand in each other's place; and
 the part of both that cannot be from which their unit is doubted."""
@@ -72,20 +74,37 @@ def _as_if_in(column: TableColumn, value: float, usual: PlausibleRange) -> str:
     """Return in which unit the same numbers would be usual, in words."""
     if column.kind == "pressure":
         return ": is it reduced to sea level, as weather reports give it?"
+    for unit, _ in _usual_readings(column, value, usual):
+        return f": are they {unit}?"
+    return ""
+
+
+def _usual_readings(column: TableColumn, value: float, usual: PlausibleRange) -> Iterator[tuple[str, float]]:
+    """Yield each unit in which the same numbers would be usual, and what they would be, SI."""
     written = (value - column.zero) / column.factor
     for unit, factor in UNITS[column.kind].items():
         zero = FAHRENHEIT_ZERO if column.kind == "temperature" and factor != 1 else 0.0
         if usual.verdict(zero + factor * written) == "fine":
-            return f": are they {unit}?"
-    return ""
+            yield unit, zero + factor * written
 
 
-def exchanged(some: pl.DataFrame) -> str:
+def _usual_speed(name: str, value: float, columns: Mapping[str, TableColumn]) -> float:
+    """Return a median speed as it is if it is usual, or in the unit in which it would be."""
+    usual = bounds(f"median_{name}")
+    if usual.verdict(value) == "fine":
+        return value
+    return next((speed for _, speed in _usual_readings(columns[name], value, usual)), value)
+
+
+def exchanged(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> str:
     """Return which two columns seem to stand in each other's place; "": none.
+
+    Bats faster than balls may also be in another unit: then balls are as much faster in it as balls in play are.
 
     Parameters
     ----------
     some : balls in play, those that cannot be among them, in SI.
+    columns : of the table.
     """
     if {"exit_speed", "launch_angle"} <= set(some.columns) and len(some) >= ENOUGH:
         slow = (some["exit_speed"] < 0).mean() or 0.0
@@ -93,6 +112,8 @@ def exchanged(some: pl.DataFrame) -> str:
             return "speeds below 0 and launch angles near straight up: exit speed and launch angle"
     if {"exit_speed", "bat_speed"} <= set(some.columns):
         ball, bat = (float(some[name].median() or 0.0) for name in ("exit_speed", "bat_speed"))  # type: ignore[arg-type]
-        if bat > ball > 0:
+        if bat > ball > 0 and _usual_speed("exit_speed", ball, columns) < FASTER * _usual_speed(
+            "bat_speed", bat, columns
+        ):
             return "bats faster than the balls they hit: bat speed and exit speed"
     return ""

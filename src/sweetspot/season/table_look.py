@@ -162,10 +162,10 @@ class TableLook:
         some = some.gather_every(max(1, len(played) // DOUBTED))
         if len(some) < ENOUGH:
             return
-        place, units = exchanged(some), dict(unusual(some, columns))
-        if place and not ("bats" in place and {"bat_speed", "exit_speed"} & set(units)):
+        place, units = exchanged(some, columns), dict(unusual(some, columns))
+        if place:
             self._note("swapped", played, detail=place)
-            for name in ("exit_speed", "launch_angle"):
+            for name in ("exit_speed", "bat_speed" if "bats" in place else "launch_angle"):
                 units.pop(name, None)
         if not place and "exit_speed" not in units and (some["reason"] != USED).mean() > IMPOSSIBLE:  # type: ignore[operator]
             units["exit_speed"] = "many exit speeds or launch angles cannot be"
