@@ -127,7 +127,7 @@ class Airs:
 
     >>> two = Airs(np.array([4.0, 35.0]), np.array([101325.0] * 2), np.array([0.5, 0.5]), np.array([0.0, 0.0]))
     >>> two.density.round(3), Air(temperature=35).density == two.at(slice(1, 2)).density[0]
-    (array([1.271, 1.133]), np.True_)
+    (array([1.272, 1.134]), np.True_)
     """
 
     temperature: Array

@@ -58,6 +58,7 @@ def best_launch(
     spray : rad from centre field, positive to right field.
 
     >>> from sweetspot import catalog
+    >>> from sweetspot.flight.air import Air
     >>> usual = FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=Air())
     >>> best = best_launch(44.704, usual, backspin=230.0)
     >>> 28 < math.degrees(best.launch_angle) < 29  # 100 mph, 2200 rpm

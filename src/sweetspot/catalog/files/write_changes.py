@@ -26,7 +26,7 @@ def changes_table(implement: Implement, *, like: str) -> dict[str, Any]:
     >>> from sweetspot import catalog
     >>> changes = changes_table(catalog.implement("tennis-racket").replaced(mass=0.305), like="tennis-racket")
     >>> changes["mass"], changes["balance_point"]  # what was measured on the pattern does not hold for another weight
-    ('0.305 kg', '0.334 m')
+    ('0.305 kg', '0.325 m')
     """
     if implement.added:
         raise InputError(f"{implement.name} has weights on it; describe it without them, and add [[point_mass]]")
