@@ -157,7 +157,7 @@ def _kept(answer: CertifyAnswer) -> Sentence:
         return say("{bat} keeps limits that hold no more; they say nothing about today." + unsure, bat=bat)
     if kept == counted:
         return say("{bat} keeps every rule.", bat=bat)
-    left = [title(check.rule) for check in checks if check.verdict is Verdict.NOT_DECIDABLE]
+    left = dict.fromkeys(title(check.rule) for check in checks if check.verdict is Verdict.NOT_DECIDABLE)
     return say(
         "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}", bat=bat, kept=kept, all=counted,
         unsure=unsure, left=f" Not decidable: {'; '.join(left)}." if left else "",
