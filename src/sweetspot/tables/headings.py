@@ -244,9 +244,10 @@ def maybe_heading(heading: str, wanted: tuple[str, ...]) -> str:
     ("'Bat_sped_mph' (did you mean bat_speed_mph?)", "'exit velocty' (did you mean exit_velocity_mph?)")
     """
     name = simplified(heading)
-    stem, unit = min(_cuts(name), key=lambda cut: len(cut[0]))
-    almost = spelt_almost(stem, spelled_names(wanted))
-    if almost is None or joined(stem) in quantity_by_name(wanted):
+    cuts = sorted(_cuts(name), key=lambda cut: len(cut[0]))
+    meant_by = ((spelt_almost(stem, spelled_names(wanted)), unit) for stem, unit in cuts)
+    almost, unit = next((found for found in meant_by if found[0] is not None), (None, ""))
+    if almost is None or any(joined(stem) in quantity_by_name(wanted) for stem, _ in cuts):
         return repr(heading)
     kind = quantities()[quantity_by_name(wanted)[joined(almost)]].kind
     if kind not in UNMEASURED and unit not in UNITS[kind]:
