@@ -144,10 +144,15 @@ def test_swing_and_pitch() -> None:
     swing = Swing(bat_speed=31.3, measured_at=0.686, pivot=-0.02)
     assert swing.speed_at(0.686) == pytest.approx(31.3)
     assert swing.speed_at(-0.02) == 0.0
-    for wrong in ({"bat_speed": 0.0}, {"bat_speed": -1.0}, {"bat_speed": 90.0}, {"measured_at": 0.01, "pivot": 0.02}):
-        with pytest.raises(InputError, match="bat speed is"):
+    for wrong, message in (
+        ({"bat_speed": 0.0}, "bat speed was given as 0 mph; possible is more than 0, up to 157 mph"),
+        ({"bat_speed": -1.0}, "bat speed was given as -2.237 mph; possible is more than 0, up to 157 mph"),
+        ({"bat_speed": 90.0}, "bat speed was given as 201.3 mph; possible is 0 to 157 mph"),
+        ({"measured_at": 0.01, "pivot": 0.02}, "bat speed is measured at"),
+    ):
+        with pytest.raises(InputError, match=message):
             swing.replaced(**wrong)
-    with pytest.raises(InputError, match="allowed is 0"):
+    with pytest.raises(InputError, match=r"speed was given as 223\.7 mph; possible is 0 to 157 mph"):
         Pitch(speed=100.0)
     with pytest.raises(InputError, match="0 for no hand"):
         Hands(position=0.15, mass=1e-300)

@@ -119,7 +119,10 @@ class PlausibleRange:
             bounds, word = self.possible, "possible"
         ends, unit = in_unit_of(str(given), bounds, self.unit)
         low, high = (f"{float(f'{end:.3g}'):g}" for end in ends)
-        allowed = " ".join(part for part in (f"{word} is {low} to {high}", unit, self.per, of) if part)
+        least = self.can_be[0]
+        without_least = word == "possible" and value <= least and self.verdict(least) == "impossible"
+        span = f"more than {low}, up to {high}" if without_least else f"{low} to {high}"
+        allowed = " ".join(part for part in (f"{word} is {span}", unit, self.per, of) if part)
         if self.hint:
             allowed += f"; {self.hint}"
         if column:
