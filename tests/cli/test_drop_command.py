@@ -62,7 +62,7 @@ def test_in_air_as_the_rule_books_do(run: Run) -> None:
     [
         (("--thickness", "10"), "--thickness was given as 10 without a unit"),
         (("--thickness", "0mm"), "thickness is 0 mm; allowed is 0.5 to 2000 mm"),
-        (("--height=-1m",), "height is -1 m; allowed is a number above zero"),
+        (("--height=-1m",), "--height was given as -1m; usual is 0.0305 to 12.2 m; a ball falls from above"),
         (("--height", "1m", "--speed", "3m/s"), "give either --height or --speed"),
         (("--support", "wall"), 'Invalid value "wall" for --support'),
         (("--material", "asch"), "is not in the catalogue. Did you mean white-ash"),

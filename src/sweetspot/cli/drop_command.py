@@ -67,10 +67,13 @@ def drop(
     hit, ball = block_of(block), catalog.ball(fall.ball)
     if fall.speed is not None and fall.in_air:
         raise InputError("--in-air slows a ball that falls; with --speed it arrives as it is told to")
+    height = None
+    if fall.speed is None:
+        height = parse(fall.height or DEFAULT_HEIGHT, "length", "--height", quantity="fall_height")
     question = DropQuestion(
         hit,
         ball,
-        height=None if fall.speed is not None else parse(fall.height or DEFAULT_HEIGHT, "length", "--height"),
+        height=height,
         speed=None if fall.speed is None else parse(without_error(fall.speed), "speed", "--speed"),
         air_density=ROOM_AIR if fall.in_air else 0.0,
         sources=drop_sources(hit, ball, speed_error=error_of(fall.speed, "speed", "--speed")) if uncertainty else None,

@@ -24,7 +24,7 @@ def example_of(what: str) -> str:
     return f"{float(f'{middle:.1g}' if middle > 1 else f'{middle:.2g}'):g} {usual.unit} {usual.per}".strip()
 
 
-def parse(text: str | float, kind: Kind, what: str = "value", *, sport: str = "") -> float:
+def parse(text: str | float, kind: Kind, what: str = "value", *, sport: str = "", quantity: str = "") -> float:
     """Return a text with a unit as a number in SI, and refuse one that its quantity cannot have; see `to_si`, `check`.
 
     Parameters
@@ -33,15 +33,16 @@ def parse(text: str | float, kind: Kind, what: str = "value", *, sport: str = ""
     kind : what it must be.
     what : its name, for messages; where the table of bounds has a quantity of that name, its bounds hold.
     sport : whose bounds; "": any.
+    quantity : its name in the table of bounds; "": what ``what`` names.
 
     >>> round(parse("33 1/2 in", "length"), 6), round(parse("2 ft 9.5 in", "length"), 6)
     (0.8509, 0.8509)
     """
-    example = example_of(what) or SI[kind][1]
+    example = example_of(quantity or what) or SI[kind][1]
     value = to_si(text, kind, what, example=example)
     if abs(value) > LARGEST[kind] or 0 < abs(value) < SMALLEST:
         raise InputError(f"{what} was given as {str(text)!r}, beyond anything in sport; write for example {example}")
-    check(value, what, text, sport=sport)
+    check(value, what, text, quantity=quantity, sport=sport)
     return value
 
 

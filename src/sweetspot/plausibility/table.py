@@ -94,6 +94,7 @@ QUANTITIES: Mapping[str, PlausibleRange] = {
     "wind_direction": PlausibleRange(-360, 360, "deg", "the wind blows to there: 0deg is out to centre field"),
     "calm_below": PlausibleRange(0, 300, "ft"),
     "height": PlausibleRange(0, 40, "ft", "nothing is hit below the ground", (0, math.inf)),
+    "fall_height": PlausibleRange(0.1, 40, "ft", "a ball falls from above the block", (0, math.inf)),
     "launch_height": PlausibleRange(
         0, 11, "ft", "a ball is hit from the ground up to a smash or a serve", (0, math.inf)
     ),
