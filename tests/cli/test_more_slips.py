@@ -127,7 +127,12 @@ def test_no_wind_bends_no_ball(run: Run) -> None:
         ({"speed": math.nan}, "speed is not a finite number; leave out"),
         ({"speed": [40.0, math.nan, math.nan]}, r"speed is not a finite number in row 1 and 1 more; leave"),
         ({"backspin": math.inf}, "backspin is not a finite number"),
-        ({"launch_angle": math.nan}, "launch_angle is nan; give a finite number of radians"),
+        ({"speed": "100in"}, "speed was given as .100in., which is not a speed"),
+        ({"launch_angle": math.nan}, "launch_angle is not a finite number; leave out"),
+        (
+            {"speed": [40.0, 41.0], "launch_angle": [0.4, math.nan]},
+            "launch_angle is not a finite number in row 1; leave",
+        ),
         ({"position": (0.0, math.nan, 1.0)}, "position is not a finite number; leave"),
         ({"position": [(0.0, 0.0, 1.0), (0.0, math.nan, 1.0)]}, "position is not a finite number in row 1"),
     ],
@@ -150,7 +155,13 @@ def test_a_ball_of_another_sport_is_named(run: Run) -> None:
     assert code == 0 and "computed all the same" in err and "; hit by: tennis ball, type 2" in " ".join(told.split())
 
 
-@pytest.mark.parametrize("wrong", [{"speed": [40.0, 45.0, 30.0], "launch_angle": [0.4, 0.5]}, {"speed": "100mph"}])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"speed": [40.0, 45.0, 30.0], "launch_angle": [0.4, 0.5]},
+        {"speed": ["100mph", "90mph"], "spray": [0.1, 0.2, 0.3]},
+    ],
+)
 def test_arrays_that_do_not_fit_are_refused(wrong: dict[str, Any]) -> None:
     with pytest.raises(InputError, match="do not fit together"):
         launched(**{"launch_angle": 0.4, **wrong})

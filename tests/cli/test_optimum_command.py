@@ -78,7 +78,7 @@ def test_the_ball_that_was_asked_for_is_flown(run_json: Callable[..., Any]) -> N
         (("--park", "fenway", "--wind-speed", "5mph"), "still air only"),
         (("--exit-speed", "90"), "without a unit"),
         (("--at", "50in"), "off the bat"),
-        (("--attack-angle", "70deg"), "-20 to 60 deg"),
+        (("--attack-angle", "70deg"), "--attack-angle was given as 70deg; possible is -65 to 65 deg"),
     ],
 )
 def test_bad_input(run: Run, arguments: tuple[str, ...], message: str) -> None:

@@ -130,7 +130,8 @@ def test_the_picture_is_written_whole(run: Run, tmp_path: Path) -> None:
     [
         (("--park", "fenwy"), "fenway"),
         (("--pitch", "gyroball"), "pitch"),
-        (("--pitch", "curve", "--release-speed", "5mph"), "reach"),
+        (("--pitch", "curve", "--release-speed", "5mph"), "was given as 5mph; possible is 15 to 157 mph"),
+        (("--pitch", "curve", "--release-speed", "20mph"), "does not reach it"),
         (("--tilt", "3deg"), "no path in a plane is steeper"),
         (("--offset", "0.5"), "--offset"),
         (("--humidity", "50"), "humidity"),
