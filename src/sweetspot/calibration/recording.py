@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import math
 import struct
@@ -175,7 +176,11 @@ def _of_phone(path: Path, most: int) -> tuple[Channels, float, bool]:
     except InputError:
         raise
     except (av.FFmpegError, OSError, ValueError) as error:
-        reason = "unknown format" if isinstance(error, av.ArgumentError) else getattr(error, "strerror", None) or error
+        reason = (
+            "unknown format"
+            if getattr(error, "errno", None) == errno.EINVAL
+            else getattr(error, "strerror", None) or error
+        )
         raise InputError(
             f"{path} cannot be read as a sound: {reason}; record anew, or convert it to WAV, FLAC, OGG or MP3"
         ) from None
