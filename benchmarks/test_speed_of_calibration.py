@@ -7,10 +7,10 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from sweetspot.uncertainty.drawn_reports import drawn_report
 
 from benchmarks.cases import duration, measured
 from sweetspot import all_modes, beam_model, catalog
+from sweetspot.answers.report_draws import drawn_report
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones
 from sweetspot.calibration.posterior import calibrate
