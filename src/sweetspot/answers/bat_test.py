@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from sweetspot.analysis.certification.shot_statistics import Estimate, Measured, Outlier
+from sweetspot.analysis.certification.shot_statistics import Estimate, Outlier, ShotStatistics
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import CLAMP, BatTest, Certification, SwungTest, besr
 from sweetspot.answers.records import INTERNAL, Length, Ratio, Speed
@@ -121,7 +121,7 @@ class ShotsAtPlace:
 
 @dataclass(frozen=True, kw_only=True)
 class MeasuredShots:
-    """What measured shots say of a bat, at its best place; see `Measured`.
+    """What measured shots say of a bat, at its best place; see `ShotStatistics`.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ class MeasuredShots:
     swung: Annotated[SwungTest, INTERNAL]
 
 
-def measured_shots(measured: Measured, shots: Shots) -> MeasuredShots:
+def measured_shots(measured: ShotStatistics, shots: Shots) -> MeasuredShots:
     """Return what shots say as people ask for it."""
     return MeasuredShots(
         good_rows=len(shots.shots),

@@ -17,7 +17,7 @@ from sweetspot.analysis.certification.rules import (
     construction_findings,
     title,
 )
-from sweetspot.analysis.certification.shot_statistics import Measured, measure
+from sweetspot.analysis.certification.shot_statistics import ShotStatistics, measure
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
@@ -122,7 +122,7 @@ class CertifyAnswer(Answer):
     implement: Annotated[Bat, INTERNAL]
     fired: Annotated[Ball, INTERNAL]
     body: Annotated[RigidBody, INTERNAL]
-    result: Annotated[Certification | Measured, INTERNAL]
+    result: Annotated[Certification | ShotStatistics, INTERNAL]
 
     @property
     def failed(self) -> list[RuleCheck]:
@@ -211,7 +211,9 @@ def certify_answer(question: CertifyQuestion) -> CertifyAnswer:
     return certificate_of(question, body=body, test=measured)
 
 
-def certificate_of(question: CertifyQuestion, *, body: RigidBody, test: Certification | Measured) -> CertifyAnswer:
+def certificate_of(
+    question: CertifyQuestion, *, body: RigidBody, test: Certification | ShotStatistics
+) -> CertifyAnswer:
     """Return the answer to a question whose test is there already: what every answer says of rules.
 
     Parameters
@@ -228,7 +230,7 @@ def certificate_of(question: CertifyQuestion, *, body: RigidBody, test: Certific
         bat=mass_properties(bat, body),
         ball=ball.name,
         test=simulated,
-        shots=measured_shots(test, shots) if isinstance(test, Measured) and shots is not None else None,
+        shots=measured_shots(test, shots) if isinstance(test, ShotStatistics) and shots is not None else None,
         checks=checks,
         passed=_passed(checks),
         walls=passing_walls(bat, leagues, ball=ball) if question.passing_wall else None,
@@ -239,7 +241,7 @@ def certificate_of(question: CertifyQuestion, *, body: RigidBody, test: Certific
     )
     if question.sources is None:
         return plain
-    if isinstance(test, Measured):
+    if isinstance(test, ShotStatistics):
         return _with_chances(plain, [chance_by_shots(one.outcome, test) for one in checks])
     asked, conditions = sources_of_test(question.sources), standard_conditions(bat).replaced(ball=ball)
     drawn = drawn_test(beam_model(bat), conditions, asked, test, count=question.draws)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Check, Rule
-from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
+from sweetspot.analysis.certification.shot_statistics import Estimate, ShotStatistics
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.uncertainty.drawn_tests import DrawnTest
 
 OF_SHOTS = ("bbcor", "bpf", "batted_ball_speed")
-"""Quantities of rules that shots estimate, as fields of `Measured`."""
+"""Quantities of rules that shots estimate, as fields of `ShotStatistics`."""
 BY_RECOIL = ("bbcor", "bpf")
 """Those that are worked out with the bat's moment of inertia."""
 NODES = 2001
@@ -42,7 +42,7 @@ def _limits(rule: Rule) -> list[tuple[int, float]]:
     return [(sign, limit) for sign, limit in ((1, rule.least), (-1, rule.most)) if limit is not None]
 
 
-def chance_by_shots(check: Check, measured: Measured) -> float | None:
+def chance_by_shots(check: Check, measured: ShotStatistics) -> float | None:
     """Return the probability that a rule is kept by the standard error of shots; None where they do not estimate it."""
     rule = check.rule
     if not _is_limited(check) or rule.quantity not in OF_SHOTS:

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sweetspot import catalog
-from sweetspot.analysis.certification.shot_statistics import Measured, estimate, measure
+from sweetspot.analysis.certification.shot_statistics import ShotStatistics, estimate, measure
 from sweetspot.analysis.certification.shots import CLAMP, Shot, read_shots
 from sweetspot.collision.closed_form import collision_efficiency
 from sweetspot.dynamics.beam import beam_model
@@ -42,7 +42,7 @@ def shot(bbcor: float, *, row: int = 2, from_tip: float = 6 * INCH, cor: float |
     return Shot(row, speed - bat_speed, out, bat_speed, place, cor, None, None)
 
 
-def measured(shots: list[Shot], standard: float | None = None) -> Measured:
+def measured(shots: list[Shot], standard: float | None = None) -> ShotStatistics:
     return measure(shots, bat=BAT, body=BODY, ball=BALL, standard_restitution=standard)
 
 

@@ -78,7 +78,7 @@ class Outlier:
 
 
 @dataclass(frozen=True)
-class Measured:
+class ShotStatistics:
     """The measures of a bat from shots.
 
     Parameters
@@ -171,7 +171,7 @@ def measure(
     ball: Ball,
     standard_restitution: float | None = None,
     unused: Sequence[BadRow] = (),
-) -> Measured:
+) -> ShotStatistics:
     """Return BBCOR, BESR, BPF and batted-ball speed at the best place, with uncertainty.
 
     Each shot gives q, and BBCOR = q (1 + r) + r about the clamp 6 in from the knob. Where the ball's own restitution
@@ -213,7 +213,7 @@ def measure(
     factors = [bpf(value, ball_restitution=cor) for value, cor in own]
     by_moi = _by_moi(best, bat, body, ball)
     stiff = [hit.shot.ball_stiffness for hit in best if hit.shot.ball_stiffness is not None]
-    return Measured(
+    return ShotStatistics(
         places=tuple(_place(group) for group in groups),
         best_position=_place(best).position,
         rows=tuple(sorted(hit.shot.row for hit in best)),

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sweetspot.analysis.certification.rules import NOT_SURE, Verdict
-from sweetspot.analysis.certification.shot_statistics import Measured
+from sweetspot.analysis.certification.shot_statistics import ShotStatistics
 from sweetspot.analysis.certification.simulated_test import BatTest
 from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.numerics.arrays import Array
@@ -133,7 +133,7 @@ def _curve(answer: CertifyAnswer) -> _Curve:
     """Return what is drawn: what the rules limit, BBCOR where they limit something else."""
     asked = {one.quantity for one in answer.checks if one.most is not None}
     test = answer.result
-    if isinstance(test, Measured):
+    if isinstance(test, ShotStatistics):
         places = np.array([place.position for place in test.places])
         values = np.array([place.bbcor for place in test.places])
         return _Curve("bbcor", places, values, values, values, (test.best_position, test.bbcor.mean))
