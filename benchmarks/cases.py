@@ -43,7 +43,7 @@ class Figure:
 
 
 @cache
-def line() -> BeamModel:
+def beam() -> BeamModel:
     """Return the bat: an ash one with 18 stations."""
     return beam_model(catalog.bat("r161-ash"))
 
@@ -51,7 +51,7 @@ def line() -> BeamModel:
 @cache
 def modes() -> Modes:
     """Return its two rigid motions and twelve bending modes."""
-    return bending_modes(line())
+    return bending_modes(beam())
 
 
 @cache

@@ -10,12 +10,12 @@ import numpy as np
 import scipy.sparse
 from scipy.sparse.linalg import eigsh
 
-from benchmarks.cases import QUICK, ball, duration, line, measured
+from benchmarks.cases import QUICK, ball, beam, duration, measured
 from sweetspot import beam_model, catalog
 from sweetspot.dynamics.batch.beams import SolidBats
 from sweetspot.dynamics.batch.bending import bending_batch
 from sweetspot.dynamics.batch.mesh import apart
-from sweetspot.dynamics.batch.reduction import reduced_lines
+from sweetspot.dynamics.batch.reduction import reduced_beams
 from tests.dense_bending import dense_chain, dense_modes, mesh_matrices
 
 BATS = 64 if QUICK else 1024
@@ -24,7 +24,7 @@ HOLLOW = 8 if QUICK else 64
 
 def outlines(count: int) -> SolidBats:
     """Return bats like the benchmark's own, each a little thicker than the one before."""
-    bat = line().bat
+    bat = beam().bat
     place, diameter = np.array(bat.profile).T  # type: ignore[attr-defined]
     one, none = np.ones(count), np.zeros((count, 0))
     widths = np.linspace(0.95, 1.05, count)[:, None] * diameter
@@ -47,14 +47,14 @@ def test_many_bats(benchmark: Any, record: Callable[..., None]) -> None:
     seconds, _ = measured(benchmark, lambda: bending_batch(bats)), None
     record(f"{BATS} bats to 12 modes", f"{BATS / seconds:,.0f} bats/s", goal="2,000 bats/s")
     ours = processor(lambda: bending_batch(bats, threads=1)) / BATS
-    readable = processor(lambda: dense_modes(line()))
+    readable = processor(lambda: dense_modes(beam()))
     record(
         "  processor time of one of them", duration(ours),
         rival=f"one by one with LAPACK, the same elements: {duration(readable)}", ratio=f"{readable / ours:.0f}",
     )  # fmt: skip
 
     def sparse() -> Any:
-        stiffness, inertia, shift = mesh_matrices(line())
+        stiffness, inertia, shift = mesh_matrices(beam())
         matrices = scipy.sparse.csc_array(stiffness), scipy.sparse.csc_array(inertia)
         return eigsh(matrices[0], k=14, M=matrices[1], sigma=-shift)
 
@@ -70,11 +70,11 @@ def test_many_bats(benchmark: Any, record: Callable[..., None]) -> None:
 def test_hollow_bats(record: Callable[..., None]) -> None:
     names = ("single-wall", "double-wall", "composite", "two-piece")
     lines = [beam_model(catalog.bat(names[i % 4])) for i in range(HOLLOW)]
-    reduced_lines(lines, ball=ball())
+    reduced_beams(lines, ball=ball())
     start = time.perf_counter()
-    reduced_lines(lines, ball=ball())
+    reduced_beams(lines, ball=ball())
     seconds = time.perf_counter() - start
-    ours = processor(lambda: reduced_lines(lines, ball=ball(), threads=1)) / HOLLOW
+    ours = processor(lambda: reduced_beams(lines, ball=ball(), threads=1)) / HOLLOW
     readable = processor(lambda: [dense_chain(one, ball()) for one in lines[:4]]) / 4
     record(
         f"{HOLLOW} hollow bats to all modes", f"{HOLLOW / seconds:,.0f} bats/s", goal="200 bats/s",

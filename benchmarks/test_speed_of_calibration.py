@@ -29,10 +29,10 @@ def test_a_tap_and_a_calibration(benchmark: Any, record: Callable[..., None]) ->
     seconds = measured(benchmark, lambda: tap_test([sound], modes=modes, positions=places))
     record("one tap to named tones", duration(seconds), goal="1 s")
     tones = of_tones(tap_test([sound], modes=modes, positions=places).tones)
-    line, unknowns = described(bat), unknowns_of(bat)
+    beam, unknowns = described(bat), unknowns_of(bat)
     weighed = [Measurement("mass", Measured(0.8788, 0.001)), *tones]
     start = time.perf_counter()
-    calibrate(line, unknowns, weighed)
+    calibrate(beam, unknowns, weighed)
     record("weight and tones to a calibrated bat", duration(time.perf_counter() - start), goal="1 s")
 
 

@@ -41,7 +41,7 @@ def test_one_hit_by_the_fast_version(benchmark: Any, record: Record) -> None:
 
 def test_one_hit_beside_a_rigid_engine(benchmark: Any, record: Record) -> None:
     pytest.importorskip("mujoco")
-    body, radius = rigid_body(cases.line()), float(cases.line().bat.diameter_at(cases.PLACE)) / 2
+    body, radius = rigid_body(cases.beam()), float(cases.beam().bat.diameter_at(cases.PLACE)) / 2
     done = hit(modes(), ball=ball(), position=cases.PLACE, closing_speed=cases.CLOSING)
     seconds = measured(benchmark, lambda: hit(modes(), ball=ball(), position=cases.PLACE, closing_speed=cases.CLOSING))
     in_kernel = best(one_hit_in_the_kernel(), 10 * ROUNDS)

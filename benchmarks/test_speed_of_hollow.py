@@ -20,8 +20,8 @@ SIDE = 4 if QUICK else 20
 
 
 def test_all_modes_of_a_hollow_bat(benchmark: Any, record: Callable[..., None]) -> None:
-    line = beam_model(catalog.bat("single-wall"))
-    seconds = measured(benchmark, lambda: all_modes(line, ball()))
+    beam = beam_model(catalog.bat("single-wall"))
+    seconds = measured(benchmark, lambda: all_modes(beam, ball()))
     record("hollow bat to all modes, 12 bending and 24 hoop", duration(seconds), goal="60 ms")
 
 

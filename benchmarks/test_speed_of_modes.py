@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from benchmarks.cases import best, child, duration, line, measured, modes
+from benchmarks.cases import beam, best, child, duration, measured, modes
 from benchmarks.rivals import thin_beam
 from sweetspot import bending_modes
 
@@ -26,10 +26,10 @@ def test_modes(benchmark: Any, record: Callable[..., None]) -> None:
     edges = modes().shapes.ends
 
     def rival() -> Any:
-        return thin_beam.frequencies(line(), edges, 12)
+        return thin_beam.frequencies(beam(), edges, 12)
 
     thin = rival()
-    seconds, rival_seconds = measured(benchmark, lambda: bending_modes(line())), best(rival)
+    seconds, rival_seconds = measured(benchmark, lambda: bending_modes(beam())), best(rival)
     record(
         "bat to 12 modes", duration(seconds), goal="5 ms",
         rival=f"scikit-fem Hermite beam, same elements: {duration(rival_seconds)}",

@@ -226,7 +226,7 @@ def _ball(ball: Ball) -> dict[str, str]:
         peak = (speed / equivalent_wall_speed(ball, 1.0)) ** (2 / (ball.exponent + 1))
         return loading_force(ball, peak) / 1e3
 
-    slow = hit(bending_modes(analysed().line), ball=ball, position=analysed().bat.length - 6 * INCH, closing_speed=1.5)
+    slow = hit(bending_modes(analysed().beam), ball=ball, position=analysed().bat.length - 6 * INCH, closing_speed=1.5)
     return {
         "cor_60": f"{ball.restitution.at(60 * MPH):.3f}",
         "cor_136": f"{ball.restitution.at(136 * MPH):.3f}",

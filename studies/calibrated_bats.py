@@ -152,7 +152,7 @@ def true_exit_speed(truth: Truth, file: str) -> tuple[float, float, float]:
     doubt = speed_doubt(analysis, Sources(doubt_of_piece(file, *known), (), "its calibration", "bat"))
     assert doubt is not None
     conditions, place = analysis.conditions, np.array([analysis.sweet_spots.max_exit_speed])
-    ours = all_modes(analysis.line, conditions.ball)
+    ours = all_modes(analysis.beam, conditions.ball)
     count = len(ours)
     rates = 4 * np.pi * np.append([0.0, 0.0], beam.solved)[:count] * float(np.mean(truth.ringing.damping))
     modes = Modes(

@@ -34,14 +34,14 @@ CASES = (
 LEAST, MOST = 0.85, 0.95
 
 
-def measured(line: BeamModel, *, bending: Sequence[int], hoop: bool, seed: int) -> list[Measurement]:
+def measured(beam: BeamModel, *, bending: Sequence[int], hoop: bool, seed: int) -> list[Measurement]:
     """Return what would be measured on a bat, with errors of the instruments and of the model."""
     wanted = [Measurement(kind, Measured(1.0, error)) for kind, error in SCALE]  # type: ignore[arg-type]
     names = [ModeName("bending", number) for number in bending] + [ModeName("hoop", 2)] * hoop
     wanted += [Measurement("frequency", Measured(1.0, 1.0), mode=name) for name in names]
     generator = np.random.default_rng(seed)
     found = []
-    for one, value in zip(wanted, predicted(line, wanted).tolist(), strict=True):
+    for one, value in zip(wanted, predicted(beam, wanted).tolist(), strict=True):
         exact = replace(one, value=Measured(value, TONES * value if one.mode else one.value.error))
         noisy = value + exact.error * generator.standard_normal()
         found.append(replace(exact, value=Measured(noisy, exact.value.error)))
@@ -72,15 +72,15 @@ def coverage(name: str, bending: Sequence[int], hoop: bool, *, count: int, wider
     wider : how many times as much as supposed the bats differ from their description.
     """
     bat = catalog.bat(name)
-    line, unknowns = described(bat), unknowns_of(bat)
+    beam, unknowns = described(bat), unknowns_of(bat)
     spreads = np.array([one.spread for one in unknowns])
     inside, contradicting = [], 0
     refused: dict[int, str] = {}
     for seed in range(count):
         truth = wider * spreads * np.random.default_rng(seed).standard_normal(len(unknowns))
-        taken = measured(deviated(line, unknowns, truth), bending=bending, hoop=hoop, seed=seed + 10_000)
+        taken = measured(deviated(beam, unknowns, truth), bending=bending, hoop=hoop, seed=seed + 10_000)
         try:
-            found = calibrate(line, unknowns, taken)
+            found = calibrate(beam, unknowns, taken)
         except InputError as error:
             refused[seed] = str(error)
             continue

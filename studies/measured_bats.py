@@ -73,8 +73,8 @@ def simulated(count: int, *, balance_noise: float, moi_noise: float, seed: int =
     result = Count([], [], [])
     for _ in range(count):
         bat = random_bat(random)
-        line = beam_model(bat)
-        body, frequency = rigid_body(line), bending_modes(line, count=3).frequency[MODES]
+        beam = beam_model(bat)
+        body, frequency = rigid_body(beam), bending_modes(beam, count=3).frequency[MODES]
         usual = catalog.material("white-ash" if "ash" in bat.material.name else "sugar-maple")
         measured = bat.replaced(
             material=usual,

@@ -58,16 +58,16 @@ class Outcome:
     alike: int
 
 
-def true_speed(line: BeamModel, conditions: Conditions, law: SwingLaw, *, reference: float) -> float:
+def true_speed(beam: BeamModel, conditions: Conditions, law: SwingLaw, *, reference: float) -> float:
     """Return how fast the ball leaves a bat at its best place, m/s.
 
     Parameters
     ----------
     reference : moment of inertia about the law's axis with which the bat is swung as given, kg m^2.
     """
-    body, places = rigid_body(line), barrel_places(line.bat)
-    modes = all_modes(line, conditions.ball)
-    hit = scan(line.bat, body=body, modes=modes, conditions=conditions, positions=places)
+    body, places = rigid_body(beam), barrel_places(beam.bat)
+    modes = all_modes(beam, conditions.ball)
+    hit = scan(beam.bat, body=body, modes=modes, conditions=conditions, positions=places)
     ratio = law.speed_ratio(body.moi(law.axis), reference_moi=reference)
     bat = ratio * conditions.swing.angular_speed * (places - conditions.swing.pivot)
     efficiency = hit.collision_efficiency
@@ -82,20 +82,20 @@ def ranked_dozens(name: str, bending: Sequence[int], hoop: bool, *, count: int, 
     alike : how many times as much as supposed the bats differ.
     """
     bat = catalog.bat(name)
-    line, unknowns = described(bat), unknowns_of(bat)
+    beam, unknowns = described(bat), unknowns_of(bat)
     spreads = np.array([one.spread for one in unknowns])
     conditions, law = standard_conditions(bat), catalog.swing_law()
-    reference = rigid_body(line).moi(law.axis)
+    reference = rigid_body(beam).moi(law.axis)
     first, first_won, chances, won, inside, same = [], [], [], [], [], 0
     for dozen in range(count):
         truths, posteriors = {}, {}
         for number in range(DOZEN):
             seed = 1000 * dozen + number
             off = alike * spreads * np.random.default_rng(seed).standard_normal(len(unknowns))
-            own = deviated(line, unknowns, off)
+            own = deviated(beam, unknowns, off)
             truths[str(number)] = true_speed(own, conditions, law, reference=reference)
             given = measured(own, bending=bending, hoop=hoop, seed=seed + 500_000)
-            posteriors[str(number)] = calibrate(line, unknowns, given)
+            posteriors[str(number)] = calibrate(beam, unknowns, given)
         ranking = rank_bats(posteriors, conditions=conditions, law=law, seed=dozen)
         same += not ranking.beyond_doubt
         best = max((one.name for one in ranking.bats), key=truths.__getitem__)

@@ -51,13 +51,13 @@ LEAST, MOST = 0.85, 0.95
 
 def truths(analysis: Analysis[Implement], sources: Sources, count: int, seed: int) -> dict[str, np.ndarray]:
     """Return what is true of bats and balls drawn from what is not known, each solved by itself."""
-    line, conditions = analysis.line, analysis.conditions
-    own = line if isinstance(line.bat, Bat) else as_described(line.bat)
+    beam, conditions = analysis.beam, analysis.conditions
+    own = beam if isinstance(beam.bat, Bat) else as_described(beam.bat)
     place = np.array([analysis.sweet_spots.max_exit_speed])
     off = sources.deviations(np.random.default_rng(seed).standard_normal((count, len(sources.names))))
     of_bat, rows = len(sources.unknowns), []
     for row in off:
-        bat = deviated(own, sources.unknowns, row[:of_bat]) if of_bat else line
+        bat = deviated(own, sources.unknowns, row[:of_bat]) if of_bat else beam
         by = dict(zip(sources.names[of_bat:], row[of_bat:].tolist(), strict=True))
         of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): value for name, value in by.items() if OF_BALL in name}
         ball = conditions.ball.deviated(of_ball)

@@ -45,12 +45,12 @@ EVEN_BEAM = 500.0
 """omega^2 M L^2 (L / EI) of an even free beam: (beta L)^4 = 500.6 (4.7300^4), rounded."""
 
 
-def dense_modes(line: BeamModel, *, count: int = MODES, elements: int | None = None) -> Modes:
+def dense_modes(beam: BeamModel, *, count: int = MODES, elements: int | None = None) -> Modes:
     """Return the two rigid motions and the lowest ``count`` bending modes of a freely hung bat.
 
     Parameters
     ----------
-    line : the bat reduced to a beam.
+    beam : the bat reduced to a beam.
     count : number of bending modes, >= 1.
     elements : number of finite elements at least, None: `least_elements`; more are used where the bat has more
         breakpoints.
@@ -66,17 +66,17 @@ def dense_modes(line: BeamModel, *, count: int = MODES, elements: int | None = N
     Damping is the material's free-free ratio, the same for every mode. Holds for transverse waves longer than
     the barrel is thick, that is up to about 10 kHz for a wood bat.
     """
-    deflection, squares, vectors, stiffening = _solved(line, count, elements)
+    deflection, squares, vectors, stiffening = _solved(beam, count, elements)
     edges = deflection.edges
     omega = np.sqrt(squares)
     bending = deflection.local_polynomials(vectors[: deflection.size])
     bending *= np.sign(bending[:, -1, :].sum(axis=0))  # positive at the tip (local coordinate 1 of the last element)
-    coefficients = np.concatenate([_rigid_polynomials(line, edges), bending], axis=2)
+    coefficients = np.concatenate([_rigid_polynomials(beam, edges), bending], axis=2)
     widths = np.diff(edges)
     coefficients /= widths[None, :, None] ** np.arange(DEGREE, -1, -1)[:, None, None]
     elastic = Piecewise(coefficients[..., 2:], edges)
     frequency = np.concatenate([[0.0, 0.0], omega / (2 * np.pi)])
-    damping_rate = np.concatenate([[0.0, 0.0], 2 * line.bat.damping_ratio * omega])
+    damping_rate = np.concatenate([[0.0, 0.0], 2 * beam.bat.damping_ratio * omega])
     bending_families: list[Family] = ["bending"] * count
     return Modes(
         families=("rigid", "rigid", *bending_families),
@@ -86,82 +86,82 @@ def dense_modes(line: BeamModel, *, count: int = MODES, elements: int | None = N
         shapes=Piecewise(coefficients, edges),
         rigid_part=np.eye(2, count + 2),
         dashpots=np.zeros((0, count + 2)),
-        compliances=(left_out(line, shapes=elastic, omega=omega, softening=1 / stiffening),),
+        compliances=(left_out(beam, shapes=elastic, omega=omega, softening=1 / stiffening),),
     )
 
 
-def dense_chain(line: BeamModel, ball: Ball) -> Modes:
+def dense_chain(beam: BeamModel, ball: Ball) -> Modes:
     """Return all motions as `all_modes` does, from dense bending modes."""
     law = patch_law(ball)
-    if line.bat.face is not None:
-        face, bending, count = face_modes(line, ball), dense_modes(line), MODES
+    if beam.bat.face is not None:
+        face, bending, count = face_modes(beam, ball), dense_modes(beam), MODES
         wanted = excited_frequency(bending, face, ball)
         while bending.frequency[-1] < wanted and count < MOST_MODES:
             count += MODES
-            bending = dense_modes(line, count=count)
-        if isinstance(line.bat, CricketBat):
-            bending = replace(bending, compliances=(*bending.compliances, blade_dent(line, law=law)))
+            bending = dense_modes(beam, count=count)
+        if isinstance(beam.bat, CricketBat):
+            bending = replace(bending, compliances=(*bending.compliances, blade_dent(beam, law=law)))
         return joined(bending, face)
-    bending = dense_modes(line)
-    if not isinstance(line.bat, Bat):
+    bending = dense_modes(beam)
+    if not isinstance(beam.bat, Bat):
         return bending
-    if line.bat.shell is None:
-        return replace(bending, compliances=(*bending.compliances, dent_compliance(line, law=law)))
-    return joined(bending, hoop_modes(line, law=law))
+    if beam.bat.shell is None:
+        return replace(bending, compliances=(*bending.compliances, dent_compliance(beam, law=law)))
+    return joined(bending, hoop_modes(beam, law=law))
 
 
-def _solved(line: BeamModel, count: int, elements: int | None) -> tuple[Basis, Array, Array, float]:
+def _solved(beam: BeamModel, count: int, elements: int | None) -> tuple[Basis, Array, Array, float]:
     """Return the deflection's basis, squared angular frequencies, mass-normalised vectors.
 
     Last comes the factor by which a measured frequency scales the stiffness.
     """
     elements = least_elements(count) if elements is None else elements
-    edges = _edges(line, elements)
-    stiffness, inertia = _matrices(line, edges)
-    squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1, shift=SHIFT * _first_square(line))
-    stiffening = _stiffening(line, squares, elements)
+    edges = _edges(beam, elements)
+    stiffness, inertia = _matrices(beam, edges)
+    squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1, shift=SHIFT * _first_square(beam))
+    stiffening = _stiffening(beam, squares, elements)
     return Basis(edges, DEGREE), stiffening * squares, vectors, stiffening
 
 
-def _stiffening(line: BeamModel, squares: Array, elements: int) -> float:
+def _stiffening(beam: BeamModel, squares: Array, elements: int) -> float:
     """Return the factor of a stiffness that is known up to it, which changes no shape; 1 where all of it is known.
 
     Parameters
     ----------
     squares : of the angular frequencies as drawn, the lowest first.
     """
-    if line.bat.frequency is None:
+    if beam.bat.frequency is None:
         return 1.0
-    return float((2 * np.pi * line.bat.frequency) ** 2 / _first_measured(line, squares, elements))
+    return float((2 * np.pi * beam.bat.frequency) ** 2 / _first_measured(beam, squares, elements))
 
 
-def _first_measured(line: BeamModel, squares: Array, elements: int) -> float:
+def _first_measured(beam: BeamModel, squares: Array, elements: int) -> float:
     """Return the first squared frequency as measured, before any weights were added."""
-    if not line.bat.added:
+    if not beam.bat.added:
         return float(squares[0])
-    bare = replace(line, bat=line.bat.replaced(added=()), point_masses=line.point_masses[: -len(line.bat.added)])
+    bare = replace(beam, bat=beam.bat.replaced(added=()), point_masses=beam.point_masses[: -len(beam.bat.added)])
     stiffness, inertia = _matrices(bare, _edges(bare, elements))
     return float(lowest(stiffness, inertia, first=2, last=2, shift=SHIFT * _first_square(bare))[0][0])
 
 
-def mesh_matrices(line: BeamModel, *, elements: int = ELEMENTS) -> tuple[Array, Array, float]:
+def mesh_matrices(beam: BeamModel, *, elements: int = ELEMENTS) -> tuple[Array, Array, float]:
     """Return dense stiffness and mass matrices, and the shift in (rad/s)^2 with which they are solved."""
-    return *_matrices(line, _edges(line, elements)), SHIFT * _first_square(line)
+    return *_matrices(beam, _edges(beam, elements)), SHIFT * _first_square(beam)
 
 
-def _edges(line: BeamModel, elements: int) -> Array:
+def _edges(beam: BeamModel, elements: int) -> Array:
     """Return element ends: the implement's breakpoints, its point masses, and even places between them."""
-    ends = np.array(apart(sorted({*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)})))
-    width, size = np.diff(ends), line.bat.length / elements
-    at_ends = section(line, just_inside(ends[:-1], width).ravel()).bending_stiffness
+    ends = np.array(apart(sorted({*beam.bat.breakpoints(), *(weight.position for weight in beam.point_masses)})))
+    width, size = np.diff(ends), beam.bat.length / elements
+    at_ends = section(beam, just_inside(ends[:-1], width).ravel()).bending_stiffness
     return _element_edges(ends, size, least_parts(at_ends.reshape(2, -1), width / size))
 
 
-def _first_square(line: BeamModel) -> float:
+def _first_square(beam: BeamModel) -> float:
     """Return about the square of the first angular frequency, (rad/s)^2: that of an even beam as flexible."""
-    places, weights = quadrature(line.bat.breakpoints())
-    flexible = float(np.sum(weights / section(line, places).bending_stiffness))
-    return EVEN_BEAM / (flexible * moments(line)[0] * line.bat.length**2)
+    places, weights = quadrature(beam.bat.breakpoints())
+    flexible = float(np.sum(weights / section(beam, places).bending_stiffness))
+    return EVEN_BEAM / (flexible * moments(beam)[0] * beam.bat.length**2)
 
 
 def _element_edges(breakpoints: Array, size: float, least: IntArray) -> Array:
@@ -178,11 +178,11 @@ def _element_edges(breakpoints: Array, size: float, least: IntArray) -> Array:
     return np.concatenate(pieces)
 
 
-def _matrices(line: BeamModel, edges: Array) -> tuple[Array, Array]:
+def _matrices(beam: BeamModel, edges: Array) -> tuple[Array, Array]:
     """Return dense stiffness and mass matrices, deflections first, then rotations."""
     w, psi = Basis(edges, DEGREE), Basis(edges, DEGREE - 1)
     places, lengths = gauss_places(edges)
-    at = section(line, places)
+    at = section(beam, places)
     rows, columns = w.numbers, psi.numbers + w.size
     shear, bending = at.shear_stiffness * lengths, at.bending_stiffness * lengths
     size = w.size + psi.size
@@ -194,7 +194,7 @@ def _matrices(line: BeamModel, edges: Array) -> tuple[Array, Array]:
     _add(stiffness, bending, (columns, psi.slopes), (columns, psi.slopes))
     _add(inertia, at.mass * lengths, (rows, w.values), (rows, w.values))
     _add(inertia, at.rotary_inertia * lengths, (columns, psi.values), (columns, psi.values))
-    for weight in line.point_masses:  # each sits on an element's end, whose deflection is an unknown of its own
+    for weight in beam.point_masses:  # each sits on an element's end, whose deflection is an unknown of its own
         node, tilt = w.number_at(weight.position), w.size + psi.number_at(weight.position)
         inertia[node, node] += weight.mass
         inertia[tilt, tilt] += weight.moi
@@ -208,9 +208,9 @@ def _add(matrix: Array, weight: Array, left: tuple[IntArray, Array], right: tupl
     np.add.at(matrix, (rows[:, :, None], columns[:, None, :]), local)
 
 
-def _rigid_polynomials(line: BeamModel, edges: Array) -> Array:
+def _rigid_polynomials(beam: BeamModel, edges: Array) -> Array:
     """Return translation 1/sqrt(M) and rotation (x - x_c)/sqrt(I_cm) as local polynomials."""
-    mass, first, second = moments(line)
+    mass, first, second = moments(beam)
     centre = first / mass
     moi_cm = second - first * centre
     polynomials = np.zeros((DEGREE + 1, len(edges) - 1, 2))
@@ -272,7 +272,7 @@ def gauss_places(edges: Array) -> tuple[Array, Array]:
     return edges[:-1, None] + half * (nodes + 1), half * weights
 
 
-def static_compliance(line: BeamModel, position: Array, *, cells: int = CELLS) -> Array:
+def static_compliance(beam: BeamModel, position: Array, *, cells: int = CELLS) -> Array:
     """Return G in m/N at positions in m: displacement under a slow push there, rigid motion left out.
 
     Parameters
@@ -281,17 +281,17 @@ def static_compliance(line: BeamModel, position: Array, *, cells: int = CELLS) -
     cells : slices at least, >= 2. The error of the sums over slices falls with their square, so what half as many
         give tells most of it (Richardson's extrapolation).
     """
-    fine, coarse = (_sliced(line, position, cells=number) for number in (cells, cells // 2))
+    fine, coarse = (_sliced(beam, position, cells=number) for number in (cells, cells // 2))
     return extrapolated(fine, coarse)
 
 
-def _sliced(line: BeamModel, position: Array, *, cells: int) -> Array:
+def _sliced(beam: BeamModel, position: Array, *, cells: int) -> Array:
     """Return sums over slices for `static_compliance`."""
     given = np.asarray(position, float)
-    edges = np.union1d(_slices(line.bat.breakpoints(), line.bat.length / cells), given)
+    edges = np.union1d(_slices(beam.bat.breakpoints(), beam.bat.length / cells), given)
     middle, width = (edges[1:] + edges[:-1]) / 2, np.diff(edges)
-    at = section(line, middle)
-    lumps = np.array([(lump.position, lump.mass, lump.moi) for lump in line.point_masses]).reshape(-1, 3)
+    at = section(beam, middle)
+    lumps = np.array([(lump.position, lump.mass, lump.moi) for lump in beam.point_masses]).reshape(-1, 3)
     # of the sections themselves, so that push and inertia balance exactly
     mass = float(at.mass @ width + lumps[:, 1].sum())
     centre = float((at.mass * middle) @ width + lumps[:, 0] @ lumps[:, 1]) / mass
@@ -316,7 +316,7 @@ def _sliced(line: BeamModel, position: Array, *, cells: int) -> Array:
     return np.asarray((bending**2 / at.bending_stiffness + shear**2 / at.shear_stiffness) @ width)
 
 
-def left_out(line: BeamModel, *, shapes: Piecewise, omega: Array, softening: float = 1.0) -> Piecewise:
+def left_out(beam: BeamModel, *, shapes: Piecewise, omega: Array, softening: float = 1.0) -> Piecewise:
     """Return the compliance in m/N by position that elastic modes leave out: G - sum_i s_i^2 / omega_i^2.
 
     Parameters
@@ -324,12 +324,12 @@ def left_out(line: BeamModel, *, shapes: Piecewise, omega: Array, softening: flo
     shapes, omega : of the modes that are kept, without the rigid motions, 1/sqrt(kg) and rad/s.
     softening : factor on G for a beam whose stiffness was scaled by its inverse.
     """
-    ends = np.array(line.bat.breakpoints())
-    at_ends = section(line, just_inside(ends[:-1], np.diff(ends)).ravel()).bending_stiffness.reshape(2, -1)
+    ends = np.array(beam.bat.breakpoints())
+    at_ends = section(beam, just_inside(ends[:-1], np.diff(ends)).ravel()).bending_stiffness.reshape(2, -1)
     joint = joints(ends[:-1], at_ends, np.zeros(len(ends) - 1, np.int64), beams=1)
-    places, corner = (part[0] for part in sample_places(np.array([line.bat.length]), joint))
+    places, corner = (part[0] for part in sample_places(np.array([beam.bat.length]), joint))
     kept = np.asarray(shapes(places)) ** 2 @ omega**-2.0
-    return with_corner(places, softening * static_compliance(line, places) - kept, int(corner))
+    return with_corner(places, softening * static_compliance(beam, places) - kept, int(corner))
 
 
 def _slices(breakpoints: tuple[float, ...], size: float) -> Array:

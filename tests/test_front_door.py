@@ -73,7 +73,7 @@ STANDARD = sweetspot.standard_conditions(catalog.bat())
         (lambda: door.Swing(bat_speed=70 * unit.kg, measured_at=0.7), "bat_speed .* not a speed"),
         (lambda: door.hit(17, position=0.7, closing_speed=70.0), r"modes was given as 17; give what `all_modes`"),
         (lambda: door.hit("r161-asch", position=0.7, closing_speed=70.0), "Did you mean r161-ash"),
-        (lambda: door.rigid_body(3.5), "line was given as 3.5; give what `beam_model` returns, or a bat"),
+        (lambda: door.rigid_body(3.5), "beam was given as 3.5; give what `beam_model` returns, or a bat"),
         (lambda: door.certify("golf-driver"), "the GolfClub 'Golf driver'; give a round bat"),
         (lambda: door.strike("tennis-racket", swing=STANDARD.swing, path=door.SwingPath(), contact=(0.5, 0.0),
                              pitch=door.launched(speed=30.0, launch_angle=0.1)), "give what `reduced_bat` returns"),
@@ -93,7 +93,7 @@ def test_a_bat_is_taken_by_name_file_or_as_it_is(tmp_path: Path) -> None:
     own.write_text(f'like = "{R161}"\n', encoding="utf-8")
     bat, modes = catalog.bat(R161), sweetspot.analyse(catalog.bat(R161), STANDARD)
     at = {"position": 0.69, "closing_speed": 70.0}
-    forms = (R161, bat, own, str(own), modes, modes.reduced, modes.line, modes.modes)
+    forms = (R161, bat, own, str(own), modes, modes.reduced, modes.beam, modes.modes)
     found = [door.hit(form, ball="baseball", **at).collision_efficiency for form in forms]
     assert found == pytest.approx([found[0]] * len(forms), rel=1e-9)
     assert door.hit(R161, **at).collision_efficiency == pytest.approx(found[0])

@@ -154,18 +154,18 @@ SEARCHES = {
 
 def observed(bat: Bat) -> dict[str, float]:
     """Return everything that can be a target or a prediction: in, oz, oz in^2, Hz, cm^3; nodes from the tip."""
-    line = beam_model(bat)
-    body, modes = rigid_body(line), bending_modes(line, count=4)
+    beam = beam_model(bat)
+    body, modes = rigid_body(beam), bending_modes(beam, count=4)
     nodes = [(bat.length - modes.nodes(2 + mode)[::-1]) / INCH for mode in range(2)]
     return {
         "mass": body.mass / OUNCE,
         "balance": body.balance_point / INCH,
         "moi_cm": body.moi_cm,
         "moi_6in": body.moi(6 * INCH) / OUNCE_INCH_SQUARED,
-        "volume": 1e6 * body.mass / (bat.material.density * line.density_factor),  # of a solid bat without fills
-        "density_factor": line.density_factor,
-        "density_gradient": line.density_gradient,
-        "knob_mass_g": 1e3 * sum(weight.mass for weight in line.point_masses if weight.position == 0),
+        "volume": 1e6 * body.mass / (bat.material.density * beam.density_factor),  # of a solid bat without fills
+        "density_factor": beam.density_factor,
+        "density_gradient": beam.density_gradient,
+        "knob_mass_g": 1e3 * sum(weight.mass for weight in beam.point_masses if weight.position == 0),
         **{f"frequency_{mode}": float(modes.frequency[1 + mode]) for mode in range(1, 5)},
         "node_1": float(nodes[0][0]),
         "node_1_handle": float(nodes[0][1]),
@@ -176,9 +176,9 @@ def observed(bat: Bat) -> dict[str, float]:
 
 def bbcor_of(bat: Bat) -> float:
     """Return BBCOR of the simulated test."""
-    ball, line = catalog.ball(), beam_model(bat)
-    modes, body = all_modes(line, ball), rigid_body(line)
-    return bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BBCOR_SPEED).best_bbcor
+    ball, beam = catalog.ball(), beam_model(bat)
+    modes, body = all_modes(beam, ball), rigid_body(beam)
+    return bat_test(beam, body=body, modes=modes, ball=ball, closing_speed=BBCOR_SPEED).best_bbcor
 
 
 def located(table: Any, path: str) -> tuple[Any, Any]:

@@ -57,10 +57,10 @@ def _spread(unknown: Unknown) -> float:
     return SHEAR_SPREAD if unknown.name == "shear_modulus" else unknown.spread
 
 
-def measured(line: BeamModel, wanted: list[Measurement] | tuple[Measurement, ...], seed: int) -> list[float]:
+def measured(beam: BeamModel, wanted: list[Measurement] | tuple[Measurement, ...], seed: int) -> list[float]:
     """Return what is measured on a bat, SI, with the errors of the instruments."""
     generator = np.random.default_rng(seed)
-    values = predicted(line, list(wanted)).tolist()
+    values = predicted(beam, list(wanted)).tolist()
     return [value + one.value.error * generator.standard_normal() for one, value in zip(wanted, values, strict=True)]
 
 
@@ -73,10 +73,10 @@ def dozen() -> str:
     return "\n".join(rows) + "\n"
 
 
-def efficiency(line: BeamModel, conditions: Conditions, places: Array) -> Array:
+def efficiency(beam: BeamModel, conditions: Conditions, places: Array) -> Array:
     """Return q at places in m from the knob end."""
-    modes = all_modes(line, conditions.ball)
-    hit = scan(line.bat, body=rigid_body(line), modes=modes, conditions=conditions, positions=places)
+    modes = all_modes(beam, conditions.ball)
+    hit = scan(beam.bat, body=rigid_body(beam), modes=modes, conditions=conditions, positions=places)
     return hit.collision_efficiency
 
 
@@ -87,13 +87,13 @@ def swings(seed: int, *, count: int, speed: float) -> list[str]:
     law, rows = catalog.swing_law(), []
     for name in ("r161-ash", "mlb-a"):
         bat = catalog.bat(name)
-        line, conditions = described(bat), standard_conditions(bat)
-        heavier = rigid_body(line).moi(law.axis) / rigid_body(first).moi(law.axis)
+        beam, conditions = described(bat), standard_conditions(bat)
+        heavier = rigid_body(beam).moi(law.axis) / rigid_body(first).moi(law.axis)
         bat_speed = speed * heavier**-law.exponent + 1.5 * generator.standard_normal(count)
         from_tip = np.clip(MET + SCATTER * generator.standard_normal(count), 0.5, 14)
         pitch = 60 + 2 * generator.standard_normal(count)
         places = bat.length - np.sort(from_tip) * INCH
-        there = efficiency(line, conditions, places)[np.argsort(np.argsort(from_tip))]
+        there = efficiency(beam, conditions, places)[np.argsort(np.argsort(from_tip))]
         turned = (bat.length / INCH - from_tip) / (bat.length / INCH - 6)  # the speed grows along the bat
         square = np.cos(0.12 * generator.standard_normal(count))  # hit a little beside the middle
         leaves = square * (there * pitch + (1 + there) * bat_speed * turned) + generator.standard_normal(count)

@@ -14,16 +14,16 @@ from sweetspot import BeamModel
 from sweetspot.dynamics.beam import section
 
 
-def frequencies(line: BeamModel, edges: Array, count: int) -> Array:
+def frequencies(beam: BeamModel, edges: Array, count: int) -> Array:
     """Return the lowest ``count`` frequencies in Hz above the two rigid motions."""
 
     @BilinearForm  # type: ignore[untyped-decorator]
     def bending(u: Any, v: Any, w: Any) -> Any:
-        return section(line, np.asarray(w.x[0])).bending_stiffness * ddot(dd(u), dd(v))
+        return section(beam, np.asarray(w.x[0])).bending_stiffness * ddot(dd(u), dd(v))
 
     @BilinearForm  # type: ignore[untyped-decorator]
     def inertia(u: Any, v: Any, w: Any) -> Any:
-        return section(line, np.asarray(w.x[0])).mass * u * v
+        return section(beam, np.asarray(w.x[0])).mass * u * v
 
     basis = Basis(MeshLine(edges), ElementLineHermite(), intorder=8)
     stiffness, mass = bending.assemble(basis).toarray(), inertia.assemble(basis).toarray()

@@ -35,12 +35,12 @@ STEPS = {
 def worth_figure() -> Figure:
     """Return the half widths of 90 % intervals after each measurement of the flagship bat, ball and swing fixed."""
     bat = catalog.bat()
-    line, unknowns, conditions = described(bat), unknowns_of(bat), standard_conditions(bat)
+    beam, unknowns, conditions = described(bat), unknowns_of(bat), standard_conditions(bat)
     place = bat.length - 0.147
     so_far: list[Measurement] = []
     speed, moduli = [], []
     for new in STEPS.values():
-        values = predicted(line, new).tolist()
+        values = predicted(beam, new).tolist()
         so_far += [
             Measurement(one.kind, Measured(value, one.value.error), mode=one.mode)
             for one, value in zip(new, values, strict=True)
@@ -48,7 +48,7 @@ def worth_figure() -> Figure:
         covariance = np.diag([one.spread**2 for one in unknowns])
         known = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
         if so_far:
-            posterior = calibrate(line, unknowns, so_far)
+            posterior = calibrate(beam, unknowns, so_far)
             covariance, known = posterior.covariance, calibrated_bat(posterior, None)
         open_yet = sources_of(known, conditions, known=(unknowns, covariance))  # with what the outline leaves open
         question = HitQuestion(known, conditions, place, sources=replace(open_yet, others=()), draws=256)

@@ -36,9 +36,9 @@ def mesh_convergence() -> Figure:
         (BAT, (1, 16, 20, 24, 32, 48, 64, 80), "o-"),
         (SMOOTH, (5, 6, 8, 12, 16, 24, 32), ".--"),
     ):
-        line = beam_model(catalog.bat(name))
-        converged = bending_modes(line, elements=128).frequency[2:]
-        meshes = [bending_modes(line, elements=elements) for elements in asked]
+        beam = beam_model(catalog.bat(name))
+        converged = bending_modes(beam, elements=128).frequency[2:]
+        meshes = [bending_modes(beam, elements=elements) for elements in asked]
         counts = np.array([len(modes.shapes.ends) - 1 for modes in meshes])
         for mode, color in ((1, BLUE), (3, GREEN), (5, GREY), (12, RED)):
             errors = np.array([abs(modes.frequency[mode + 1] / converged[mode - 1] - 1) for modes in meshes])

@@ -237,7 +237,7 @@ def _made_of(value: Any, kind: str, ball: Ball | None) -> Any:
     if kind == "Modes" and _is_a(value, "Analysis"):
         return value.modes  # as the hands hold it
     reduced = _reduced_of(value, tool, ball)
-    parts = {"BeamModel": "line", "RigidBody": "body", "Modes": "modes"}
+    parts = {"BeamModel": "beam", "RigidBody": "body", "Modes": "modes"}
     return getattr(reduced, parts[kind]) if kind in parts else reduced
 
 

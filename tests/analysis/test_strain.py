@@ -36,14 +36,14 @@ from sweetspot.units import INCH
 
 
 def struck(bat: Bat, from_tip: float) -> tuple[Impact, BeamModel, Modes]:
-    line = beam_model(bat)
-    modes = bending_modes(line)
-    return hit_at(bat.length - from_tip, modes=modes, conditions=standard_conditions(bat)), line, modes
+    beam = beam_model(bat)
+    modes = bending_modes(beam)
+    return hit_at(bat.length - from_tip, modes=modes, conditions=standard_conditions(bat)), beam, modes
 
 
 def strains(bat: Bat, from_tip: float) -> Damage:
-    impact, line, modes = struck(bat, from_tip)
-    return damage(impact, line=line, modes=modes)
+    impact, beam, modes = struck(bat, from_tip)
+    return damage(impact, beam=beam, modes=modes)
 
 
 def test_the_motion_is_the_hits(r161: Bat) -> None:
@@ -61,10 +61,10 @@ def test_one_mode_of_a_slender_rod_is_exact(ash: Material) -> None:
     beta = 4.7300408 and the shape that is 2 / sqrt(M) at the tip: exact for a slender rod, 1 % here.
     """
     rod = Bat(name="rod", length=1.2, material=ash, profile=((0.0, 0.012), (1.2, 0.012)))
-    line = beam_model(rod)
-    alone = bending_modes(line).kept([2])
+    beam = beam_model(rod)
+    alone = bending_modes(beam).kept([2])
     impact = hit(alone, ball=catalog.ball(), position=0.6, closing_speed=5.0)
-    found = damage(impact, line=line, modes=alone)
+    found = damage(impact, beam=beam, modes=alone)
     amplitude = np.abs(modal_history(impact, alone)).max()
     beta = 4.7300408
     sigma = (math.cosh(beta) - math.cos(beta)) / (math.sinh(beta) - math.sin(beta))
@@ -86,10 +86,10 @@ def test_a_good_hit_is_far_below_the_published_strain_to_failure_and_a_bad_one_n
 
 
 def test_strain_grows_with_speed_and_warns(r161: Bat, baseball: Ball) -> None:
-    line = beam_model(r161)
-    modes = bending_modes(line)
+    beam = beam_model(r161)
+    modes = bending_modes(beam)
     soft, hard = (
-        damage(hit(modes, ball=baseball, position=0.55, closing_speed=speed), line=line, modes=modes)
+        damage(hit(modes, ball=baseball, position=0.55, closing_speed=speed), beam=beam, modes=modes)
         for speed in (5.0, 70.0)
     )
     assert 14 < hard.handle_strain / soft.handle_strain < 20  # 14 times as fast, and a shorter, harder blow
@@ -100,9 +100,9 @@ def test_strain_grows_with_speed_and_warns(r161: Bat, baseball: Ball) -> None:
 
 
 def test_a_ball_that_misses_strains_nothing(r161: Bat, baseball: Ball) -> None:
-    line = beam_model(r161)
-    modes = bending_modes(line)
-    found = damage(hit(modes, ball=baseball, position=0.6, closing_speed=0.0), line=line, modes=modes)
+    beam = beam_model(r161)
+    modes = bending_modes(beam)
+    found = damage(hit(modes, ball=baseball, position=0.6, closing_speed=0.0), beam=beam, modes=modes)
     assert found.handle_strain == 0 and found.warnings == ()
 
 
@@ -113,8 +113,8 @@ def test_wall_strain_is_the_rings(baseball: Ball) -> None:
         name="tube", length=0.8, material=metal, profile=((0.0, 0.066), (0.8, 0.066)),
         shell=Shell(wall=((0.0, 0.002), (0.8, 0.002))),
     )  # fmt: skip
-    line = beam_model(bat)
-    rigid = bending_modes(line).kept([0, 1])
+    beam = beam_model(bat)
+    rigid = bending_modes(beam).kept([0, 1])
     one = Modes(
         families=("hoop",),
         harmonics=(2,),
@@ -125,31 +125,31 @@ def test_wall_strain_is_the_rings(baseball: Ball) -> None:
         dashpots=np.zeros((0, 1)),
     )
     impact = hit(one, ball=baseball, position=0.6, closing_speed=20.0)
-    found = damage(impact, line=line, modes=one)
+    found = damage(impact, beam=beam, modes=one)
     assert found.wall_strain is not None and found.wall_limit is not None
     outward = 3.0 * np.abs(modal_history(impact, one)).max()
     assert found.wall_strain == pytest.approx(0.002 * 3 * outward / (2 * 0.032**2))
     assert found.wall_limit == linear_limit(metal)
     assert any("dent" in warning for warning in found.warnings) == (found.wall_strain > found.wall_limit)
-    still = damage(hit(rigid, ball=baseball, position=0.6, closing_speed=20.0), line=line, modes=rigid)
+    still = damage(hit(rigid, ball=baseball, position=0.6, closing_speed=20.0), beam=beam, modes=rigid)
     assert still.wall_strain is None and still.handle_strain == pytest.approx(0.0, abs=1e-12)
 
 
 def test_without_a_known_strength_there_is_no_limit_and_no_warning(r161: Bat) -> None:
-    impact, line, modes = struck(r161, 12 * INCH)
-    unknown = replace(line, bat=r161.replaced(material=r161.material.replaced(strength=None)))
-    found = damage(impact, line=unknown, modes=modes)
+    impact, beam, modes = struck(r161, 12 * INCH)
+    unknown = replace(beam, bat=r161.replaced(material=r161.material.replaced(strength=None)))
+    found = damage(impact, beam=unknown, modes=modes)
     assert found.strain_limit is None and found.warnings == ()
 
 
 def test_free_ends_do_not_bend() -> None:
     """Exact: no moment acts on a free end, so EI psi' = 0 there; the shear part alone keeps w'' from vanishing."""
-    line = beam_model(catalog.bat("uniform-rod"))
-    modes = bending_modes(line, count=5, elements=64)
-    bat = line.bat
+    beam = beam_model(catalog.bat("uniform-rod"))
+    modes = bending_modes(beam, count=5, elements=64)
+    bat = beam.bat
     places = np.linspace(0.0, bat.length, 401)[1:-1]
-    bent = _curvature(line, modes, places)[:, 2:]
-    ends = np.abs(_curvature(line, modes, np.array([1e-9, bat.length - 1e-9]))[:, 2:])
+    bent = _curvature(beam, modes, places)[:, 2:]
+    ends = np.abs(_curvature(beam, modes, np.array([1e-9, bat.length - 1e-9]))[:, 2:])
     assert np.all(ends < 1e-3 * np.abs(bent).max(axis=0))
     only_bent = np.abs(modes.shapes(bat.length - 1e-9, 2)[2:])
     assert np.all(only_bent[2:] > 5e-3 * np.abs(bent).max(axis=0)[2:])
@@ -170,9 +170,9 @@ def test_weak_metal_is_warned_of_handle_and_dent_and_a_two_piece_bat_of_its_hand
 
 def _hollow_damage(bat: Bat) -> Damage:
     conditions = standard_conditions(bat)
-    line = beam_model(bat)
-    modes = all_modes(line, conditions.ball)
-    return damage(hit_at(bat.length - 6 * INCH, modes=modes, conditions=conditions), line=line, modes=modes)
+    beam = beam_model(bat)
+    modes = all_modes(beam, conditions.ball)
+    return damage(hit_at(bat.length - 6 * INCH, modes=modes, conditions=conditions), beam=beam, modes=modes)
 
 
 def test_walls_that_are_bonded_bend_as_one() -> None:

@@ -63,18 +63,18 @@ def test_a_stiff_wall_is_a_solid_bat(quicker: float) -> None:
     conditions = standard_conditions(bat)
     stiff = with_wall_factor(bat, 1.0)
     result = analyse(stiff, conditions)
-    solid = scan(bat, body=result.body, modes=bending_modes(result.line), conditions=conditions)
+    solid = scan(bat, body=result.body, modes=bending_modes(result.beam), conditions=conditions)
     hoop = result.modes.of_family("hoop")
     harder = result.modes.kept(list(range(len(result.modes))))
     scaled = Modes(
         harder.families, harder.harmonics,
         np.where(np.isin(np.arange(len(harder)), hoop), quicker * harder.frequency, harder.frequency),
         harder.damping_rate, harder.shapes, harder.rigid_part, harder.dashpots,
-        compliances=bending_modes(result.line).compliances,
+        compliances=bending_modes(result.beam).compliances,
     )  # fmt: skip
     with_stiff_wall = scan(bat, body=result.body, modes=scaled, conditions=conditions)
     assert with_stiff_wall.exit_speed == pytest.approx(solid.exit_speed, rel=0, abs=4 / quicker**2)  # m/s
-    assert wall_stiffness_at(bending_modes(result.line), 0.7) == math.inf
+    assert wall_stiffness_at(bending_modes(result.beam), 0.7) == math.inf
 
 
 def test_lower_hoop_frequency_makes_a_livelier_bat() -> None:

@@ -58,13 +58,13 @@ def about(axis: float) -> Change:
 )  # fmt: skip
 def test_what_was_meant_is_told(maple: Bat, name: str, change: Change, words: str) -> None:
     """Exact: the very measurement is given in another unit, from another end, or about another axis."""
-    line = described(maple)
-    right = measured(line, bending=(1,))
+    beam = described(maple)
+    right = measured(beam, bending=(1,))
     slips = _slips(maple, name, change)
     assert words in {slip.words for slip in slips}
     as_meant = next(measurement for measurement in right if measurement.name == name)
     nearest = slips[0].measurement
-    assert predicted(line, [nearest])[0] / nearest.value.value == pytest.approx(1.0, rel=5e-3)
+    assert predicted(beam, [nearest])[0] / nearest.value.value == pytest.approx(1.0, rel=5e-3)
     assert words or nearest.axis == pytest.approx(as_meant.axis)
 
 
@@ -122,17 +122,17 @@ def test_tones_that_are_all_named_wrong_are_named_again(maple: Bat, given: tuple
 def test_a_search_for_agreement_ends_early_only_where_there_is_none(name: str, seed: int) -> None:
     """Agreement with the whole search: bats up to three spreads off, some with a slip of 3 to 60 % in a measurement."""
     bat = catalog.bat(name)
-    line, unknowns = described(bat), unknowns_of(bat)
+    beam, unknowns = described(bat), unknowns_of(bat)
     draw = np.random.default_rng(seed)
     spreads = np.array([one.spread for one in unknowns])
-    own = deviated(line, unknowns, spreads * draw.uniform(-2.5, 2.5, len(spreads)) / (1 + seed))
+    own = deviated(beam, unknowns, spreads * draw.uniform(-2.5, 2.5, len(spreads)) / (1 + seed))
     right = measured(own, bending=(1, 2, 3))
     for factor in (1.0, 1.03, 0.8, 1.6):
         wrong = int(draw.integers(len(right)))
         given = [times(factor)(one) if index == wrong else one for index, one in enumerate(right)]
-        whole = calibrate(line, unknowns, given)
+        whole = calibrate(beam, unknowns, given)
         try:
-            early = calibrate(line, unknowns, given, agreeing=True)
+            early = calibrate(beam, unknowns, given, agreeing=True)
         except InputError:
             assert whole.contradictions
         else:
@@ -144,7 +144,7 @@ def test_a_wrong_balance_point_is_named_and_not_averaged_in(maple: Bat) -> None:
     moved = replace(measurements[1], value=Measured(measurements[1].value.value + 0.03, 0.0015))
     one = fitted(maple, [measurements[0], moved, *measurements[2:]])
     without = suspects(one)["balance point"]
-    assert predicted(without.line, [moved])[0] == pytest.approx(measurements[1].value.value, abs=0.004)
+    assert predicted(without.beam, [moved])[0] == pytest.approx(measurements[1].value.value, abs=0.004)
     assert str(contradictions(one)[-2]) == "If it is right, the outline is not this bat's."
 
 

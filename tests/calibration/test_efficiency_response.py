@@ -30,19 +30,19 @@ AT = int(np.argmin(np.abs(PLACES - PLACE)))
 
 
 @pytest.fixture(scope="module")
-def line(r161: Bat) -> BeamModel:
+def beam(r161: Bat) -> BeamModel:
     return beam_model(r161)
 
 
 @pytest.fixture(scope="module")
-def response(r161: Bat, line: BeamModel) -> EfficiencyResponse:
+def response(r161: Bat, beam: BeamModel) -> EfficiencyResponse:
     unknowns, _ = expected_deviations(r161)
-    return response_of_efficiency(line, standard_conditions(r161), unknowns=unknowns, positions=PLACES)
+    return response_of_efficiency(beam, standard_conditions(r161), unknowns=unknowns, positions=PLACES)
 
 
-def test_restitution_against_the_closed_form(response: EfficiencyResponse, line: BeamModel, baseball: Ball) -> None:
+def test_restitution_against_the_closed_form(response: EfficiencyResponse, beam: BeamModel, baseball: Ball) -> None:
     """Where the bat hardly vibrates q = (e - r) / (1 + r): de is worth 1 / (1 + r) [nathan2003]."""
-    body, place = rigid_body(line), PLACES[AT]
+    body, place = rigid_body(beam), PLACES[AT]
     ratio = baseball.mass * (1 / body.mass + (place - body.balance_point) ** 2 / body.moi_cm)
     restitution = (
         len(response.spreads) - len(ball_spreads(baseball)) + list(ball_spreads(baseball)).index("restitution")
@@ -50,13 +50,13 @@ def test_restitution_against_the_closed_form(response: EfficiencyResponse, line:
     assert response.slopes[restitution, AT] == pytest.approx(1 / (1 + ratio), rel=0.12)
 
 
-def test_the_sum_against_recomputed_bats(response: EfficiencyResponse, line: BeamModel, r161: Bat) -> None:
+def test_the_sum_against_recomputed_bats(response: EfficiencyResponse, beam: BeamModel, r161: Bat) -> None:
     """Slopes and bends against the whole way for eight bats: within a tenth of the doubt itself."""
     unknowns, covariance = expected_deviations(r161)
     conditions = standard_conditions(r161)
     doubt = np.sqrt(response.spreads**2 @ response.slopes[:, AT] ** 2)
     for off in np.random.default_rng(5).multivariate_normal(np.zeros(len(unknowns)), covariance, size=8):
-        other = deviated(line, unknowns, off)
+        other = deviated(beam, unknowns, off)
         direct = scan(
             other.bat, body=rigid_body(other), modes=all_modes(other, conditions.ball), conditions=conditions,
             positions=PLACES,
@@ -67,7 +67,7 @@ def test_the_sum_against_recomputed_bats(response: EfficiencyResponse, line: Bea
 
 def test_measuring_a_bat_narrows_its_answer(r161: Bat) -> None:
     """From the drawing alone to scale, balance, pendulum and tap: the bat's part of the doubt of q falls."""
-    line, unknowns = described(r161), unknowns_of(r161)
+    beam, unknowns = described(r161), unknowns_of(r161)
     wanted = [
         Measurement("mass", Measured(1, 0.0015)), Measurement("balance_point", Measured(1, 0.0013)),
         Measurement("period", Measured(1, 0.003)),
@@ -75,15 +75,15 @@ def test_measuring_a_bat_narrows_its_answer(r161: Bat) -> None:
     ]  # fmt: skip
     exact = [
         Measurement(one.kind, Measured(value, one.value.error), mode=one.mode)
-        for one, value in zip(wanted, predicted(line, wanted).tolist(), strict=True)
+        for one, value in zip(wanted, predicted(beam, wanted).tolist(), strict=True)
     ]
     conditions = standard_conditions(r161)
-    response = response_of_efficiency(line, conditions, unknowns=unknowns, positions=np.array([PLACE]))
+    response = response_of_efficiency(beam, conditions, unknowns=unknowns, positions=np.array([PLACE]))
     slope = response.slopes[: len(unknowns), 0]
     errors = []
     for count in range(5):
         spreads = np.diag([one.spread**2 for one in unknowns])
-        covariance = calibrate(line, unknowns, exact[:count]).covariance if count else spreads
+        covariance = calibrate(beam, unknowns, exact[:count]).covariance if count else spreads
         errors.append(np.sqrt(slope @ covariance @ slope))
     assert all(after < before for before, after in pairwise(errors))
     assert errors[-1] < 0.25 * errors[0]

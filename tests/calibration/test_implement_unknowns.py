@@ -38,11 +38,11 @@ WANTED = [
 ]  # fmt: skip
 
 
-def measured(line: BeamModel, seed: int | None) -> list[Measurement]:
+def measured(beam: BeamModel, seed: int | None) -> list[Measurement]:
     """Return what scale, edge, string and telephone would say; None: without any error."""
     generator = np.random.default_rng(seed)
     found = []
-    for one, value in zip(WANTED, predicted(line, WANTED).tolist(), strict=True):
+    for one, value in zip(WANTED, predicted(beam, WANTED).tolist(), strict=True):
         size = ERRORS[one.kind] * value
         off = 0.0 if seed is None else size * generator.standard_normal()
         found.append(Measurement(one.kind, Measured(value + off, size), axis=one.axis, mode=one.mode))
@@ -52,11 +52,11 @@ def measured(line: BeamModel, seed: int | None) -> list[Measurement]:
 def meant(name: str, seed: int | None) -> tuple[Posterior, np.ndarray[Any, Any]]:
     """Return the calibration of an implement that deviates from the catalogue's, and its true deviations."""
     implement = catalog.load_implement(name)
-    line, unknowns = described(implement), unknowns_of(implement)
+    beam, unknowns = described(implement), unknowns_of(implement)
     spreads = np.array([one.spread for one in unknowns])
     generator = np.random.default_rng(0 if seed is None else seed + 1000)
     truth = 0.3 * spreads * np.clip(generator.standard_normal(len(unknowns)), -1.5, 1.5)
-    return calibrate(line, unknowns, measured(deviated(line, unknowns, truth), seed)), truth
+    return calibrate(beam, unknowns, measured(deviated(beam, unknowns, truth), seed)), truth
 
 
 @pytest.mark.parametrize("name", ["tennis-racket", "badminton-racket", "cricket-bat", "golf-driver"])
@@ -84,10 +84,10 @@ def test_the_file_reads_back(name: str, tmp_path: Path) -> None:
     posterior = calibrate(described(implement), unknowns_of(implement), measured(described(implement), None))
     path = tmp_path / "own.toml"
     path.write_text(tomli_w.dumps(calibrated_table(posterior, None)), encoding="utf-8")
-    line = beam_model(catalog.load_implement(str(path)))
-    body, own = rigid_body(line), rigid_body(posterior.line)
+    beam = beam_model(catalog.load_implement(str(path)))
+    body, own = rigid_body(beam), rigid_body(posterior.beam)
     assert (body.mass, body.balance_point, body.moi(0.1)) == pytest.approx((own.mass, own.balance_point, own.moi(0.1)))
-    assert bending_frequencies(line, count=1)[0] == pytest.approx(posterior.line.bat.frequency)
+    assert bending_frequencies(beam, count=1)[0] == pytest.approx(posterior.beam.bat.frequency)
     assert tomllib.loads(path.read_text(encoding="utf-8"))["first_frequency"]["kind"] == "measured"
 
 
@@ -103,21 +103,21 @@ EDGES = np.array([[2.5, 0, 0, 0], [-2.5, 0, 0, 0], [2, 2, 2, 2], [-2, 2, -2, 2],
 def test_whatever_is_written_reads_and_answers(name: str, kinds: tuple[str, ...]) -> None:
     """At the edges of what is expected, and one standard deviation beyond what the measurements leave open."""
     implement = catalog.load_implement(name)
-    line, unknowns = described(implement), unknowns_of(implement)
+    beam, unknowns = described(implement), unknowns_of(implement)
     spreads = np.array([one.spread for one in unknowns])
     wanted = [one for one in WANTED if one.kind in kinds]
     for edge in EDGES:
         truth = spreads * np.resize(np.append(edge, np.zeros(len(spreads))), len(spreads))
-        values = predicted(deviated(line, unknowns, truth), wanted).tolist()
+        values = predicted(deviated(beam, unknowns, truth), wanted).tolist()
         given = [
             Measurement(one.kind, Measured(value, ERRORS[one.kind] * value), axis=one.axis)
             for one, value in zip(wanted, values, strict=True)
         ]
-        posterior = calibrate(line, unknowns, given)
+        posterior = calibrate(beam, unknowns, given)
         if posterior.contradictions:
             continue
         read = implement_from_table(calibrated_table(posterior, None), name)
-        own, body = rigid_body(posterior.line), rigid_body(beam_model(read))
+        own, body = rigid_body(posterior.beam), rigid_body(beam_model(read))
         assert (body.mass, body.balance_point, body.moi_cm) == pytest.approx((own.mass, own.balance_point, own.moi_cm))
         again = as_described(read) if not isinstance(read, Bat) else beam_model(read)
         for step in np.diag(np.sqrt(np.diag(posterior.covariance))):

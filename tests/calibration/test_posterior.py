@@ -27,7 +27,7 @@ SCALE = [("mass", 0.001), ("balance_point", 0.0015), ("period", 0.002)]
 
 
 def measured(
-    line: BeamModel, *, bending: Sequence[int], hoop: bool = False, seed: int | None = None
+    beam: BeamModel, *, bending: Sequence[int], hoop: bool = False, seed: int | None = None
 ) -> list[Measurement]:
     """Return what would be measured on a bat, with errors drawn for a seed, or exactly."""
     wanted = [Measurement(kind, Measured(1.0, error)) for kind, error in SCALE]  # type: ignore[arg-type]
@@ -35,7 +35,7 @@ def measured(
     wanted += [Measurement("frequency", Measured(1.0, 1.0), mode=name) for name in names]
     found = []
     generator = np.random.default_rng(seed)
-    for one, value in zip(wanted, predicted(line, wanted).tolist(), strict=True):
+    for one, value in zip(wanted, predicted(beam, wanted).tolist(), strict=True):
         exact = replace(one, value=Measured(value, 0.0015 * value if one.mode else one.value.error))
         noise = 0.0 if seed is None else exact.error * generator.standard_normal()
         found.append(replace(exact, value=Measured(value + noise, exact.value.error)))
@@ -53,13 +53,13 @@ def maple() -> Bat:
 
 
 @pytest.fixture(scope="module")
-def line(maple: Bat) -> BeamModel:
+def beam(maple: Bat) -> BeamModel:
     return described(maple)
 
 
 @pytest.fixture(scope="module")
-def posterior(maple: Bat, line: BeamModel) -> Posterior:
-    return calibrate(line, unknowns_of(maple), measured(line, bending=(1, 2, 3)))
+def posterior(maple: Bat, beam: BeamModel) -> Posterior:
+    return calibrate(beam, unknowns_of(maple), measured(beam, bending=(1, 2, 3)))
 
 
 def test_exact_measurements_of_the_described_bat_change_nothing(posterior: Posterior) -> None:
@@ -73,14 +73,14 @@ def test_exact_measurements_of_the_described_bat_change_nothing(posterior: Poste
 def test_intervals_hold_the_injected_truth(name: str, bending: tuple[int, ...], count: int) -> None:
     """90 % intervals with one mode, three modes and a hoop mode; docs/theory/calibration.md has it over 200 bats."""
     bat = catalog.bat(name)
-    line, unknowns = described(bat), unknowns_of(bat)
+    beam, unknowns = described(bat), unknowns_of(bat)
     inside = []
     for seed in range(count):
         true = truth(unknowns, seed)
         one = calibrate(
-            line,
+            beam,
             unknowns,
-            measured(deviated(line, unknowns, true), bending=bending, hoop=bat.shell is not None, seed=seed),
+            measured(deviated(beam, unknowns, true), bending=bending, hoop=bat.shell is not None, seed=seed),
         )
         errors = np.sqrt(np.diag(one.covariance))
         inside += (np.abs(one.deviations - true) < 1.645 * errors).tolist()
@@ -89,28 +89,28 @@ def test_intervals_hold_the_injected_truth(name: str, bending: tuple[int, ...], 
 
 def test_a_thin_wall_is_found() -> None:
     bat = catalog.bat("single-wall")
-    line, unknowns = described(bat), unknowns_of(bat)
+    beam, unknowns = described(bat), unknowns_of(bat)
     index = [one.name for one in unknowns].index("wall")
     thin = np.where(np.arange(len(unknowns)) == index, -0.1, 0.0)
-    one = calibrate(line, unknowns, measured(deviated(line, unknowns, thin), bending=(1, 2), hoop=True))
+    one = calibrate(beam, unknowns, measured(deviated(beam, unknowns, thin), bending=(1, 2), hoop=True))
     assert one.deviation("wall").value == pytest.approx(-0.1, abs=0.01)
     assert "shear_modulus" not in {unknown.name for unknown in unknowns}  # metal: it follows from Poisson's ratio
 
 
-def test_every_further_measurement_narrows(maple: Bat, line: BeamModel) -> None:
-    everything = measured(line, bending=(1, 2, 3))
+def test_every_further_measurement_narrows(maple: Bat, beam: BeamModel) -> None:
+    everything = measured(beam, bending=(1, 2, 3))
     unknowns = unknowns_of(maple)
-    errors = [calibrate(line, unknowns, everything[:count]).deviation("modulus").error for count in (1, 3, 4, 5, 6)]
+    errors = [calibrate(beam, unknowns, everything[:count]).deviation("modulus").error for count in (1, 3, 4, 5, 6)]
     assert all(after <= before * 1.001 for before, after in pairwise(errors))
     assert errors[-1] < 0.35 * errors[0]
 
 
-def test_shear_needs_a_second_mode(maple: Bat, line: BeamModel) -> None:
+def test_shear_needs_a_second_mode(maple: Bat, beam: BeamModel) -> None:
     """f1 alone tells next to nothing of G; f2 / f1 and f3 / f1 do."""
     unknowns = unknowns_of(maple)
 
     def error(*bending: int) -> float:
-        return calibrate(line, unknowns, measured(line, bending=bending)).deviation("shear_modulus").error
+        return calibrate(beam, unknowns, measured(beam, bending=bending)).deviation("shear_modulus").error
 
     assert error(1) > 0.95 * error()
     assert error(1, 2, 3) < 0.8 * error(1)
@@ -131,7 +131,7 @@ def test_the_budget_adds_up_and_knows_the_handle(posterior: Posterior) -> None:
     ids=["two tones", "scale, balance and pendulum"],
 )
 def test_the_sampler_agrees(
-    maple: Bat, line: BeamModel, bending: tuple[int, ...], steps: int, of_mean: float, of_spread: float,
+    maple: Bat, beam: BeamModel, bending: tuple[int, ...], steps: int, of_mean: float, of_spread: float,
     of_correlation: float,
 ) -> None:  # fmt: skip
     """emcee on the full model against the linearised posterior [foreman2013]: means, spreads and correlations.
@@ -139,14 +139,14 @@ def test_the_sampler_agrees(
     Tones take long, so there are few steps with them; docs/theory/calibration.md has longer chains of six kinds.
     """
     unknowns = unknowns_of(maple)
-    measurements = measured(line, bending=bending, seed=4)
-    one = calibrate(line, unknowns, measurements)
+    measurements = measured(beam, bending=bending, seed=4)
+    one = calibrate(beam, unknowns, measurements)
     spreads = np.array([unknown.spread for unknown in unknowns])
     cholesky = np.linalg.cholesky(one.covariance / np.outer(spreads, spreads))
     walkers = 16
 
     def log_probability(x: Array) -> float:
-        off = residuals(x, line=line, unknowns=unknowns, measurements=measurements)
+        off = residuals(x, beam=beam, unknowns=unknowns, measurements=measurements)
         return -0.5 * float(off @ off)
 
     generator = np.random.default_rng(1)
@@ -166,12 +166,12 @@ def test_the_sampler_agrees(
     np.testing.assert_allclose(apart[np.ix_(others, others)], 0, atol=of_correlation)
 
 
-def test_a_wrong_outline_is_caught(line: BeamModel, maple: Bat) -> None:
+def test_a_wrong_outline_is_caught(beam: BeamModel, maple: Bat) -> None:
     """The measurements of one model against the drawing of another: the handle is 12 % thicker."""
     assert maple.profile is not None
     thick = tuple((place, size * (1.12 if 0.05 < place < 0.4 else 1.0)) for place, size in maple.profile)
     wrong = maple.replaced(profile=thick)
-    one = calibrate(described(wrong), unknowns_of(wrong), measured(line, bending=(1, 2, 3)))
+    one = calibrate(described(wrong), unknowns_of(wrong), measured(beam, bending=(1, 2, 3)))
     assert one.contradictions
 
 
@@ -188,25 +188,25 @@ def test_draws_follow_the_covariance(posterior: Posterior) -> None:
     np.testing.assert_allclose(np.cov(draws.T), posterior.covariance, atol=0.06 * np.max(posterior.covariance))
 
 
-def test_a_trial_bat_that_cannot_hang_ends_no_fit(maple: Bat, line: BeamModel) -> None:
+def test_a_trial_bat_that_cannot_hang_ends_no_fit(maple: Bat, beam: BeamModel) -> None:
     """54 g at the knob where 5 are expected: on the way to it the fit tries a bat that balances within its handle."""
     unknowns = unknowns_of(maple)
     far = 1.5 * truth(unknowns, 131)
-    found = calibrate(line, unknowns, measured(deviated(line, unknowns, far), bending=(), seed=10_131))
+    found = calibrate(beam, unknowns, measured(deviated(beam, unknowns, far), bending=(), seed=10_131))
     knob = [one.name for one in unknowns].index("knob_mass")
     assert abs(found.deviations[knob] - far[knob]) < 1.645 * np.sqrt(found.covariance[knob, knob])
     assert list(found.contradictions) == ["expected knob_mass"]
 
 
-def test_a_bat_that_cannot_hang_as_described_is_refused(maple: Bat, line: BeamModel) -> None:
+def test_a_bat_that_cannot_hang_as_described_is_refused(maple: Bat, beam: BeamModel) -> None:
     beyond = Measurement("period", Measured(1.5, 0.002), axis=0.7)
     with pytest.raises(InputError, match="hang it from the handle"):
-        calibrate(line, unknowns_of(maple), [beyond])
+        calibrate(beam, unknowns_of(maple), [beyond])
 
 
-def test_refusals(maple: Bat, line: BeamModel) -> None:
+def test_refusals(maple: Bat, beam: BeamModel) -> None:
     with pytest.raises(InputError, match="nothing was measured"):
-        calibrate(line, unknowns_of(maple), [])
+        calibrate(beam, unknowns_of(maple), [])
     with pytest.raises(InputError, match="walls of plies"):
         unknowns_of(catalog.bat("composite"))
     with pytest.raises(InputError, match="allowed is 0 to"):

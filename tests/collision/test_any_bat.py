@@ -55,9 +55,9 @@ def test_momentum_energy_and_both_solvers(bat: Bat, part: float, closing: float)
 def test_momentum_energy_and_both_solvers_of_rackets(
     racket: Racket, part: float, across: float, closing: float
 ) -> None:
-    ball, line, head = catalog.ball("tennis"), beam_model(racket), racket.head
+    ball, beam, head = catalog.ball("tennis"), beam_model(racket), racket.head
     place = head.start + part * (head.end - head.start), across * head.width / 2
-    assert_books_close(all_modes(line, ball), rigid_body(line), ball, place=place, closing=closing)
+    assert_books_close(all_modes(beam, ball), rigid_body(beam), ball, place=place, closing=closing)
 
 
 def assert_books_close(
@@ -111,8 +111,8 @@ def test_the_default_steps_are_short_enough(bat: Bat, part: float, closing: floa
 def test_twelve_modes_of_few_elements_are_many_of_many(bat: Bat, closing: float) -> None:
     # A mesh too coarse for a steep taper left a slow mode's error to what gives way at once: 0.018 of q. Bending alone:
     # what hoop modes leave out may be negative, which only twelve bending modes leave enough to make up for.
-    line, places = beam_model(bat), np.linspace(0.65, 0.98, 12) * bat.length
-    few, many = bending_modes(line), bending_modes(line, count=80, elements=90)
+    beam, places = beam_model(bat), np.linspace(0.65, 0.98, 12) * bat.length
+    few, many = bending_modes(beam), bending_modes(beam, count=80, elements=90)
 
     def met(modes: Modes, position: Array) -> Impacts:
         return hits(modes, ball=BALL, position=position, closing_speed=closing, step=8e-6)

@@ -132,18 +132,18 @@ def test_few_modes_and_what_gives_way_at_once_are_two_hundred_modes(
     # wherever the ball is touched once: what a second touch does is not known to a hundredth (the docs, "Release").
     # Without the static correction the same twelve miss 0.0003 (strings) to 0.007 (the stick). A golf ball is off the
     # club's face so soon that a second dozen is taken (`excited_frequency`).
-    line, thrown = beam_model(catalog.implement(name)), catalog.ball(ball)
-    few = all_modes(line, thrown)
-    length, outline = line.bat.length, line.bat.outline
+    beam, thrown = beam_model(catalog.implement(name)), catalog.ball(ball)
+    few = all_modes(beam, thrown)
+    length, outline = beam.bat.length, beam.bat.outline
     edges = (0.5 * length, 0.998 * length) if outline is None else (outline.start, outline.end)
     rim = 0.0 if outline is None else 0.02
     places = edges[0] + np.linspace(rim, 1 - rim, 40) * (edges[1] - edges[0])
     touches = hits(few, ball=thrown, position=places, closing_speed=speed).touches
     places = places[touches == 1]
     assert len(places) >= 25
-    many = bending_modes(line, count=120, elements=140)  # with what they leave out at these very places: as 200
+    many = bending_modes(beam, count=120, elements=140)  # with what they leave out at these very places: as 200
     kept = many.shape_at(places)[:, 2:] ** 2 @ many.angular_frequency[2:] ** -2.0
-    rest = _softening(line) * static_compliance(line, places) - kept
+    rest = _softening(beam) * static_compliance(beam, places) - kept
     apart = [i for i, family in enumerate(few.families) if i > 1 and family != "bending"]
     many = replace(joined(many, few.kept(apart)), compliances=(cubic_spline(places, rest), *few.compliances[1:]))
 
@@ -154,13 +154,13 @@ def test_few_modes_and_what_gives_way_at_once_are_two_hundred_modes(
     assert np.abs(efficiency(few) - efficiency(many)).max() < allowed
 
 
-def _softening(line: BeamModel) -> float:
+def _softening(beam: BeamModel) -> float:
     """Return the inverse of the factor by which a measured frequency scales the beam's stiffness."""
-    if line.bat.frequency is None:
+    if beam.bat.frequency is None:
         return 1.0
-    stiffness, inertia, shift = mesh_matrices(line)
+    stiffness, inertia, shift = mesh_matrices(beam)
     (drawn,), _ = lowest(stiffness, inertia, first=2, last=2, shift=shift)
-    return float(drawn / (2 * np.pi * line.bat.frequency) ** 2)
+    return float(drawn / (2 * np.pi * beam.bat.frequency) ** 2)
 
 
 @settings(max_examples=40, deadline=None)
@@ -227,9 +227,9 @@ def _integrated_until_gone(modes: Modes, place: float, closing: float, *, until:
 def test_a_bat_that_overtakes_the_ball_hits_it_again(hands: Hands) -> None:
     # A metal bat struck near its middle swings back on to the ball about 2 ms later. Truth: the same equations by an
     # adaptive integrator of order 8, phase by phase.
-    line = beam_model(catalog.bat("single-wall"))
-    modes = gripped(all_modes(line, BALL), hands)
-    place, closing = line.bat.length - 0.45, 60.0  # where the second push rises once; the integrator knows no reloading
+    beam = beam_model(catalog.bat("single-wall"))
+    modes = gripped(all_modes(beam, BALL), hands)
+    place, closing = beam.bat.length - 0.45, 60.0  # where the second push rises once; the integrator knows no reloading
     impact = hit(modes, ball=BALL, position=place, closing_speed=closing)
     free = np.flatnonzero(impact.force[1:] == 0)
     assert impact.outcome is Outcome.SEPARATED

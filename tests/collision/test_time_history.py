@@ -133,10 +133,10 @@ def test_the_wave_reaches_the_hands_when_the_push_is_nearly_over() -> None:
 
 
 def test_arrival_does_not_depend_on_the_number_of_modes() -> None:
-    line = beam_model(catalog.bat("r161-ash"))
+    beam = beam_model(catalog.bat("r161-ash"))
     found = []
     for count in (12, 24):
-        modes = bending_modes(line, count=count)
+        modes = bending_modes(beam, count=count)
         found.append(arrival_time(filmed(modes), modes=modes, position=0.1524))
     assert found[0] == pytest.approx(found[1], abs=30e-6)
 

@@ -35,14 +35,14 @@ def test_it_is_the_strain_of_that_hit(bench: Bench) -> None:
     present = bench.space.present
     assert isinstance(present, Bat)
     found = handle_bending(bench, present)
-    line = beam_model(present)
-    modes = all_modes(line, bench.conditions.ball)
+    beam = beam_model(present)
+    modes = all_modes(beam, bench.conditions.ball)
     batter, swing = bench.batter, bench.conditions.swing
     own = Swing(bat_speed=batter.bat_speed, measured_at=present.length - batter.speed_from_tip, pivot=swing.pivot)
     pitch = bench.conditions.pitch.replaced(speed=batter.pitch_speed)
     conditions = bench.conditions.replaced(swing=own, pitch=pitch)
     impact = hit_at(present.length - found.from_tip, modes=modes, conditions=conditions)
-    assert found.strain == pytest.approx(damage(impact, line=line, modes=modes).handle_strain, rel=1e-5)
+    assert found.strain == pytest.approx(damage(impact, beam=beam, modes=modes).handle_strain, rel=1e-5)
     assert found.limit is not None and found.strain > 0.005
 
 

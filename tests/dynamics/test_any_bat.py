@@ -24,8 +24,8 @@ BALL = catalog.ball()
 @examples(8)
 @given(bat=BATS)
 def test_few_elements_have_the_frequencies_of_many(bat: Bat) -> None:
-    line = beam_model(bat)
-    few, many = bending_frequencies(line, count=12), bending_frequencies(line, count=12, elements=64)
+    beam = beam_model(bat)
+    few, many = bending_frequencies(beam, count=12), bending_frequencies(beam, count=12, elements=64)
     assert few == pytest.approx(many, rel=2e-3)
     assert few[0] == pytest.approx(many[0], rel=2e-5)  # what it misses of a slow mode's give would count at once
     assert np.all(few > many * (1 - 1e-9))  # the motions of few are among those of many: never slower
@@ -35,15 +35,15 @@ def test_few_elements_have_the_frequencies_of_many(bat: Bat) -> None:
 @given(bat=BATS)
 def test_a_mode_moves_no_centre_of_mass(bat: Bat) -> None:
     # exact: nothing pushes a free bat
-    line = beam_model(bat)
-    modes = bending_modes(line)
+    beam = beam_model(bat)
+    modes = bending_modes(beam)
     edges = sorted({*modes.shapes.ends.tolist(), *bat.breakpoints()})
     places, weights = quadrature(tuple(edges))
-    momentum = (weights * section(line, places).mass) @ modes.shape_at(places)
-    for weight in line.point_masses:
+    momentum = (weights * section(beam, places).mass) @ modes.shape_at(places)
+    for weight in beam.point_masses:
         momentum = momentum + weight.mass * modes.shape_at(weight.position)
     assert momentum[2:] == pytest.approx(np.zeros(12), abs=1e-6)
-    assert momentum[0] == pytest.approx(np.sqrt(rigid_body(line).mass), rel=1e-9)
+    assert momentum[0] == pytest.approx(np.sqrt(rigid_body(beam).mass), rel=1e-9)
 
 
 @examples(6)
@@ -64,9 +64,9 @@ def test_a_bat_turned_end_for_end_is_the_same_bat(bat: Bat) -> None:
 @examples(5)
 @given(bat=BATS)
 def test_the_compiled_beam_is_the_dense_twin(bat: Bat) -> None:
-    line = beam_model(bat)
-    batch = bending_batch(BeamRow([line, line]), threads=1).modes(1)
-    alone = dense_modes(line)
+    beam = beam_model(bat)
+    batch = bending_batch(BeamRow([beam, beam]), threads=1).modes(1)
+    alone = dense_modes(beam)
     assert batch.frequency == pytest.approx(alone.frequency, rel=1e-7)
     places = np.linspace(0.4, 0.97, 7) * bat.length
     assert batch.compliance_at(places) == pytest.approx(alone.compliance_at(places), rel=1e-4, abs=1e-12)

@@ -174,13 +174,13 @@ def test_whatever_is_answered_is_a_body(weight: float, shift: float, turn: float
     if moi:
         measured["moi"] = plain.moi(TURNED.moi_axis) * weight * (1 + turn)
     try:
-        line = beam_model(TURNED.replaced(**measured))
+        beam = beam_model(TURNED.replaced(**measured))
     except InputError as error:
         assert "nearest" in str(error)
         return
-    assert density_scale(line, np.linspace(0, TURNED.length, 101)).min() > 0.3
-    assert np.all(np.isfinite(bending_modes(line, count=2).frequency))
-    body = rigid_body(line)
+    assert density_scale(beam, np.linspace(0, TURNED.length, 101)).min() > 0.3
+    assert np.all(np.isfinite(bending_modes(beam, count=2).frequency))
+    body = rigid_body(beam)
     assert body.moi_cm > 0
     for name, value in measured.items():
         assert (body.moi(TURNED.moi_axis) if name == "moi" else getattr(body, name)) == pytest.approx(value, rel=1e-12)
@@ -209,10 +209,10 @@ def test_within_the_scatter_of_measurements_the_drawing_is_believed() -> None:
     plain = rigid_body(beam_model(TURNED))
     measured = TURNED.replaced(mass=plain.mass, balance_point=plain.balance_point + 0.2 * INCH,
                                moi=plain.moi(TURNED.moi_axis) * 1.02)  # fmt: skip
-    line = beam_model(measured)
-    assert (line.density_gradient, line.grip_excess) == (0.0, 0.0)
-    assert rigid_body(line).balance_point == pytest.approx(plain.balance_point + 0.2 * INCH, rel=1e-12)
-    frequencies = [bending_modes(one, count=3).frequency for one in (line, beam_model(TURNED))]
+    beam = beam_model(measured)
+    assert (beam.density_gradient, beam.grip_excess) == (0.0, 0.0)
+    assert rigid_body(beam).balance_point == pytest.approx(plain.balance_point + 0.2 * INCH, rel=1e-12)
+    frequencies = [bending_modes(one, count=3).frequency for one in (beam, beam_model(TURNED))]
     assert frequencies[0] == pytest.approx(frequencies[1], rel=1e-9)
 
 
@@ -223,7 +223,7 @@ def test_a_weighted_grip_is_found_by_its_balance(mass: float, left: float) -> No
     body = rigid_body(beam_model(truth))
     measured = TURNED.replaced(mass=body.mass, balance_point=body.balance_point, moi=body.moi(TURNED.moi_axis))
     lines = (beam_model(truth), beam_model(measured), beam_model(TURNED.replaced(mass=body.mass)))
-    true, corrected, drawn = (float(bending_modes(line, count=1).frequency[2]) for line in lines)
+    true, corrected, drawn = (float(bending_modes(beam, count=1).frequency[2]) for beam in lines)
     assert abs(corrected - true) < left * abs(drawn - true)
 
 

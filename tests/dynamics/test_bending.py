@@ -20,19 +20,19 @@ def modes(r161: Bat) -> Modes:
 
 def test_modes_are_orthonormal_in_mass(r161: Bat, modes: Modes) -> None:
     """int mu phi_i phi_j (with the sections' rotation, which is nearly the slope) is the unit matrix: exact."""
-    line = beam_model(r161)
+    beam = beam_model(r161)
     edges = modes.shapes.ends
     nodes, weights = np.polynomial.legendre.leggauss(12)
     places = (edges[:-1, None] + np.diff(edges)[:, None] * (nodes + 1) / 2).ravel()
     scale = (np.diff(edges)[:, None] * weights / 2).ravel()
-    at = section(line, places)
+    at = section(beam, places)
     shape, slope = modes.shape_at(places), modes.shapes.derivative()(places)
     gram = np.einsum("p,pi,pj->ij", scale * at.mass, shape, shape)
     gram += np.einsum("p,pi,pj->ij", scale * at.rotary_inertia, slope, slope)
     assert np.allclose(gram[:4, :4], np.eye(4), atol=2e-3)  # psi is the slope to about 1e-3 in low modes
     # exactly free of net momentum: bending does not move the centre of mass
     momentum = (scale * at.mass) @ shape[:, 2:]
-    assert np.abs(momentum).max() < 1e-4 * np.sqrt(rigid_body(line).mass)
+    assert np.abs(momentum).max() < 1e-4 * np.sqrt(rigid_body(beam).mass)
 
 
 def test_rigid_motions_are_translation_and_rotation(r161: Bat, modes: Modes) -> None:

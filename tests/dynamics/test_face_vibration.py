@@ -128,9 +128,9 @@ def test_a_roll_that_cannot_turn_makes_the_lateral_place_not_matter(club: GolfCl
 
 def test_roll_is_the_rigid_bodys(club: GolfClub) -> None:
     """Exact: rigid motions alone meet 1 / (1 / M_eff + y^2 / I_roll)."""
-    ball, line = catalog.ball("golf"), beam_model(with_face(club, Face()))
-    body, place, lateral = rigid_body(line), club.outline.middle, 0.03
-    modes = all_modes(line, ball)
+    ball, beam = catalog.ball("golf"), beam_model(with_face(club, Face()))
+    body, place, lateral = rigid_body(beam), club.outline.middle, 0.03
+    modes = all_modes(beam, ball)
     shape = modes.kept(modes.of_family("rigid")).shape_at(place, lateral)
     expected = 1 / effective_mass(body, place) + lateral**2 / body.roll_moi
     assert float(shape @ shape) == pytest.approx(expected, rel=1e-9)
@@ -231,9 +231,9 @@ def test_a_quick_contact_has_enough_modes() -> None:
     racket = catalog.implement("badminton-racket")
     assert isinstance(racket, Racket)
     conditions = standard_conditions(racket)
-    line = beam_model(racket)
-    usual = all_modes(line, conditions.ball)
-    many = joined(bending_modes(line, count=72), face_modes(line, conditions.ball))
+    beam = beam_model(racket)
+    usual = all_modes(beam, conditions.ball)
+    many = joined(bending_modes(beam, count=72), face_modes(beam, conditions.ball))
     places = np.linspace(racket.head.start + 0.03, racket.head.end - 0.03, 7)
     closing = conditions.pitch.speed + np.array([conditions.swing.speed_at(place) for place in places])
     found, converged = (
@@ -270,10 +270,10 @@ def test_the_blade_is_dented() -> None:
     bat = catalog.implement("cricket-bat")
     assert isinstance(bat, CricketBat)
     conditions = standard_conditions(bat)
-    line, ball = beam_model(bat), conditions.ball
+    beam, ball = beam_model(bat), conditions.ball
     closing = np.full(5, 45.0)
     places = bat.length - np.linspace(0.10, 0.30, 5)
-    modes = all_modes(line, ball)
+    modes = all_modes(beam, ball)
     bare = replace(modes, compliances=modes.compliances[:1])
     dent = modes.compliance_at(places, closing_speed=closing) - bare.compliance_at(places)
     along = bat.material.longitudinal_modulus

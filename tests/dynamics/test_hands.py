@@ -70,7 +70,7 @@ def test_dashpots_are_the_damping_of_both_hands(r161: Bat) -> None:
 def test_grip_hardly_changes_the_exit_speed(analysis: Analysis, scale: float) -> None:
     """Nathan 2000: grip does not matter for impacts on the barrel; 1 % allowed, from loose to clamped."""
     hand = Hands(position=0.1524, **{name: scale * value for name, value in TYPICAL_HAND.items()})
-    free = bending_modes(analysis.line)
+    free = bending_modes(analysis.beam)
     for position in analysis.bat.length - 0.0254 * np.array([3.0, 6.0, 9.0]):
         loose = hit_at(position, modes=free, conditions=analysis.conditions)
         held = hit_at(position, modes=gripped(free, hand), conditions=analysis.conditions)
@@ -82,7 +82,7 @@ def test_grip_hardly_changes_the_exit_speed(analysis: Analysis, scale: float) ->
 def test_hands_agree_with_full_matrices(analysis: Analysis) -> None:
     """The same force history on full mass, spring and damper matrices, integrated independently."""
     hands = Hands(position=0.1524, **TYPICAL_HAND)
-    free = bending_modes(analysis.line)
+    free = bending_modes(analysis.beam)
     count = len(free)
     mass = np.diag(np.concatenate([np.ones(count), [hands.mass] * 2]))
     spring = np.diag(np.concatenate([free.angular_frequency**2, [0.0, 0.0]]))

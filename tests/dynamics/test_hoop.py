@@ -70,20 +70,20 @@ def exact_cylinder(n: int, m: int, *, wall: float, radius: float, length: float)
 
 @pytest.mark.parametrize(("n", "m"), [(2, 1), (2, 2), (2, 4), (3, 1), (3, 3), (5, 2)])
 def test_a_supported_cylinder_is_exact(n: int, m: int) -> None:
-    line = beam_model(tube(2.5e-3, cap=0.02))
-    start, end = barrel_range(line)
-    found = hoop_modes(line, law=LAW, harmonics=(n,)).frequency[m - 1]
+    beam = beam_model(tube(2.5e-3, cap=0.02))
+    start, end = barrel_range(beam)
+    found = hoop_modes(beam, law=LAW, harmonics=(n,)).frequency[m - 1]
     radius = 2.625 * INCH / 2 - 1.25e-3
     assert found == pytest.approx(exact_cylinder(n, m, wall=2.5e-3, radius=radius, length=end - start), rel=1e-5)
 
 
 def test_frequencies_converge_at_high_order() -> None:
     """Hermite cubics in bending: fourth order in the energy norm's square; Sanders' membrane part is no worse."""
-    line = beam_model(tube(2.5e-3, cap=0.02))
-    start, end = barrel_range(line)
+    beam = beam_model(tube(2.5e-3, cap=0.02))
+    start, end = barrel_range(beam)
     exact = exact_cylinder(2, 4, wall=2.5e-3, radius=2.625 * INCH / 2 - 1.25e-3, length=end - start)
     counts = np.array([6, 8, 12, 16])
-    errors = [hoop_modes(line, law=LAW, harmonics=(2,), elements=int(k)).frequency[3] / exact - 1 for k in counts]
+    errors = [hoop_modes(beam, law=LAW, harmonics=(2,), elements=int(k)).frequency[3] / exact - 1 for k in counts]
     order = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
     assert order > 3.8 and min(errors) > 0  # from above, as Rayleigh and Ritz demand
 
@@ -113,9 +113,9 @@ def test_a_softball_bat_rings_where_it_should() -> None:
 
 def test_no_net_force_and_nothing_before_the_taper() -> None:
     bat = catalog.bat("russell-b6")
-    line = beam_model(bat)
-    modes = hoop_modes(line, law=LAW)
-    start, _ = barrel_range(line)
+    beam = beam_model(bat)
+    modes = hoop_modes(beam, law=LAW)
+    start, _ = barrel_range(beam)
     assert np.all(modes.shape_at(np.array([0.0, 0.1, start - 1e-3])) == 0)
     assert np.all(modes.rigid_part == 0) and np.all(np.diff(modes.frequency) >= 0)
     for index in range(3):
@@ -127,16 +127,16 @@ def test_a_drilled_wood_barrel_rings_far_above_5_khz() -> None:
 
     The bat's own list of modes leaves it out.
     """
-    line = beam_model(catalog.bat("r161-ash").drilled(diameter=INCH, depth=10 * INCH))
-    assert hoop_frequency(line) > 5000
-    assert all_modes(line, catalog.ball()).of_family("hoop") == []
+    beam = beam_model(catalog.bat("r161-ash").drilled(diameter=INCH, depth=10 * INCH))
+    assert hoop_frequency(beam) > 5000
+    assert all_modes(beam, catalog.ball()).of_family("hoop") == []
 
 
 def test_joined_modes_keep_their_shapes() -> None:
-    line = beam_model(catalog.bat("russell-b6"))
-    bending, hoop = bending_modes(line), hoop_modes(line, law=LAW)
+    beam = beam_model(catalog.bat("russell-b6"))
+    bending, hoop = bending_modes(beam), hoop_modes(beam, law=LAW)
     both = joined(bending, hoop)
-    places = np.linspace(0, line.bat.length, 57)
+    places = np.linspace(0, beam.bat.length, 57)
     assert both.shape_at(places)[:, : len(bending)] == pytest.approx(bending.shape_at(places), abs=1e-9)
     assert both.shape_at(places)[:, len(bending) :] == pytest.approx(hoop.shape_at(places), abs=1e-9)
     assert len(both) == len(bending) + len(hoop) and both.families.count("hoop") == len(hoop)
@@ -159,11 +159,11 @@ def test_the_wall_gives_way_as_a_solid_does(wall: float, speed: float) -> None:
 
 
 def test_few_modes_and_their_static_correction_are_enough() -> None:
-    line = beam_model(catalog.bat("single-wall"))
-    ball, places = catalog.ball(), line.bat.length - np.array([0.06, 0.1, 0.15, 0.2])
+    beam = beam_model(catalog.bat("single-wall"))
+    ball, places = catalog.ball(), beam.bat.length - np.array([0.06, 0.1, 0.15, 0.2])
     few, many = (
         hits(
-            joined(bending_modes(line), hoop_modes(line, law=LAW, harmonics=harmonics, axial_modes=axial)),
+            joined(bending_modes(beam), hoop_modes(beam, law=LAW, harmonics=harmonics, axial_modes=axial)),
             ball=ball, position=places, closing_speed=60.0, step=6e-6,
         ).collision_efficiency
         for harmonics, axial in (((2, 3, 4), 5), ((2, 3, 4, 5, 6), 14))
@@ -173,9 +173,9 @@ def test_few_modes_and_their_static_correction_are_enough() -> None:
 
 def test_the_kernel_solves_what_the_elements_are() -> None:
     """Modes and give from whole matrices, by LAPACK, against the band's: no assembly or support is lost."""
-    line = beam_model(catalog.bat("double-wall"))
-    start, end = barrel_range(line)
-    shell = barrel_elements(line, (2, 5), start=start, elements=12, capped=True)
+    beam = beam_model(catalog.bat("double-wall"))
+    start, end = barrel_range(beam)
+    shell = barrel_elements(beam, (2, 5), start=start, elements=12, capped=True)
     places = np.array([start + 0.05, 0.6, end])
     pushes = wall_pushes(shell, places, np.array([0.012]))
     solved = Solved(np.empty((1, 4)), np.empty((1, 3, 4)), np.empty((2, 3)))

@@ -52,8 +52,8 @@ def test_the_doubt_is_what_other_outlines_miss_by() -> None:
 def test_what_was_measured_is_not_in_doubt(r161: Bat) -> None:
     measured = beam_model(catalog.bat("russell-b1"))
     assert moi_doubt(measured.bat, rigid_body(measured), AXIS) == 0.0
-    line = beam_model(r161)
-    body = rigid_body(line)
+    beam = beam_model(r161)
+    body = rigid_body(beam)
     assert moi_doubt(r161, body, AXIS) == pytest.approx(0.06 * body.moi(AXIS))
     balanced = beam_model(r161.replaced(balance_point=body.balance_point))
     about = rigid_body(balanced)

@@ -119,7 +119,7 @@ def test_a_patch_that_grows_with_the_force_is_one_of_the_mean_size(
 
     At 60 mph and 136 mph. The double wall is so soft that the ball is pressed a tenth less than on a rigid wall.
     """
-    line = beam_model(catalog.bat(name))
-    modes, place = all_modes(line, baseball), line.bat.length - 0.15
+    beam = beam_model(catalog.bat(name))
+    modes, place = all_modes(beam, baseball), beam.bat.length - 0.15
     fixed = hits(modes, ball=baseball, position=place, closing_speed=speed, step=4e-6).collision_efficiency[0]
     assert fixed == pytest.approx(growing_efficiency(modes, baseball, place=place, speed=speed), abs=within)

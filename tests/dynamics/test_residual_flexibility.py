@@ -15,9 +15,9 @@ from tests.dense_bending import static_compliance
 PLACES = np.linspace(0.45, 0.8, 7)
 
 
-def slow_give(line: BeamModel, place: np.ndarray) -> np.ndarray:
+def slow_give(beam: BeamModel, place: np.ndarray) -> np.ndarray:
     """Return how far a beam gives way under a slow push, m/N: what twelve modes give, and what they leave out."""
-    modes = bending_modes(line)
+    modes = bending_modes(beam)
     vibrating = modes.of_family("bending")
     kept = modes.shape_at(place)[:, vibrating] ** 2 @ modes.angular_frequency[vibrating] ** -2.0
     return np.asarray(kept + modes.give_at(place))
@@ -25,12 +25,12 @@ def slow_give(line: BeamModel, place: np.ndarray) -> np.ndarray:
 
 def test_equilibrium_gives_the_compliance_of_all_modes() -> None:
     # exact: G = sum over all modes of s^2 / omega^2; two hundred leave out 1e-10 m/N of 1e-6
-    line = beam_model(catalog.bat("r161-ash"))
-    modes = bending_modes(line, count=200, elements=220)
+    beam = beam_model(catalog.bat("r161-ash"))
+    modes = bending_modes(beam, count=200, elements=220)
     bending = modes.of_family("bending")
     summed = modes.shape_at(PLACES)[:, bending] ** 2 @ modes.angular_frequency[bending] ** -2.0
-    assert static_compliance(line, PLACES) == pytest.approx(summed, abs=3e-10)
-    assert slow_give(line, PLACES) == pytest.approx(summed, abs=3e-10)
+    assert static_compliance(beam, PLACES) == pytest.approx(summed, abs=3e-10)
+    assert slow_give(beam, PLACES) == pytest.approx(summed, abs=3e-10)
 
 
 @pytest.mark.parametrize("moi_change", [-0.04, 0.0, 0.04])
@@ -46,11 +46,11 @@ def test_few_modes_leave_out_little_whatever_was_measured(moi_change: float) -> 
 @pytest.mark.parametrize("name", ["mlb-b", "r161-ash", "single-wall", "golf-driver"])
 def test_what_few_modes_leave_out_is_known_to_a_hundredth(name: str) -> None:
     # Sums over 960 slices alone were off by 4 %, and exit speeds near the tip by 4e-5.
-    line = beam_model(catalog.implement(name))
-    places = np.linspace(0.6, 0.95, 15) * line.bat.length
-    finer = static_compliance(line, places, cells=7680)
-    left_out = bending_modes(line).compliance_at(places)
-    assert np.abs(static_compliance(line, places) - finer).max() < 0.01 * left_out.min()
+    beam = beam_model(catalog.implement(name))
+    places = np.linspace(0.6, 0.95, 15) * beam.bat.length
+    finer = static_compliance(beam, places, cells=7680)
+    left_out = bending_modes(beam).compliance_at(places)
+    assert np.abs(static_compliance(beam, places) - finer).max() < 0.01 * left_out.min()
 
 
 def dent(material: Material, ratio: float, void: float = 0.0) -> float:

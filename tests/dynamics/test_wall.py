@@ -87,11 +87,11 @@ def test_a_loose_sleeve_bends_much_more_easily() -> None:
 
 @pytest.mark.parametrize("name", ["single-wall", "double-wall", "composite", "two-piece", "slow-pitch", "russell-b6"])
 def test_wall_and_beam_have_the_same_mass(name: str) -> None:
-    line = beam_model(catalog.bat(name))
+    beam = beam_model(catalog.bat(name))
     places = np.linspace(0.1, 0.83, 37)
-    wall = wall_stiffness(line, places)
+    wall = wall_stiffness(beam, places)
     around = 2 * math.pi * wall.mean_radius * wall.mass_per_area
-    assert np.allclose(around, section(line, places).mass, rtol=1e-12)
+    assert np.allclose(around, section(beam, places).mass, rtol=1e-12)
     height = wall.thickness[:, None, None]  # brings A, B and D to one unit
     whole = np.block([[wall.stretching * height**2, wall.coupling * height], [wall.coupling * height, wall.bending]])
     assert np.linalg.eigvalsh(whole).min() > 0
@@ -109,14 +109,14 @@ def test_a_drilled_bat_has_a_wall_and_a_solid_one_has_none() -> None:
 
 
 def test_beam_of_two_walls_is_exact() -> None:
-    line = tube(0.002, inner_wall=sleeve(0.0015, gap=0.0005, material=METAL.replaced(longitudinal_modulus=200e9)))
-    found = section(line, np.array([0.6]))
+    beam = tube(0.002, inner_wall=sleeve(0.0015, gap=0.0005, material=METAL.replaced(longitudinal_modulus=200e9)))
+    found = section(beam, np.array([0.6]))
     ring = [(0.03, 0.028, 71e9), (0.0275, 0.026, 200e9)]
     assert found.mass[0] == pytest.approx(2800 * math.pi * sum(a**2 - b**2 for a, b, _ in ring), rel=1e-14)
     assert found.bending_stiffness[0] == pytest.approx(
         math.pi / 4 * sum(e * (a**4 - b**4) for a, b, e in ring), rel=1e-14
     )
-    assert rigid_body(line).mass == pytest.approx(
+    assert rigid_body(beam).mass == pytest.approx(
         2800 * math.pi * (0.84 * (0.03**2 - 0.028**2) + 0.3 * (0.0275**2 - 0.026**2)), rel=1e-13
     )
 
@@ -129,12 +129,12 @@ def test_beam_of_a_laminate_has_its_effective_modulus() -> None:
 
 def test_a_two_piece_bat_adds_up_exactly() -> None:
     handle = METAL.replaced(density=1400, longitudinal_modulus=40e9)
-    line = tube(handle_material=handle, joint=0.3, joint_mass=0.05)
-    body, area = rigid_body(line), math.pi * (0.03**2 - 0.027**2)
+    beam = tube(handle_material=handle, joint=0.3, joint_mass=0.05)
+    body, area = rigid_body(beam), math.pi * (0.03**2 - 0.027**2)
     masses = np.array([1400 * area * 0.3, 0.05, 2800 * area * 0.54])
     assert body.mass == pytest.approx(masses.sum(), rel=1e-13)
     assert body.balance_point == pytest.approx(masses @ [0.15, 0.3, 0.57] / masses.sum(), rel=1e-13)
-    soft, stiff = section(line, np.array([0.29, 0.31])).bending_stiffness
+    soft, stiff = section(beam, np.array([0.29, 0.31])).bending_stiffness
     assert stiff / soft == pytest.approx(71 / 40)
 
 

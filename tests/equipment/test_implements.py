@@ -14,7 +14,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.impact import Outcome
-from sweetspot.dynamics.beam import beam_model, line_of_bat, section
+from sweetspot.dynamics.beam import bat_of_beam, beam_model, section
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -61,11 +61,11 @@ def test_everything_can_be_analysed(name: str, analyses: dict[str, Analysis[Impl
 @pytest.mark.parametrize("name", OTHERS)
 def test_bending_has_no_momentum(name: str) -> None:
     """Exact for a free beam, by other quadrature than the beam's: no bending mode moves or turns the whole."""
-    line = beam_model(catalog.implement(name))
-    modes = bending_modes(line, count=2)
-    places, weights = quadrature(line.bat.breakpoints())
-    mass = weights * section(line, places).mass
-    lumps = [(lump.position, lump.mass) for lump in line.point_masses]
+    beam = beam_model(catalog.implement(name))
+    modes = bending_modes(beam, count=2)
+    places, weights = quadrature(beam.bat.breakpoints())
+    mass = weights * section(beam, places).mass
+    lumps = [(lump.position, lump.mass) for lump in beam.point_masses]
     where = np.concatenate([places, [place for place, _ in lumps]])
     weight = np.concatenate([mass, [one for _, one in lumps]])
     bent = modes.shape_at(where)[:, 2:]
@@ -85,14 +85,14 @@ def test_a_racket_has_what_was_measured(
     racket = catalog.implement("tennis-racket").replaced(
         mass=mass, balance_point=balance, moi=swing_weight, first_frequency=frequency, twist_moi=twist
     )
-    line = beam_model(racket)
-    body = rigid_body(line)
+    beam = beam_model(racket)
+    body = rigid_body(beam)
     assert [body.mass, body.balance_point, body.moi(0.1), body.roll_moi] == pytest.approx(
         [mass, balance, swing_weight, twist], rel=1e-9
     )
-    modes = bending_modes(line, count=2)
+    modes = bending_modes(beam, count=2)
     assert modes.frequency[2] == pytest.approx(frequency, rel=1e-9)
-    assert np.all(section(line, np.linspace(0, racket.length, 50)).mass > 0)
+    assert np.all(section(beam, np.linspace(0, racket.length, 50)).mass > 0)
 
 
 def test_a_tilt_of_the_right_distribution_is_none() -> None:
@@ -140,8 +140,8 @@ def test_a_flat_blade_is_a_rectangle() -> None:
 
 def test_the_stick_bends_as_measured_ones() -> None:
     """Published [covill2008]: 310 to 636 N m^2 at the head's end and 430 to 1069 N m^2 at the handle's."""
-    line = beam_model(catalog.implement("hockey-stick"))
-    handle, head = section(line, np.array([0.35, 0.85])).bending_stiffness
+    beam = beam_model(catalog.implement("hockey-stick"))
+    handle, head = section(beam, np.array([0.35, 0.85])).bending_stiffness
     assert 310 <= head <= 636 and 430 <= handle <= 1069
 
 
@@ -190,7 +190,7 @@ def test_what_cannot_be_is_refused(name: str, changes: dict[str, Any], said: str
 
 def test_questions_for_bats_only_say_so() -> None:
     with pytest.raises(InputError, match="is not a bat with a round barrel"):
-        line_of_bat(beam_model(catalog.implement("golf-driver")))
+        bat_of_beam(beam_model(catalog.implement("golf-driver")))
 
 
 def test_rubbers_differ_as_players_say() -> None:

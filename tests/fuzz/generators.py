@@ -78,12 +78,12 @@ def implement(chance: random.Random) -> str:
 def take_table(text: str) -> None:
     """Describe it, reduce it, and let it ring."""
     described = implement_from_table(json.loads(text), "fuzz")
-    line = beam_model(described)
-    body = rigid_body(line)
+    beam = beam_model(described)
+    body = rigid_body(beam)
     _finite(body.mass, body.balance_point, body.moi_cm, body.roll_moi)
     assert body.mass > 0 and body.moi_cm > 0
     if zlib.crc32(text.encode("utf-8", "surrogatepass")) % MODES_EVERY == 0:
-        _finite(*bending_modes(line, count=3).frequency)
+        _finite(*bending_modes(beam, count=3).frequency)
 
 
 def toml(chance: random.Random) -> str:

@@ -48,8 +48,8 @@ def test_who_insists_is_believed(run: Run) -> None:
 
 
 def test_inches_and_degrees_in_python_are_told_of(r161: Bat) -> None:
-    line, ball = beam_model(r161), catalog.ball()
-    modes, body = all_modes(line, ball), rigid_body(line)
+    beam, ball = beam_model(r161), catalog.ball()
+    modes, body = all_modes(beam, ball), rigid_body(beam)
     for wrong in (
         lambda: hit(modes, ball=ball, position=27, closing_speed=50.0),
         lambda: hits(modes, ball=ball, position=np.array([0.6, 27.0]), closing_speed=50.0),

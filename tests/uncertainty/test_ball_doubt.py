@@ -23,7 +23,7 @@ def test_spreads_of_the_catalogue(baseball: Ball) -> None:
 def test_the_quick_answer_is_that_of_the_response(analysis: Analysis[Bat]) -> None:
     """The quick answer of every report beside what moves the ball's patch too: v = q v_ball + (1 + q) v_bat."""
     place, conditions = analysis.sweet_spots.max_exit_speed, analysis.conditions
-    response = response_of_efficiency(analysis.line, conditions, unknowns=(), positions=np.array([place]))
+    response = response_of_efficiency(analysis.beam, conditions, unknowns=(), positions=np.array([place]))
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
     quick = speed_by_ball(analysis)
     assert quick is not None

@@ -37,7 +37,7 @@ CALIBRATED = {"mass": 0.005, "balance_point": 0.01, "gyration": 0.01, "first_fre
 def test_draws_against_the_whole_way(name: str, most: float, weighed: bool) -> None:
     """Exit speed, BBCOR, jolt, sting and energies of draws; the interval of an exit speed is several mph wide."""
     bat = catalog.load_implement(name)
-    conditions, line = standard_conditions(bat), beam_model(bat)
+    conditions, beam = standard_conditions(bat), beam_model(bat)
     known = [Unknown(one.name, CALIBRATED[one.name]) for one in unknowns_of(bat)] if weighed else []
     left = (known, np.diag([one.spread**2 for one in known])) if weighed else None
     sources = sources_of(bat, conditions, known=left, bat_speed_error=0.5, pitch_speed_error=0.5)
@@ -45,14 +45,14 @@ def test_draws_against_the_whole_way(name: str, most: float, weighed: bool) -> N
     assert {one for one in sources.names if one in {"bat", "racket"}} <= {
         "racket" if name == "tennis-racket" else "bat"
     }
-    draws = draws_of(line, conditions, sources, count=4)
+    draws = draws_of(beam, conditions, sources, count=4)
     found = hits_along(draws, places)
     off = sources.deviations(draws.normal)
     off[0] = 0.0
     described: list[Any] = []
     for row in (0, 3):
-        start = described_beam(bat) if weighed else line
-        other = deviated(start, sources.unknowns, off[row, : len(sources.unknowns)]) if sources.unknowns else line
+        start = described_beam(bat) if weighed else beam
+        other = deviated(start, sources.unknowns, off[row, : len(sources.unknowns)]) if sources.unknowns else beam
         ball = draws.balls[row]
         own = conditions.replaced(
             ball=ball, pitch=conditions.pitch.replaced(speed=float(draws.pitch_speed[row])),

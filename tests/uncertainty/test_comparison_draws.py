@@ -33,9 +33,9 @@ def test_draws_leave_a_moment_as_open_as_plain_answers_say(name: str, balanced: 
     bat = catalog.bat(name)
     mass, balance = rigid_body(beam_model(bat)).mass, rigid_body(beam_model(bat)).balance_point
     bat = bat.replaced(mass=mass, balance_point=balance if balanced else None)
-    line, conditions = beam_model(bat), standard_conditions(bat)
-    drawn = draws_of(line, conditions, sources_of(bat, conditions), count=256).bats.bending
-    told = moi_doubt(bat, rigid_body(line), STANDARD_AXIS)
+    beam, conditions = beam_model(bat), standard_conditions(bat)
+    drawn = draws_of(beam, conditions, sources_of(bat, conditions), count=256).bats.bending
+    told = moi_doubt(bat, rigid_body(beam), STANDARD_AXIS)
     assert told < 1.05 * drawn.moi(STANDARD_AXIS).std() < 1.2 * told
     assert drawn.mass.std() < 0.006 * mass, "a weight on a scale"
 

@@ -84,10 +84,10 @@ def test_nodes_follow_the_bat(name: str) -> None:
     other = None if isinstance(bat, Bat) else unknowns_of(bat)
     known = None if other is None else (other, 0.01**2 * np.eye(len(other)))  # after they were measured
     sources = sources_of(bat, conditions, known=known)
-    line = beam_model(bat) if other is None else described(bat)
-    draws = draws_of(line, conditions, sources, count=2)
+    beam = beam_model(bat) if other is None else described(bat)
+    draws = draws_of(beam, conditions, sources, count=2)
     off = sources.deviations(draws.normal)[1, : len(sources.unknowns)]
-    own = all_modes(deviated(line, sources.unknowns, off), conditions.ball)
+    own = all_modes(deviated(beam, sources.unknowns, off), conditions.ball)
     found = drawn_nodes(draws, DESCRIBED)
     for index in range(5):
         assert found[index][1] == pytest.approx(own.nodes(index + 2), abs=2e-4)

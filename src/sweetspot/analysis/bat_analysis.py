@@ -42,7 +42,7 @@ class Analysis(ShownInNotebooks, Generic[Tool_co]):
 
     bat: Tool_co
     conditions: Conditions
-    line: BeamModel
+    beam: BeamModel
     body: RigidBody
     modes: Modes
     free: Modes
@@ -57,7 +57,7 @@ class Analysis(ShownInNotebooks, Generic[Tool_co]):
     @property
     def reduced(self) -> ReducedBat[Tool_co]:
         """The bat with its beam, body and free modes."""
-        return ReducedBat(self.bat, self.line, self.body, self.free)
+        return ReducedBat(self.bat, self.beam, self.body, self.free)
 
     @cached_property
     def best(self) -> Impact:
@@ -113,7 +113,7 @@ def analyse_reduced(reduced: ReducedBat[Given], conditions: Conditions) -> Analy
     modes = gripped(free, conditions.hands)
     along = scan(bat, body=body, modes=modes, conditions=conditions)
     spots = sweet_spots(along, body=body, modes=free, conditions=conditions)
-    return Analysis(bat, conditions, reduced.line, body, modes, free, along, spots)
+    return Analysis(bat, conditions, reduced.beam, body, modes, free, along, spots)
 
 
 def hit_at(

@@ -12,7 +12,7 @@ import numpy as np
 
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.modal_response import free_motion, replayed
-from sweetspot.dynamics.beam import BeamModel, line_of_bat, section
+from sweetspot.dynamics.beam import BeamModel, bat_of_beam, section
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
@@ -53,7 +53,7 @@ class Damage:
     warnings: tuple[str, ...]
 
 
-def damage(impact: Impact, *, line: BeamModel, modes: Modes) -> Damage:
+def damage(impact: Impact, *, beam: BeamModel, modes: Modes) -> Damage:
     """Return the strains that a hit causes.
 
     strain(x) = max over t of D(x)/2 |sum_i q_i(t) c_i(x)|: the strain at the surface of a bent beam, with the
@@ -63,18 +63,18 @@ def damage(impact: Impact, *, line: BeamModel, modes: Modes) -> Damage:
     Parameters
     ----------
     impact : from `sweetspot.collision.coupled.hit` with the same modes.
-    line : the bat.
+    beam : the bat.
     modes : as the collision saw them, free or gripped.
 
     Notes
     -----
     The strain of the swing itself is left out. With twice as many modes the handle's strain changes by under 1 %.
     """
-    bat = line_of_bat(line)
+    bat = bat_of_beam(beam)
     motion = modal_history(impact, modes)
     places = np.linspace(0.0, bat.length, POINTS)[1:-1]
     bending = [index for index, family in enumerate(modes.families) if family != "hoop"]
-    bent = motion[:, bending] @ _curvature(line, modes, places)[:, bending].T
+    bent = motion[:, bending] @ _curvature(beam, modes, places)[:, bending].T
     strain = bat.diameter_at(places) / 2 * np.abs(bent).max(axis=0, initial=0.0)
     handle = places <= HANDLE_PART * bat.length
     worst = int(np.argmax(np.where(handle, strain, -1.0)))
@@ -163,9 +163,9 @@ def linear_limit(material: Material, *, across: bool = False) -> float | None:
     return material.strength / modulus
 
 
-def _curvature(line: BeamModel, modes: Modes, places: Array) -> Array:
+def _curvature(beam: BeamModel, modes: Modes, places: Array) -> Array:
     """Return how far each mode turns a section per length, shape (places, n)."""
-    at = section(line, places)
+    at = section(beam, places)
     sliding = (at.mass / at.shear_stiffness)[:, None] * modes.angular_frequency**2 * modes.shape_at(places)
     return np.asarray(modes.shapes(places, 2) + sliding)
 

@@ -214,8 +214,8 @@ def _answers(
 ) -> Answers:
     """Return one bat's answers: only the pieces of an analysis that they need."""
     reference, reference_body = known
-    line = beam_model(bat)
-    body = rigid_body(line)
+    beam = beam_model(bat)
+    body = rigid_body(beam)
     pitch, swing, ball = conditions.pitch, conditions.swing, conditions.ball
     told = conditions.replaced(
         pitch=pitch.replaced(speed=settings.get("pitch_speed", pitch.speed)),
@@ -223,7 +223,7 @@ def _answers(
     )
     ratio = None if law is None else speed_ratios(law, bat, body, reference, reference_body).value
     swung = swung_conditions(bat, reference=reference, conditions=told, ratio=ratio)
-    free = all_modes(line, ball)
+    free = all_modes(beam, ball)
     places = np.linspace(body.balance_point, bat.length, PLACES)
     bat_speed = swung.swing.angular_speed * (places - swung.swing.pivot)
     closing = swung.pitch.speed + bat_speed

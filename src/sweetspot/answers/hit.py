@@ -259,13 +259,13 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         for a place that is not on the implement, or a swing that does not go with it.
     """
     implement, conditions, position = question.implement, question.conditions, question.position
-    line = beam_model(implement)
-    body = rigid_body(line)
+    beam = beam_model(implement)
+    body = rigid_body(beam)
     check_conditions(implement, conditions, body=body)
     check_position(implement, position, "position")
     check_on_face(implement, position, "position")
     check_lateral(implement, position, question.lateral)
-    modes = all_modes(line, conditions.ball)
+    modes = all_modes(beam, conditions.ball)
     impact = hit_at(position, modes=modes, conditions=conditions, lateral=question.lateral)
     error = None
     if question.sources is None:  # which have the ball among them
@@ -277,12 +277,12 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         body=body,
         bat=mass_properties(implement, body),
         ball_mass=conditions.ball.mass,
-        damage=strains_of(damage(impact, line=line, modes=modes)) if isinstance(implement, Bat) else None,
+        damage=strains_of(damage(impact, beam=beam, modes=modes)) if isinstance(implement, Bat) else None,
         exit_speed_half_by_ball=None if error is None else REACH * error,
     )
     if question.sources is None:
         return plain
-    draws = draws_of(line, conditions, question.sources, count=question.draws)
+    draws = draws_of(beam, conditions, question.sources, count=question.draws)
     along = hits_along(draws, np.array([position]))
     columns = {
         **hit_columns(draws, along, 0, impact),

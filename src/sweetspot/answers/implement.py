@@ -49,7 +49,7 @@ def mass_properties(implement: Implement, body: RigidBody) -> MassProperties:
 def mass_columns(draws: Draws) -> Columns:
     """Return the mass properties of every draw, by the fields of `MassProperties`; none where nothing is open."""
     body = draws.bats.bending
-    if not isinstance(draws.line.bat, Bat) and not draws.sources.unknowns:
+    if not isinstance(draws.beam.bat, Bat) and not draws.sources.unknowns:
         return {}
     return {
         "mass": body.mass,

@@ -70,7 +70,7 @@ def drawn_play(asked: PlayQuestion, sources: Sources) -> DrawnPlay:
     sources : see `play_sources`.
     """
     reduced, conditions, pitch = asked.reduced, asked.hit_conditions, asked.pitch
-    draws = draws_of(reduced.line, conditions, sources, count=asked.draws)
+    draws = draws_of(reduced.beam, conditions, sources, count=asked.draws)
     off = sources.deviations(draws.normal)
     off[0] = 0.0
     place, offset = (

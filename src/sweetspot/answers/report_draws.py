@@ -67,7 +67,7 @@ def drawn_report(
     ----------
     misses : what they cost the implement as described.
     """
-    draws = draws_of(analysis.line, analysis.conditions, sources, count=count)
+    draws = draws_of(analysis.beam, analysis.conditions, sources, count=count)
     scan, best = analysis.scan, analysis.sweet_spots.max_exit_speed
     places = np.append(np.linspace(scan.position[0], scan.position[-1], PLACES), best)
     along = hits_along(draws, places)

@@ -36,7 +36,7 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
     InputError
         where its density would have to change along it more than any bat's does.
     """
-    bat, gradient = posterior.line.bat, posterior.line.density_gradient
+    bat, gradient = posterior.beam.bat, posterior.beam.density_gradient
     assert isinstance(bat, Bat)  # only bats are calibrated
     if abs(gradient) > GRADIENT_LIMIT:
         raise InputError(
@@ -44,8 +44,8 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
             f"{abs(gradient):.0%} from the middle to the tip; allowed is up to {GRADIENT_LIMIT:.0%}. Check whether the "
             "measurements are this bat's: weight, balance point and outline"
         )
-    body = rigid_body(posterior.line)
-    material = bat.material.of_density(bat.material.density * posterior.line.density_factor)
+    body = rigid_body(posterior.beam)
+    material = bat.material.of_density(bat.material.density * posterior.beam.density_factor)
     if damping is not None:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(
@@ -57,7 +57,7 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
 
 def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
     """Return the content of a bat file with half widths of 90 % intervals, and the covariance of what is not known."""
-    if not isinstance(posterior.line.bat, Bat):
+    if not isinstance(posterior.beam.bat, Bat):
         return _implement_table(posterior, damping)
     table = bat_table(calibrated_bat(posterior, damping))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2"}
@@ -97,7 +97,7 @@ def _measurement_table(one: Measurement) -> dict[str, Any]:
 
 def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
     """Return the content of the file of a racket, club or stick; a club has head and grip for its weight."""
-    own = posterior.line.bat
+    own = posterior.beam.bat
     table = implement_table(own.replaced(name=f"{own.name}, calibrated", fitted=fitted_names(posterior)))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"}
     for name, one in {**properties(posterior), **material_values(posterior)}.items():

@@ -51,8 +51,8 @@ def properties(posterior: Posterior) -> dict[str, Value]:
     A bat's moment of inertia that was not measured is in doubt by as much as outlines tell it, `moi_doubt`.
     """
     wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
-              Measurement("moi", Measured(1, 1), axis=posterior.line.bat.swing_axis)]  # fmt: skip
-    values = predicted(posterior.line, wanted)
+              Measurement("moi", Measured(1, 1), axis=posterior.beam.bat.swing_axis)]  # fmt: skip
+    values = predicted(posterior.beam, wanted)
     slopes = _slopes(posterior, wanted)
     errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
     errors[2] = max(errors[2], _doubt_of_moi(posterior))
@@ -71,10 +71,10 @@ def fitted_names(posterior: Posterior) -> tuple[str, ...]:
 
 def _doubt_of_moi(posterior: Posterior) -> float:
     """Return by how much the moment of inertia may be off that was not measured, kg m^2; see `moi_doubt`."""
-    own = posterior.line.bat
+    own = posterior.beam.bat
     if not isinstance(own, Bat):
         return 0.0
-    body, not_measured = rigid_body(posterior.line), fitted_names(posterior)
+    body, not_measured = rigid_body(posterior.beam), fitted_names(posterior)
     as_kept = own.replaced(
         balance_point=body.balance_point, moi=body.moi(STANDARD_AXIS), mass=body.mass, fitted=not_measured
     )
@@ -83,12 +83,12 @@ def _doubt_of_moi(posterior: Posterior) -> float:
 
 def _slopes(posterior: Posterior, wanted: Sequence[Measurement]) -> Array:
     """Return what every unknown changes of what is wanted, shape (unknowns, wanted)."""
-    line, unknowns = posterior.line, posterior.unknowns
+    beam, unknowns = posterior.beam, posterior.unknowns
     steps = STEP * np.array([one.spread for one in unknowns])
     places = np.vstack([np.diag(steps), -np.diag(steps)])
-    bodies = deviated_bodies(line, unknowns, places)
+    bodies = deviated_bodies(beam, unknowns, places)
     if bodies is None:
-        said = np.array([predicted(deviated(line, unknowns, place), wanted) for place in places])
+        said = np.array([predicted(deviated(beam, unknowns, place), wanted) for place in places])
     else:
         said = np.array([[said_of_body(body, one) for one in wanted] for body in bodies])
     ahead, behind = np.split(said, 2)
@@ -97,7 +97,7 @@ def _slopes(posterior: Posterior, wanted: Sequence[Measurement]) -> Array:
 
 def material_values(posterior: Posterior) -> dict[str, Value]:
     """Return moduli and density of the calibrated bat; of a racket, club or stick the first frequency."""
-    bat = posterior.line.bat
+    bat = posterior.beam.bat
     if not isinstance(bat, Bat):
         frequency = bat.frequency
         assert frequency is not None  # guaranteed by implement_unknowns
@@ -107,7 +107,7 @@ def material_values(posterior: Posterior) -> dict[str, Value]:
     centre = {
         "modulus": ("longitudinal_modulus", bat.material.longitudinal_modulus),
         "shear_modulus": ("shear_modulus", bat.material.shear),
-        "density": ("density", bat.material.density * posterior.line.density_factor),
+        "density": ("density", bat.material.density * posterior.beam.density_factor),
     }
     values = {}
     for unknown in posterior.unknowns:

@@ -82,7 +82,7 @@ def meant(suspect: Measurement, others: Posterior) -> list[Meant]:
     if not slips:
         return []
     values = np.array([one.measurement.value.value for one in slips])
-    said = predicted(others.line, [one.measurement for one in slips], livelier=others.livelier)
+    said = predicted(others.beam, [one.measurement for one in slips], livelier=others.livelier)
     with np.errstate(invalid="ignore"):
         off = np.abs(np.log(said / values))
     return [
@@ -123,7 +123,7 @@ def _slips(suspect: Measurement, others: Posterior) -> Iterator[Meant]:
         yield Meant(_times(suspect, size), f"{one} and not {other}")
         yield Meant(_times(suspect, 1 / size), f"{other} and not {one}")
     if suspect.kind == "balance_point":
-        from_other_end = others.line.bat.length - suspect.value.value
+        from_other_end = others.beam.bat.length - suspect.value.value
         if from_other_end > 0:
             yield Meant(replace(suspect, value=Measured(from_other_end, suspect.value.error)), "from the other end")
     if suspect.kind == "period":
@@ -136,12 +136,12 @@ def _slips(suspect: Measurement, others: Posterior) -> Iterator[Meant]:
         at = suspect.axis
         elsewhere = (0.0, STANDARD_AXIS, at * INCH / 0.01, at * 0.01 / INCH)
         for axis in dict.fromkeys(round(place, 6) for place in elsewhere):
-            if axis != round(at, 6) and axis < HANDLE * others.line.bat.length:
+            if axis != round(at, 6) and axis < HANDLE * others.beam.bat.length:
                 yield Meant(replace(suspect, axis=axis))
-    if suspect.kind == "frequency" and isinstance(others.line.bat, Bat):
+    if suspect.kind == "frequency" and isinstance(others.beam.bat, Bat):
         known = {one.mode for one in others.measurements} | {suspect.mode}
         names = [ModeName("bending", number) for number in range(1, MOST_BENDING + 1)]
-        names += [ModeName("hoop", 2)] * (others.line.bat.shell is not None)
+        names += [ModeName("hoop", 2)] * (others.beam.bat.shell is not None)
         yield from (Meant(replace(suspect, mode=name), str(name)) for name in names if name not in known)
 
 
@@ -154,7 +154,7 @@ def _as_described(posterior: Posterior) -> Posterior:
     """Return what is known of the same bat before anything was measured."""
     spreads = np.array([one.spread for one in posterior.unknowns])
     return replace(
-        posterior, line=posterior.prior, measurements=(), deviations=np.zeros(len(spreads)),
+        posterior, beam=posterior.prior, measurements=(), deviations=np.zeros(len(spreads)),
         covariance=np.diag(spreads**2), predictions=np.empty(0), pulls=np.zeros(len(spreads)), gains=np.diag(spreads),
     )  # fmt: skip
 

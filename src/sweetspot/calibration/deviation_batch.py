@@ -18,12 +18,12 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.gauss_legendre import quadrature
 
 
-def deviated_bodies(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> list[RigidBody] | None:
+def deviated_bodies(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> list[RigidBody] | None:
     """Return the rigid bodies of bats with these deviations from a bat's beam, shape (bats, n).
 
     They are those of `deviated`, to rounding. None: the bat is hollow, or no bat with an outline of stations.
     """
-    bat = line.bat
+    bat = beam.bat
     if not isinstance(bat, Bat) or bat.shell is not None or bat.profile is None:
         return None
     by = {one.name: deviations[:, index] for index, one in enumerate(unknowns)}
@@ -35,16 +35,16 @@ def deviated_bodies(line: BeamModel, unknowns: Sequence[Unknown], deviations: Ar
         part = barrel_parts(bat.profile, bat.length)
         widths = widths * np.exp(np.outer(by["handle"], 1 - part) + np.outer(by["barrel"], part))
     outer = np.atleast_2d(widths) @ _between(tuple(place for place, _ in bat.profile), edges) / 2
-    drawn = density_scale(line, places) / line.density_factor
+    drawn = density_scale(beam, places) / beam.density_factor
     more = by.get("density_gradient", nothing)[:, None] * (2 * places / bat.length - 1)
-    scale = line.density_factor * np.exp(by.get("density", nothing))[:, None] * (drawn + more)
+    scale = beam.density_factor * np.exp(by.get("density", nothing))[:, None] * (drawn + more)
     at = bat.section_within(places, outer, scale)
     first, second = at.mass * places, at.mass * places**2 + at.rotary_inertia
     parts = at.mass, first, second, at.roll_inertia
     mass, balance, turning, roll = (np.sum(weights * values, axis=1) for values in parts)
-    balance, turning = balance + line.unplaced[0], turning + line.unplaced[1]
+    balance, turning = balance + beam.unplaced[0], turning + beam.unplaced[1]
     own, knob = len(bat.lumps()), np.exp(by.get("knob_mass", nothing))
-    for index, lump in enumerate(line.point_masses):
+    for index, lump in enumerate(beam.point_masses):
         heavy = lump.mass * knob if index < own and lump.position == 0 else lump.mass + nothing
         mass, balance, turning = mass + heavy, balance + heavy * lump.position, turning + heavy * lump.position**2
         turning, roll = turning + lump.moi, roll + lump.roll_moi

@@ -46,13 +46,13 @@ class EfficiencyResponse:
 
 
 def response_of_efficiency(
-    line: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array
+    beam: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array
 ) -> EfficiencyResponse:
     """Return what q along a bat depends on.
 
     Parameters
     ----------
-    line : its beam, as it was described.
+    beam : its beam, as it was described.
     conditions : of the hits.
     positions : m from the knob end, shape (m,).
     """
@@ -61,7 +61,7 @@ def response_of_efficiency(
     spreads = np.array([*(one.spread for one in unknowns), *ball.values()])
 
     def efficiency(deviations: Array) -> Array:
-        other = deviated(line, unknowns, deviations[:count]) if count else line
+        other = deviated(beam, unknowns, deviations[:count]) if count else beam
         with_ball = conditions.ball.deviated(dict(zip(ball, deviations[count:].tolist(), strict=True)))
         given = conditions.replaced(ball=with_ball)
         modes, body = all_modes(other, with_ball), rigid_body(other)

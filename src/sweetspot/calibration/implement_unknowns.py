@@ -44,11 +44,11 @@ def implement_spreads(implement: Implement) -> dict[str, float]:
 
 def as_described(implement: Implement) -> BeamModel:
     """Return an implement's beam with all that is measured on it written down, as far as the description says it."""
-    line = beam_model(implement.replaced(added=()))
-    body = rigid_body(line)
+    beam = beam_model(implement.replaced(added=()))
+    body = rigid_body(beam)
     known: dict[str, float] = {}
     if not isinstance(implement, Racket):
-        known["first_frequency"] = float(bending_frequencies(line, count=1)[0])
+        known["first_frequency"] = float(bending_frequencies(beam, count=1)[0])
     if not isinstance(implement, (Racket, GolfClub)):
         known |= {
             "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(implement.moi_axis),
@@ -56,10 +56,10 @@ def as_described(implement: Implement) -> BeamModel:
     return beam_model(implement.replaced(calibrated=True, original=None, **known))
 
 
-def implement_deviated(line: BeamModel, deviations: Mapping[str, float]) -> BeamModel:
+def implement_deviated(beam: BeamModel, deviations: Mapping[str, float]) -> BeamModel:
     """Return an implement's beam with these deviations of logarithms from what `as_described` returned."""
     factor = {name: math.exp(off) for name, off in deviations.items()}
-    implement = line.bat
+    implement = beam.bat
     changes: dict[str, object] = {}
     frequency = implement.frequency
     assert frequency is not None  # written by as_described

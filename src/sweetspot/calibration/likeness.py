@@ -27,8 +27,8 @@ def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Implement, 
     InputError
         with the bat, what was given, and what the model has.
     """
-    line = beam_model(model)
-    body, modes = rigid_body(line), bending_modes(line)
+    beam = beam_model(model)
+    body, modes = rigid_body(beam), bending_modes(beam)
     own: dict[str, float] = {
         "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(axis),
         "period": pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis),

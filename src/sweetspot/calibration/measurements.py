@@ -108,7 +108,7 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
     return measurements
 
 
-def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
+def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
     """Return what a beam model says to measurements, SI, shape (n,).
 
     Parameters
@@ -120,11 +120,11 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
     InputError
         for a frequency without the name of its mode.
     """
-    body = rigid_body(line) if any(one.kind in OF_BODY for one in measurements) else None
-    known = None if line.bat.added else line.bat.frequency
+    body = rigid_body(beam) if any(one.kind in OF_BODY for one in measurements) else None
+    known = None if beam.bat.added else beam.bat.frequency
     bending = hoop = None
     count = max((one.mode.harmonic for one in measurements if one.mode and one.mode.family == "bending"), default=0)
-    efficiencies = _efficiencies(line, [one.shooting for one in measurements if one.shooting], livelier)
+    efficiencies = _efficiencies(beam, [one.shooting for one in measurements if one.shooting], livelier)
     values = []
     for one in measurements:
         if body is not None and one.kind in OF_BODY:
@@ -136,18 +136,18 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
         elif known is not None and one.mode == ModeName("bending", 1):  # what the stiffness is scaled to
             values.append(known)
         elif one.mode.family == "bending":
-            bending = _bending(line, count) if bending is None else bending
+            bending = _bending(beam, count) if bending is None else bending
             values.append(float(bending[one.mode.harmonic - 1]))
         else:
-            hoop = hoop_frequency(line) if hoop is None else hoop
+            hoop = hoop_frequency(beam) if hoop is None else hoop
             values.append(hoop)
     return np.array(values)
 
 
 @lru_cache(maxsize=64)
-def _bending(line: BeamModel, count: int) -> Array:
+def _bending(beam: BeamModel, count: int) -> Array:
     """Return the lowest bending frequencies; those of the bat as described serve every choice of measurements."""
-    return bending_frequencies(line, count=count, elements=ELEMENTS)
+    return bending_frequencies(beam, count=count, elements=ELEMENTS)
 
 
 def said_of_body(body: RigidBody, one: Measurement) -> float:
@@ -162,10 +162,10 @@ def said_of_body(body: RigidBody, one: Measurement) -> float:
     return pendulum_period(turning, mass=body.mass, balance_point=body.balance_point, pivot=one.axis)
 
 
-def _efficiencies(line: BeamModel, shootings: Sequence[Shooting], livelier: float) -> dict[Shooting, float]:
+def _efficiencies(beam: BeamModel, shootings: Sequence[Shooting], livelier: float) -> dict[Shooting, float]:
     """Return q of shots; a hit that does not end is as bad as none."""
     efficiencies: dict[Shooting, float] = {}
-    modes = all_modes(line, shootings[0].ball) if shootings else None
+    modes = all_modes(beam, shootings[0].ball) if shootings else None
     for ball in {one.ball for one in shootings}:
         law = ball.restitution
         shot = ball.replaced(restitution=law.replaced(reference=min(law.reference * float(np.exp(livelier)), 1.0)))

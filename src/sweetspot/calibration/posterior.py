@@ -50,7 +50,7 @@ class Posterior:
     Parameters
     ----------
     prior : the bat as described.
-    line : the most likely bat.
+    beam : the most likely bat.
     unknowns : what was looked for.
     measurements : what was measured.
     deviations : of the most likely bat from the description, shape (n,).
@@ -61,7 +61,7 @@ class Posterior:
     """
 
     prior: BeamModel
-    line: BeamModel
+    beam: BeamModel
     unknowns: tuple[Unknown, ...]
     measurements: tuple[Measurement, ...]
     deviations: Array
@@ -103,7 +103,7 @@ class Posterior:
         return generator.multivariate_normal(self.deviations, self.covariance, size=count, method="cholesky")
 
 
-def residuals(x: Array, *, line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]) -> Array:
+def residuals(x: Array, *, beam: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]) -> Array:
     """Return (model(x) - measured) / error of every measurement, then x.
 
     Minus half the sum of their squares is the logarithm of the posterior.
@@ -115,12 +115,12 @@ def residuals(x: Array, *, line: BeamModel, unknowns: Sequence[Unknown], measure
     spreads = np.array([one.spread for one in unknowns])
     values = np.array([one.value.value for one in measurements])
     errors = np.array([one.error for one in measurements])
-    said = _said(line, unknowns, x * spreads, measurements)
+    said = _said(beam, unknowns, x * spreads, measurements)
     return np.concatenate([(said - values) / errors, x])
 
 
 def _misses(
-    line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]
+    beam: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]
 ) -> Callable[[Array], Array]:
     """Return what least squares makes small: `residuals`, of shots linear around what all else says.
 
@@ -130,16 +130,16 @@ def _misses(
     others = [one for one in measurements if one.shooting is None]
 
     def exact(x: Array) -> Array:
-        return residuals(x, line=line, unknowns=unknowns, measurements=others)
+        return residuals(x, beam=beam, unknowns=unknowns, measurements=others)
 
     if not shot:
         return exact
     of_shots = [measurements[index] for index in shot]
     spreads = np.array([one.spread for one in unknowns])
-    around = calibrate(line, unknowns, others).deviations / spreads if others else np.zeros(len(unknowns))
+    around = calibrate(beam, unknowns, others).deviations / spreads if others else np.zeros(len(unknowns))
 
     def shot_misses(x: Array) -> Array:
-        return residuals(x, line=line, unknowns=unknowns, measurements=of_shots)[: len(shot)]
+        return residuals(x, beam=beam, unknowns=unknowns, measurements=of_shots)[: len(shot)]
 
     here = shot_misses(around)
     steps = SHOT_STEP * np.eye(len(unknowns))
@@ -171,21 +171,21 @@ def _once(misses: Callable[[Array], Array]) -> Callable[[Array], Array]:
 
 
 def _said(
-    line: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
+    beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
 ) -> Array:
     """Return what the bat and ball with these deviations say to measurements, SI."""
     livelier = sum(float(off) for one, off in zip(unknowns, deviations, strict=True) if one.name == OF_BALL)
-    return predicted(deviated(line, unknowns, deviations), measurements, livelier=livelier)
+    return predicted(deviated(beam, unknowns, deviations), measurements, livelier=livelier)
 
 
 def calibrate(
-    line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement], *, agreeing: bool = False
+    beam: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement], *, agreeing: bool = False
 ) -> Posterior:
     """Return the most likely bat for measurements on it.
 
     Parameters
     ----------
-    line : the bat as described, without what was measured.
+    beam : the bat as described, without what was measured.
     unknowns : what may deviate from it.
     measurements : at least one.
     agreeing : whether a bat that contradicts them is of no use, and the search ends once it is clear that all do.
@@ -199,10 +199,10 @@ def calibrate(
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([one.spread for one in unknowns])
     quick = all(one.kind in OF_BODY for one in measurements)
-    misses = _once(_misses(line, unknowns, measurements))
+    misses = _once(_misses(beam, unknowns, measurements))
 
     def at_all(places: Array) -> Array:
-        bodies = deviated_bodies(line, unknowns, places * spreads) if quick else None
+        bodies = deviated_bodies(beam, unknowns, places * spreads) if quick else None
         if bodies is None:
             return np.array([misses(place) for place in places])
         said = np.array([[said_of_body(body, one) for one in measurements] for body in bodies])
@@ -223,15 +223,15 @@ def calibrate(
     off = misses(most_likely)
     left = 1 - np.einsum("ij,jk,ik->i", slopes, covariance, slopes)
     pulls = np.where(left > HARDLY, off / np.sqrt(np.maximum(left, HARDLY)), off)
-    best = deviated(line, unknowns, most_likely * spreads)
+    best = deviated(beam, unknowns, most_likely * spreads)
     return Posterior(
-        prior=line,
-        line=best,
+        prior=beam,
+        beam=best,
         unknowns=tuple(unknowns),
         measurements=tuple(measurements),
         deviations=most_likely * spreads,
         covariance=np.asarray(covariance * np.outer(spreads, spreads), dtype=np.float64),
-        predictions=_said(line, unknowns, most_likely * spreads, measurements),
+        predictions=_said(beam, unknowns, most_likely * spreads, measurements),
         pulls=pulls,
         gains=spreads[:, None] * (covariance @ slopes.T),
     )

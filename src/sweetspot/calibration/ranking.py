@@ -218,7 +218,7 @@ def _properties(posterior: Posterior) -> dict[str, Measured]:
     known = {name: one.value for name, one in properties(posterior).items()}
     if not any(one.mode for one in posterior.measurements):
         return known
-    own = posterior.line.bat
+    own = posterior.beam.bat
     off = posterior.deviation("modulus" if isinstance(own, Bat) else "first_frequency")
     power = 1 if isinstance(own, Bat) else 2  # stiffness goes as the frequency squared
     stiffness = math.exp(power * off.value)

@@ -56,13 +56,13 @@ class SpeedResponse:
 
 
 def response_of_speed(
-    line: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array, law: SwingLaw | None
+    beam: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array, law: SwingLaw | None
 ) -> SpeedResponse:
     """Return what exit speeds along a bat depend on.
 
     Parameters
     ----------
-    line : its beam, as it was described.
+    beam : its beam, as it was described.
     conditions : of the hits with it.
     positions : m from the knob end, shape (m,).
     law : of bat speed against moment of inertia; None: all are swung as fast.
@@ -70,10 +70,10 @@ def response_of_speed(
     wanted = [Measurement("moi", Measured(1, 1), axis=0.0 if law is None else law.axis)]
 
     def log_moi(deviations: Array) -> float:
-        return math.log(predicted(deviated(line, unknowns, deviations), wanted)[0])
+        return math.log(predicted(deviated(beam, unknowns, deviations), wanted)[0])
 
     sizes = np.array([one.spread for one in unknowns]) / STEPS_IN_SPREAD
     steps = np.diag(sizes)
     slopes = [(log_moi(step) - log_moi(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]
-    efficiency = response_of_efficiency(line, conditions, unknowns=unknowns, positions=positions)
+    efficiency = response_of_efficiency(beam, conditions, unknowns=unknowns, positions=positions)
     return SpeedResponse(efficiency, conditions, law, math.exp(log_moi(0 * sizes)), np.array(slopes))

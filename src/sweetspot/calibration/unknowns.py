@@ -122,25 +122,25 @@ def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> 
     return tuple(unknowns)
 
 
-def deviated(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> BeamModel:
+def deviated(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> BeamModel:
     """Return a bat's beam with these deviations from it, shape (n,)."""
     by: dict[str, float] = {one.name: float(off) for one, off in zip(unknowns, deviations, strict=True)}
-    if not isinstance(line.bat, Bat):
-        return implement_deviated(line, by)
-    bat = _changed(line.bat, by)
-    first, second = line.unplaced
+    if not isinstance(beam.bat, Bat):
+        return implement_deviated(beam, by)
+    bat = _changed(beam.bat, by)
+    first, second = beam.unplaced
     if {"balance_point", "gyration"} & by.keys():  # they move no mass that the beam knows of
-        body = rigid_body(line)
+        body = rigid_body(beam)
         balance = body.balance_point * math.exp(by.get("balance_point", 0.0))
         first += body.mass * (balance - body.balance_point)
         second += body.mass * (balance**2 - body.balance_point**2)
         second += body.moi_cm * math.expm1(2 * by.get("gyration", 0.0))
     return replace(
-        line,
+        beam,
         bat=bat,
-        density_factor=line.density_factor * math.exp(by.get("density", 0.0)),
-        density_gradient=line.density_gradient + by.get("density_gradient", 0.0),
-        point_masses=(*bat.lumps(), *line.point_masses[len(line.bat.lumps()) :]),
+        density_factor=beam.density_factor * math.exp(by.get("density", 0.0)),
+        density_gradient=beam.density_gradient + by.get("density_gradient", 0.0),
+        point_masses=(*bat.lumps(), *beam.point_masses[len(beam.bat.lumps()) :]),
         unplaced=(first, second),
     )
 

@@ -22,21 +22,21 @@ def doubts(implement: Implement) -> tuple[str, ...]:
     usual = WHOLE.get(implement.sport)
     if usual is None:
         return ()
-    line = beam_model(implement)
-    body = rigid_body(line)
+    beam = beam_model(implement)
+    body = rigid_body(beam)
     found = [
         _outside("weighs", body.mass / OUNCE, [bound / OUNCE for bound in usual.mass], "oz"),
         _outside(
             "balances at", 100 * body.balance_point / implement.length, _percent(usual.balance), "% of its length"
         ),
         _outside(
-            "has a radius of gyration of", 100 * _gyration(line, body), _percent(usual.gyration), "% of its length"
+            "has a radius of gyration of", 100 * _gyration(beam, body), _percent(usual.gyration), "% of its length"
         ),
     ]
     if not any(found):
         from sweetspot.dynamics.bending import bending_frequencies  # brings numba, which takes as long as all the rest
 
-        found = [_outside("rings at", float(bending_frequencies(line, count=1)[0]), list(usual.frequency), "Hz")]
+        found = [_outside("rings at", float(bending_frequencies(beam, count=1)[0]), list(usual.frequency), "Hz")]
     return tuple(text for text in found if text)
 
 
@@ -52,8 +52,8 @@ def warn_of_doubts(implement: Implement) -> None:
         )
 
 
-def _gyration(line: BeamModel, body: RigidBody) -> float:
-    return float((max(body.moi_cm, 0.0) / body.mass) ** 0.5 / line.bat.length)
+def _gyration(beam: BeamModel, body: RigidBody) -> float:
+    return float((max(body.moi_cm, 0.0) / body.mass) ** 0.5 / beam.bat.length)
 
 
 def _percent(bounds: tuple[float, float]) -> list[float]:

@@ -10,7 +10,7 @@ from sweetspot.collision.coupled import hit
 from sweetspot.design.batter import usual_places
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.measures import Bench
-from sweetspot.dynamics.batch.reduction import reduced_lines
+from sweetspot.dynamics.batch.reduction import reduced_beams
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
 
@@ -36,14 +36,14 @@ def usual_strains(bench: Bench, bat: Bat) -> Iterator[tuple[float, Damage]]:
 
     The bat is swung as the swing law has it; one hit follows the other, by the readable collision.
     """
-    line = beam_model(bat)
-    bats = reduced_lines([line], ball=bench.conditions.ball)
+    beam = beam_model(bat)
+    bats = reduced_beams([beam], ball=bench.conditions.ball)
     modes, turning = bats.modes(0), float(bench.turning_speed(bats)[0])
     for place in FROM_TIP[usual_places(bench.batter)].tolist():
         position = bat.length - place
         closing = bench.batter.pitch_speed + turning * (position - bench.conditions.swing.pivot)
         impact = hit(modes, ball=bench.conditions.ball, position=position, closing_speed=closing)
-        yield place, damage(impact, line=line, modes=modes)
+        yield place, damage(impact, beam=beam, modes=modes)
 
 
 def handle_bending(bench: Bench, bat: Bat) -> HandleBending:

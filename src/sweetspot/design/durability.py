@@ -127,12 +127,12 @@ def margins(breaking: Breaking, beams: Beams, bats: ReducedBats, hits: BatterHit
         return np.asarray(handle)
     assert isinstance(beams, BeamRow)  # whoever has walls was made one by one
     walls = np.zeros(len(bats))
-    for row, (line, wall) in enumerate(zip(beams.lines, bats.walls, strict=True)):
-        if wall is not None and isinstance(line.bat, Bat):
+    for row, (beam, wall) in enumerate(zip(beams.beams, bats.walls, strict=True)):
+        if wall is not None and isinstance(beam.bat, Bat):
             place = hits.position[row, some]
             shapes = wall.shape_at(place, closing_speed=hits.closing_speed[row, some])
             bent = _wall_bending(wall, shapes, hits.impacts.peak_force[row, some], hits.push[row, some])
-            walls[row] = np.nanmax(wall_curving(line.bat, place) * bent)
+            walls[row] = np.nanmax(wall_curving(beam.bat, place) * bent)
     return np.asarray(np.minimum(handle, breaking.wall_borne / np.maximum(walls, NOTHING)))
 
 

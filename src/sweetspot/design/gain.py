@@ -17,7 +17,7 @@ from sweetspot.design.other_sports import willows
 from sweetspot.design.turned import TurnedSpace, knob_of
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, sizes_of
 from sweetspot.dynamics.batch.beams import BeamRow
-from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
+from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_beams, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -170,7 +170,7 @@ def present_measured(bench: Bench) -> MeasuredDesigns:
 def _reduced(present: Implement, ball: Ball) -> tuple[BeamRow, ReducedBats]:
     """Return the present bat as a beam and ready to be hit, which no batter changes."""
     beams = BeamRow([beam_model(present)])
-    return beams, reduced_lines(beams.lines, ball=ball)
+    return beams, reduced_beams(beams.beams, ball=ball)
 
 
 def gain_of(bench: Bench, numbers: Array, design: MeasuredDesigns, now: MeasuredDesigns) -> Gain:
@@ -257,7 +257,7 @@ def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     if isinstance(space.present, CricketBat):
         pairs += willows(space.change(space.present, numbers))
     every = [one for ends in zip(*pairs, strict=True) for one in ends]
-    bats = reduced_lines([beam_model(one) for one in every], ball=bench.conditions.ball)
+    bats = reduced_beams([beam_model(one) for one in every], ball=bench.conditions.ball)
     places = bats.bending.length[:, None] - FROM_TIP
     widths = np.array([one.width_at(row) for one, row in zip(every, places, strict=True)])
     worth = bench.of_bats(bats, {}, widths).worth

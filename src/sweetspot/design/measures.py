@@ -265,8 +265,8 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
     from sweetspot.dynamics.rigid import rigid_body
 
     present = space.present
-    line = beam_model(present)
-    body = rigid_body(line)
+    beam = beam_model(present)
+    body = rigid_body(beam)
     if body.mass <= conditions.ball.mass:
         raise InputError(f"{present.name} weighs {body.mass:.4g} kg, no more than the ball; give a heavier one")
     axis = present.choke + (0.0 if batter.law is None else batter.law.axis)
@@ -275,9 +275,9 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
     )  # fmt: skip
     step = STEP
     if present.face is not None or (isinstance(present, Bat) and present.shell is not None):
-        from sweetspot.dynamics.batch.reduction import reduced_lines
+        from sweetspot.dynamics.batch.reduction import reduced_beams
 
-        step = contact_step(reduced_lines([line], ball=conditions.ball).modes(0), conditions.ball, longest=STEP)
+        step = contact_step(reduced_beams([beam], ball=conditions.ball).modes(0), conditions.ball, longest=STEP)
     hollow = isinstance(present, Bat) and present.shell is not None
     if durable and not isinstance(present, Bat):
         raise InputError(f"{present.name} is no bat with a round handle; its durability is not computed. Leave it out")

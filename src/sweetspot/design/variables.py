@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from sweetspot.dynamics.batch.beams import BeamRow, Beams
-from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines
+from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_beams
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -109,7 +109,7 @@ class ImplementSpace:
 
     def reduced(self, numbers: Array, *, ball: Ball) -> ReducedBats:
         """Return the implements of many rows of numbers (n, variables), ready to be hit."""
-        return reduced_lines(self.beams(numbers).lines, ball=ball)
+        return reduced_beams(self.beams(numbers).beams, ball=ball)
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
         """Return what the outlines themselves say, by measure, each of shape (n,)."""

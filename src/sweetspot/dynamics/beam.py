@@ -88,24 +88,24 @@ def beam_model(bat: Implement) -> BeamModel:
     >>> round(rigid_body(beam_model(bat)).mass, 4), round(bat.mass, 4)  # kg: the line weighs what was measured
     (0.8788, 0.8788)
     """
-    line = _measured_line(bat)
+    beam = _measured_beam(bat)
     weights = [Lump(one.position, one.mass, roll_moi=one.mass * one.lateral**2) for one in bat.added]
-    return replace(line, point_masses=(*line.point_masses, *weights)) if weights else line
+    return replace(beam, point_masses=(*beam.point_masses, *weights)) if weights else beam
 
 
-def _measured_line(bat: Implement) -> BeamModel:
+def _measured_beam(bat: Implement) -> BeamModel:
     """Return the line of an implement without added weights; one that was changed starts from that of what it was."""
     if bat.original is None:
         start = None
     else:
-        start = replace(_measured_line(bat.original), bat=bat, point_masses=bat.lumps())
+        start = replace(_measured_beam(bat.original), bat=bat, point_masses=bat.lumps())
         if bat.as_measured() is not bat:
             return start
     known = bat.density_range
     return BeamModel(bat, 1.0, 0.0, bat.lumps()) if known is None else _fitted(bat, known, start)
 
 
-def turning_as(line: BeamModel, moi: float, *, axis: float) -> BeamModel:
+def turning_as(beam: BeamModel, moi: float, *, axis: float) -> BeamModel:
     """Return a line of the same mass whose density changes along it so that it has a moment of inertia.
 
     Parameters
@@ -115,55 +115,55 @@ def turning_as(line: BeamModel, moi: float, *, axis: float) -> BeamModel:
     """
 
     def turning(gradient: float) -> float:
-        mass, first, second = moments(_shifted(line, gradient, 0.0))
+        mass, first, second = moments(_shifted(beam, gradient, 0.0))
         return second - 2 * axis * first + axis**2 * mass
 
     plain = turning(0.0)  # and by a straight law from there
     gradient = USUAL_GRADIENT * (moi - plain) / (turning(USUAL_GRADIENT) - plain)
-    return _shifted(line, gradient, 0.0)
+    return _shifted(beam, gradient, 0.0)
 
 
-def line_of_bat(line: BeamModel) -> Bat:
+def bat_of_beam(beam: BeamModel) -> Bat:
     """Return the bat of a line, or refuse any other implement where the question makes sense for a bat only."""
-    if not isinstance(line.bat, Bat):
-        raise InputError(f"{line.bat.name} is not a bat with a round barrel; this answer exists for bats only")
-    return line.bat
+    if not isinstance(beam.bat, Bat):
+        raise InputError(f"{beam.bat.name} is not a bat with a round barrel; this answer exists for bats only")
+    return beam.bat
 
 
-def section(line: BeamModel, position: Array) -> Section:
+def section(beam: BeamModel, position: Array) -> Section:
     """Return the section properties at positions in m (not exactly at a jump: there the inner side is taken)."""
-    return line.bat.section_at(position, density_scale(line, position))
+    return beam.bat.section_at(position, density_scale(beam, position))
 
 
-def density_scale(line: BeamModel, position: Array) -> Array:
+def density_scale(beam: BeamModel, position: Array) -> Array:
     """Return the bat's density at positions in m over its catalogue density: factor, gradient and grip of the fit.
 
     All walls of a hollow bat, sleeve and handle included, are scaled alike; fills are not.
     """
-    part = position / line.bat.length
-    grip = line.grip_excess * (1 - part) ** GRIP_POWER if line.grip_excess else 0.0
-    return line.density_factor * (1 + line.density_gradient * (2 * part - 1) + grip)
+    part = position / beam.bat.length
+    grip = beam.grip_excess * (1 - part) ** GRIP_POWER if beam.grip_excess else 0.0
+    return beam.density_factor * (1 + beam.density_gradient * (2 * part - 1) + grip)
 
 
-def moments(line: BeamModel) -> tuple[float, float, float]:
+def moments(beam: BeamModel) -> tuple[float, float, float]:
     """Return mass (kg), first moment (kg m) and second moment (kg m^2) about the knob end; see `moments_with_roll`."""
-    return moments_with_roll(line)[:3]
+    return moments_with_roll(beam)[:3]
 
 
 @lru_cache(maxsize=64)  # fitting a line to what was measured asks for the same one again and again
-def moments_with_roll(line: BeamModel) -> tuple[float, float, float, float]:
+def moments_with_roll(beam: BeamModel) -> tuple[float, float, float, float]:
     """Return mass (kg), first moment (kg m) and second moment (kg m^2) about the knob end, and about the bat's axis.
 
     The second moment includes the rotary inertia of the sections, the point masses, and what was measured beyond them;
     the last one what point masses have of their own.
     """
-    places, weights = quadrature(line.bat.breakpoints())
-    at = section(line, places)
+    places, weights = quadrature(beam.bat.breakpoints())
+    at = section(beam, places)
     zeroth = float(np.sum(weights * at.mass))
-    first = float(np.sum(weights * at.mass * places)) + line.unplaced[0]
-    second = float(np.sum(weights * (at.mass * places**2 + at.rotary_inertia))) + line.unplaced[1]
+    first = float(np.sum(weights * at.mass * places)) + beam.unplaced[0]
+    second = float(np.sum(weights * (at.mass * places**2 + at.rotary_inertia))) + beam.unplaced[1]
     roll = float(np.sum(weights * at.roll_inertia))
-    for weight in line.point_masses:
+    for weight in beam.point_masses:
         zeroth += weight.mass
         first += weight.mass * weight.position
         second += weight.mass * weight.position**2 + weight.moi
@@ -179,23 +179,23 @@ def _fitted(bat: Implement, known: DensityRange, start: BeamModel | None) -> Bea
         if bat.balance_point is not None or bat.moi is not None:
             raise InputError(f"{bat.name} has a measured balance point or moi but no mass; weigh it and give the mass")
         return plain
-    line = plain
+    beam = plain
     if bat.mass is not None:
         others = _mass_of_others(plain)
         heavier = (bat.mass - others) / (moments(plain)[0] - others)
-        line = replace(plain, density_factor=plain.density_factor * heavier)
-        _check_density(line, known)
+        beam = replace(plain, density_factor=plain.density_factor * heavier)
+        _check_density(beam, known)
     if bat.balance_point is None and bat.moi is None:
-        return line
-    corrected = _corrected(line)
+        return beam
+    corrected = _corrected(beam)
     if not _within(corrected, known):
-        raise InputError(_what_it_takes(line, corrected, known))
+        raise InputError(_what_it_takes(beam, corrected, known))
     return corrected
 
 
-def _mass_of_others(line: BeamModel) -> float:
+def _mass_of_others(beam: BeamModel) -> float:
     """Return the mass in kg of fills and point masses."""
-    return moments(replace(line, density_factor=0.0))[0]
+    return moments(replace(beam, density_factor=0.0))[0]
 
 
 def _corrected(drawn: BeamModel) -> BeamModel:
@@ -220,47 +220,47 @@ def _corrected(drawn: BeamModel) -> BeamModel:
         amounts = nearest(corrections, misses=misses, scatter=scatter[is_measured])
         if not bat.calibrated:
             raise InputError(_what_can_be(drawn, _shifted(drawn, *amounts), measured, scatter))
-    line = _shifted(drawn, *amounts)
-    return replace(line, unplaced=_unplaced(line, measured))
+    beam = _shifted(drawn, *amounts)
+    return replace(beam, unplaced=_unplaced(beam, measured))
 
 
-def _shifted(line: BeamModel, gradient: float, grip: float) -> BeamModel:
+def _shifted(beam: BeamModel, gradient: float, grip: float) -> BeamModel:
     """Return a line of the same mass whose density changes along it; gradient and grip over the line's own density."""
-    gradient, grip = line.density_gradient + gradient, line.grip_excess + grip  # beyond what the drawing has
-    own = moments(replace(line, density_gradient=0.0, grip_excess=0.0))[0] - _mass_of_others(line)
-    added = moments(replace(line, density_gradient=gradient, grip_excess=grip))[0] - moments(line)[0]
+    gradient, grip = beam.density_gradient + gradient, beam.grip_excess + grip  # beyond what the drawing has
+    own = moments(replace(beam, density_gradient=0.0, grip_excess=0.0))[0] - _mass_of_others(beam)
+    added = moments(replace(beam, density_gradient=gradient, grip_excess=grip))[0] - moments(beam)[0]
     part = 1 - added / own
     return replace(
-        line, density_factor=line.density_factor * part, density_gradient=gradient / part, grip_excess=grip / part
+        beam, density_factor=beam.density_factor * part, density_gradient=gradient / part, grip_excess=grip / part
     )
 
 
-def _balance_and_moi(line: BeamModel) -> Array:
+def _balance_and_moi(beam: BeamModel) -> Array:
     """Return balance point in m and moment of inertia in kg m^2 about the axis that its measurement uses."""
-    mass, first, second = moments(line)
-    axis = line.bat.moi_axis
+    mass, first, second = moments(beam)
+    axis = beam.bat.moi_axis
     return np.array([first / mass, second - 2 * axis * first + axis**2 * mass])
 
 
-def _unplaced(line: BeamModel, measured: Array) -> tuple[float, float]:
+def _unplaced(beam: BeamModel, measured: Array) -> tuple[float, float]:
     """Return first and second moment that were measured beyond the line's; I_cm stays where moi was not measured."""
-    mass, first, second = moments(line)
+    mass, first, second = moments(beam)
     balance, moi = measured
     wanted = first if np.isnan(balance) else mass * balance
-    about = line.bat.moi_axis
+    about = beam.bat.moi_axis
     moi_known = not np.isnan(moi)
     total = moi + 2 * about * wanted - about**2 * mass if moi_known else second + (wanted**2 - first**2) / mass
-    return line.unplaced[0] + float(wanted - first), line.unplaced[1] + float(total - second)
+    return beam.unplaced[0] + float(wanted - first), beam.unplaced[1] + float(total - second)
 
 
-def _check_density(line: BeamModel, known: DensityRange) -> None:
+def _check_density(beam: BeamModel, known: DensityRange) -> None:
     """Refuse a mass that the outline has only at a density that its material cannot have."""
-    if _within(line, known):
+    if _within(beam, known):
         return
-    others, bat, (usual, low, high) = _mass_of_others(line), line.bat, _allowed(line.bat, known)
-    own = ((bat.mass or 0.0) - others) / (line.density_factor * usual)
+    others, bat, (usual, low, high) = _mass_of_others(beam), beam.bat, _allowed(beam.bat, known)
+    own = ((bat.mass or 0.0) - others) / (beam.density_factor * usual)
     raise InputError(
-        f"{bat.name} weighs {shown_mass(bat.mass or 0.0)}, which this outline has {_only_at(line, known)}, so that the "
+        f"{bat.name} weighs {shown_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, known)}, so that the "
         f"nearest it can weigh is {shown_mass(others + own * low)} to {shown_mass(others + own * high)}. "
         "Check the weight, the diameters and the material"
     )
@@ -272,18 +272,18 @@ def _allowed(bat: Implement, known: DensityRange) -> DensityRange:
     return DensityRange(usual, low / CALIBRATED_BEYOND, high * CALIBRATED_BEYOND) if bat.calibrated else known
 
 
-def _within(line: BeamModel, known: DensityRange) -> bool:
-    usual, low, high = _allowed(line.bat, known)
+def _within(beam: BeamModel, known: DensityRange) -> bool:
+    usual, low, high = _allowed(beam.bat, known)
     slack = 1e-9 * usual
-    return low - slack <= line.density_factor * usual <= high + slack
+    return low - slack <= beam.density_factor * usual <= high + slack
 
 
-def _only_at(line: BeamModel, known: DensityRange) -> str:
+def _only_at(beam: BeamModel, known: DensityRange) -> str:
     """Return at which density alone the material would do, and which it can have."""
-    usual, low, high = _allowed(line.bat, known)
-    density = line.density_factor * usual
+    usual, low, high = _allowed(beam.bat, known)
+    density = beam.density_factor * usual
     at = f"only at a density of {shown_density(density)}" if density > 0 else "at no density"
-    return f"{at}; {line.bat.made_of} can be {shown_density(low)} to {shown_density(high)}"
+    return f"{at}; {beam.bat.made_of} can be {shown_density(low)} to {shown_density(high)}"
 
 
 def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) -> str:
@@ -323,9 +323,9 @@ def _what_can_be(drawn: BeamModel, closest: BeamModel, measured: Array, scatter:
     )
 
 
-def _told(line: BeamModel, values: Array) -> str:
+def _told(beam: BeamModel, values: Array) -> str:
     """Return in words a balance point and moi, as far as they were measured."""
-    bat = line.bat
+    bat = beam.bat
     moi = f"{values[1]:.4g} kg m^2 ({values[1] / OUNCE_INCH_SQUARED:.5g} oz in^2)"
     texts = (f"balance point {shown(values[0])}", f"moi {moi} about {shown(bat.moi_axis)}")
     measured = (bat.balance_point, bat.moi)

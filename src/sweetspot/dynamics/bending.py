@@ -12,12 +12,12 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
 
 
-def bending_modes(line: BeamModel, *, count: int = MODES, elements: int | None = None) -> Modes:
+def bending_modes(beam: BeamModel, *, count: int = MODES, elements: int | None = None) -> Modes:
     """Return the two rigid motions and the lowest ``count`` bending modes of a freely hung bat.
 
     Parameters
     ----------
-    line : the bat reduced to a beam.
+    beam : the bat reduced to a beam.
     count : number of bending modes, >= 1.
     elements : number of finite elements at least, None: `least_elements`; more are used where the bat has more
         breakpoints.
@@ -38,9 +38,9 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int | None =
     >>> modes.frequency.round(), modes.nodes(2).round(2)  # Hz; m from the knob end where mode 1 stands still
     (array([   0.,    0.,  172.,  572., 1118.]), array([0.17, 0.67]))
     """
-    return bending_batch(BeamRow([line]), count=count, elements=elements).modes(0)
+    return bending_batch(BeamRow([beam]), count=count, elements=elements).modes(0)
 
 
-def bending_frequencies(line: BeamModel, *, count: int, elements: int | None = None) -> Array:
+def bending_frequencies(beam: BeamModel, *, count: int, elements: int | None = None) -> Array:
     """Return the frequencies in Hz of the lowest ``count`` bending modes alone; see `bending_modes`."""
-    return np.asarray(frequencies_of(BeamRow([line]), count=count, elements=elements)[0])
+    return np.asarray(frequencies_of(BeamRow([beam]), count=count, elements=elements)[0])

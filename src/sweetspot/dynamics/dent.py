@@ -48,20 +48,20 @@ KEPT = 8192
 """Sections whose dent is kept, nine numbers each: a hundred drilled bats."""
 
 
-def dent_compliance(line: BeamModel, *, law: PatchLaw) -> ByPatch:
+def dent_compliance(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
     """Return the dent of a solid or drilled round bat in m/N by position in m and closing speed.
 
     Parameters
     ----------
-    line : a bat without a shell.
+    beam : a bat without a shell.
     law : how the ball's patch goes with the closing speed.
     """
-    places = np.linspace(0.0, line.bat.length, PLACES)
-    tables = _along(line, places, law.radii)
+    places = np.linspace(0.0, beam.bat.length, PLACES)
+    tables = _along(beam, places, law.radii)
     return ByPatch(law, cubic_spline(places, tables))
 
 
-def blade_dent(line: BeamModel, *, law: PatchLaw) -> ByPatch:
+def blade_dent(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
     """Return the dent of a flat blade of solid wood in m/N by position and closing speed: that of a round body as wide.
 
     Under a patch that is less than half as wide as the blade its own wood gives way most, whatever stands behind it.
@@ -69,10 +69,10 @@ def blade_dent(line: BeamModel, *, law: PatchLaw) -> ByPatch:
 
     Parameters
     ----------
-    line : an implement with a material and a width.
+    beam : an implement with a material and a width.
     law : how the ball's patch goes with the closing speed.
     """
-    blade = line.bat
+    blade = beam.bat
     assert isinstance(blade, CricketBat)
     places = np.linspace(0.0, blade.length, PLACES)
     radius = np.asarray(blade.width_at(places)) / 2
@@ -80,9 +80,9 @@ def blade_dent(line: BeamModel, *, law: PatchLaw) -> ByPatch:
     return ByPatch(law, cubic_spline(places, tables))
 
 
-def _along(line: BeamModel, places: Array, patches: Array) -> Array:
+def _along(beam: BeamModel, places: Array, patches: Array) -> Array:
     """Return the dent in m/N at places under patches of some radii, m; shape (places, radii)."""
-    bat = line.bat
+    bat = beam.bat
     assert isinstance(bat, Bat) and bat.shell is None
     radius = np.asarray(bat.diameter_at(places))[:, None] / 2
     compliance = round_compliance(bat.material, patches / radius, void=0.0) / radius

@@ -22,12 +22,12 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise
 
 
-def face_modes(line: BeamModel, ball: Ball) -> Modes:
+def face_modes(beam: BeamModel, ball: Ball) -> Modes:
     """Return the roll of an implement with a face and, where the face gives way, its mode under the ball.
 
     Parameters
     ----------
-    line : of an implement with a face and an outline.
+    beam : of an implement with a face and an outline.
     ball : whose mass turns the face's restitution into a damper (`damping_coefficient`).
 
     Returns
@@ -35,10 +35,10 @@ def face_modes(line: BeamModel, ball: Ball) -> Modes:
     Modes
         "rigid" roll, then perhaps "face"; their shapes are zero along the line and depend on the lateral place only.
     """
-    face, outline = line.bat.face, line.bat.outline
+    face, outline = beam.bat.face, beam.bat.outline
     if face is None or outline is None:
-        raise InputError(f"{line.bat.name} has no face; give one that has, or take its bending modes alone")
-    roll_moi = rigid_body(line).roll_moi
+        raise InputError(f"{beam.bat.name} has no face; give one that has, or take its bending modes alone")
+    roll_moi = rigid_body(beam).roll_moi
     families: tuple[Family, ...] = ("rigid",)
     frequency, damping_rate = [0.0], [0.0]
     if face.stiffness is not None and face.moving_mass is not None:
@@ -62,7 +62,7 @@ def face_modes(line: BeamModel, ball: Ball) -> Modes:
         harmonics=(0, 1)[:count],
         frequency=np.array(frequency),
         damping_rate=np.array(damping_rate),
-        shapes=Piecewise(np.zeros((1, 1, count)), np.array([0.0, line.bat.length])),
+        shapes=Piecewise(np.zeros((1, 1, count)), np.array([0.0, beam.bat.length])),
         rigid_part=rigid_part,
         dashpots=np.zeros((0, count)),
         surface=Surface(basis, np.eye(count)),

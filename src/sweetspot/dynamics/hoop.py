@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.dynamics.beam import BeamModel, line_of_bat
+from sweetspot.dynamics.beam import BeamModel, bat_of_beam
 from sweetspot.dynamics.long_tube import local_compliance
 from sweetspot.dynamics.modes import Family, Modes, Surface
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
@@ -31,7 +31,7 @@ LOCAL_PLACES = 7
 
 
 def hoop_modes(
-    line: BeamModel,
+    beam: BeamModel,
     *,
     law: PatchLaw,
     harmonics: tuple[int, ...] = HARMONICS,
@@ -45,7 +45,7 @@ def hoop_modes(
 
     Parameters
     ----------
-    line : a bat with a shell.
+    beam : a bat with a shell.
     law : how the ball's patch goes with the closing speed (`patch_law`).
     harmonics : circumferential harmonics that are followed in time, each >= 2.
     axial_modes : modes kept per harmonic.
@@ -62,30 +62,30 @@ def hoop_modes(
     >>> round(hoop_modes(line, law=patch_law(ball)).frequency.min())  # Hz
     1990
     """
-    start, end = barrel_range(line)
+    start, end = barrel_range(beam)
     grid = np.linspace(start, end, GRID)
     shell = barrel_elements(
-        line, (*harmonics, *STATIC_HARMONICS), start=start, elements=elements, capped=is_capped(line)
+        beam, (*harmonics, *STATIC_HARMONICS), start=start, elements=elements, capped=is_capped(beam)
     )
     solved = _solved(shell, wall_pushes(shell, grid, law.radii), followed=len(harmonics), modes=axial_modes)
     omega = np.sqrt(solved.squares.ravel())
     order = np.argsort(omega)
     by_patch = (len(law.radii), GRID)
     left_out = solved.give.sum(axis=0) - np.einsum("npm,nm->p", solved.felt**2, 1 / solved.squares)
-    left_out = left_out.reshape(by_patch).T + _local(line, grid, law.radii)
+    left_out = left_out.reshape(by_patch).T + _local(beam, grid, law.radii)
     shapes = solved.felt.transpose(1, 0, 2).reshape(*by_patch, -1)[..., order].swapaxes(0, 1)
-    felt = ByPatch(law, _over_the_whole_bat(grid, shapes, line.bat.length))
+    felt = ByPatch(law, _over_the_whole_bat(grid, shapes, beam.bat.length))
     families: list[Family] = ["hoop"] * len(omega)
     return Modes(
         families=tuple(families),
         harmonics=tuple(int(number) for number in np.repeat(harmonics, axial_modes)[order]),
         frequency=omega[order] / (2 * np.pi),
-        damping_rate=2 * line.bat.damping_ratio * omega[order],
+        damping_rate=2 * beam.bat.damping_ratio * omega[order],
         shapes=felt.nominal(),
         rigid_part=np.zeros((2, len(omega))),
         dashpots=np.zeros((0, len(omega))),
         surface=Surface(OtherPatch(felt), np.eye(len(omega))),
-        compliances=(ByPatch(law, _over_the_whole_bat(grid, left_out, line.bat.length)),),
+        compliances=(ByPatch(law, _over_the_whole_bat(grid, left_out, beam.bat.length)),),
     )
 
 
@@ -110,21 +110,21 @@ def _solved(shell: ShellElements, pushes: Pushes, *, followed: int, modes: int) 
     )
     if not solved_walls(shell.stiffness, shell.inertia, shell.held, pushes, solved):
         raise InputError(
-            f"the wall of {shell.line.bat.name} cannot be solved: its stiffness or mass is not positive; check its "
+            f"the wall of {shell.beam.bat.name} cannot be solved: its stiffness or mass is not positive; check its "
             "thickness and material"
         )
     return solved
 
 
-def _local(line: BeamModel, grid: Array, radii: Array) -> Array:
+def _local(beam: BeamModel, grid: Array, radii: Array) -> Array:
     """Return the give in harmonics 0 and 1 at places in m under patches, shape (places, radii)."""
     places = np.linspace(grid[0], grid[-1], LOCAL_PLACES)
-    outer = np.asarray(line_of_bat(line).diameter_at(places)) / 2
-    local = local_compliance(wall_stiffness(line, places), outer=outer, radii=radii)
+    outer = np.asarray(bat_of_beam(beam).diameter_at(places)) / 2
+    local = local_compliance(wall_stiffness(beam, places), outer=outer, radii=radii)
     return np.stack([np.interp(grid, places, one) for one in local.T], axis=1)
 
 
-def ring_felt(line: BeamModel, *, harmonic: int, patch: float) -> float:
+def ring_felt(beam: BeamModel, *, harmonic: int, patch: float) -> float:
     """Return how much of the motion under its middle a patch feels of a ring that is bent without stretching.
 
     Parameters
@@ -132,34 +132,34 @@ def ring_felt(line: BeamModel, *, harmonic: int, patch: float) -> float:
     harmonic : n >= 2 of w = W cos(n theta), v = -W / n sin(n theta).
     patch : radius in m.
     """
-    before, after = transform(np.array([harmonic - 1, harmonic + 1]) * patch / _barrel_radius(line))
+    before, after = transform(np.array([harmonic - 1, harmonic + 1]) * patch / _barrel_radius(beam))
     return float((before + after) / 2 - (after - before) / (2 * harmonic))
 
 
-def barrel_range(line: BeamModel) -> tuple[float, float]:
+def barrel_range(beam: BeamModel) -> tuple[float, float]:
     """Return (start, end) in m of the part of a hollow bat that can ring in hoop modes."""
-    bat = line_of_bat(line)
+    bat = bat_of_beam(beam)
     places = np.linspace(0, bat.length, 2001)
     beyond_knob = places > bat.length / 4
-    wide = bat.diameter_at(places) / 2 >= STIFF_TAPER * _barrel_radius(line)
+    wide = bat.diameter_at(places) / 2 >= STIFF_TAPER * _barrel_radius(beam)
     return float(places[beyond_knob & wide][0]), bat.length
 
 
-def hoop_frequency(line: BeamModel) -> float:
+def hoop_frequency(beam: BeamModel) -> float:
     """Return the frequency in Hz of the lowest hoop mode of a hollow bat's barrel."""
-    shell = barrel_elements(line, HARMONICS[:1], start=barrel_range(line)[0], elements=ELEMENTS, capped=is_capped(line))
+    shell = barrel_elements(beam, HARMONICS[:1], start=barrel_range(beam)[0], elements=ELEMENTS, capped=is_capped(beam))
     nowhere = wall_pushes(shell, np.empty(0), np.empty(0))
     return float(np.sqrt(_solved(shell, nowhere, followed=1, modes=1).squares[0, 0]) / (2 * np.pi))
 
 
-def _barrel_radius(line: BeamModel) -> float:
-    bat = line_of_bat(line)
+def _barrel_radius(beam: BeamModel) -> float:
+    bat = bat_of_beam(beam)
     return float(np.max(bat.diameter_at(np.linspace(bat.length / 2, bat.length, 401)))) / 2
 
 
-def is_capped(line: BeamModel) -> bool:
+def is_capped(beam: BeamModel) -> bool:
     """Return whether something closes the tip of a hollow bat."""
-    shell = line_of_bat(line).shell
+    shell = bat_of_beam(beam).shell
     return shell is not None and shell.end_cap_mass > 0
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from sweetspot.dynamics.batch.reduction import reduced_lines
+from sweetspot.dynamics.batch.reduction import reduced_beams
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 
 
-def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: int | None = None) -> Modes:
+def all_modes(beam: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: int | None = None) -> Modes:
     """Return rigid motions and bending modes of a bat, and what its striking face or hollow barrel adds.
 
     A face adds roll and its own mode, damped as it damps this ball; a hollow barrel its hoop modes, which are felt
@@ -17,7 +17,7 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: 
 
     Parameters
     ----------
-    line : from `beam_model`.
+    beam : from `beam_model`.
     ball : that will hit the bat: hoop modes are felt through its patch, a face is damped by it.
     patch_factor : on the radius of the ball's contact patch, > 0; 1 unless its doubt is asked for (`PATCH_SPREAD`).
     count : of the bending modes; None: a dozen, and beside a face as many dozens as a contact excites.
@@ -27,4 +27,4 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: 
     >>> modes, modes.frequency[2:4].round()  # Hz, of the first two bending modes
     (<Modes: 2 rigid, 12 bending>, array([172., 572.]))
     """
-    return reduced_lines([line], ball=ball, patch_factor=patch_factor, count=count).modes(0)
+    return reduced_beams([beam], ball=ball, patch_factor=patch_factor, count=count).modes(0)

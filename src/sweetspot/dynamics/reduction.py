@@ -32,7 +32,7 @@ class ReducedBat(Generic[Tool_co]):
     """
 
     bat: Tool_co
-    line: BeamModel
+    beam: BeamModel
     body: RigidBody
     modes: Modes
 
@@ -43,5 +43,5 @@ class ReducedBat(Generic[Tool_co]):
 
 def reduced_bat(bat: Given, *, ball: Ball) -> ReducedBat[Given]:
     """Return a bat with its beam, its rigid body and its modes under the patch that this ball presses."""
-    line = beam_model(bat)
-    return ReducedBat(bat, line, rigid_body(line), all_modes(line, ball))
+    beam = beam_model(bat)
+    return ReducedBat(bat, beam, rigid_body(beam), all_modes(beam, ball))

@@ -43,7 +43,7 @@ class RigidBody:
         return self.moi_cm + self.mass * (axis - self.balance_point) ** 2
 
 
-def rigid_body(line: BeamModel) -> RigidBody:
+def rigid_body(beam: BeamModel) -> RigidBody:
     """Return mass, balance point and moments of inertia of a bat by exact integration of its conical pieces.
 
     M = int mu dx, x_c = int mu x dx / M, I_cm = int (mu (x - x_c)^2 + rho I) dx, I_roll = int 2 rho I dx.
@@ -53,14 +53,14 @@ def rigid_body(line: BeamModel) -> RigidBody:
 
     Parameters
     ----------
-    line : from `beam_model`.
+    beam : from `beam_model`.
 
     >>> from sweetspot import beam_model, catalog, rigid_body
     >>> body = rigid_body(beam_model(catalog.bat("r161-ash")))
     >>> round(body.mass, 3), round(body.balance_point, 3), round(body.moi(0.1524), 3)  # kg, m, kg m^2 about 6 in
     (0.879, 0.56, 0.188)
     """
-    mass, first, second, roll = moments_with_roll(line)
+    mass, first, second, roll = moments_with_roll(beam)
     balance_point = first / mass
     return RigidBody(mass, balance_point, second - first * balance_point, roll)
 

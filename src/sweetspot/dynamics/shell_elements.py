@@ -20,7 +20,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from sweetspot.dynamics.beam import BeamModel, line_of_bat
+from sweetspot.dynamics.beam import BeamModel, bat_of_beam
 from sweetspot.dynamics.ring_stiffness import ring_at_edge
 from sweetspot.dynamics.shell_kernel import STEP, UNKNOWNS
 from sweetspot.dynamics.wall import WallSection, wall_stiffness
@@ -49,7 +49,7 @@ class ShellElements:
     held : the unknowns that supports hold.
     """
 
-    line: BeamModel
+    beam: BeamModel
     edges: Array
     harmonics: Array
     stiffness: Array
@@ -58,7 +58,7 @@ class ShellElements:
 
 
 def barrel_elements(
-    line: BeamModel, harmonics: tuple[int, ...], *, start: float, elements: int, capped: bool
+    beam: BeamModel, harmonics: tuple[int, ...], *, start: float, elements: int, capped: bool
 ) -> ShellElements:
     """Return the barrel from ``start`` (m from the knob end) to the tip.
 
@@ -68,10 +68,10 @@ def barrel_elements(
     elements : at least; where walls and rings begin, bend or end, elements do as well.
     capped : whether a cap holds the tip round (w = v = 0); the taper always does at the other end.
     """
-    edges = _edges(line, start, elements)
+    edges = _edges(beam, start, elements)
     size = np.diff(edges)
     place = edges[:-1, None] + size[:, None] * (NODES + 1) / 2
-    wall = wall_stiffness(line, place)
+    wall = wall_stiffness(beam, place)
     dx = size[:, None] / 2 * WEIGHTS
     weight = np.pi * wall.mean_radius * dx
     law = np.block([[wall.stretching, wall.coupling], [wall.coupling, wall.bending]]) * EVEN_PART
@@ -79,15 +79,15 @@ def barrel_elements(
     motion = _motion(size)
     stiffness = _energy(_strain(size, wall.mean_radius, numbers), law * weight[..., None, None])
     inertia = _energy(motion, np.eye(3) * (weight * wall.mass_per_area)[..., None, None])
-    of_rings = _of_rings(line, place, dx, motion, wall, numbers)
+    of_rings = _of_rings(beam, place, dx, motion, wall, numbers)
     held = [1, 2] if not capped else [1, 2, STEP * len(size) + 1, STEP * len(size) + 2]
     return ShellElements(
-        line, edges, numbers, stiffness + of_rings[0], inertia + of_rings[1], np.array(held, dtype=np.int64)
+        beam, edges, numbers, stiffness + of_rings[0], inertia + of_rings[1], np.array(held, dtype=np.int64)
     )
 
 
-def _edges(line: BeamModel, start: float, elements: int) -> Array:
-    bat = line_of_bat(line)
+def _edges(beam: BeamModel, start: float, elements: int) -> Array:
+    bat = bat_of_beam(beam)
     shell = bat.shell
     ends = [] if shell is None else [*shell.edges(), *(end for ring in shell.rings for end in ring.ends)]
     size = (bat.length - start) / elements
@@ -159,14 +159,14 @@ def _motion(size: Array) -> Array:
     return motion
 
 
-def _of_rings(line: BeamModel, place: Array, dx: Array, motion: Array, wall: WallSection, harmonics: Array) -> Array:
+def _of_rings(beam: BeamModel, place: Array, dx: Array, motion: Array, wall: WallSection, harmonics: Array) -> Array:
     """Return what rings add to stiffness and mass of every element, shape (2, harmonics, elements, 12, 12)."""
-    shell = line_of_bat(line).shell
+    shell = bat_of_beam(beam).shell
     added = np.zeros((2, len(harmonics), len(place), UNKNOWNS, UNKNOWNS))
     if shell is None:
         return added
     for ring in shell.rings:
-        hollow = shell.bore_at(ring.position, float(line_of_bat(line).diameter_at(ring.position)) / 2)
+        hollow = shell.bore_at(ring.position, float(bat_of_beam(beam).diameter_at(ring.position)) / 2)
         inwards = ((hollow - wall.mean_radius) / wall.mean_radius)[..., None]
         within = ((place > ring.ends[0]) & (place < ring.ends[1])) * dx
         for row, n in enumerate(harmonics):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.dynamics.beam import BeamModel, density_scale, line_of_bat
+from sweetspot.dynamics.beam import BeamModel, bat_of_beam, density_scale
 from sweetspot.equipment.laminate_theory import Plate, laminate_stiffness, sheet
 from sweetspot.equipment.shell import WallPart
 from sweetspot.errors import InputError
@@ -39,7 +39,7 @@ class WallSection:
     bending: Array
 
 
-def wall_stiffness(line: BeamModel, position: Array) -> WallSection:
+def wall_stiffness(beam: BeamModel, position: Array) -> WallSection:
     """Return mass and stiffness of the wall of a hollow or drilled bat at positions in m.
 
     Mass per area times the circumference of the mean surface is the mass per length of the walls exactly. Where a
@@ -51,11 +51,11 @@ def wall_stiffness(line: BeamModel, position: Array) -> WallSection:
         when the bat is solid all over.
     """
     places = np.asarray(position, dtype=float)
-    parts = _parts(line, places)
-    scale = density_scale(line, places)
+    parts = _parts(beam, places)
+    scale = density_scale(beam, places)
     thickness = sum((part.thickness for part in parts), np.zeros_like(places))
     middle = sum((part.thickness * part.middle for part in parts), np.zeros_like(places)) / thickness
-    shell = line_of_bat(line).shell
+    shell = bat_of_beam(beam).shell
     bonded = shell is not None and shell.bonded
     plate = _nothing(places)
     ring = np.zeros_like(places)  # mass per length over 2 pi
@@ -66,8 +66,8 @@ def wall_stiffness(line: BeamModel, position: Array) -> WallSection:
     return WallSection(ring / middle, middle, thickness, plate.stretching, plate.coupling, plate.bending)
 
 
-def _parts(line: BeamModel, position: Array) -> list[WallPart]:
-    bat = line_of_bat(line)
+def _parts(beam: BeamModel, position: Array) -> list[WallPart]:
+    bat = bat_of_beam(beam)
     outer = bat.diameter_at(position) / 2
     if bat.shell is not None:
         return bat.shell.parts(position, outer, bat.material)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sweetspot.dynamics.beam import line_of_bat
+from sweetspot.dynamics.beam import bat_of_beam
 from sweetspot.dynamics.shell_elements import ShellElements, outward_functions, plane_functions
 from sweetspot.dynamics.shell_kernel import Pushes
 from sweetspot.dynamics.wall import wall_stiffness
@@ -25,8 +25,8 @@ def wall_pushes(shell: ShellElements, places: Array, radii: Array) -> Pushes:
     places : m from the knob end, shape (places,).
     radii : of the patch, m, shape (radii,).
     """
-    outer = np.asarray(line_of_bat(shell.line).diameter_at(places)) / 2
-    middle = wall_stiffness(shell.line, places).mean_radius
+    outer = np.asarray(bat_of_beam(shell.beam).diameter_at(places)) / 2
+    middle = wall_stiffness(shell.beam, places).mean_radius
     lift = ((outer - middle) / middle)[:, None]
     point = np.clip(places[:, None] + radii[:, None, None] * NODES, shell.edges[0], shell.edges[-1])
     element = np.clip(np.searchsorted(shell.edges, point, side="right") - 1, 0, len(shell.edges) - 2)

@@ -156,7 +156,7 @@ class DrawnBats:
 
 
 def drawn_bats(
-    line: BeamModel,
+    beam: BeamModel,
     unknowns: Sequence[Unknown],
     deviations: Array,
     *,
@@ -168,7 +168,7 @@ def drawn_bats(
 
     Parameters
     ----------
-    line : the bat as described.
+    beam : the bat as described.
     deviations : of every bat, shape (bats, unknowns).
     spreads : one standard deviation of each, shape (unknowns,).
     ball : whose patch presses the surface.
@@ -176,31 +176,31 @@ def drawn_bats(
     """
     law, sizes = patch_law(ball), np.maximum(spreads, 1e-12)
     if not unknowns:
-        same = bending_batch(BeamRow([line]), threads=1)
-        return DrawnBats(joined_batches([same] * len(deviations)), (), deviations, all_modes(line, ball))
-    if not isinstance(line.bat, Bat):
-        return _drawn_implements(line, unknowns, deviations, sizes, ball)
-    lines = [deviated(line, unknowns, row) for row in deviations]
-    own = _surface(line, law)
+        same = bending_batch(BeamRow([beam]), threads=1)
+        return DrawnBats(joined_batches([same] * len(deviations)), (), deviations, all_modes(beam, ball))
+    if not isinstance(beam.bat, Bat):
+        return _drawn_implements(beam, unknowns, deviations, sizes, ball)
+    beams = [deviated(beam, unknowns, row) for row in deviations]
+    own = _surface(beam, law)
     surfaces: list[Surface] = [own]
     for one, step in zip(unknowns, np.diag(sizes), strict=True):
-        ends = (deviated(line, unknowns, sign * step) for sign in (1.0, -1.0))
+        ends = (deviated(beam, unknowns, sign * step) for sign in (1.0, -1.0))
         surfaces += [own, own] if one.name in UNFELT else [_surface(end, law) for end in ends]
-    return DrawnBats(bending_batch(BeamRow(lines), threads=threads), tuple(surfaces), deviations / sizes)
+    return DrawnBats(bending_batch(BeamRow(beams), threads=threads), tuple(surfaces), deviations / sizes)
 
 
 def _drawn_implements(
-    line: BeamModel, unknowns: Sequence[Unknown], deviations: Array, sizes: Array, ball: Ball
+    beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array, sizes: Array, ball: Ball
 ) -> DrawnBats:
     """Return implements that are no bats: weight, balance and all motions are followed by slope and bend."""
-    own = as_described(line.bat)
+    own = as_described(beam.bat)
     ends = [deviated(own, unknowns, sign * step) for step in np.diag(sizes) for sign in (1.0, -1.0)]
-    whole = all_modes(line, ball)
+    whole = all_modes(beam, ball)
     count = whole.families.count("bending")  # of all: one mode is followed only where every end has it
     wholes = tuple(all_modes(one, ball, count=count) for one in ends)
-    same = joined_batches([bending_batch(BeamRow([line]), threads=1)] * len(deviations))
+    same = joined_batches([bending_batch(BeamRow([beam]), threads=1)] * len(deviations))
     drawn = DrawnBats(same, (), deviations / sizes, whole, wholes)
-    bodies = [rigid_body(one) for one in (line, *ends)]
+    bodies = [rigid_body(one) for one in (beam, *ends)]
     mass, balance, moi = (
         drawn.followed([np.array([getattr(body, name)]) for body in bodies])[:, 0]
         for name in ("mass", "balance_point", "moi_cm")
@@ -218,10 +218,10 @@ def _alike(shapes: Sequence[Array]) -> list[Array]:
     return alike
 
 
-def _surface(line: BeamModel, law: PatchLaw) -> Surface:
+def _surface(beam: BeamModel, law: PatchLaw) -> Surface:
     """Return what a ball feels besides the beam of a bat; see `all_modes`."""
-    assert isinstance(line.bat, Bat)  # others have their faces among all their modes
-    return dent_compliance(line, law=law) if line.bat.shell is None else hoop_modes(line, law=law)
+    assert isinstance(beam.bat, Bat)  # others have their faces among all their modes
+    return dent_compliance(beam, law=law) if beam.bat.shell is None else hoop_modes(beam, law=law)
 
 
 def _given(surface: Surface, position: Array, weights: Array) -> Array:

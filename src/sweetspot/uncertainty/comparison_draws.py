@@ -99,7 +99,7 @@ def drawn_comparison(
         joint = Sources(own.doubt, first.others)
         analysis = one.analysis
         drawn = np.hstack([of_bats[:, [behind[number] for number in own.doubt.behind]], of_others])
-        draws = draws_of(analysis.line, analysis.conditions, joint, count=count, normal=drawn)
+        draws = draws_of(analysis.beam, analysis.conditions, joint, count=count, normal=drawn)
         if bats and law is not None:
             reference = bats[0].draws
             draws = draws.swung(reference.bat_speed / reference.bat_speed[0] * _ratios(law, draws, reference, power))
@@ -183,7 +183,7 @@ def _of_law(law: SwingLaw | None) -> tuple[Source, ...]:
 
 def _ratios(law: SwingLaw, draws: Draws, reference: Draws, power: Array) -> Array:
     """Return every draw's omega against the reference's, over that of the bats as described."""
-    own, known = (one.moi(one.line.bat.choke + law.axis) for one in (draws, reference))
+    own, known = (one.moi(one.beam.bat.choke + law.axis) for one in (draws, reference))
     ratios = [
         law.speed_ratio(float(moi), reference_moi=float(before), exponent=float(exponent))
         for moi, before, exponent in zip(own, known, power, strict=True)

@@ -36,7 +36,7 @@ class Draws:
     ----------
     sources : what is drawn.
     normal : standard normal numbers behind every draw, shape (draws, n); the first row is 0.
-    line, conditions : as described.
+    beam, conditions : as described.
     bats, balls : drawn.
     patch : factor on the radius of the patch beside that of each ball, shape (draws,).
     bat_speed, pitch_speed : m/s, where the swing is measured and of the ball, shape (draws,).
@@ -44,7 +44,7 @@ class Draws:
 
     sources: Sources
     normal: Array
-    line: BeamModel
+    beam: BeamModel
     conditions: Conditions
     bats: DrawnBats
     balls: tuple[Ball, ...]
@@ -86,13 +86,13 @@ class Draws:
     @cached_property
     def _step(self) -> float:
         """Time step in s: a light face needs shorter ones than a bat's barrel."""
-        if self.line.bat.face is None:
+        if self.beam.bat.face is None:
             return STEP
-        return contact_step(all_modes(self.line, self.conditions.ball), self.conditions.ball, longest=STEP)
+        return contact_step(all_modes(self.beam, self.conditions.ball), self.conditions.ball, longest=STEP)
 
 
 def draws_of(
-    line: BeamModel,
+    beam: BeamModel,
     conditions: Conditions,
     sources: Sources,
     *,
@@ -104,7 +104,7 @@ def draws_of(
 
     Parameters
     ----------
-    line, conditions : as described.
+    beam, conditions : as described.
     count : a power of two.
     normal : standard normal numbers to draw by, shape (count, n); None: Sobol's sequence.
     """
@@ -122,14 +122,14 @@ def draws_of(
     )
     swung, thrown = conditions.swing.bat_speed + sources.of(SWING, off), conditions.pitch.speed + sources.of(PITCH, off)
     drawn_ones = drawn_bats(
-        line, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.doubt.covariance)), ball=ball
+        beam, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.doubt.covariance)), ball=ball
     )
     patch = np.exp(sources.of(PATCH, off))
     own = patch * np.array([contact_patch(one) for one in balls]) / contact_patch(ball)
     # a patch goes as v^(1 / (n + 1)): another radius at this speed is that of another speed
     pressing = (own ** (ball.exponent + 1))[:, None]
     return Draws(
-        sources, normal, line, conditions, replace(drawn_ones, pressing=pressing), balls, patch,
+        sources, normal, beam, conditions, replace(drawn_ones, pressing=pressing), balls, patch,
         np.clip(swung, SLOWEST, MAX_SPEED), np.clip(thrown, 0.0, MAX_SPEED),
     )  # fmt: skip
 

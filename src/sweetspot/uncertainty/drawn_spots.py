@@ -131,8 +131,8 @@ def drawn_nodes(draws: Draws, families: Collection[str]) -> list[Array]:
         told = [index for index, family in enumerate(bats.whole.families) if family in families]
         return _followed_nodes(bats, [(one, told) for one in (bats.whole, *bats.wholes)])
     steps = np.diag(np.sqrt(np.diag(draws.sources.doubt.covariance)))
-    ends = [deviated(draws.line, unknowns, sign * step) for step in steps for sign in (1.0, -1.0)]
-    around = bending_batch(BeamRow([draws.line, *ends]), threads=1)
+    ends = [deviated(draws.beam, unknowns, sign * step) for step in steps for sign in (1.0, -1.0)]
+    around = bending_batch(BeamRow([draws.beam, *ends]), threads=1)
     beams = [around.modes(number) for number in range(len(around))]
     nodes = _followed_nodes(bats, [(beam, range(2, len(beam))) for beam in beams])
     return nodes + (_followed_nodes(bats, bats.walls) if bats.walls else [])

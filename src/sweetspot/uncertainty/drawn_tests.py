@@ -65,7 +65,7 @@ class DrawnTest:
 
 
 def drawn_test(
-    line: BeamModel, conditions: Conditions, sources: Sources, tested: Certification, *, count: int = DRAWS
+    beam: BeamModel, conditions: Conditions, sources: Sources, tested: Certification, *, count: int = DRAWS
 ) -> DrawnTest:
     """Return the answers of draws to a simulated test.
 
@@ -75,7 +75,7 @@ def drawn_test(
     sources : see `sources_of_test`.
     tested : the test of the bat as described; draws are counted from its measures.
     """
-    draws = draws_of(line, conditions, sources, count=count)
+    draws = draws_of(beam, conditions, sources, count=count)
     drawn, best, place = _fired(draws, tested.swung.closing_speed)
     _, slow, slow_place = _fired(draws, BPF_SPEED)
     efficiency = tested.fast.best_efficiency + drawn - drawn[0]
@@ -94,7 +94,7 @@ def drawn_test(
 
 def _fired(draws: Draws, speed: float) -> tuple[Array, Array, Array]:
     """Return q and BBCOR of every draw at its best place, and that place in m, shapes (draws,)."""
-    length = draws.line.bat.length
+    length = draws.beam.bat.length
     places = np.linspace(length - FAR, length - NEAR, PLACES)
     efficiency = draws.struck(places[None, :], np.array([[speed]])).collision_efficiency
     mass = draws.conditions.ball.mass

@@ -94,11 +94,11 @@ def _measured_anew(doubt: ImplementDoubt, one: Implement) -> ImplementDoubt:
     given = _written(one)
     if not given or not doubt.unknowns:
         return doubt
-    line = beam_model(one) if isinstance(one, Bat) else as_described(one)
+    beam = beam_model(one) if isinstance(one, Bat) else as_described(one)
     steps = STEP * np.diag(np.sqrt(np.diag(doubt.covariance)))
 
     def said(deviations: Array) -> Array:
-        return predicted(deviated(line, doubt.unknowns, deviations), given)
+        return predicted(deviated(beam, doubt.unknowns, deviations), given)
 
     sizes = np.maximum(np.diag(steps), 1e-12)
     slopes = np.array([(said(step) - said(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]).T

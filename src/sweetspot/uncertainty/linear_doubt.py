@@ -43,7 +43,7 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
     The place stays that of the bat as described.
     """
     count = len(sources.names)
-    draws = draws_of(analysis.line, analysis.conditions, sources, count=2 * count, normal=_one_by_one(count))
+    draws = draws_of(analysis.beam, analysis.conditions, sources, count=2 * count, normal=_one_by_one(count))
     hit = hits_along(draws, np.array([analysis.sweet_spots.max_exit_speed]))
     if not np.isfinite(hit.exit_speed).all():
         return None

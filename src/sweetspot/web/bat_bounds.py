@@ -61,13 +61,13 @@ def _masses(bat: Bat) -> Range:
     if bat.shell is not None:
         low, high = (limit / OUNCE for limit in weights(bat))
         return (math.ceil(10 * low) / 10, math.floor(10 * high) / 10)
-    line = beam_model(bat)
-    mass = rigid_body(line).mass / OUNCE
+    beam = beam_model(bat)
+    mass = rigid_body(beam).mass / OUNCE
     known = bat.material.density_range
     if known is None:
         return (10.0, 60.0)
-    others = sum(lump.mass for lump in line.point_masses) / OUNCE
-    wood = (mass - others) / (bat.material.density * line.density_factor)
+    others = sum(lump.mass for lump in beam.point_masses) / OUNCE
+    wood = (mass - others) / (bat.material.density * beam.density_factor)
     return (math.ceil(10 * (others + wood * known[0])) / 10, math.floor(10 * (others + wood * known[1])) / 10)
 
 

@@ -126,34 +126,34 @@ def test_game_wood_bats_stay_under_97_mph(baseball: Ball) -> None:
 
 def test_the_clamp_does_not_matter(r161: Bat, baseball: Ball) -> None:
     """nathan2000: what holds the handle acts back only after the ball has left."""
-    line = beam_model(r161)
-    body, free = rigid_body(line), all_modes(line, baseball)
+    beam = beam_model(r161)
+    body, free = rigid_body(beam), all_modes(beam, baseball)
     clamped = gripped(free, Hands(position=CLAMP, spacing=0.0, mass=1e4, stiffness=1e9))
     assert np.abs(clamped.shape_at(CLAMP)[clamped.of_family("bending")[:3]]).max() < 0.01  # it holds
     values = [
-        bat_test(line, body=body, modes=modes, ball=baseball, closing_speed=BBCOR_SPEED).best_bbcor
+        bat_test(beam, body=body, modes=modes, ball=baseball, closing_speed=BBCOR_SPEED).best_bbcor
         for modes in (free, clamped)
     ]
     assert values[0] == pytest.approx(values[1], abs=3e-4) and values[0] != values[1]
 
 
 def test_the_best_place_does_not_hang_on_the_scan(r161: Bat, baseball: Ball) -> None:
-    line = beam_model(r161)
-    body, modes = rigid_body(line), all_modes(line, baseball)
+    beam = beam_model(r161)
+    body, modes = rigid_body(beam), all_modes(beam, baseball)
     fine = np.linspace(r161.length - 0.254, r161.length - 0.0508, 321)
-    usual = bat_test(line, body=body, modes=modes, ball=baseball, closing_speed=BBCOR_SPEED)
-    dense = bat_test(line, body=body, modes=modes, ball=baseball, closing_speed=BBCOR_SPEED, positions=fine)
+    usual = bat_test(beam, body=body, modes=modes, ball=baseball, closing_speed=BBCOR_SPEED)
+    dense = bat_test(beam, body=body, modes=modes, ball=baseball, closing_speed=BBCOR_SPEED, positions=fine)
     assert usual.best_bbcor == pytest.approx(dense.best_bbcor, abs=1e-4)
     assert usual.best_position == pytest.approx(dense.best_position, abs=0.005)
 
 
 def test_an_edge_is_said(r161: Bat, baseball: Ball) -> None:
-    line = beam_model(r161)
+    beam = beam_model(r161)
     places = np.linspace(r161.length - 0.1, r161.length - 0.05, 20)
     found = bat_test(
-        line,
-        body=rigid_body(line),
-        modes=all_modes(line, baseball),
+        beam,
+        body=rigid_body(beam),
+        modes=all_modes(beam, baseball),
         ball=baseball,
         closing_speed=60.0,
         positions=places,

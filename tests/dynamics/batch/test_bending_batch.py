@@ -33,17 +33,17 @@ def batch(lines: list[BeamModel]) -> BendingBatch:
 @pytest.mark.parametrize("name", NAMES)
 def test_a_batch_is_the_dense_twin(name: str, lines: list[BeamModel], batch: BendingBatch) -> None:
     number = NAMES.index(name)
-    line = lines[number]
-    modes, body, ours = dense_modes(line), rigid_body(line), batch.body(number)
+    beam = lines[number]
+    modes, body, ours = dense_modes(beam), rigid_body(beam), batch.body(number)
     for mine, theirs in ((ours.mass, body.mass), (ours.balance_point, body.balance_point),
                          (ours.moi_cm, body.moi_cm), (ours.roll_moi, body.roll_moi)):  # fmt: skip
         assert mine == pytest.approx(theirs, rel=1e-12)
     assert np.allclose(batch.frequency[number], modes.frequency[2:], rtol=1e-9, atol=0)
-    place = PLACES * line.bat.length
+    place = PLACES * beam.bat.length
     every = np.tile(place, (len(lines), 1))
     shapes = modes.shape_at(place)
     assert np.abs(batch.shapes_at(every)[number] - shapes).max() < 1e-9 * np.abs(shapes).max()
-    slow = static_compliance(line, place)
+    slow = static_compliance(beam, place)
     assert np.abs(batch.left_out_at(every)[number] - modes.compliances[0](place)).max() < 1e-9 * slow.max()
     whole = batch.modes(number)
     assert np.abs(whole.shape_at(place) - shapes).max() < 1e-9 * np.abs(shapes).max()
@@ -52,15 +52,15 @@ def test_a_batch_is_the_dense_twin(name: str, lines: list[BeamModel], batch: Ben
 
 @pytest.mark.parametrize(("name", "count"), [("r161-ash", 1), ("two-piece", 5), ("golf-driver", 40)])
 def test_one_beam_is_a_batch_of_one(name: str, count: int) -> None:
-    line = beam_model(catalog.load_implement(name))
-    modes, dense = bending_modes(line, count=count), dense_modes(line, count=count)
-    place = PLACES * line.bat.length
+    beam = beam_model(catalog.load_implement(name))
+    modes, dense = bending_modes(beam, count=count), dense_modes(beam, count=count)
+    place = PLACES * beam.bat.length
     assert modes.frequency == pytest.approx(dense.frequency, rel=1e-9)
     assert np.abs(modes.shape_at(place) - dense.shape_at(place)).max() < 1e-8 * np.abs(dense.shape_at(place)).max()
     assert modes.damping_rate == pytest.approx(dense.damping_rate, rel=1e-9)
-    assert bending_frequencies(line, count=count) == pytest.approx(dense.frequency[2:], rel=1e-9)
-    few = bending_frequencies(line, count=count, elements=60)
-    assert few == pytest.approx(dense_modes(line, count=count, elements=60).frequency[2:], rel=1e-9)
+    assert bending_frequencies(beam, count=count) == pytest.approx(dense.frequency[2:], rel=1e-9)
+    few = bending_frequencies(beam, count=count, elements=60)
+    assert few == pytest.approx(dense_modes(beam, count=count, elements=60).frequency[2:], rel=1e-9)
 
 
 def test_a_measured_frequency_is_that_of_the_bat_without_its_weights() -> None:

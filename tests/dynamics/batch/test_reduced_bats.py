@@ -10,7 +10,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.collision.hits_of_bats import struck
 from sweetspot.collision.kernel import STEP, hits_with_motion
-from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines
+from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_beams
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.dynamics.rigid import rigid_body
@@ -27,14 +27,14 @@ def lines() -> list[BeamModel]:
 
 @pytest.fixture(scope="module")
 def bats(lines: list[BeamModel]) -> ReducedBats:
-    return reduced_lines(lines, ball=catalog.ball())
+    return reduced_beams(lines, ball=catalog.ball())
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_motions_are_those_of_the_dense_chain(name: str, lines: list[BeamModel], bats: ReducedBats) -> None:
-    number, line = NAMES.index(name), lines[NAMES.index(name)]
-    modes, ours = dense_chain(line, catalog.ball()), bats.modes(number)
-    place = np.linspace(0.4, 1.0, 17) * line.bat.length
+    number, beam = NAMES.index(name), lines[NAMES.index(name)]
+    modes, ours = dense_chain(beam, catalog.ball()), bats.modes(number)
+    place = np.linspace(0.4, 1.0, 17) * beam.bat.length
     assert ours.families == modes.families
     assert np.allclose(ours.frequency, modes.frequency, rtol=1e-9, atol=1e-9)
     theirs, mine = modes.shape_at(place), ours.shape_at(place)
@@ -48,7 +48,7 @@ def test_motions_are_those_of_the_dense_chain(name: str, lines: list[BeamModel],
 
 def test_hits_of_many_bats_are_those_of_each(lines: list[BeamModel], bats: ReducedBats) -> None:
     ball = catalog.ball()
-    place = np.array([line.bat.length for line in lines])[:, None] - np.linspace(0.08, 0.25, 9)
+    place = np.array([beam.bat.length for beam in lines])[:, None] - np.linspace(0.08, 0.25, 9)
     done = struck(bats, ball=ball, position=place, closing_speed=np.full(place.shape, 60.0), keep_motion=True)
     for number in range(len(lines)):
         modes = bats.modes(number)
@@ -62,12 +62,12 @@ def test_a_wall_that_gives_way_less_than_its_beam_counts_with_the_beam() -> None
     bat, ply = catalog.bat("composite"), catalog.material("carbon-ply")
     assert bat.shell is not None
     around = Laminate(plies=(Ply(material=ply, angle=math.radians(90), thickness=0.3e-3),) * 2)
-    line, ball = (
+    beam, ball = (
         beam_model(bat.replaced(shell=bat.shell.replaced(laminate=around), mass=None, moi=None)),
         catalog.ball(),
     )
-    modes, ours = dense_chain(line, ball), reduced_lines([line], ball=ball)
-    place, speed = line.bat.length - np.linspace(0.03, 0.06, 7), np.full((1, 7), 60.0)
+    modes, ours = dense_chain(beam, ball), reduced_beams([beam], ball=ball)
+    place, speed = beam.bat.length - np.linspace(0.03, 0.06, 7), np.full((1, 7), 60.0)
     wall = ours.walls[0]
     assert wall is not None and wall.give_at(place, closing_speed=speed[0]).max() < 0 < modes.compliance_at(place).min()
     give = ours.compliance_at(place[None], closing_speed=speed)[0]
@@ -78,8 +78,8 @@ def test_a_wall_that_gives_way_less_than_its_beam_counts_with_the_beam() -> None
 
 
 def test_a_quick_contact_has_as_many_modes_as_in_the_dense_chain() -> None:
-    line, ball = beam_model(catalog.load_implement("badminton-racket")), catalog.ball("shuttle")
-    modes, ours = dense_chain(line, ball), reduced_lines([line], ball=ball).modes(0)
+    beam, ball = beam_model(catalog.load_implement("badminton-racket")), catalog.ball("shuttle")
+    modes, ours = dense_chain(beam, ball), reduced_beams([beam], ball=ball).modes(0)
     assert len(ours) == len(modes) > 40
     assert np.allclose(ours.frequency, modes.frequency, rtol=1e-8, atol=1e-9)
 
@@ -94,6 +94,6 @@ def test_one_bat_is_a_batch_of_one(name: str) -> None:
     )  # a round head is no polynomial: quadrature by elements, by pieces
     assert (reduced.body.mass, reduced.body.balance_point) == pytest.approx((body.mass, body.balance_point), rel=exact)
     assert (reduced.body.moi_cm, reduced.body.roll_moi) == pytest.approx((body.moi_cm, body.roll_moi), rel=exact)
-    dense = dense_chain(reduced.line, catalog.ball())
+    dense = dense_chain(reduced.beam, catalog.ball())
     assert reduced.modes.families == dense.families and reduced.modes.harmonics == dense.harmonics
     assert np.allclose(reduced.modes.frequency, dense.frequency, rtol=1e-9, atol=1e-9)

@@ -95,7 +95,7 @@ def _passing(bat: Bat, factor: float, middle: float, limit: float, measure: str)
 
 
 def _measured(bat: Bat, ball: Ball, measure: str) -> float:
-    line = beam_model(bat)
+    beam = beam_model(bat)
     speed = BBCOR_SPEED if measure == "bbcor" else BPF_SPEED
-    test = bat_test(line, body=rigid_body(line), modes=all_modes(line, ball), ball=ball, closing_speed=speed)
+    test = bat_test(beam, body=rigid_body(beam), modes=all_modes(beam, ball), ball=ball, closing_speed=speed)
     return test.best_bbcor if measure == "bbcor" else bpf(test.best_bbcor, ball_restitution=test.ball_restitution)

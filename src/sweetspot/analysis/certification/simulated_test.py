@@ -254,22 +254,22 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     >>> round(certify(catalog.bat("r161-ash"), ball=catalog.ball()).bbcor, 2)  # allowed is 0.50
     0.5
     """
-    line, swung = beam_model(bat), swung_test(bat, ball)
-    body = rigid_body(line)
+    beam, swung = beam_model(bat), swung_test(bat, ball)
+    body = rigid_body(beam)
 
     def both(modes: Modes, body: RigidBody) -> tuple[BatTest, BatTest]:
         fast, slow = (
-            bat_test(line, body=body, modes=modes, ball=ball, closing_speed=speed)
+            bat_test(beam, body=body, modes=modes, ball=ball, closing_speed=speed)
             for speed in (swung.closing_speed, BPF_SPEED)
         )
         return fast, slow
 
-    usual, *others = (all_modes(line, ball, patch_factor=factor) for factor in (1.0, *PATCH_SPREAD))
+    usual, *others = (all_modes(beam, ball, patch_factor=factor) for factor in (1.0, *PATCH_SPREAD))
     moi, doubt = body.moi(CLAMP), REACH * moi_doubt(bat, body, CLAMP)
     walls = [] if bat.shell is None or not wall_doubt else [
         beam_model(with_barrel_wall(bat, 1 + change)) for change in (-wall_doubt, wall_doubt)
     ]  # fmt: skip
-    turning = [turning_as(line, moi + change, axis=CLAMP) for change in (-doubt, doubt) if doubt]
+    turning = [turning_as(beam, moi + change, axis=CLAMP) for change in (-doubt, doubt) if doubt]
     return Certification(
         bat, ball, body, swung, *both(usual, body),
         other_patches=tuple(both(modes, body) for modes in others),
@@ -278,9 +278,9 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     )  # fmt: skip
 
 
-def _bending_as(modes: Modes, line: BeamModel) -> Modes:
+def _bending_as(modes: Modes, beam: BeamModel) -> Modes:
     """Return modes of a bat whose bending and rigid motions are those of another line; its surface stays."""
-    bending = bending_modes(line)
+    bending = bending_modes(beam)
     bending = replace(bending, compliances=(*bending.compliances, *modes.compliances[1:]))
     walls = modes.of_family("hoop")
     return joined(bending, modes.kept(walls)) if walls else bending
@@ -291,7 +291,7 @@ def _bpf_of(slow: BatTest) -> float:
 
 
 def bat_test(
-    line: BeamModel,
+    beam: BeamModel,
     *,
     body: RigidBody,
     modes: Modes,
@@ -315,7 +315,7 @@ def bat_test(
     InputError
         when the bat is too short for the clamp, lighter than the ball, or no hit ended.
     """
-    length = line.bat.length
+    length = beam.bat.length
     if length < SHORTEST:
         raise InputError(
             f"the bat is {shown(length)} long; the test clamps it 6 in from the knob and needs {shown(SHORTEST)}"

@@ -179,64 +179,64 @@ class SolidBats:
 class BeamRow:
     """Any implements, reduced to beams one by one."""
 
-    lines: Sequence[BeamModel]
+    beams: Sequence[BeamModel]
 
     def __len__(self) -> int:
-        return len(self.lines)
+        return len(self.beams)
 
     @property
     def lumps(self) -> Lumps:
         """Everything that sits at one place."""
-        most = max(len(line.point_masses) for line in self.lines)
+        most = max(len(beam.point_masses) for beam in self.beams)
         rows = np.zeros((4, len(self), most))
-        for number, line in enumerate(self.lines):
-            for index, lump in enumerate(line.point_masses):
+        for number, beam in enumerate(self.beams):
+            for index, lump in enumerate(beam.point_masses):
                 rows[:, number, index] = lump
         return Lumps(*rows)
 
     @property
     def unplaced(self) -> Array:
         """First and second moment measured beyond the distribution, kg m and kg m^2, shape (beams, 2)."""
-        return np.array([line.unplaced for line in self.lines])
+        return np.array([beam.unplaced for beam in self.beams])
 
     @property
     def damping_ratio(self) -> Array:
         """Fractions of critical damping of the bending modes, shape (beams,)."""
-        return np.array([line.bat.damping_ratio for line in self.lines])
+        return np.array([beam.bat.damping_ratio for beam in self.beams])
 
     @property
     def frequency(self) -> Array:
         """Measured frequencies in Hz of the first mode; nan: not known; shape (beams,)."""
-        return np.array([np.nan if line.bat.frequency is None else line.bat.frequency for line in self.lines])
+        return np.array([np.nan if beam.bat.frequency is None else beam.bat.frequency for beam in self.beams])
 
     def ends(self) -> tuple[Mesh, Mesh]:
         """Return the ends of what is smooth: point masses among them, and without."""
-        plain = [line.bat.breakpoints() for line in self.lines]
+        plain = [beam.bat.breakpoints() for beam in self.beams]
         whole = [
-            apart(sorted({*ends, *(lump.position for lump in line.point_masses)}))
-            for ends, line in zip(plain, self.lines, strict=True)
+            apart(sorted({*ends, *(lump.position for lump in beam.point_masses)}))
+            for ends, beam in zip(plain, self.beams, strict=True)
         ]
         return mesh_of([np.array(ends) for ends in whole]), mesh_of([np.array(ends) for ends in plain])
 
     def section_at(self, position: Array, owner: IntArray) -> Section:
         """Return the sections at places in m of the beams whose numbers ``owner`` are, in rising order."""
         borders = np.searchsorted(owner, np.arange(len(self) + 1))
-        sections = [section(line, position[borders[i] : borders[i + 1]]) for i, line in enumerate(self.lines)]
+        sections = [section(beam, position[borders[i] : borders[i + 1]]) for i, beam in enumerate(self.beams)]
         return Section(*(np.concatenate([getattr(one, field.name) for one in sections]) for field in fields(Section)))
 
     def as_measured(self) -> Beams:
         """Return them as their frequencies were measured: before weights were added; themselves where none was."""
-        if not any(line.bat.added and line.bat.frequency is not None for line in self.lines):
+        if not any(beam.bat.added and beam.bat.frequency is not None for beam in self.beams):
             return self
         return BeamRow([
-            replace(line, bat=line.bat.replaced(added=()), point_masses=line.point_masses[: -len(line.bat.added)])
-            if line.bat.added else line
-            for line in self.lines
+            replace(beam, bat=beam.bat.replaced(added=()), point_masses=beam.point_masses[: -len(beam.bat.added)])
+            if beam.bat.added else beam
+            for beam in self.beams
         ])  # fmt: skip
 
     def part(self, which: slice) -> BeamRow:
         """Return some of them."""
-        return BeamRow(self.lines[which])
+        return BeamRow(self.beams[which])
 
 
 def _distinct(ends: Array) -> Mesh:

@@ -129,8 +129,8 @@ def reduced_outlines(bats: SolidBats, *, ball: Ball, threads: int | None = None)
     return ReducedBats(bending_batch(bats, threads=threads), dent, law, (None,) * len(bats))
 
 
-def reduced_lines(
-    lines: Sequence[BeamModel],
+def reduced_beams(
+    beams: Sequence[BeamModel],
     *,
     ball: Ball,
     patch_factor: float = 1.0,
@@ -148,27 +148,27 @@ def reduced_lines(
     threads : workers; None: one per core.
     """
     law = patch_law(ball, factor=patch_factor)
-    dent, walls, faces = np.zeros((len(lines), PLACES, len(law.radii))), dict[int, Modes](), dict[int, Modes]()
+    dent, walls, faces = np.zeros((len(beams), PLACES, len(law.radii))), dict[int, Modes](), dict[int, Modes]()
 
-    def along(dented: ByPatch, line: BeamModel) -> Array:
-        return np.asarray(dented.tables(np.linspace(0.0, line.bat.length, PLACES)))
+    def along(dented: ByPatch, beam: BeamModel) -> Array:
+        return np.asarray(dented.tables(np.linspace(0.0, beam.bat.length, PLACES)))
 
     def work(part: slice) -> None:
         for number in range(part.start, part.stop):
-            line = lines[number]
-            if line.bat.face is not None:
-                walls[number] = faces[number] = face_modes(line, ball)
-            elif isinstance(line.bat, Bat) and line.bat.shell is not None:
-                walls[number] = hoop_modes(line, law=law)
-            if isinstance(line.bat, CricketBat):
-                dent[number] = along(blade_dent(line, law=law), line)
-            elif isinstance(line.bat, Bat) and line.bat.shell is None:
-                dent[number] = along(dent_compliance(line, law=law), line)
+            beam = beams[number]
+            if beam.bat.face is not None:
+                walls[number] = faces[number] = face_modes(beam, ball)
+            elif isinstance(beam.bat, Bat) and beam.bat.shell is not None:
+                walls[number] = hoop_modes(beam, law=law)
+            if isinstance(beam.bat, CricketBat):
+                dent[number] = along(blade_dent(beam, law=law), beam)
+            elif isinstance(beam.bat, Bat) and beam.bat.shell is None:
+                dent[number] = along(dent_compliance(beam, law=law), beam)
 
-    in_parts(work, len(lines), size=4, threads=threads)
-    bending, enough = bending_batch(BeamRow(lines), count=count or MODES, threads=threads), count or MODES
+    in_parts(work, len(beams), size=4, threads=threads)
+    bending, enough = bending_batch(BeamRow(beams), count=count or MODES, threads=threads), count or MODES
     wanted = {} if count else {one: excited_frequency(bending.modes(one), face, ball) for one, face in faces.items()}
     while enough < MOST_MODES and any(bending.frequency[number, -1] < least for number, least in wanted.items()):
         enough += MODES
-        bending = bending_batch(BeamRow(lines), count=enough, threads=threads)
-    return ReducedBats(bending, dent, law, tuple(walls.get(i) for i in range(len(lines))))
+        bending = bending_batch(BeamRow(beams), count=enough, threads=threads)
+    return ReducedBats(bending, dent, law, tuple(walls.get(i) for i in range(len(beams))))

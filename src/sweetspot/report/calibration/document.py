@@ -73,7 +73,7 @@ def calibration_document(posterior: Posterior, damping: Measured | None) -> Docu
         told = (again_words(posterior), moi_words(posterior), density_words(posterior), supposed_words(posterior))
         blocks += [Paragraph(words) for words in (budget_words(posterior), *chain(*told))]
     blocks.append(Paragraph(sigma, "note"))
-    own = posterior.line.bat
+    own = posterior.beam.bat
     return Document(
         name="calibrate", title="The calibrated bat" if isinstance(own, Bat) else f"{own.name}, calibrated",
         kind="Calibration", blocks=blocks, data=data, rows=as_columns(data["measurements"]),
@@ -93,13 +93,13 @@ def _values(posterior: Posterior, damping: Measured | None) -> Table:
 
 def _kind(posterior: Posterior, which: str = "") -> str:
     """Return what people call what was calibrated: the bat, the fitted racket."""
-    noun = sport(posterior.line.bat.sport).words.implement
+    noun = sport(posterior.beam.bat.sport).words.implement
     return f"the {which} {noun}" if which else f"the {noun}"
 
 
 def called(name: str, posterior: Posterior) -> str | Sentence:
     """Return what a value of the calibrated bat, or of an implement of another sport, is called."""
-    own = posterior.line.bat
+    own = posterior.beam.bat
     if isinstance(own, Bat) or name not in ("balance_point", "moi"):
         return VALUES[name][0]
     if name == "moi":
@@ -117,7 +117,7 @@ def axis_words(axis: float, butt: str) -> Sentence:
 def _unknowns(posterior: Posterior) -> Table:
     rows = [
         (
-            unknown_words(one.name, posterior.line.bat),
+            unknown_words(one.name, posterior.beam.bat),
             say("± {spread}", spread=Slot(REACH * as_part(one.name, Measured(0.0, one.spread)).error, "share", 1)),
             _percent(as_part(one.name, posterior.deviation(one.name))),
         )
@@ -180,7 +180,7 @@ def contradictions(posterior: Posterior, alone: Mapping[str, Posterior] | None =
     lone = len(posterior.measurements) == 1
     by = (
         say(": {name} lies {pull} sigma from what all the others say together",
-            name=source_words(name, posterior.line.bat), pull=f"{abs(pull):.1f}")
+            name=source_words(name, posterior.beam.bat), pull=f"{abs(pull):.1f}")
         if (name in alone or not alone) and not lone
         else say(", by {pull} sigma", pull=f"{abs(pull):.1f}")
     )  # fmt: skip
@@ -190,7 +190,7 @@ def contradictions(posterior: Posterior, alone: Mapping[str, Posterior] | None =
     ]  # fmt: skip
     for suspect, without in alone.items():
         one = next(one for one in posterior.measurements if one.name == suspect)
-        said = float(predicted(without.line, [one], livelier=without.livelier)[0])
+        said = float(predicted(without.beam, [one], livelier=without.livelier)[0])
         should, given = (Slot(value, *SCALE_OF[one.kind]) for value in (said, one.value.value))
         words.append(
             say("By the description the {name} should be about {should} and not {given}.", name=suspect, should=should,
@@ -206,7 +206,7 @@ def contradictions(posterior: Posterior, alone: Mapping[str, Posterior] | None =
             words.append(say("As {how} it would agree{others}.", how=how, others="" if lone else " with all others"))
     if len(words) == 1:
         words.append(_unexplained(posterior))
-    elif isinstance(posterior.line.bat, Bat) and len(words) == 1 + len(alone):  # nobody knows what was meant
+    elif isinstance(posterior.beam.bat, Bat) and len(words) == 1 + len(alone):  # nobody knows what was meant
         words.append(say("If {what} right, the outline is not this bat's.",
                          what="it is" if len(alone) == 1 else "all of them are"))  # fmt: skip
     return [*words, *supposed_words(posterior)]
@@ -217,7 +217,7 @@ def _meant_words(slip: Meant, posterior: Posterior) -> Sentence:
     if slip.words:
         return say("{words}", words=slip.words)
     about = "swung about" if slip.measurement.kind == "period" else "taken about"
-    return say("{about} {axis}", about=about, axis=axis_words(slip.measurement.axis, posterior.line.bat.grip_end))
+    return say("{about} {axis}", about=about, axis=axis_words(slip.measurement.axis, posterior.beam.bat.grip_end))
 
 
 def _unexplained(posterior: Posterior) -> Sentence:
@@ -225,7 +225,7 @@ def _unexplained(posterior: Posterior) -> Sentence:
     if names := renamed(posterior):
         told = (say("{value} {name}", value=Slot(one.value.value, "frequency", 1), name=one.name) for one in names)
         return say("All would agree were the tones named otherwise: {names}.", names=joined(told, ", "))
-    own = posterior.line.bat
+    own = posterior.beam.bat
     drawing = "unit or axis"
     if isinstance(own, Bat):
         drawing = "outline, another wood" if own.shell is None else "outline or wall"
@@ -244,17 +244,17 @@ def _rows(posterior: Posterior) -> list[tuple[Measurement, float, float]]:
 
 def budget_words(posterior: Posterior) -> Sentence:
     """Return in words what the doubt about the modulus comes from, and what a wrong handle would do to it."""
-    of_bat = isinstance(posterior.line.bat, Bat)
+    of_bat = isinstance(posterior.beam.bat, Bat)
     what, unknown = ("E", "modulus") if of_bat else ("the first frequency", "first_frequency")
     if "assumed" in {one.kind for name, one in material_values(posterior).items() if name in OF_STIFFNESS}:
         return say(
             "{what} was not measured and stays as described, give or take {half}. Tap the {bat} to know it.",
             what=what[0].upper() + what[1:],
             half=Slot(REACH * posterior.deviation(unknown).error, "share"),
-            bat=sport(posterior.line.bat.sport).words.implement,
+            bat=sport(posterior.beam.bat.sport).words.implement,
         )
     shares = (
-        say("{name} {share}", name=source_words(name, posterior.line.bat), share=Slot(share, "share"))
+        say("{name} {share}", name=source_words(name, posterior.beam.bat), share=Slot(share, "share"))
         for name, share in posterior.budget(unknown).items()
         if share >= LEAST_SHARE
     )
@@ -269,7 +269,7 @@ def budget_words(posterior: Posterior) -> Sentence:
 
 def supposed_words(posterior: Posterior) -> list[Sentence]:
     """Return in words that a turned bat is taken as solid; measurements on its outside do not show what is within."""
-    own = posterior.line.bat
+    own = posterior.beam.bat
     if not isinstance(own, Bat) or own.material.family != "wood" or own.shell is not None:
         return []
     return [
@@ -295,7 +295,7 @@ def again_words(posterior: Posterior) -> list[Sentence]:
 
 def moi_words(posterior: Posterior) -> list[Sentence]:
     """Return in words what a bat's moment of inertia rests on where it was not measured."""
-    own, values = posterior.line.bat, properties(posterior)
+    own, values = posterior.beam.bat, properties(posterior)
     if not isinstance(own, Bat) or values["moi"].kind == "measured":
         return []
     return [
@@ -308,11 +308,11 @@ def moi_words(posterior: Posterior) -> list[Sentence]:
 
 def density_words(posterior: Posterior) -> list[Sentence]:
     """Return in words that the material would be lighter or heavier than usual; nothing where it is not."""
-    line = posterior.line
-    own, known = line.bat.density_range, _usual(line.bat).density_range
+    beam = posterior.beam
+    own, known = beam.bat.density_range, _usual(beam.bat).density_range
     if own is None or known is None:
         return []
-    weighed = line if isinstance(line.bat, Bat) else beam_model(line.bat.replaced(balance_point=None, moi=None))
+    weighed = beam if isinstance(beam.bat, Bat) else beam_model(beam.bat.replaced(balance_point=None, moi=None))
     density = weighed.density_factor * own.usual
     if known.lightest <= density <= known.heaviest:
         return []
@@ -320,9 +320,9 @@ def density_words(posterior: Posterior) -> list[Sentence]:
         say(
             "As drawn it weighs this only at {density}; {material} usually has {low} to {high}. The drawing's walls or "
             "thicknesses are not quite those of this {bat}.",
-            density=Slot(density, "density"), material=line.bat.made_of,
+            density=Slot(density, "density"), material=beam.bat.made_of,
             low=Slot(known.lightest, "density").bare, high=Slot(known.heaviest, "density"),
-            bat=sport(line.bat.sport).words.implement,
+            bat=sport(beam.bat.sport).words.implement,
         )
     ]  # fmt: skip
 

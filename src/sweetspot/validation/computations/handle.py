@@ -57,7 +57,7 @@ def impulse_given_at_arrival(*, bat: str) -> float:
     """
     conditions = shared.standard(bat).conditions
     place = shared.standard(bat).sweet_spots.max_exit_speed
-    modes = bending_modes(shared.line(bat), count=MANY_MODES, elements=MANY_MODES)
+    modes = bending_modes(shared.beam(bat), count=MANY_MODES, elements=MANY_MODES)
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
     force = hit(modes, ball=conditions.ball, position=place, closing_speed=closing, step=STEP).force
     drift, push, handle = modal_propagator_of(modes, STEP), modes.shape_at(place), modes.shape_at(HANDS)

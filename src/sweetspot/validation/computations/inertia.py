@@ -89,7 +89,7 @@ def catalogue_moi(*, bat: str, axis: float) -> float:
 
 def catalogue_volume(*, bat: str) -> float:
     """Return the volume of a solid bat of one material."""
-    return shared.body(bat).mass / (catalog.bat(bat).material.density * shared.line(bat).density_factor)
+    return shared.body(bat).mass / (catalog.bat(bat).material.density * shared.beam(bat).density_factor)
 
 
 def catalogue_modulus(*, bat: str) -> float:

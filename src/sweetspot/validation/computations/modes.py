@@ -43,9 +43,9 @@ def _thin_rod() -> tuple[Modes, float]:
         material=catalog.material("aluminium_7xxx"),
         profile=((0.0, THIN_DIAMETER), (THIN_LENGTH, THIN_DIAMETER)),
     )
-    line = beam_model(bat)
-    at = section(line, np.array([THIN_LENGTH / 2]))
-    return bending_modes(line, count=3), float(at.mass[0] / at.bending_stiffness[0])
+    beam = beam_model(bat)
+    at = section(beam, np.array([THIN_LENGTH / 2]))
+    return bending_modes(beam, count=3), float(at.mass[0] / at.bending_stiffness[0])
 
 
 def frequency(*, bat: str, mode: int) -> float:

@@ -14,7 +14,7 @@ from sweetspot.dynamics.rigid import RigidBody, rigid_body
 
 
 @cache
-def line(bat: str) -> BeamModel:
+def beam(bat: str) -> BeamModel:
     """Return a catalogue bat as a beam."""
     return beam_model(catalog.bat(bat))
 
@@ -22,13 +22,13 @@ def line(bat: str) -> BeamModel:
 @cache
 def body(bat: str) -> RigidBody:
     """Return a catalogue bat as a rigid body."""
-    return rigid_body(line(bat))
+    return rigid_body(beam(bat))
 
 
 @cache
 def free_modes(bat: str) -> Modes:
     """Return the motions of a catalogue bat hung freely, as the catalogue's baseball meets them."""
-    return all_modes(line(bat), catalog.ball())
+    return all_modes(beam(bat), catalog.ball())
 
 
 @cache

@@ -44,9 +44,9 @@ def made_torpedo(bat: Bat, *, thinner: float) -> Bat:
 def _tested(bat: str, thinner: float) -> BatTest:
     """Return the bat test of a catalogue bat, or of a torpedo made of it."""
     plain, ball = catalog.bat(bat), catalog.ball()
-    line = beam_model(made_torpedo(plain, thinner=thinner) if thinner else plain)
-    modes = all_modes(line, ball)
-    return bat_test(line, body=rigid_body(line), modes=modes, ball=ball, closing_speed=TEST_SPEED)
+    beam = beam_model(made_torpedo(plain, thinner=thinner) if thinner else plain)
+    modes = all_modes(beam, ball)
+    return bat_test(beam, body=rigid_body(beam), modes=modes, ball=ball, closing_speed=TEST_SPEED)
 
 
 def torpedo_shift(*, bat: str, thinner: float) -> float:

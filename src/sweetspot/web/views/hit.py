@@ -173,7 +173,7 @@ def _hoop(scene: TimeHistory, modes: Modes, reduced_bat: ReducedBat, conditions:
     for harmonic in HARMONICS:
         same = [index for index in hoop if modes.harmonics[index] == harmonic]
         felt = scene.displacement[:, same] @ shape[same]
-        part = ring_felt(reduced_bat.line, harmonic=harmonic, patch=contact_patch(conditions.ball, closing_speed))
+        part = ring_felt(reduced_bat.beam, harmonic=harmonic, patch=contact_patch(conditions.ball, closing_speed))
         dents.append(_short(felt / part, 7))
     return {
         "harmonics": HARMONICS,

@@ -84,7 +84,7 @@ def _held(state: ModesState) -> _Held:
         "hands_m": hands.places,
         "nodes": {f"node_{n}_m": barrel_node(model.modes, harmonic=n) for n in (1, 2)},
         "place_m": np.round(places, 5),
-        "hoop_start_m": barrel_range(model.line)[0] if bat.shell is not None else None,
+        "hoop_start_m": barrel_range(model.beam)[0] if bat.shell is not None else None,
         "modes": _rows(modes, listed, places),
     }
     return _Held(modes, listed, hands.position, table)

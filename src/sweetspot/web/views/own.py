@@ -107,7 +107,7 @@ def answer(state: OwnState) -> dict[str, Any]:
 
 
 def _fitted(posterior: Posterior, state: OwnState) -> Implement:
-    own = posterior.line.bat
+    own = posterior.beam.bat
     return calibrated_bat(posterior, damping_of(state)) if isinstance(own, Bat) else own
 
 
@@ -149,7 +149,7 @@ def _both(words: str | Sentence) -> dict[str, str]:
 
 def _unknowns(posterior: Posterior) -> list[dict[str, Any]]:
     """Return for everything that was not known how doubtful it was and is, as parts of it, and by what."""
-    rows, own = [], posterior.line.bat
+    rows, own = [], posterior.beam.bat
     for one in posterior.unknowns:
         off = as_part(one.name, posterior.deviation(one.name))
         before = as_part(one.name, Measured(0.0, one.spread))
@@ -170,7 +170,7 @@ def _residuals(state: OwnState, posterior: Posterior | None, alone: Mapping[str,
     """
     own, _ = unknown_of(state)
     pulls = {} if posterior is None else dict(zip(posterior.sources, posterior.pulls.tolist(), strict=True))
-    line = beam_of(own) if posterior is None else posterior.line
+    beam = beam_of(own) if posterior is None else posterior.beam
     agree = posterior is None or not posterior.contradictions
     rows = []
     for one in measurements_of(state):
@@ -183,8 +183,8 @@ def _residuals(state: OwnState, posterior: Posterior | None, alone: Mapping[str,
             "half": REACH * one.value.error, "counts": counts, "field": FIELDS.get(one.kind),
             "sigma": pulls.get(one.name),
             "contradicts": posterior is not None and one.name in posterior.contradictions,
-            "fitted": float(predicted(line, [one])[0]) if agree else None,
-            "should": None if others is None else float(predicted(others.line, [one])[0]),
+            "fitted": float(predicted(beam, [one])[0]) if agree else None,
+            "should": None if others is None else float(predicted(others.beam, [one])[0]),
             "tone": name_of(one.mode) if one.mode else None, "right_tone": name_of(mode) if mode else None,
         })  # fmt: skip
     return rows
