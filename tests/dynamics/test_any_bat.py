@@ -27,7 +27,7 @@ def test_few_elements_have_the_frequencies_of_many(bat: Bat) -> None:
     beam = beam_model(bat)
     few, many = bending_frequencies(beam, count=12), bending_frequencies(beam, count=12, elements=64)
     assert few == pytest.approx(many, rel=2e-3)
-    assert few[0] == pytest.approx(many[0], rel=2e-5)  # what it misses of a slow mode's give would count at once
+    assert few[0] == pytest.approx(many[0], rel=5e-5)  # what it misses of a slow mode's give would count at once
     assert np.all(few > many * (1 - 1e-9))  # the motions of few are among those of many: never slower
 
 
