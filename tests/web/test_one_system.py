@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import pytest
 
-from sweetspot.units import shown, shown_density, shown_mass
+from sweetspot.units import format_density, format_length, format_mass
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.one_system import in_one_system
 
 
 def test_each_reader_sees_one_unit() -> None:
     """Exact."""
-    words = in_one_system(f"{shown_mass(0.8788)} balances {shown(0.5602)} from the knob; a head of {shown_mass(-0.1)}")
+    words = in_one_system(
+        f"{format_mass(0.8788)} balances {format_length(0.5602)} from the knob; a head of {format_mass(-0.1)}"
+    )
     assert words["us"] == "31.0 oz balances 22.1 in from the knob; a head of \N{MINUS SIGN}3.5 oz"
     assert words["si"] == "879 g balances 56.0 cm from the knob; a head of \N{MINUS SIGN}100 g"
 
 
 def test_densities_speeds_and_distances_too() -> None:
     """Exact."""
-    words = in_one_system(f"{shown_density(301)}; 31.29 m/s (70 mph); 100 m (328.1 ft); 0.05 kg m^2 (2734 oz in^2)")
+    words = in_one_system(f"{format_density(301)}; 31.29 m/s (70 mph); 100 m (328.1 ft); 0.05 kg m^2 (2734 oz in^2)")
     assert words["us"] == "18.8 lb/ft³; 70.0 mph; 328 ft; 2734 oz in²"
     assert words["si"] == "301 kg/m³; 31.3 m/s; 100.0 m; 500 kg cm²"
 
@@ -30,6 +32,6 @@ def test_other_words_stay(words: str) -> None:
 
 def test_a_fault_has_words_for_either_where_they_differ() -> None:
     assert "words" not in fault(FieldError("bat", "there is no such bat"))
-    told = fault(FieldError("mass_oz", f"given was {shown_mass(1.0)}"))
+    told = fault(FieldError("mass_oz", f"given was {format_mass(1.0)}"))
     assert told["message"] == "given was 1 kg (35.27 oz)"
     assert told["words"] == {"us": "given was 35.3 oz", "si": "given was 1000 g"}

@@ -24,7 +24,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.notebook_display import ShownInNotebooks
-from sweetspot.units import shown
+from sweetspot.units import format_length
 
 TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
 """kg, N/m, N s/m per hand; soft defaults, recalled and not read, used only to show that grip hardly matters."""
@@ -51,7 +51,8 @@ class Analysis(ShownInNotebooks, Generic[Tool_co]):
 
     def __repr__(self) -> str:
         return (
-            f"<Analysis of {self.bat.name}: best hit {shown(self.sweet_spots.max_exit_speed)} from the end of the grip>"
+            f"<Analysis of {self.bat.name}: best hit {format_length(self.sweet_spots.max_exit_speed)} from the end of "
+            "the grip>"
         )
 
     @property
@@ -179,18 +180,18 @@ def check_swing(bat: Implement, conditions: Conditions) -> None:
     swing = conditions.swing
     if swing.measured_at > bat.length + 1e-9:
         raise InputError(
-            f"bat speed is measured at {shown(swing.measured_at)}, beyond the tip at {shown(bat.length)}; "
-            "give a place on the bat"
+            f"bat speed is measured at {format_length(swing.measured_at)}, beyond the tip at "
+            f"{format_length(bat.length)}; give a place on the bat"
         )
     if not -1.0 <= swing.pivot < bat.length / 2:
         raise InputError(
-            f"pivot is {shown(swing.pivot)} from the {bat.grip_end}; allowed is from 1 m behind it to the middle, "
-            f"{shown(bat.length / 2)}"
+            f"pivot is {format_length(swing.pivot)} from the {bat.grip_end}; allowed is from 1 m behind it to the "
+            f"middle, {format_length(bat.length / 2)}"
         )
     if conditions.hands.position > bat.length / 2:
         raise InputError(
-            f"hands are at {shown(conditions.hands.position)}, beyond the middle of the bat at "
-            f"{shown(bat.length / 2)}; hold the handle"
+            f"hands are at {format_length(conditions.hands.position)}, beyond the middle of the bat at "
+            f"{format_length(bat.length / 2)}; hold the handle"
         )
 
 

@@ -24,7 +24,7 @@ from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.parabola import peak
-from sweetspot.units import INCH, shown_mass
+from sweetspot.units import INCH, format_mass
 
 Variation = Literal["mass", "bore_diameter", "bore_depth", "cup_depth", "wall_factor", "bat_speed", "pitch_speed"]
 VARIATIONS: tuple[Variation, ...] = get_args(Variation)
@@ -199,7 +199,7 @@ def _with_mass(bat: Bat, mass: float) -> Bat:
     cap = mass - lightest
     if cap < 0:
         raise InputError(
-            f"{bat.name} weighs {shown_mass(lightest)} without its end cap; {shown_mass(mass)} needs a thinner wall"
+            f"{bat.name} weighs {format_mass(lightest)} without its end cap; {format_mass(mass)} needs a thinner wall"
         )
     shell = bat.shell.replaced(end_cap_mass=cap)
     return bat.replaced(shell=shell, mass=None, balance_point=None, moi=None, original=bat.as_measured())

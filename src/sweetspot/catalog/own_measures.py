@@ -24,7 +24,7 @@ from sweetspot.equipment.stretch import stretched
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError
 from sweetspot.plausibility import bounds, fine
-from sweetspot.units import shown, shown_mass
+from sweetspot.units import format_length, format_mass
 
 THICKNESS = (0.75, 1.35)
 """Of blades and walls over the pattern's, where their density cannot meet the weight (assumed)."""
@@ -126,7 +126,7 @@ def _thickened(tool: Implement, mass: float) -> tuple[Implement, str]:
     if factor is None:
         factor = THICKNESS[0] if mass <= way.weights(drawn_mass)[0] else THICKNESS[1]
     changed = way.changed(factor).replaced(mass=mass, balance_point=None, moi=None)
-    return changed, f"Its weight, {shown_mass(mass)}, is met where {way.in_words(factor)}."
+    return changed, f"Its weight, {format_mass(mass)}, is met where {way.in_words(factor)}."
 
 
 def _thicker_blade(bat: CricketBat, factor: float) -> CricketBat:
@@ -163,17 +163,19 @@ def _club(club: GolfClub, known: Measures) -> tuple[Implement, str]:
         club = _balanced(club, mass, known.balance_point)
     shaft = moments(BeamModel(club, 1.0, 0.0, ()))[0] - club.grip_mass
     head = mass - shaft - club.grip_mass
-    parts = f"a grip of {shown_mass(club.grip_mass)}, a shaft of {shown_mass(shaft)} and a head of {shown_mass(head)}"
+    parts = (
+        f"a grip of {format_mass(club.grip_mass)}, a shaft of {format_mass(shaft)} and a head of {format_mass(head)}"
+    )
     if head <= 0 or not bounds("golf-club head.mass").accepts(head):
         least, most = club_weights(club)
         raise InputError(
-            f"a club with a shaft of {shown_mass(shaft)} and a grip of {shown_mass(club.grip_mass)} weighs "
-            f"{shown_mass(least)} to {shown_mass(most)}, by its head; given was {shown_mass(mass)}. "
+            f"a club with a shaft of {format_mass(shaft)} and a grip of {format_mass(club.grip_mass)} weighs "
+            f"{format_mass(least)} to {format_mass(most)}, by its head; given was {format_mass(mass)}. "
             "Check the weight, the shaft and the balance"
         )
     heavier = head / club.head.mass
     changed = {name: heavier * getattr(club.head, name) for name in ("mass", "moi", "roll_moi")}
-    return club.replaced(head=club.head.replaced(**changed)), f"Its weight, {shown_mass(mass)}, is {parts}."
+    return club.replaced(head=club.head.replaced(**changed)), f"Its weight, {format_mass(mass)}, is {parts}."
 
 
 def club_weights(club: GolfClub) -> tuple[float, float]:
@@ -209,8 +211,8 @@ def _balanced(club: GolfClub, mass: float, balance: float) -> GolfClub:
     out, near = (excess(factor) for factor in factors)
     if not near <= 0 <= out:
         raise InputError(
-            f"a club of {shown_mass(mass)} with this shaft can balance {shown(balance + near)} to "
-            f"{shown(balance + out)} from the butt; given was {shown(balance)}"
+            f"a club of {format_mass(mass)} with this shaft can balance {format_length(balance + near)} to "
+            f"{format_length(balance + out)} from the butt; given was {format_length(balance)}"
         )
     return _with_wall(club, float(brentq(excess, *factors, xtol=1e-13)))
 

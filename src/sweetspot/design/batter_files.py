@@ -15,7 +15,7 @@ from sweetspot.design.contacts import ContactPlaces, contacts_at
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.numerics.text_files import read_text, table_rows
 from sweetspot.plausibility import parse
-from sweetspot.units import INCH, shown
+from sweetspot.units import INCH, format_length
 
 MOST_BYTES = 5_000_000
 LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")
@@ -92,8 +92,8 @@ def _place(text: str, head: str, path: Path, line: int) -> float:
             raise InputError(f"{path}, line {line}: {error}") from None
     if not 0 <= place <= LONGEST:
         raise InputError(
-            f"{path}, line {line}: {text.strip()} was given, {shown(place)} from the tip; allowed is a place on a bat, "
-            f"0 to {shown(LONGEST)}: check the unit"
+            f"{path}, line {line}: {text.strip()} was given, {format_length(place)} from the tip; allowed is a place "
+            f"on a bat, 0 to {format_length(LONGEST)}: check the unit"
         )
     return place
 

@@ -11,7 +11,7 @@ import numpy as np
 from sweetspot.catalog.records import quantity, read_table
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import INCH, shown
+from sweetspot.units import INCH, format_length
 
 FROM_TIP = np.arange(0.25, 13.0, 0.5) * INCH
 """m from the tip where every bat is hit."""
@@ -89,16 +89,20 @@ def normal_contact(mean: float, spread: float) -> Array:
     """
     if not 0 < mean < FARTHEST:
         raise InputError(
-            f"contact is {shown(mean)} from the tip; allowed is more than 0 and less than {shown(FARTHEST)}"
+            f"contact is {format_length(mean)} from the tip; allowed is more than 0 and less than "
+            f"{format_length(FARTHEST)}"
         )
     if not 0.1 * INCH <= spread <= 6 * INCH:
-        raise InputError(f"the contacts spread by {shown(spread)}; allowed is {shown(0.1 * INCH)} to {shown(6 * INCH)}")
+        raise InputError(
+            f"the contacts spread by {format_length(spread)}; allowed is {format_length(0.1 * INCH)} to "
+            f"{format_length(6 * INCH)}"
+        )
     ends = (-mean, LAST - mean)
     inside = 0.5 * (math.erf(ends[1] / spread / math.sqrt(2)) - math.erf(ends[0] / spread / math.sqrt(2)))
     if inside < LEAST_INSIDE:
         raise InputError(
-            f"{1 - inside:.0%} of contacts {shown(mean)} from the tip, give or take {shown(spread)}, lie beyond the "
-            f"outer 13 in of the bat, where hits are computed; allowed is up to {1 - LEAST_INSIDE:.0%}"
+            f"{1 - inside:.0%} of contacts {format_length(mean)} from the tip, give or take {format_length(spread)}, "
+            f"lie beyond the outer 13 in of the bat, where hits are computed; allowed is up to {1 - LEAST_INSIDE:.0%}"
         )
     weight = np.exp(-(((FROM_TIP - mean) / spread) ** 2) / 2)
     return np.asarray(weight / weight.sum())

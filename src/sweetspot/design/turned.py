@@ -17,7 +17,7 @@ from sweetspot.equipment.bat import USUAL_CUP, WIDEST_CUP, Bat, Cup
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import INCH, shown
+from sweetspot.units import INCH, format_length
 
 LEAST_CUP = 0.02 * INCH
 """m of depth below which a cup is left out."""
@@ -186,8 +186,8 @@ def turned_space(
         label, ends = MORE[name]
         if not ends[0] <= least < most <= ends[1]:
             raise InputError(
-                f"{label} may go from {shown(least)} to {shown(most)}; allowed is a range with some width inside "
-                f"{shown(ends[0])} to {shown(ends[1])}"
+                f"{label} may go from {format_length(least)} to {format_length(most)}; allowed is a range with some "
+                f"width inside {format_length(ends[0])} to {format_length(ends[1])}"
             )
         variables.append(Variable(name, label, "length", least, most, min(max(own[name], least), most)))
     return TurnedSpace(bat, tuple(variables), wood)

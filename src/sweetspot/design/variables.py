@@ -17,7 +17,7 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import shown
+from sweetspot.units import format_length
 
 DENSITY_SPREAD, MODULUS_SPREAD = 0.05, 0.08
 """Standard deviations of wood of one species, as parts: of density, and of the moduli at one density (assumed)."""
@@ -47,7 +47,7 @@ class Variable:
 
     def __post_init__(self) -> None:
         if not self.low < self.high:
-            where = "" if self.from_tip is None else f" {shown(self.from_tip)} from the tip"
+            where = "" if self.from_tip is None else f" {format_length(self.from_tip)} from the tip"
             raise InputError(
                 f"{self.label}{where} may go from {self.low:.4g} to {self.high:.4g}; give a range with some width"
             )

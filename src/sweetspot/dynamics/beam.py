@@ -18,7 +18,7 @@ from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.gauss_legendre import quadrature
-from sweetspot.units import INCH, OUNCE_INCH_SQUARED, shown, shown_density, shown_mass
+from sweetspot.units import INCH, OUNCE_INCH_SQUARED, format_density, format_length, format_mass
 
 BALANCE_SCATTER = 0.3 * INCH
 """By how much a measured balance point may differ from the drawing's before the drawing is corrected: 3 standard
@@ -260,9 +260,9 @@ def _check_density(beam: BeamModel, known: DensityRange) -> None:
     others, bat, (usual, low, high) = _mass_of_others(beam), beam.bat, _allowed(beam.bat, known)
     own = ((bat.mass or 0.0) - others) / (beam.density_factor * usual)
     raise InputError(
-        f"{bat.name} weighs {shown_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, known)}, so that the "
-        f"nearest it can weigh is {shown_mass(others + own * low)} to {shown_mass(others + own * high)}. "
-        "Check the weight, the diameters and the material"
+        f"{bat.name} weighs {format_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, known)}, so that "
+        f"the nearest it can weigh is {format_mass(others + own * low)} to {format_mass(others + own * high)}. Check "
+        "the weight, the diameters and the material"
     )
 
 
@@ -282,8 +282,8 @@ def _only_at(beam: BeamModel, known: DensityRange) -> str:
     """Return at which density alone the material would do, and which it can have."""
     usual, low, high = _allowed(beam.bat, known)
     density = beam.density_factor * usual
-    at = f"only at a density of {shown_density(density)}" if density > 0 else "at no density"
-    return f"{at}; {beam.bat.made_of} can be {shown_density(low)} to {shown_density(high)}"
+    at = f"only at a density of {format_density(density)}" if density > 0 else "at no density"
+    return f"{at}; {beam.bat.made_of} can be {format_density(low)} to {format_density(high)}"
 
 
 def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) -> str:
@@ -303,7 +303,7 @@ def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) 
         else:
             beyond = part
     return (
-        f"{bat.name}: at {shown_mass(moments(drawn)[0])} the outline gives {_told(drawn, _balance_and_moi(drawn))}, "
+        f"{bat.name}: at {format_mass(moments(drawn)[0])} the outline gives {_told(drawn, _balance_and_moi(drawn))}, "
         f"but {_told(drawn, measured)} was measured, which it has {_only_at(corrected, known)}, so that the nearest "
         f"that can be is {_told(drawn, _balance_and_moi(nearest))}. Check the profile or the measurement"
     )
@@ -316,9 +316,9 @@ def _what_can_be(drawn: BeamModel, closest: BeamModel, measured: Array, scatter:
     possible = _balance_and_moi(closest) + np.clip(measured - _balance_and_moi(closest), -within, within)
 
     return (
-        f"{bat.name}: at {shown_mass(moments(drawn)[0])} the outline gives {_told(drawn, _balance_and_moi(drawn))}, "
+        f"{bat.name}: at {format_mass(moments(drawn)[0])} the outline gives {_told(drawn, _balance_and_moi(drawn))}, "
         f"but {_told(drawn, measured)} was measured. With density that changes by {100 * GRADIENT_LIMIT:.0f} % "
-        f"towards the tip, and at the grip by {-100 * LIGHTEST_GRIP:.0f} % less or {shown_mass(HEAVIEST_GRIP)} more, "
+        f"towards the tip, and at the grip by {-100 * LIGHTEST_GRIP:.0f} % less or {format_mass(HEAVIEST_GRIP)} more, "
         f"the nearest that can be is {_told(drawn, possible)}. Check the profile or the measurement"
     )
 
@@ -327,6 +327,6 @@ def _told(beam: BeamModel, values: Array) -> str:
     """Return in words a balance point and moi, as far as they were measured."""
     bat = beam.bat
     moi = f"{values[1]:.4g} kg m^2 ({values[1] / OUNCE_INCH_SQUARED:.5g} oz in^2)"
-    texts = (f"balance point {shown(values[0])}", f"moi {moi} about {shown(bat.moi_axis)}")
+    texts = (f"balance point {format_length(values[0])}", f"moi {moi} about {format_length(bat.moi_axis)}")
     measured = (bat.balance_point, bat.moi)
     return " and ".join(text for text, value in zip(texts, measured, strict=True) if value is not None)

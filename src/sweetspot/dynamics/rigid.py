@@ -15,7 +15,7 @@ from sweetspot.equipment.base import Real
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.plausibility import check_place
-from sweetspot.units import shown
+from sweetspot.units import format_length
 
 
 @dataclass(frozen=True)
@@ -164,7 +164,7 @@ def _pendulum_arm(balance_point: float, pivot: float) -> float:
     arm = balance_point - pivot
     if arm <= 0:
         raise InputError(
-            f"the bat hangs from {shown(pivot)}, beyond its balance point at {shown(balance_point)}; "
+            f"the bat hangs from {format_length(pivot)}, beyond its balance point at {format_length(balance_point)}; "
             "hang it from the handle"
         )
     return arm

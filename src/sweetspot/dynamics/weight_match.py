@@ -17,7 +17,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.shell import Shell, between
 from sweetspot.errors import InputError
-from sweetspot.units import INCH, OUNCE, shown_mass
+from sweetspot.units import INCH, OUNCE, format_mass
 
 WeightBy = Literal["handle", "knob", "end cap", "wall"]
 ORDER: tuple[WeightBy, ...] = ("handle", "knob", "end cap", "wall")
@@ -122,9 +122,11 @@ def weighing(bat: Bat, mass: float) -> Bat:
     met = first_met(_made_otherwise(bat, bat.shell), mass, _mass_of)
     if met is None:
         low, high = weights(bat)
-        raise InputError(f"{bat.name} can weigh {shown_mass(low)} to {shown_mass(high)}; given was {shown_mass(mass)}")
+        raise InputError(
+            f"{bat.name} can weigh {format_mass(low)} to {format_mass(high)}; given was {format_mass(mass)}"
+        )
     changed, how = met
-    return changed.replaced(remark=f"Its weight, {shown_mass(mass)}, is that with {how}.")
+    return changed.replaced(remark=f"Its weight, {format_mass(mass)}, is that with {how}.")
 
 
 def weights(bat: Bat) -> tuple[float, float]:
@@ -241,7 +243,7 @@ def _made_otherwise(bat: Bat, shell: Shell) -> tuple[Way[Bat], ...]:
     return (
         Way(
             "end cap", (0.0, HEAVIEST_CAP), lambda mass: _made_with(bat, shell.replaced(end_cap_mass=mass)),
-            lambda mass: f"an end cap of {shown_mass(mass)}",
+            lambda mass: f"an end cap of {format_mass(mass)}",
         ),
         Way(
             "wall", WALL_FACTOR, lambda factor: with_wall_factor(bat, factor),

@@ -17,7 +17,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 from pydantic_core import ErrorDetails
 
 from sweetspot.errors import ALMOST, InputError
-from sweetspot.units import shown_mass
+from sweetspot.units import format_mass
 from sweetspot.units.quantities import KIND_OF, PLAIN, in_si
 
 if TYPE_CHECKING:
@@ -219,7 +219,7 @@ def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
             if abs(fault["input"]) <= sys.float_info.max:  # beyond, a whole number has no short form
                 given = f"{fault['input']:.4g}"
             if parts[-1:] == ["mass"]:
-                given = shown_mass(fault["input"])
+                given = format_mass(fault["input"])
         case "tuple_type" if isinstance(fault["input"], str):
             text += f': write pairs of position and size, as in [["0 in", {given}], ...]'
     return f"{place} was given as {given}: {text[0].lower()}{text[1:]}"

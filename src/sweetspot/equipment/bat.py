@@ -20,7 +20,7 @@ from sweetspot.equipment.section import Section, of_solid, of_walls
 from sweetspot.equipment.shell import Shell, Stations, between, check_order
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.units import INCH, shown
+from sweetspot.units import INCH, format_length
 from sweetspot.units.quantities import in_si
 
 LENGTH_RANGE = (0.3, 1.3)
@@ -194,31 +194,34 @@ class Bat(OfMaterial):
     def _check_fits(self, diameter: float, depth: float, what: str, *, mouth_only: bool = False) -> None:
         if depth >= self.length:
             raise ValueError(
-                f"{what} is {shown(depth)} deep but the bat only {shown(self.length)} long; make it shallower"
+                f"{what} is {format_length(depth)} deep but the bat only {format_length(self.length)} long; make it "
+                "shallower"
             )
         edges = np.asarray(self.breakpoints())
         places = edges[edges >= self.length - (0 if mouth_only else depth)]
         narrowest = float(np.min(self.diameter_at(places)))
         if diameter >= narrowest:
             raise ValueError(
-                f"{what} is {shown(diameter)} wide and has to be narrower than the bat there, {shown(narrowest)}; "
-                "make it narrower or shallower"
+                f"{what} is {format_length(diameter)} wide and has to be narrower than the bat there, "
+                f"{format_length(narrowest)}; make it narrower or shallower"
             )
 
     def _check_places(self) -> None:
         if self.balance_point is not None and not 0.2 < self.balance_point / self.length < 0.95:
             raise ValueError(
-                f"balance_point is {shown(self.balance_point)} from the knob end of a bat of {shown(self.length)}; "
-                "measure it from the knob end"
+                f"balance_point is {format_length(self.balance_point)} from the knob end of a bat of "
+                f"{format_length(self.length)}; measure it from the knob end"
             )
         for weight in self.point_masses:
             if weight.position > self.length:
                 raise ValueError(
-                    f"a point mass sits at {shown(weight.position)}, beyond the tip at {shown(self.length)}"
+                    f"a point mass sits at {format_length(weight.position)}, beyond the tip at "
+                    f"{format_length(self.length)}"
                 )
         if self.choke > self.length / 3:
             raise ValueError(
-                f"choke is {shown(self.choke)}; allowed is up to a third of the length, {shown(self.length / 3)}"
+                f"choke is {format_length(self.choke)}; allowed is up to a third of the length, "
+                f"{format_length(self.length / 3)}"
             )
 
     def diameter_at(self, position: ArrayLike) -> NDArray[np.float64]:

@@ -23,7 +23,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.plausibility import insisted
-from sweetspot.units import shown
+from sweetspot.units import format_length
 
 Look = Literal["wood", "metal", "filler", "laminate"]
 
@@ -102,8 +102,8 @@ class Implement(ShownInNotebooks, Validated, ABC):
         for weight in self.added:
             if weight.position > self.length:
                 raise ValueError(
-                    f"a weight was put {shown(weight.position)} from the {self.grip_end}, off {self.name}, which is "
-                    f"{shown(self.length)} long"
+                    f"a weight was put {format_length(weight.position)} from the {self.grip_end}, off {self.name}, "
+                    f"which is {format_length(self.length)} long"
                 )
         return self
 
@@ -232,8 +232,8 @@ def check_position(bat: Implement, position: float, what: str = "position") -> N
     """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
     if not (math.isfinite(position) and 0 <= position <= bat.length):
         raise InputError(
-            f"{what} is {shown(position)} from the {bat.grip_end}, off the bat; "
-            f"{bat.name} reaches from 0 to {shown(bat.length)}"
+            f"{what} is {format_length(position)} from the {bat.grip_end}, off the bat; "
+            f"{bat.name} reaches from 0 to {format_length(bat.length)}"
         )
 
 
@@ -242,9 +242,9 @@ def check_on_face(bat: Implement, position: float, what: str = "position") -> No
     face = bat.outline
     if face is not None and not face.start <= position <= face.end and not insisted():
         raise InputError(
-            f"{what} is {shown(position)} from the {bat.grip_end}, off the face of {bat.name}, which reaches from "
-            f"{shown(face.start)} to {shown(face.end)}; the ball meets grip or frame there. Give a place on the face, "
-            "or add --force if it is meant"
+            f"{what} is {format_length(position)} from the {bat.grip_end}, off the face of {bat.name}, which reaches "
+            f"from {format_length(face.start)} to {format_length(face.end)}; the ball meets grip or frame there. Give "
+            "a place on the face, or add --force if it is meant"
         )
 
 
@@ -258,7 +258,7 @@ def check_lateral(bat: Implement, position: float, lateral: float) -> None:
         )
     if not (math.isfinite(lateral) and bat.outline.holds(position, lateral)):
         raise InputError(
-            f"the hit is {shown(abs(lateral))} beside the line at {shown(position)}, off the face; the face of "
-            f"{bat.name} is {shown(bat.outline.width)} wide and reaches from {shown(bat.outline.start)} to "
-            f"{shown(bat.outline.end)}"
+            f"the hit is {format_length(abs(lateral))} beside the line at {format_length(position)}, off the face; the "
+            f"face of {bat.name} is {format_length(bat.outline.width)} wide and reaches from "
+            f"{format_length(bat.outline.start)} to {format_length(bat.outline.end)}"
         )

@@ -18,7 +18,7 @@ from sweetspot.equipment.material import Material
 from sweetspot.equipment.ring import Ring
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import shown
+from sweetspot.units import format_length
 
 Stations = tuple[tuple[float, float], ...]
 """(position, size) pairs in m, positions increasing."""
@@ -188,7 +188,7 @@ def check_order(stations: Stations, what: str) -> None:
     for (before, _), (after, _) in pairwise(stations):
         if after <= before:
             raise ValueError(
-                f"{what} goes back from {shown(before)} to {shown(after)}; "
+                f"{what} goes back from {format_length(before)} to {format_length(after)}; "
                 "list the stations from the knob end outwards, each once"
             )
 

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.base import NonNegative, Validated
 from sweetspot.plausibility import check_place, check_possible
-from sweetspot.units import INCH, shown
+from sweetspot.units import INCH, format_length
 
 SPEED_FROM_TIP = 6 * INCH
 """m from the tip where the speed of a bat is measured, as Statcast does [statcast]."""
@@ -54,8 +54,8 @@ class Swing(Validated):
         check_possible(self.bat_speed, "bat speed", "bat_speed")
         if self.measured_at <= self.pivot:
             raise ValueError(
-                f"bat speed is measured at {shown(self.measured_at)}, not beyond the pivot at "
-                f"{shown(self.pivot)}; give a place further out"
+                f"bat speed is measured at {format_length(self.measured_at)}, not beyond the pivot at "
+                f"{format_length(self.pivot)}; give a place further out"
             )
         return self
 

@@ -6,7 +6,7 @@ import re
 
 from sweetspot.errors import InputError
 from sweetspot.plausibility.table import LARGEST, SMALLEST, TABLE, check, quantity_named
-from sweetspot.units.text import NUMBER, SI, Kind, shown, to_si, with_points
+from sweetspot.units.text import NUMBER, SI, Kind, format_length, to_si, with_points
 
 FROM_END = re.compile(r"[\s-]+from[\s-]+(?:the[\s-]+)?(tip|knob)\s*$", re.IGNORECASE)
 
@@ -57,7 +57,9 @@ def parse_position(text: str, *, length: float, what: str = "position") -> float
         if text.strip().endswith(ending):
             distance = parse(text.strip().removesuffix(ending), "length", what)
             if from_tip and distance > length * (1 + 1e-9):
-                raise InputError(f"{what} was given as {text.strip()}; that is off the bat, {shown(length)} long")
+                raise InputError(
+                    f"{what} was given as {text.strip()}; that is off the bat, {format_length(length)} long"
+                )
             return length - distance if from_tip else distance
     if "-from-" in text or NUMBER.match(with_points(text)):
         missing = "" if "-from-" in text else " without a unit"

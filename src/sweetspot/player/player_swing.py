@@ -13,7 +13,7 @@ from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.plausibility import check, insisted, objection
 from sweetspot.player.columns import NEEDED
 from sweetspot.tables.bad_row import BadRow
-from sweetspot.units import INCH, MPH, shown
+from sweetspot.units import INCH, MPH, format_length
 
 TOO_FAST = "is more than any bat gives"
 """Words of such a fault."""
@@ -69,7 +69,7 @@ def fault_of(swing: PlayerSwing, length: float, sport: str = "baseball") -> str:
             if wrong := objection(quantity, value, name.replace("_", " "), given, sport, column=True):
                 return wrong
     if swing.position is not None and not 0.0 <= swing.position <= length:
-        return f"position is off the bat of {shown(length)}"
+        return f"position is off the bat of {format_length(length)}"
     if bat is None or ball is None or pitch is None:
         return ""
     fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat

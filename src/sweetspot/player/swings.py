@@ -18,7 +18,7 @@ from sweetspot.player.swing_table import Lines, SwingTable, one_name, open_swing
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.tables.cells import EMPTY, cell_in_si, place_in_si, require_units
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
-from sweetspot.units import shown, shown_speed
+from sweetspot.units import format_length, format_speed
 
 FEW = 20
 """Swings below which the intervals are said to be wide."""
@@ -245,7 +245,7 @@ def _check_pitch(bad: Sequence[BadRow], count: int, pitch_speed: float | None, p
     fast = [one for one in bad if TOO_FAST in one.reason]
     if pitch_speed is None or insisted() or len(fast) < max(FEWEST_TOO_FAST, PART_TOO_FAST * count):
         return
-    was = "was it a tee" if pitch_speed == 0 else f"was it {shown_speed(pitch_speed)}"
+    was = "was it a tee" if pitch_speed == 0 else f"was it {format_speed(pitch_speed)}"
     raise InputError(
         f"{path}: {len(fast)} of {count} rows cannot be with the pitch speed that was given, and they are the hardest "
         f"hit; the first is row {fast[0].row}: {fast[0].reason}. Say with --pitch-speed how fast pitches came: {was}? "
@@ -319,8 +319,8 @@ def _notes(swings: list[PlayerSwing], columns: Headings, pitch_speed: float | No
 
 def _told(quantity: str, value: float) -> str:
     if quantity == "position":
-        return f"{shown(value)} from the tip"
-    return f"{math.degrees(value):.1f} degrees" if quantity.endswith("angle") else shown_speed(value)
+        return f"{format_length(value)} from the tip"
+    return f"{math.degrees(value):.1f} degrees" if quantity.endswith("angle") else format_speed(value)
 
 
 WORDS = {

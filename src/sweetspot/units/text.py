@@ -104,37 +104,37 @@ def grouped(value: float, digits: int = 0, *, sign: bool = False) -> str:
     return text if abs(round(value, digits)) >= GROUPED_FROM else text.replace(",", "")
 
 
-def shown(length: float) -> str:
-    """Return a length in m as people on both sides of the ocean read it.
+def format_length(length: float) -> str:
+    """Format a length given in m in metres and inches.
 
-    >>> shown(0.8382)
+    >>> format_length(0.8382)
     '0.8382 m (33 in)'
     """
     return f"{length:.4g} m ({length / INCH:.4g} in)"
 
 
-def shown_mass(mass: float) -> str:
-    """Return a mass in kg as people on both sides of the ocean read it.
+def format_mass(mass: float) -> str:
+    """Format a mass given in kg in kilograms and ounces.
 
-    >>> shown_mass(0.8788)
+    >>> format_mass(0.8788)
     '0.8788 kg (31 oz)'
     """
     return f"{mass:.4g} kg ({mass / OUNCE:.4g} oz)"
 
 
-def shown_speed(speed: float) -> str:
-    """Return a speed in m/s as people on both sides of the ocean read it.
+def format_speed(speed: float) -> str:
+    """Format a speed given in m/s in metres per second and miles per hour.
 
-    >>> shown_speed(40.2336)
+    >>> format_speed(40.2336)
     '40.2 m/s (90.0 mph)'
     """
     return f"{speed:.1f} m/s ({speed / MPH:.1f} mph)"
 
 
-def shown_density(density: float) -> str:
-    """Return a density in kg/m^3 as people on both sides of the ocean read it.
+def format_density(density: float) -> str:
+    """Format a density given in kg/m^3 in both systems.
 
-    >>> shown_density(680)
+    >>> format_density(680)
     '680 kg/m^3 (42.5 lb/ft^3)'
     """
     return f"{density:.0f} kg/m^3 ({density * FOOT**3 / (16 * OUNCE):.1f} lb/ft^3)"

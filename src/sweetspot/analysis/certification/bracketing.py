@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sweetspot.tables.bad_row import BadRow
-from sweetspot.units import INCH, shown
+from sweetspot.units import INCH, format_length
 
 BRACKET = 1.05 * INCH
 """m within which a place on either side of the best must have given less [our choice]."""
@@ -66,7 +66,7 @@ def pass_doubt(
     tip = length - best.position
     if best.bbcor < LEAST_OF_BALL * ball_restitution or (efficiency < DEADEST and not softball):
         return (
-            f"the best place, {shown(tip)} from the tip, gave q {efficiency:.4f} and a ball-bat restitution of "
+            f"the best place, {format_length(tip)} from the tip, gave q {efficiency:.4f} and a ball-bat restitution of "
             f"{best.bbcor:.3f}, where a wall gives {ball_restitution:.3f}: no bat is so dead where it hits best. "
             "Either its best place was not hit, or the gate that times the rebound, its unit or the end that places "
             "are counted from is wrong; shoot at 5, 6 and 7 in from the tip"
@@ -75,8 +75,8 @@ def pass_doubt(
     if not missing:
         return ""
     return (
-        f"the greatest value, {shown(tip)} from the tip, may be greater beside it: {' and '.join(missing)}; shoot six "
-        "balls there, until the best place lies between two that give less"
+        f"the greatest value, {format_length(tip)} from the tip, may be greater beside it: {' and '.join(missing)}; "
+        "shoot six balls there, until the best place lies between two that give less"
     )
 
 
@@ -85,8 +85,8 @@ def _not_lower(places: Sequence[Place], best: Place, side: int, length: float) -
     where = "nearer to the tip" if side > 0 else "nearer to the hands"
     near = [place for place in places if 0 < side * (place.position - best.position) <= BRACKET]
     if not near:
-        return f"{shown(length - best.position - side * INCH)} from the tip, {where}, was not hit"
+        return f"{format_length(length - best.position - side * INCH)} from the tip, {where}, was not hit"
     if any(place.bbcor < best.bbcor for place in near):
         return ""
     nearest = min(near, key=lambda place: abs(place.position - best.position))
-    return f"{shown(length - nearest.position)} from the tip, {where}, gave no less"
+    return f"{format_length(length - nearest.position)} from the tip, {where}, gave no less"

@@ -30,7 +30,7 @@ from sweetspot.tables.headings import (
 )
 from sweetspot.tables.unit_words import UNITS
 from sweetspot.tables.vocabulary import quantities
-from sweetspot.units import shown
+from sweetspot.units import format_length
 
 SHOTS = ("ball_in", "ball_out", "bat_speed", "position", "ball_cor", "ball_stiffness", "ball_mass")
 """Columns that are understood."""
@@ -192,7 +192,7 @@ def _fault(shot: Shot, length: float) -> str:
         ),
         (
             not 0 <= shot.position <= length,
-            f"position is {shown(shot.position)} from the knob end, off the bat of {shown(length)}",
+            f"position is {format_length(shot.position)} from the knob end, off the bat of {format_length(length)}",
         ),
         (
             shot.position <= CLAMP,

@@ -33,7 +33,7 @@ from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.parabola import top
-from sweetspot.units import INCH, MPH, shown
+from sweetspot.units import INCH, MPH, format_length
 
 CLAMP = STANDARD_AXIS
 """m from the knob end."""
@@ -318,7 +318,8 @@ def bat_test(
     length = beam.bat.length
     if length < SHORTEST:
         raise InputError(
-            f"the bat is {shown(length)} long; the test clamps it 6 in from the knob and needs {shown(SHORTEST)}"
+            f"the bat is {format_length(length)} long; the test clamps it 6 in from the knob and needs "
+            f"{format_length(SHORTEST)}"
         )
     if ball.mass >= body.mass:
         raise InputError(f"the ball weighs {ball.mass:.4g} kg and the bat {body.mass:.4g} kg; give a heavier bat")

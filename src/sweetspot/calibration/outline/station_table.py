@@ -17,7 +17,7 @@ from sweetspot.numerics.text_files import FIRST_LINES, MOST_TABLE_BYTES, read_te
 from sweetspot.plausibility import insisted, parse, verdict
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, heading_and_unit
 from sweetspot.tables.unit_words import FILE_UNITS
-from sweetspot.units import FOOT, INCH, NUMBER, shown
+from sweetspot.units import FOOT, INCH, NUMBER, format_length
 
 UNITS = {
     **dict.fromkeys(("in", "inch", "inches", '"', "\u2033"), "in"), **dict.fromkeys(("ft", "foot", "feet"), "ft"),
@@ -135,7 +135,7 @@ def read_stations(path: Path, *, length: float | None = None, given: GivenColumn
     outline = closed(stations, length or stations[-1][0], str(path))
     blunt = length is None and stations[-1][1] > BLUNT * max(size for _, size in stations)
     untold = [
-        f"The last station, at {shown(stations[-1][0])}, was taken as the tip; if it is not, give --length."
+        f"The last station, at {format_length(stations[-1][0])}, was taken as the tip; if it is not, give --length."
     ] * blunt
     return replace(outline, notes=(*outline.notes, *untold, *_doubts(stations, outline.profile[-1][0])))
 
@@ -151,14 +151,14 @@ def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, a
     for sign, size in METRES.items():
         unit = SPELT.get(sign, sign)
         if places and _like_a_bat(reach / places * size, thin, thick):
-            meant.append(f"{where.heading} counted in {unit} ({shown(reach / places * size)} long)")
+            meant.append(f"{where.heading} counted in {unit} ({format_length(reach / places * size)} long)")
         if widths and _like_a_bat(reach, thin / widths * size, thick / widths * size):
-            meant.append(f"{across.heading} measured in {unit} (up to {shown(thick / widths * size)} thick)")
+            meant.append(f"{across.heading} measured in {unit} (up to {format_length(thick / widths * size)} thick)")
         if places and widths and _like_a_bat(*(x * size for x in (reach / places, thin / widths, thick / widths))):
-            in_both.append(f"both columns in {unit} ({shown(reach / places * size)} long)")
+            in_both.append(f"both columns in {unit} ({format_length(reach / places * size)} long)")
     for kind, size in KINDS.items():
         if _like_a_bat(reach, thin / across.size * size, thick / across.size * size):
-            meant.append(f"{across.heading} taken as {kind} (up to {shown(thick / across.size * size)} thick)")
+            meant.append(f"{across.heading} taken as {kind} (up to {format_length(thick / across.size * size)} thick)")
     if places and widths and across.size == 1:
         swapped = sorted(place * widths / places for place, _ in stations)
         if _like_a_bat(thick * places / widths, swapped[len(swapped) // 4], swapped[-1]):
@@ -166,8 +166,9 @@ def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, a
     meant = meant or in_both
     if meant:
         raise InputError(
-            f"{path} shows something {shown(reach)} long and {shown(thin)} to {shown(thick)} thick, as no bat is. It "
-            f"would be one with {', or with '.join(meant)}: mend the headings, or add --force if it is meant"
+            f"{path} shows something {format_length(reach)} long and {format_length(thin)} to {format_length(thick)} "
+            f"thick, as no bat is. It would be one with {', or with '.join(meant)}: mend the headings, or add --force "
+            "if it is meant"
         )
 
 
@@ -182,8 +183,8 @@ def _check_each_once(stations: Sequence[tuple[float, float]], where: _Column, pa
         if place == following:
             end = " from the tip" if where.from_tip else ""
             raise InputError(
-                f"{path} has two stations {shown(place)}{end}, of {shown(size)} and {shown(other)}; "
-                "give each place once"
+                f"{path} has two stations {format_length(place)}{end}, of {format_length(size)} and "
+                f"{format_length(other)}; give each place once"
             )
 
 
@@ -207,7 +208,10 @@ def _doubts(stations: Sequence[tuple[float, float]], length: float) -> Iterator[
     """Yield in words where stations are far apart, and which is so far off its neighbours that it may be a slip."""
     for (here, size), (there, other) in pairwise(stations):
         if there - here > WIDE and abs(other - size) > EVEN:
-            yield f"Nothing was measured from {shown(here)} to {shown(there)} from the knob: taken as straight there."
+            yield (
+                f"Nothing was measured from {format_length(here)} to {format_length(there)} from the knob: taken as "
+                "straight there."
+            )
     off = []
     for before, (place, size), after in zip(stations, stations[1:], stations[2:], strict=False):
         part = (place - before[0]) / (after[0] - before[0])
@@ -218,7 +222,7 @@ def _doubts(stations: Sequence[tuple[float, float]], length: float) -> Iterator[
     if off:
         _, miss, place, size = max(off)
         yield (
-            f"The diameter at {shown(place)} from the knob, {1e3 * size:.1f} mm, is {abs(1e3 * miss):.1f} mm "
+            f"The diameter at {format_length(place)} from the knob, {1e3 * size:.1f} mm, is {abs(1e3 * miss):.1f} mm "
             f"{'more' if miss > 0 else 'less'} than the line between its neighbours, as no bat's of the catalogue is. "
             "Measure it again."
         )

@@ -25,7 +25,7 @@ from sweetspot.equipment.shell import InnerWall, Shell, check_count
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
 from sweetspot.plausibility import check, insisted, insisting, parse
-from sweetspot.units import INCH, shown
+from sweetspot.units import INCH, format_length
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
@@ -224,13 +224,13 @@ def _is_fitted(record: dict[str, Any]) -> bool:
 
 def checked_drawing(bat: Bat) -> Bat:
     """Return a bat whose drawing is drawn as drawings are: from the knob end, in diameters, a wall of millimetres."""
-    check(bat.length, "bat length", shown(bat.length))
+    check(bat.length, "bat length", format_length(bat.length))
     if bat.profile is not None:
         greatest = max(diameter for _, diameter in bat.profile)
-        check(greatest, "greatest diameter", shown(greatest))
+        check(greatest, "greatest diameter", format_length(greatest))
         places = np.linspace(0, bat.length, 200)
         smallest = float(np.min(bat.diameter_at(places[10:-10])))  # ends may be round down to the axis
-        check(smallest, "smallest diameter", shown(smallest))
+        check(smallest, "smallest diameter", format_length(smallest))
         areas = np.asarray(bat.diameter_at(places)) ** 2
         middle = float(areas @ places / areas.sum()) / bat.length
         check(middle, "middle of the outline", f"{middle:.2f} of the length")
