@@ -17,10 +17,10 @@ import scipy.linalg
 from sweetspot.dynamics.batch.mesh import ELEMENTS, MODES, apart, least_elements, least_parts
 from sweetspot.dynamics.beam import BeamModel, moments, section
 from sweetspot.dynamics.beam_elements import at_gauss_points, powers
-from sweetspot.dynamics.dent import blade_dent, dent_compliance
 from sweetspot.dynamics.excitation import MOST_MODES, excited_frequency
 from sweetspot.dynamics.face_vibration import face_modes
 from sweetspot.dynamics.hoop import hoop_modes
+from sweetspot.dynamics.local_compliance import blade_compliance, solid_bat_compliance
 from sweetspot.dynamics.modes import Family, Modes, joined
 from sweetspot.dynamics.patch import patch_law
 from sweetspot.dynamics.residual_flexibility import (
@@ -100,13 +100,13 @@ def dense_chain(beam: BeamModel, ball: Ball) -> Modes:
             count += MODES
             bending = dense_modes(beam, count=count)
         if isinstance(beam.bat, CricketBat):
-            bending = replace(bending, compliances=(*bending.compliances, blade_dent(beam, law=law)))
+            bending = replace(bending, compliances=(*bending.compliances, blade_compliance(beam, law=law)))
         return joined(bending, face)
     bending = dense_modes(beam)
     if not isinstance(beam.bat, Bat):
         return bending
     if beam.bat.shell is None:
-        return replace(bending, compliances=(*bending.compliances, dent_compliance(beam, law=law)))
+        return replace(bending, compliances=(*bending.compliances, solid_bat_compliance(beam, law=law)))
     return joined(bending, hoop_modes(beam, law=law))
 
 

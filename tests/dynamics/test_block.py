@@ -11,7 +11,7 @@ from sweetspot import catalog
 from sweetspot.analysis.drop_test import fire, static_share
 from sweetspot.collision.coupled import hit
 from sweetspot.dynamics import block as blocks
-from sweetspot.dynamics.block import Block, block_modes, dent, expected_patch, modes_of_give, plate, spring
+from sweetspot.dynamics.block import Block, block_modes, expected_patch, local_modes, modes_of_surface, plate, spring
 from sweetspot.equipment.ball import Ball, RestitutionLaw
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
@@ -41,7 +41,7 @@ def test_a_spring_without_mass_gives_the_two_spring_formula(linear_ball: Ball, r
     exact = (ratio * 0.25 + 1) / (ratio + 1)
     misses = []
     for frequency in (10e3, 20e3, 40e3):
-        modes = modes_of_give(spring(1 / (ratio * linear_ball.stiffness), frequency=frequency), damping_ratio=0.05)
+        modes = modes_of_surface(spring(1 / (ratio * linear_ball.stiffness), frequency=frequency), damping_ratio=0.05)
         impact = hit(modes, ball=linear_ball, position=0.0, closing_speed=40.0, step=5e-7)
         misses.append(abs(impact.collision_efficiency**2 - exact))
     assert max(misses[1:]) < 1e-3
@@ -57,7 +57,7 @@ def test_a_deep_block_is_the_half_space_of_the_papers_limit(baseball: Ball, ash:
     apex = math.pi * patch * (1 - 0.44**2) / 2
     for depth in (0.1, 1.0):
         deep = Block(material=ash, thickness=depth, length=10, width=10, floor_modulus=None)
-        share = static_share(baseball, speed=speed, compliance=dent(deep, patch=patch, depth=depth).compliance)
+        share = static_share(baseball, speed=speed, compliance=local_modes(deep, patch=patch, depth=depth).compliance)
         shortened = limit * depth / (depth + apex)
         assert share / (1 - share) == pytest.approx(shortened / (1 - shortened), rel=0.005)
 
@@ -66,11 +66,11 @@ def test_a_thin_wide_layer_and_a_narrow_column_are_exact(metal: Material) -> Non
     """h / (E A), with A the patch for a thin layer and the whole section for a column: exact."""
     layer = Block(material=metal, thickness=0.001, floor_modulus=None)
     patch = 0.05
-    assert dent(layer, patch=patch, depth=0.001).compliance == pytest.approx(
+    assert local_modes(layer, patch=patch, depth=0.001).compliance == pytest.approx(
         0.001 / (metal.longitudinal_modulus * math.pi * patch**2), rel=0.02
     )
     column = Block(material=metal, thickness=2.0, length=0.02, width=0.02, floor_modulus=None)
-    found = dent(column, patch=0.02 / math.sqrt(math.pi), depth=2.0)  # the patch covers the section
+    found = local_modes(column, patch=0.02 / math.sqrt(math.pi), depth=2.0)  # the patch covers the section
     assert found.compliance == pytest.approx(2.0 / (metal.longitudinal_modulus * 0.02**2), rel=1e-9)
     quarter_wave = math.sqrt(metal.longitudinal_modulus / metal.density) / (4 * 2.0)
     assert found.frequency[:2] == pytest.approx([quarter_wave, 3 * quarter_wave], rel=0.01)
@@ -80,7 +80,9 @@ def test_a_floor_gives_way_as_a_half_space(ash: Material) -> None:
     """Rigid and concrete floor differ by (1 - nu^2) / (2 E R), R the radius of the cone's foot: exact."""
     patch, depth = 0.015, 0.1
     on = {
-        modulus: dent(Block(material=ash, thickness=depth, floor_modulus=modulus), patch=patch, depth=depth).compliance
+        modulus: local_modes(
+            Block(material=ash, thickness=depth, floor_modulus=modulus), patch=patch, depth=depth
+        ).compliance
         for modulus in (None, 30e9)
     }
     foot = patch * (1 + depth / (math.pi * patch * (1 - 0.44**2) / 2))

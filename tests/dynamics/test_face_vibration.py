@@ -18,7 +18,7 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.face_vibration import face_modes, give
+from sweetspot.dynamics.face_vibration import face_modes, softness
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, Surface, joined
@@ -190,12 +190,12 @@ def test_give_falls_from_one_to_nothing() -> None:
     """Exact: a membrane's give is a logarithm of the distance from the edge, a plate's 1 - r^2, a layer's is even."""
     outline = Outline(start=0.4, end=0.6, width=0.2)
     places, across = np.array([0.5, 0.55, 0.5, 0.6, 0.65]), np.array([0.0, 0.0, 0.05, 0.0, 0.0])
-    membrane = give(Face(stiffness=1.0, moving_mass=1.0, edge="membrane", patch=0.02), outline, places, across)
+    membrane = softness(Face(stiffness=1.0, moving_mass=1.0, edge="membrane", patch=0.02), outline, places, across)
     full = math.log(0.1 / 0.02) + 0.25
     assert membrane**2 == pytest.approx([1.0, 1 + math.log(0.75) / full, 1 + math.log(0.75) / full, 0.0, 0.0])
-    plate = give(Face(stiffness=1.0, moving_mass=1.0, edge="plate"), outline, places, across)
+    plate = softness(Face(stiffness=1.0, moving_mass=1.0, edge="plate"), outline, places, across)
     assert plate == pytest.approx([1.0, 0.75, 0.75, 0.0, 0.0])
-    assert give(Face(), outline, places, across) == pytest.approx([1.0, 1.0, 1.0, 1.0, 0.0])
+    assert softness(Face(), outline, places, across) == pytest.approx([1.0, 1.0, 1.0, 1.0, 0.0])
 
 
 def test_hands_that_weigh_next_to_nothing_change_nothing(racket: Racket, tennis: Ball) -> None:

@@ -9,8 +9,8 @@ from sweetspot import catalog
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.dent import round_compliance
 from sweetspot.dynamics.hoop import barrel_range, hoop_frequency, hoop_modes
+from sweetspot.dynamics.local_compliance import round_compliance
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import joined
 from sweetspot.dynamics.patch import contact_patch, patch_law, transform

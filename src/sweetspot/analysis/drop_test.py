@@ -16,7 +16,7 @@ from sweetspot.collision.contact_law import loading_force, unloading_exponent
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact, Outcome
 from sweetspot.collision.kernel import hits
-from sweetspot.dynamics.block import Block, Give, block_modes, expected_patch
+from sweetspot.dynamics.block import Block, SurfaceModes, block_modes, expected_patch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.errors import InputError
@@ -150,7 +150,7 @@ def fire(block: Block, *, ball: Ball, speed: float) -> Rebound:
             f"the ball does not come off {block.material.name} of {1e3 * block.thickness:.3g} mm in one clean contact: "
             "the block gives way too far and too slowly. Use a thicker, smaller or stiffer one"
         )
-    give = Give(modes.frequency, modes.shape_at(0.0)).compliance
+    give = SurfaceModes(modes.frequency, modes.shape_at(0.0)).compliance
     return Rebound(
         block=block,
         ball=ball,
@@ -178,7 +178,7 @@ def bounce(block: Block, *, ball: Ball, height: float) -> tuple[float, float]:
     modes = block_modes(block, patch=expected_patch(ball, speed))
     step = _step(modes, ball, speed)
     done = hits(modes, ball=ball, position=0.0, closing_speed=speed, step=step)
-    share = static_share(ball, speed=speed, compliance=Give(modes.frequency, modes.shape_at(0.0)).compliance)
+    share = static_share(ball, speed=speed, compliance=SurfaceModes(modes.frequency, modes.shape_at(0.0)).compliance)
     back = float(np.maximum(0.0, done.collision_efficiency[0]))  # which keeps nan
     return back**2 * height, share
 

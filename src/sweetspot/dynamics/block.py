@@ -80,7 +80,7 @@ class Block(Validated):
 
 
 @dataclass(frozen=True)
-class Give:
+class SurfaceModes:
     """Even motions of a face at the patch: frequency (Hz, shape (n,)) and face shape (1/sqrt(kg), shape (n,))."""
 
     frequency: Array
@@ -88,7 +88,7 @@ class Give:
 
     @property
     def compliance(self) -> float:
-        """Static give in m/N of all motions that have a frequency."""
+        """Static compliance in m/N of all motions that have a frequency."""
         moving = self.frequency > 0
         return float(np.sum((self.shape[moving] / (2 * np.pi * self.frequency[moving])) ** 2))
 
@@ -127,43 +127,43 @@ def block_modes(block: Block, *, patch: float) -> Modes:
             f"{1e3 * block.length:.4g} mm x {1e3 * block.width:.4g} mm; use a larger block or a slower ball"
         )
     on_floor = block.support == "floor"
-    parts = [dent(block, patch=patch, depth=block.thickness if on_floor else block.thickness / 2)]
+    parts = [local_modes(block, patch=patch, depth=block.thickness if on_floor else block.thickness / 2)]
     if not on_floor:
         parts.append(plate(block, patch=patch))
     if block.support == "free":
-        parts.insert(0, Give(np.zeros(1), np.array([1 / math.sqrt(block.mass)])))
+        parts.insert(0, SurfaceModes(np.zeros(1), np.array([1 / math.sqrt(block.mass)])))
     frequency = np.concatenate([part.frequency for part in parts])
     shape = np.concatenate([part.shape for part in parts])
-    return modes_of_give(Give(frequency, shape), damping_ratio=block.material.damping_ratio)
+    return modes_of_surface(SurfaceModes(frequency, shape), damping_ratio=block.material.damping_ratio)
 
 
-def modes_of_give(give: Give, *, damping_ratio: float = 0.0) -> Modes:
+def modes_of_surface(surface: SurfaceModes, *, damping_ratio: float = 0.0) -> Modes:
     """Return motions as the list that a collision sees; those without frequency are translations."""
-    count = len(give.frequency)
-    rigid = give.frequency == 0
+    count = len(surface.frequency)
+    rigid = surface.frequency == 0
     families: list[Family] = ["rigid" if still else "bending" for still in rigid]
     numbers = np.cumsum(~rigid) * ~rigid
     return Modes(
         families=tuple(families),
         harmonics=tuple(int(number) for number in numbers),
-        frequency=give.frequency,
-        damping_rate=4 * np.pi * damping_ratio * give.frequency,
-        shapes=Piecewise(give.shape.reshape(1, 1, count), np.array([0.0, 1.0])),
+        frequency=surface.frequency,
+        damping_rate=4 * np.pi * damping_ratio * surface.frequency,
+        shapes=Piecewise(surface.shape.reshape(1, 1, count), np.array([0.0, 1.0])),
         rigid_part=np.vstack([rigid.astype(float), np.zeros(count)]),
         dashpots=np.zeros((0, count)),
     )
 
 
-def spring(compliance: float, *, frequency: float = STIFF_FREQUENCY) -> Give:
+def spring(compliance: float, *, frequency: float = STIFF_FREQUENCY) -> SurfaceModes:
     """Return a spring (m/N) as one mode so fast that its mass does not matter: s^2 / omega^2 is the compliance.
 
     >>> round(1 / spring(1e-8).compliance)  # N/m
     100000000
     """
-    return Give(np.array([frequency]), np.array([2 * np.pi * frequency * math.sqrt(compliance)]))
+    return SurfaceModes(np.array([frequency]), np.array([2 * np.pi * frequency * math.sqrt(compliance)]))
 
 
-def dent(block: Block, *, patch: float, depth: float) -> Give:
+def local_modes(block: Block, *, patch: float, depth: float) -> SurfaceModes:
     """Return the modes of the material under the patch, down to ``depth`` (m).
 
     The load spreads in a cone of area A(z) = pi a^2 (1 + z / z0)^2, no wider than the block, with
@@ -198,10 +198,10 @@ def dent(block: Block, *, patch: float, depth: float) -> Give:
     inertia = material.density * total * (values * weight * wide**2) @ values.T
     squares, vectors = eigenpairs(stiffness, inertia)
     face = (1 + bottom) * vectors[0]
-    return _without_the_fast(Give(np.sqrt(squares) / (2 * np.pi), face))
+    return _without_the_fast(SurfaceModes(np.sqrt(squares) / (2 * np.pi), face))
 
 
-def plate(block: Block, *, patch: float) -> Give:
+def plate(block: Block, *, patch: float) -> SurfaceModes:
     """Return the bending modes of a block clamped all round or free, averaged over the patch, shear included.
 
     Mindlin's plate by Ritz's method with Legendre polynomials, times (1 - x^2)(1 - y^2) where it is clamped;
@@ -249,7 +249,7 @@ def plate(block: Block, *, patch: float) -> Give:
     face = _over_patch(basis, patch, half_x, half_y) @ vectors[:size]
     first = 0 if clamped else 1  # the lowest motion of a free plate is its translation
     frequency = np.sqrt(np.maximum(squares[first:], 0.0)) / (2 * np.pi)
-    return _without_the_fast(Give(frequency, face[first:]), most=PLATE_MODES)
+    return _without_the_fast(SurfaceModes(frequency, face[first:]), most=PLATE_MODES)
 
 
 def _polynomials(points: Array, odd: int, clamped: bool) -> tuple[Array, Array]:
@@ -275,19 +275,19 @@ def _over_patch(basis: object, patch: float, half_x: float, half_y: float) -> Ar
 
 
 def _floor_compliance(block: Block, *, radius: float) -> float:
-    """Return the give of the floor in m/N under a loaded circle; nothing unless the block lies on one."""
+    """Return the compliance of the floor in m/N under a loaded circle; nothing unless the block lies on one."""
     if block.support != "floor" or block.floor_modulus is None:
         return 0.0
     return (1 - FLOOR_POISSON**2) / (2 * block.floor_modulus * radius)
 
 
-def _without_the_fast(give: Give, *, most: int | None = None) -> Give:
+def _without_the_fast(surface: SurfaceModes, *, most: int | None = None) -> SurfaceModes:
     """Return the slow modes, and one spring with the compliance of all that are too fast or too many to follow."""
-    slow = np.arange(len(give.frequency)) < (most or len(give.frequency))
-    slow &= give.frequency < STIFF_FREQUENCY
-    rest = Give(give.frequency[~slow], give.shape[~slow]).compliance
-    kept = Give(give.frequency[slow], give.shape[slow])
+    slow = np.arange(len(surface.frequency)) < (most or len(surface.frequency))
+    slow &= surface.frequency < STIFF_FREQUENCY
+    rest = SurfaceModes(surface.frequency[~slow], surface.shape[~slow]).compliance
+    kept = SurfaceModes(surface.frequency[slow], surface.shape[slow])
     if not rest:
         return kept
     stiff = spring(rest)
-    return Give(np.append(kept.frequency, stiff.frequency), np.append(kept.shape, stiff.shape))
+    return SurfaceModes(np.append(kept.frequency, stiff.frequency), np.append(kept.shape, stiff.shape))

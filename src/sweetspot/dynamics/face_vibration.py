@@ -52,7 +52,7 @@ def face_modes(beam: BeamModel, ball: Ball) -> Modes:
         here = outline.holds(position, lateral)
         shapes = [np.where(here, lateral, 0.0) / math.sqrt(roll_moi)]
         if face.moving_mass is not None:
-            shapes.append(give(face, outline, position, lateral) / math.sqrt(face.moving_mass))
+            shapes.append(softness(face, outline, position, lateral) / math.sqrt(face.moving_mass))
         return np.stack(shapes, axis=-1)
 
     rigid_part = np.zeros((3, count))
@@ -69,7 +69,7 @@ def face_modes(beam: BeamModel, ball: Ball) -> Modes:
     )
 
 
-def give(face: Face, outline: Outline, position: Array, lateral: Array) -> Array:
+def softness(face: Face, outline: Outline, position: Array, lateral: Array) -> Array:
     """Return g, the square root of the face's compliance at places over that in its middle; 0 off the face.
 
     For a membrane g^2 = (ln((1 - r^2) R / a) + 1/4) / (ln(R / a) + 1/4): round, stretched, of the same area (radius R),

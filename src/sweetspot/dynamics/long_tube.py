@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
-from sweetspot.dynamics.dent import blunting
+from sweetspot.dynamics.local_compliance import blunting
 from sweetspot.dynamics.patch import transform
 from sweetspot.dynamics.shell_elements import EVEN_PART
 from sweetspot.dynamics.wall import WallSection

@@ -98,7 +98,7 @@ class CricketBat(OfMaterial):
 
     @property
     def face(self) -> Face:
-        """Flat, without a motion of its own; its wood is dented (`dynamics.dent.blade_dent`)."""
+        """Flat, without a motion of its own; its wood is dented (`dynamics.local_compliance.blade_compliance`)."""
         return Face()
 
     @property

@@ -19,8 +19,8 @@ from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, joined_batches
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.dent import dent_compliance
 from sweetspot.dynamics.hoop import OtherPatch, hoop_modes
+from sweetspot.dynamics.local_compliance import solid_bat_compliance
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
@@ -221,7 +221,7 @@ def _alike(shapes: Sequence[Array]) -> list[Array]:
 def _surface(beam: BeamModel, law: PatchLaw) -> Surface:
     """Return what a ball feels besides the beam of a bat; see `all_modes`."""
     assert isinstance(beam.bat, Bat)  # others have their faces among all their modes
-    return dent_compliance(beam, law=law) if beam.bat.shell is None else hoop_modes(beam, law=law)
+    return solid_bat_compliance(beam, law=law) if beam.bat.shell is None else hoop_modes(beam, law=law)
 
 
 def _given(surface: Surface, position: Array, weights: Array) -> Array:

@@ -12,10 +12,10 @@ from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, even_splines, on_even_splines
 from sweetspot.dynamics.batch.mesh import MODES
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.dent import PLACES, blade_dent, dent_compliance, round_compliance
 from sweetspot.dynamics.excitation import MOST_MODES, excited_frequency
 from sweetspot.dynamics.face_vibration import face_modes
 from sweetspot.dynamics.hoop import hoop_modes
+from sweetspot.dynamics.local_compliance import PLACES, blade_compliance, round_compliance, solid_bat_compliance
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
 from sweetspot.equipment.ball import Ball
@@ -33,14 +33,14 @@ class ReducedBats:
     Parameters
     ----------
     bending : mass properties and bending modes.
-    dent : m/N that round wood is dented, at `PLACES` even places along every bat under patches of ``law``'s radii, of
+    local_compliance : of solid wood, m/N, at `PLACES` even places along every bat under patches of ``law``'s radii,
         shape (bats, places, radii); 0 for others.
     law : how the ball's patch goes with the closing speed.
     walls : what a hollow barrel or a striking face adds, one per bat; None: nothing.
     """
 
     bending: BendingBatch
-    dent: Array
+    local_compliance: Array
     law: PatchLaw
     walls: tuple[Modes | None, ...]
 
@@ -84,8 +84,8 @@ class ReducedBats:
         """
         give = self.bending.left_out_at(position)
         part, speed = position / self.bending.length[:, None], closing_speed
-        dents = np.stack([on_even_splines(dents, part) for dents in self._dents], axis=-1)
-        give = give + np.sum(dents * self.law.weights_at(speed), axis=-1)
+        local = np.stack([on_even_splines(spline, part) for spline in self._local_splines], axis=-1)
+        give = give + np.sum(local * self.law.weights_at(speed), axis=-1)
         for row, wall in enumerate(self.walls):
             if wall is not None:
                 give[row] += wall.give_at(position[row], closing_speed=None if speed is None else speed[row])
@@ -94,15 +94,15 @@ class ReducedBats:
     def modes(self, number: int) -> Modes:
         """Return one bat's motions as everybody else takes them."""
         modes, wall = self.bending.modes(number), self.walls[number]
-        if self.dent[number].any():
+        if self.local_compliance[number].any():
             places = np.linspace(0.0, self.bending.length[number], PLACES)
-            dent = ByPatch(self.law, cubic_spline(places, self.dent[number]))
-            modes = replace(modes, compliances=(*modes.compliances, dent))
+            local_compliance = ByPatch(self.law, cubic_spline(places, self.local_compliance[number]))
+            modes = replace(modes, compliances=(*modes.compliances, local_compliance))
         return modes if wall is None else joined(modes, wall)
 
     @cached_property
-    def _dents(self) -> list[Array]:
-        return [even_splines(dent) for dent in np.moveaxis(self.dent, -1, 0)]
+    def _local_splines(self) -> list[Array]:
+        return [even_splines(values) for values in np.moveaxis(self.local_compliance, -1, 0)]
 
     @cached_property
     def _most(self) -> int:
@@ -124,9 +124,9 @@ def reduced_outlines(bats: SolidBats, *, ball: Ball, threads: int | None = None)
     places = np.linspace(0.0, 1.0, PLACES) + 2 * rows
     radius = np.interp(places, stations.ravel(), bats.diameter.ravel()) / 2
     law = patch_law(ball)
-    dent = round_compliance(bats.material, law.radii / radius[..., None], void=0.0) / radius[..., None]
-    dent = dent / bats.stiffness_factor[:, None, None]
-    return ReducedBats(bending_batch(bats, threads=threads), dent, law, (None,) * len(bats))
+    local_compliance = round_compliance(bats.material, law.radii / radius[..., None], void=0.0) / radius[..., None]
+    local_compliance = local_compliance / bats.stiffness_factor[:, None, None]
+    return ReducedBats(bending_batch(bats, threads=threads), local_compliance, law, (None,) * len(bats))
 
 
 def reduced_beams(
@@ -148,7 +148,8 @@ def reduced_beams(
     threads : workers; None: one per core.
     """
     law = patch_law(ball, factor=patch_factor)
-    dent, walls, faces = np.zeros((len(beams), PLACES, len(law.radii))), dict[int, Modes](), dict[int, Modes]()
+    local_compliance = np.zeros((len(beams), PLACES, len(law.radii)))
+    walls, faces = dict[int, Modes](), dict[int, Modes]()
 
     def along(dented: ByPatch, beam: BeamModel) -> Array:
         return np.asarray(dented.tables(np.linspace(0.0, beam.bat.length, PLACES)))
@@ -161,9 +162,9 @@ def reduced_beams(
             elif isinstance(beam.bat, Bat) and beam.bat.shell is not None:
                 walls[number] = hoop_modes(beam, law=law)
             if isinstance(beam.bat, CricketBat):
-                dent[number] = along(blade_dent(beam, law=law), beam)
+                local_compliance[number] = along(blade_compliance(beam, law=law), beam)
             elif isinstance(beam.bat, Bat) and beam.bat.shell is None:
-                dent[number] = along(dent_compliance(beam, law=law), beam)
+                local_compliance[number] = along(solid_bat_compliance(beam, law=law), beam)
 
     in_parts(work, len(beams), size=4, threads=threads)
     bending, enough = bending_batch(BeamRow(beams), count=count or MODES, threads=threads), count or MODES
@@ -171,4 +172,4 @@ def reduced_beams(
     while enough < MOST_MODES and any(bending.frequency[number, -1] < least for number, least in wanted.items()):
         enough += MODES
         bending = bending_batch(BeamRow(beams), count=enough, threads=threads)
-    return ReducedBats(bending, dent, law, tuple(walls.get(i) for i in range(len(beams))))
+    return ReducedBats(bending, local_compliance, law, tuple(walls.get(i) for i in range(len(beams))))

@@ -22,12 +22,12 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.dent_kernel import MOTIONS, surface_compliance
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.material import Material
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.kernel_cache import compiled
 from sweetspot.numerics.piecewise import cubic_spline
 
 ACROSS_POISSON = 0.4
@@ -44,11 +44,15 @@ POWERS = (0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)
 """Of n and k that parts of the stiffness go with."""
 FINE = leggauss(64)
 PLACES = 81
+MOTIONS = 3
+"""Unknowns of a node: U along the axis, V around it and W outwards."""
+SIDE_BY_SIDE = 8
+"""Waves worked on at once."""
 KEPT = 8192
 """Sections whose dent is kept, nine numbers each: a hundred drilled bats."""
 
 
-def dent_compliance(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
+def solid_bat_compliance(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
     """Return the dent of a solid or drilled round bat in m/N by position in m and closing speed.
 
     Parameters
@@ -61,7 +65,7 @@ def dent_compliance(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
     return ByPatch(law, cubic_spline(places, tables))
 
 
-def blade_dent(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
+def blade_compliance(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
     """Return the dent of a flat blade of solid wood in m/N by position and closing speed: that of a round body as wide.
 
     Under a patch that is less than half as wide as the blade its own wood gives way most, whatever stands behind it.
@@ -152,7 +156,7 @@ def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
     numbers = np.arange(float(HARMONICS))[:, None]
     factors = np.stack([numbers**i * waves**j for i, j in POWERS], axis=-1).reshape(-1, len(POWERS))
     compliance = np.empty((3, HARMONICS, len(waves)))
-    surface_compliance(_radial_parts(stiffness, void), factors, compliance.reshape(3, -1))
+    _eliminated_to_surface(_radial_parts(stiffness, void), factors, compliance.reshape(3, -1))
     compliance[1:, 0] = 0.0  # harmonic 0 turns the body about its axis: no ball does that
     return compliance
 
@@ -216,3 +220,52 @@ def _mean_distances() -> tuple[float, float]:
     apart = np.abs(nodes[:, None] - nodes)
     once, cubed = (float(weights @ apart**power @ weights / weights.sum() ** 2) for power in (1, 3))
     return once, cubed
+
+
+@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+def _eliminated_to_surface(parts: Array, factors: Array, compliance: Array) -> None:
+    """Fill in how far the surface moves per unit of traction.
+
+    From the axis outwards every element's motion is eliminated, so that what stays is the stiffness of the surface.
+
+    Parameters
+    ----------
+    parts : whose sum is the stiffness of every element, shape (parts, elements, n, n); an element's last node is the
+        next one's first.
+    factors : of each part, shape (waves, parts).
+    compliance : W by a traction outwards, either by the other's, V by one around, shape (3, waves); filled.
+    """
+    size = parts.shape[2]
+    inner = size - MOTIONS
+    block = np.zeros((size, size, SIDE_BY_SIDE))
+    for start in range(0, len(factors), SIDE_BY_SIDE):
+        count = min(SIDE_BY_SIDE, len(factors) - start)
+        for e in range(parts.shape[1]):
+            for i in range(size):
+                for j in range(i + 1):
+                    for b in range(count):
+                        total = block[inner + i, inner + j, b] if e > 0 and i < MOTIONS else 0.0
+                        for p in range(len(parts)):
+                            total += parts[p, e, i, j] * factors[start + b, p]
+                        block[i, j, b] = total
+            for k in range(inner):
+                _eliminated(block, k)
+        _eliminated(block, inner)
+        for b in range(count):
+            around, outwards = block[inner + 1, inner + 1, b], block[inner + 2, inner + 2, b]
+            both = block[inner + 2, inner + 1, b]
+            whole = around * outwards - both * both
+            compliance[0, start + b] = around / whole
+            compliance[1, start + b] = -both / whole
+            compliance[2, start + b] = outwards / whole
+
+
+@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+def _eliminated(block: Array, k: int) -> None:
+    """Eliminate one unknown of symmetric matrices side by side; what is above their diagonals is room to work in."""
+    for i in range(k + 1, len(block)):
+        for b in range(SIDE_BY_SIDE):
+            block[k, i, b] = block[i, k, b] / block[k, k, b]
+        for j in range(k + 1, i + 1):
+            for b in range(SIDE_BY_SIDE):
+                block[i, j, b] -= block[k, i, b] * block[j, k, b]
