@@ -15,8 +15,7 @@ from sweetspot.catalog.rules import league
 from sweetspot.design.answer import Designed, told
 from sweetspot.design.contacts import FROM_TIP, contacts_at
 from sweetspot.design.fronts import Front, Question, search
-from sweetspot.design.gain import CLEARLY, PAIR, gain_of, present_measured
-from sweetspot.design.gain import Verdict as GainVerdict
+from sweetspot.design.gain import CLEARLY, PAIR, GainVerdict, gain_of, present_measured
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import Bench
 from sweetspot.equipment.bat import Bat

@@ -12,8 +12,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.design.answer import findings_of
 from sweetspot.design.batter import Batter
 from sweetspot.design.contacts import FROM_TIP, normal_contact
-from sweetspot.design.gain import Verdict as GainVerdict
-from sweetspot.design.gain import gain_of, present_measured
+from sweetspot.design.gain import GainVerdict, gain_of, present_measured
 from sweetspot.design.limits import league_limits
 from sweetspot.design.measures import Bench, bench_of
 from sweetspot.design.other_sports import club_space, cricket_space, racket_space

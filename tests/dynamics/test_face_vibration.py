@@ -26,7 +26,7 @@ from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.rigid import effective_mass, rigid_body
 from sweetspot.equipment.ball import Ball, RestitutionLaw
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.face import Face, Outline, damping_coefficient
+from sweetspot.equipment.face import Face, FaceOutline, damping_coefficient
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError
@@ -188,7 +188,7 @@ def test_a_hard_ball_keeps_the_restitution_of_a_clamped_face() -> None:
 
 def test_give_falls_from_one_to_nothing() -> None:
     """Exact: a membrane's give is a logarithm of the distance from the edge, a plate's 1 - r^2, a layer's is even."""
-    outline = Outline(start=0.4, end=0.6, width=0.2)
+    outline = FaceOutline(start=0.4, end=0.6, width=0.2)
     places, across = np.array([0.5, 0.55, 0.5, 0.6, 0.65]), np.array([0.0, 0.0, 0.05, 0.0, 0.0])
     membrane = softness(Face(stiffness=1.0, moving_mass=1.0, edge="membrane", patch=0.02), outline, places, across)
     full = math.log(0.1 / 0.02) + 0.25
@@ -220,7 +220,7 @@ def test_a_face_is_stiff_and_moves_or_neither() -> None:
     with pytest.raises(InputError, match="both stiffness and moving_mass"):
         Face(stiffness=1e4)
     with pytest.raises(InputError, match="allowed is an end beyond it"):
-        Outline(start=0.5, end=0.4, width=0.1)
+        FaceOutline(start=0.5, end=0.4, width=0.1)
 
 
 def test_a_quick_contact_has_enough_modes() -> None:

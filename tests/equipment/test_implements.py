@@ -19,7 +19,7 @@ from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement, check_lateral, check_on_face
@@ -152,7 +152,7 @@ def test_the_stick_rings_as_measured_ones() -> None:
 
 
 def test_softer_strings_give_more_and_hold_more_weight_back() -> None:
-    outline = Outline(start=0.34, end=0.67, width=0.25)
+    outline = FaceOutline(start=0.34, end=0.67, width=0.25)
     bed = StringBed(tension=200.0, mains=16, crosses=19, linear_density=1.4e-3, restitution=0.97, patch=0.02)
     tight = bed.replaced(tension=400.0)
     loose_face, tight_face = bed.face(outline), tight.face(outline)

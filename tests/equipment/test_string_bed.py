@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.equipment.face import Outline
+from sweetspot.equipment.face import FaceOutline
 from sweetspot.equipment.racket import Racket
 
 
@@ -16,7 +16,7 @@ def test_the_bed_is_a_membrane_under_an_even_push() -> None:
     """tau (r w')' = -p r under the patch and 0 outside, w(R) = 0: force over mean deflection of the patch (exact)."""
     racket = catalog.load_implement("tennis-racket")
     assert isinstance(racket, Racket)
-    assert isinstance(racket.outline, Outline)
+    assert isinstance(racket.outline, FaceOutline)
     assert racket.strings is not None
     bed, outline = racket.strings, racket.outline
     patch, rim, tension = bed.patch, outline.mean_radius, bed.surface_tension(outline)

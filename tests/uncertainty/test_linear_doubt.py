@@ -13,7 +13,7 @@ from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.interval import Interval, Number
 from sweetspot.report.bat.sure_words import doubt_words
@@ -101,7 +101,7 @@ def test_a_speed_that_was_written_with_an_error_counts(analysis: Analysis[Bat]) 
     ],
 )
 def test_what_it_comes_from_in_words(shares: dict[str, float], told: str) -> None:
-    assert str(doubt_words(SpeedDoubt(1.0, shares), Words())) == f", {told}"
+    assert str(doubt_words(SpeedDoubt(1.0, shares), Terms())) == f", {told}"
 
 
 def test_the_default_report_says_it(run: Callable[..., tuple[int, str, str]]) -> None:

@@ -12,7 +12,7 @@ from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.equipment.face import Outline
+from sweetspot.equipment.face import FaceOutline
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
@@ -35,7 +35,7 @@ class FaceMap:
     sting : m/s, vibration at the hands, shape (rows, columns).
     """
 
-    outline: Outline
+    outline: FaceOutline
     position: Array
     lateral: Array
     collision_efficiency: Array

@@ -49,7 +49,7 @@ class Axis:
 
 
 @dataclass(frozen=True)
-class Answers:
+class TableCell:
     """The results of one cell: the best hit on the barrel and the bat's own numbers, SI.
 
     Parameters
@@ -76,7 +76,7 @@ class Cell:
 
     row: int
     column: int
-    answers: Answers | None
+    answers: TableCell | None
     reason: str = ""
 
 
@@ -96,10 +96,10 @@ class TwoWay:
 
         Parameters
         ----------
-        answer : name of a field of `Answers`.
+        answer : name of a field of `TableCell`.
         """
-        if answer not in Answers.__dataclass_fields__:
-            raise InputError(f"{answer!r} is no answer; allowed is one of {', '.join(Answers.__dataclass_fields__)}")
+        if answer not in TableCell.__dataclass_fields__:
+            raise InputError(f"{answer!r} is no answer; allowed is one of {', '.join(TableCell.__dataclass_fields__)}")
         return np.array([[getattr(cell.answers, answer, np.nan) for cell in row] for row in self.cells], dtype=float)
 
     @property
@@ -211,7 +211,7 @@ def _answers(
     known: tuple[Bat, RigidBody],
     conditions: Conditions,
     law: SwingLaw | None,
-) -> Answers:
+) -> TableCell:
     """Return one bat's answers: only the pieces of an analysis that they need."""
     reference, reference_body = known
     beam = beam_model(bat)
@@ -229,7 +229,7 @@ def _answers(
     closing = swung.pitch.speed + bat_speed
     done = hits(gripped(free, swung.hands), ball=ball, position=places, closing_speed=closing)
     efficiency = done.collision_efficiency
-    return Answers(
+    return TableCell(
         exit_speed=peak(exit_speed(efficiency, ball_speed=swung.pitch.speed, bat_speed=bat_speed)),
         collision_efficiency=peak(efficiency),
         bbcor=peak(bbcor(efficiency, body=body, ball=ball, position=places)),

@@ -13,7 +13,7 @@ from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.deliveries import delivery_sport
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
-from sweetspot.equipment.sport import Certainty, CourtMark, DropRule, Known, Limit, Sport, Stroke, Words, counted
+from sweetspot.equipment.sport import Certainty, CourtMark, DropRule, Known, RuleLimit, Sport, Stroke, Terms, counted
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.plausibility import parse
 from sweetspot.units import Kind
@@ -55,7 +55,7 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
             hands=parse(stroke["hands"], "length", f"{key} hands"),
             pivot=parse(stroke.get("pivot", "0 m"), "length", f"{key} pivot"),
         ),
-        words=Words(**sport_entry.get("words", {})),
+        words=Terms(**sport_entry.get("words", {})),
         speeds=tuple(_known(table) for table in sport_entry.get("speed", ())),
         limits=tuple(_limit(table) for table in sport_entry.get("limit", ())),
         marks=tuple(_mark(table) for table in sport_entry.get("mark", ())),
@@ -123,7 +123,7 @@ def _known(table: dict[str, Any]) -> Known:
     return Known(**_values(table))
 
 
-def _limit(table: dict[str, Any]) -> Limit:
+def _limit(table: dict[str, Any]) -> RuleLimit:
     """Return a limit of the rules; one that names a league's rule has that rule's record."""
     if "rule" in table:
         league, quantity_limited = table["rule"].split()
@@ -131,7 +131,7 @@ def _limit(table: dict[str, Any]) -> Limit:
         limits = next(rule for rule in rules if rule["quantity"] == quantity_limited)
         side = next(side for side in ("least", "most") if side in limits)
         table = {**limits[side], "side": side, "name": table["name"], "of": table.get("of", "speed")}
-    return Limit(**_values(table), side=table["side"])
+    return RuleLimit(**_values(table), side=table["side"])
 
 
 def _values(table: dict[str, Any]) -> dict[str, Any]:

@@ -27,7 +27,7 @@ ARRIVAL = 0.1
 """Part of the struck place's greatest speed at which a wave counts as arrived; the dispersed forerunners are below."""
 
 
-class Energies(NamedTuple):
+class EnergyHistory(NamedTuple):
     """Where the incoming energy is at each moment, J, shape (times,); in every row the sum is the incoming energy.
 
     Parameters
@@ -72,7 +72,7 @@ class TimeHistory:
     compression: Array
     displacement: Array
     velocity: Array
-    energy: Energies
+    energy: EnergyHistory
 
 
 def history_of(
@@ -125,7 +125,7 @@ def history_of(
         compression=whole(compression, 0.0),
         displacement=bat.displacement,
         velocity=bat.velocity,
-        energy=Energies(
+        energy=EnergyHistory(
             ball=ball.mass * whole(speed, speed[-1]) ** 2 / 2,
             stored=whole(stored, 0.0),
             heat=whole(heat, heat[-1]),

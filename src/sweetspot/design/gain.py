@@ -44,7 +44,7 @@ PRIOR_BALLS = 3.5
 """Balls that what is known of all players is worth: the variance of a usual scatter over that of players' means."""
 
 
-class Verdict(StrEnum):
+class GainVerdict(StrEnum):
     """What of a gain can be said, beside what could hide it."""
 
     SEEN = "a gain that you could see"
@@ -113,14 +113,14 @@ class Gain:
         return 0.5 * (1 + math.erf(self.expected / self.spread / math.sqrt(2)))
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> GainVerdict:
         """What of the gain can be said: seen only where the interval clearly leaves zero out; a loss alike."""
         size = abs(self.expected)
         if size > CLEARLY * self.spread:
-            return Verdict.SEEN if self.expected > 0 else Verdict.LOSS
+            return GainVerdict.SEEN if self.expected > 0 else GainVerdict.LOSS
         if size > LIKELY * self.spread:
-            return Verdict.LIKELY if self.expected > 0 else Verdict.LIKELY_LOSS
-        return Verdict.HIDDEN
+            return GainVerdict.LIKELY if self.expected > 0 else GainVerdict.LIKELY_LOSS
+        return GainVerdict.HIDDEN
 
     @property
     def balls_needed(self) -> int | None:
@@ -130,7 +130,7 @@ class Gain:
         (`PRIOR_BALLS`) among them.
         """
         room = (self.expected / CLEARLY) ** 2 - math.hypot(self.pieces, self.law, self.contact) ** 2
-        if self.sample == 0 or self.expected <= 0 or room <= 0 or self.verdict is Verdict.SEEN:
+        if self.sample == 0 or self.expected <= 0 or room <= 0 or self.verdict is GainVerdict.SEEN:
             return None
         return math.ceil(self.sample**2 * (self.balls + PRIOR_BALLS) / room - PRIOR_BALLS)
 

@@ -14,7 +14,7 @@ import numpy as np
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import DensityRange, Implement, Lump
 from sweetspot.equipment.mass_fit import Correction, least_departure, nearest
-from sweetspot.equipment.section import Section
+from sweetspot.equipment.section import CrossSection
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.gauss_legendre import quadrature
@@ -130,7 +130,7 @@ def bat_of_beam(beam: BeamModel) -> Bat:
     return beam.bat
 
 
-def section(beam: BeamModel, position: Array) -> Section:
+def section(beam: BeamModel, position: Array) -> CrossSection:
     """Return the section properties at positions in m (not exactly at a jump: there the inner side is taken)."""
     return beam.bat.section_at(position, density_scale(beam, position))
 

@@ -16,7 +16,7 @@ from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.modes import Family, Modes, Surface
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.face import MEMBRANE_MEAN, Face, Outline, damping_coefficient
+from sweetspot.equipment.face import MEMBRANE_MEAN, Face, FaceOutline, damping_coefficient
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise
@@ -69,7 +69,7 @@ def face_modes(beam: BeamModel, ball: Ball) -> Modes:
     )
 
 
-def softness(face: Face, outline: Outline, position: Array, lateral: Array) -> Array:
+def softness(face: Face, outline: FaceOutline, position: Array, lateral: Array) -> Array:
     """Return g, the square root of the face's compliance at places over that in its middle; 0 off the face.
 
     For a membrane g^2 = (ln((1 - r^2) R / a) + 1/4) / (ln(R / a) + 1/4): round, stretched, of the same area (radius R),

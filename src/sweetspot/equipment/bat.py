@@ -16,7 +16,7 @@ from pydantic import Field, model_validator
 from sweetspot.equipment.base import NonNegative, Positive, Validated
 from sweetspot.equipment.implement import DensityRange, Lump, OfMaterial
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.section import Section, of_solid, of_walls
+from sweetspot.equipment.section import CrossSection, of_solid, of_walls
 from sweetspot.equipment.shell import Shell, Stations, between, check_order
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -306,14 +306,14 @@ class Bat(OfMaterial):
             original=None,
         )
 
-    def section_at(self, position: Array, scale: Array) -> Section:
+    def section_at(self, position: Array, scale: Array) -> CrossSection:
         """Return the sections at positions in m (not exactly at a jump: there the inner side is taken).
 
         All walls of a hollow bat, sleeve and handle included, are scaled alike; fills are not.
         """
         return self.section_within(position, self.diameter_at(position) / 2, scale)
 
-    def section_within(self, position: Array, outer: Array, scale: Array) -> Section:
+    def section_within(self, position: Array, outer: Array, scale: Array) -> CrossSection:
         """Return the sections at positions in m of a bat with other outer radii in m, in rows that end in positions."""
         if self.shell is not None:
             return of_walls(self.shell.parts(position, outer, self.material), outer, scale)

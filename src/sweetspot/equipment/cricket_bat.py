@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import NonNegative, Positive
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.implement import OfMaterial
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.section import FLAT_SHEAR, Section, shear_coefficient
+from sweetspot.equipment.section import FLAT_SHEAR, CrossSection, shear_coefficient
 from sweetspot.equipment.shell import Stations, between, check_along, check_order
 from sweetspot.numerics.arrays import Array
 
@@ -102,9 +102,11 @@ class CricketBat(OfMaterial):
         return Face()
 
     @property
-    def outline(self) -> Outline:
+    def outline(self) -> FaceOutline:
         """All of the blade."""
-        return Outline(start=self.shoulder, end=self.length, width=max(size for _, size in self.width), shape="oblong")
+        return FaceOutline(
+            start=self.shoulder, end=self.length, width=max(size for _, size in self.width), shape="oblong"
+        )
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the ends of all conical pieces, of the splice and of parts of it."""
@@ -119,19 +121,19 @@ class CricketBat(OfMaterial):
         places = np.asarray(position, float)
         return np.where(places <= self.shoulder, between(self.handle, places), between(self.width, places))
 
-    def section_at(self, position: Array, scale: Array) -> Section:
+    def section_at(self, position: Array, scale: Array) -> CrossSection:
         """Return the sections at positions in m (at the shoulders that of the handle)."""
         handle, blade = self._handle_section(position), self._blade_section(position, scale)
         above = position <= self.shoulder
-        return Section(*(np.where(above, getattr(handle, name), getattr(blade, name)) for name in SECTION_FIELDS))
+        return CrossSection(*(np.where(above, getattr(handle, name), getattr(blade, name)) for name in SECTION_FIELDS))
 
-    def _handle_section(self, position: Array) -> Section:
+    def _handle_section(self, position: Array) -> CrossSection:
         radius = between(self.handle, position) / 2
         area, second, cane = math.pi * radius**2, math.pi * radius**4 / 4, self.handle_material
         grip = self.grip_mass / self.shoulder
         rotary = cane.density * second + grip * radius**2 / 2
         stiff = float(shear_coefficient(np.array(0.0), cane.poisson))
-        return Section(
+        return CrossSection(
             cane.density * area + grip,
             rotary,
             cane.longitudinal_modulus * second,
@@ -139,7 +141,7 @@ class CricketBat(OfMaterial):
             2 * rotary,
         )
 
-    def _blade_section(self, position: Array, scale: Array) -> Section:
+    def _blade_section(self, position: Array, scale: Array) -> CrossSection:
         nodes, weights = ACROSS
         part = (nodes + 1) / 2  # of half the width, from the middle out
         half, edge = between(self.width, position)[..., None] / 2, between(self.edge, position)[..., None]
@@ -155,7 +157,7 @@ class CricketBat(OfMaterial):
         density = (1 - share) * willow.density * scale + share * cane.density
         modulus = (1 - share) * willow.longitudinal_modulus + share * cane.longitudinal_modulus
         shear = (1 - share) * willow.shear + share * cane.shear
-        return Section(
+        return CrossSection(
             density * area,
             density * about_middle,
             modulus * about_middle,

@@ -51,7 +51,7 @@ class Face(Validated):
         return self
 
 
-class Outline(Validated):
+class FaceOutline(Validated):
     """The part of an implement that is meant for the ball, as the ball sees it.
 
     Parameters
@@ -67,7 +67,7 @@ class Outline(Validated):
     shape: Literal["oval", "oblong"] = "oval"
 
     @model_validator(mode="after")
-    def _has_a_length(self) -> Outline:
+    def _has_a_length(self) -> FaceOutline:
         if self.end <= self.start:
             raise ValueError(f"the face runs from {self.start:.4g} m to {self.end:.4g} m; allowed is an end beyond it")
         return self

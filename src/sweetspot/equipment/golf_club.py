@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import NonNegative, Positive, Validated
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.implement import Lump, OfMaterial
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.section import Section, evenly, of_oval_tube
+from sweetspot.equipment.section import CrossSection, evenly, of_oval_tube
 from sweetspot.equipment.shell import Stations, between, check_along
 from sweetspot.numerics.arrays import Array
 
@@ -110,9 +110,9 @@ class GolfClub(OfMaterial):
         return self.head.face
 
     @property
-    def outline(self) -> Outline:
+    def outline(self) -> FaceOutline:
         """The head's face."""
-        return Outline(start=self.shaft_end, end=self.length, width=self.head.face_width)
+        return FaceOutline(start=self.shaft_end, end=self.length, width=self.head.face_width)
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the ends of all conical pieces, of the grip, and the head's middle."""
@@ -127,14 +127,14 @@ class GolfClub(OfMaterial):
         head = self.head.face_width * np.sqrt(np.maximum(1 - along**2, 0.0))
         return np.where(places <= self.shaft_end, between(self.diameter, places), head)
 
-    def section_at(self, position: Array, scale: Array) -> Section:
+    def section_at(self, position: Array, scale: Array) -> CrossSection:
         """Return the sections at positions in m; the head's part of the line is stiff and has no weight to speak of."""
         size, wall = between(self.diameter, position), between(self.wall, position)
         tube = of_oval_tube(self.material, width=size, depth=size, wall=wall, scale=scale)
         grip = np.where(position <= self.grip_length, self.grip_mass / self.grip_length, 0.0)
         shaft = evenly(grip, size / 2, tube)
         inside = position > self.shaft_end
-        return Section(
+        return CrossSection(
             np.where(inside, THIN, shaft.mass),
             np.where(inside, THIN * size**2, shaft.rotary_inertia),
             np.where(inside, RIGID, 1.0) * shaft.bending_stiffness,

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import NonNegative, Positive
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.implement import Lump, OfMaterial
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.section import Section, evenly, of_oval_tube
+from sweetspot.equipment.section import CrossSection, evenly, of_oval_tube
 from sweetspot.equipment.shell import Stations, between, check_along
 from sweetspot.numerics.arrays import Array
 
@@ -76,11 +76,11 @@ class HockeyStick(OfMaterial):
         return Face()
 
     @property
-    def outline(self) -> Outline:
+    def outline(self) -> FaceOutline:
         """From where the face begins to where the head's end rounds off: half a width before it."""
         widest = max(size for place, size in self.width if place >= self.face_start)
         end = self.length - self.width[-1][1] / 2
-        return Outline(start=self.face_start, end=end, width=widest, shape="oblong")
+        return FaceOutline(start=self.face_start, end=end, width=widest, shape="oblong")
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the ends of all conical pieces and of the grip."""
@@ -93,7 +93,7 @@ class HockeyStick(OfMaterial):
         """Return the width of the tube in m."""
         return between(self.width, np.asarray(position, float))
 
-    def section_at(self, position: Array, scale: Array) -> Section:
+    def section_at(self, position: Array, scale: Array) -> CrossSection:
         """Return the sections at positions in m, the grip around them."""
         width, depth = between(self.width, position), between(self.depth, position)
         tube = of_oval_tube(self.material, width=width, depth=depth, wall=between(self.wall, position), scale=scale)

@@ -15,9 +15,9 @@ from numpy.typing import ArrayLike
 from pydantic import model_validator
 
 from sweetspot.equipment.base import Name, NonNegative, Positive, Validated
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.section import Section
+from sweetspot.equipment.section import CrossSection
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -142,7 +142,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
         """Return the positions in m, 0 and length included, between which everything about it is smooth."""
 
     @abstractmethod
-    def section_at(self, position: Array, scale: Array) -> Section:
+    def section_at(self, position: Array, scale: Array) -> CrossSection:
         """Return the sections at positions in m, with the body's own density ``scale`` times the catalogue's."""
 
     @abstractmethod
@@ -165,7 +165,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
         return None
 
     @property
-    def outline(self) -> Outline | None:
+    def outline(self) -> FaceOutline | None:
         """The part that is meant for the ball; None: all of it beyond the hands."""
         return None
 

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import Positive
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.implement import Implement, Look
 from sweetspot.equipment.mass_fit import maximum_entropy_mass
-from sweetspot.equipment.section import Section
+from sweetspot.equipment.section import CrossSection
 from sweetspot.equipment.shell import Stations, between, check_order
 from sweetspot.equipment.string_bed import StringBed
 from sweetspot.numerics.arrays import Array
@@ -67,7 +67,7 @@ class Racket(Implement):
     """
 
     length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]
-    head: Outline
+    head: FaceOutline
     strings: StringBed | None = None
     first_frequency: Positive
     damping: Annotated[float, Field(ge=0, lt=0.5)] = 0.01
@@ -127,7 +127,7 @@ class Racket(Implement):
         return self.first_frequency
 
     @property
-    def outline(self) -> Outline:
+    def outline(self) -> FaceOutline:
         """The string bed's."""
         return self.head
 
@@ -151,12 +151,12 @@ class Racket(Implement):
         across = np.sqrt(np.maximum(1 - ((places - middle) / half_length) ** 2, 0.0)) * (self.head.width + 2 * rim)
         return np.maximum(np.where(places <= self.handle_length, 0.032, np.where(across > 0, 0.0, 0.02)), across)
 
-    def section_at(self, position: Array, scale: Array) -> Section:  # noqa: ARG002 - its mass is measured, not scaled
+    def section_at(self, position: Array, scale: Array) -> CrossSection:  # noqa: ARG002 - its mass is measured, not scaled
         """Return the sections at positions in m; stiffness is right up to one factor (see `frequency`)."""
         mass = self._mass_per_length(position)
         stiffness = self._stiffness(position)
         roll = mass * self._twist_factor * self._side_gyration(position) ** 2
-        return Section(mass, mass * GYRATION**2, stiffness, stiffness * SHEAR_OVER_BENDING, roll)
+        return CrossSection(mass, mass * GYRATION**2, stiffness, stiffness * SHEAR_OVER_BENDING, roll)
 
     def _drawn(self, position: Array) -> Array:
         """Return the drawn mass per length of frame and strings, up to a factor."""

@@ -15,7 +15,7 @@ from sweetspot.numerics.arrays import Array
 
 
 @dataclass(frozen=True)
-class Section:
+class CrossSection:
     """Properties per unit length at an array of positions (all arrays share its shape).
 
     Parameters
@@ -54,7 +54,7 @@ def shear_coefficient(radius_ratio: Array, poisson_ratio: float) -> Array:
 
 def of_solid(
     material: Material, *, outer: Array, void: Array, inclusions: Iterable[tuple[Array, Material | None]], scale: Array
-) -> Section:
+) -> CrossSection:
     """Return the section of a round solid body with holes and fills.
 
     Parameters
@@ -82,10 +82,10 @@ def of_solid(
         bending = bending + ((fill.longitudinal_modulus if fill else 0.0) - material.longitudinal_modulus) * second
         shear = shear + ((fill.shear if fill else 0.0) - material.shear) * area
         void = np.maximum(void, inside) if fill is None else void
-    return Section(mass, rotary, bending, shear_coefficient(void / outer, material.poisson) * shear, 2 * rotary)
+    return CrossSection(mass, rotary, bending, shear_coefficient(void / outer, material.poisson) * shear, 2 * rotary)
 
 
-def of_walls(parts: list[WallPart], outer: Array, scale: Array) -> Section:
+def of_walls(parts: list[WallPart], outer: Array, scale: Array) -> CrossSection:
     """Return the section of concentric walls that bend as one body: everything adds.
 
     A laminate counts with its effective moduli along the line and in shear [jones1999].
@@ -100,7 +100,7 @@ def of_walls(parts: list[WallPart], outer: Array, scale: Array) -> Section:
         rotary = rotary + part.density * scale * second
         bending = bending + along * second
         shear = shear + shear_coefficient(hole / outer, poisson) * across * area
-    return Section(mass, rotary, bending, shear, 2 * rotary)
+    return CrossSection(mass, rotary, bending, shear, 2 * rotary)
 
 
 def _moduli(part: WallPart) -> tuple[float, float, float]:
@@ -111,7 +111,7 @@ def _moduli(part: WallPart) -> tuple[float, float, float]:
     return part.material.longitudinal_modulus, part.material.shear, part.material.poisson
 
 
-def of_oval_tube(material: Material, *, width: Array, depth: Array, wall: Array, scale: Array) -> Section:
+def of_oval_tube(material: Material, *, width: Array, depth: Array, wall: Array, scale: Array) -> CrossSection:
     """Return the section of an elliptical tube, solid where the wall reaches its middle.
 
     EI = E pi (a b^3 - (a - h) (b - h)^3) / 4 with half width a, half depth b and wall h; the shear coefficient is that
@@ -130,13 +130,13 @@ def of_oval_tube(material: Material, *, width: Array, depth: Array, wall: Array,
     density = material.density * scale
     shear = shear_coefficient(inner_b / b, material.poisson) * material.shear * area
     bending = material.longitudinal_modulus * second
-    return Section(density * area, density * second, bending, shear, density * (second + sideways))
+    return CrossSection(density * area, density * second, bending, shear, density * (second + sideways))
 
 
-def evenly(mass: Array | float, radius: Array | float, sections: Section) -> Section:
+def evenly(mass: Array | float, radius: Array | float, sections: CrossSection) -> CrossSection:
     """Return sections in a thin sleeve of mass per length (kg/m) at a radius (m), which adds no stiffness."""
     about = np.asarray(mass) * np.asarray(radius) ** 2
-    return Section(
+    return CrossSection(
         sections.mass + mass, sections.rotary_inertia + about / 2, sections.bending_stiffness, sections.shear_stiffness,
         sections.roll_inertia + about,
     )  # fmt: skip

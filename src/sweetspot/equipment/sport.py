@@ -46,7 +46,7 @@ class Known(Validated):
         return f"{self.written} {ASSUMED_MARK}" if self.kind == "assumed" else self.written
 
 
-class Limit(Known):
+class RuleLimit(Known):
     """A limit of the rules: ``side`` says whether the value is the least or the most that is allowed."""
 
     side: Literal["least", "most"]
@@ -93,7 +93,7 @@ class DropRule(Validated):
     source: str
 
 
-class Words(Validated):
+class Terms(Validated):
     """What people of a sport call things; the defaults are baseball's.
 
     Parameters
@@ -184,9 +184,9 @@ class Sport(Validated):
     balls: tuple[str, ...]
     aerodynamics: str
     stroke: Stroke
-    words: Words = Words()
+    words: Terms = Terms()
     speeds: tuple[Known, ...] = ()
-    limits: tuple[Limit, ...] = ()
+    limits: tuple[RuleLimit, ...] = ()
     marks: tuple[CourtMark, ...] = ()
     drops: tuple[DropRule, ...] = ()
     facts: tuple[Known, ...] = ()

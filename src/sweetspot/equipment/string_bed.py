@@ -8,7 +8,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sweetspot.equipment.base import Positive, Validated
-from sweetspot.equipment.face import MEMBRANE_MEAN, Face, Outline
+from sweetspot.equipment.face import MEMBRANE_MEAN, Face, FaceOutline
 
 MEAN_CHORD = math.pi / 4
 """Mean length of an ellipse's chords over its axis."""
@@ -33,7 +33,7 @@ class StringBed(Validated):
     restitution: Annotated[float, Field(gt=0, le=1)]
     patch: Positive
 
-    def surface_tension(self, outline: Outline) -> float:
+    def surface_tension(self, outline: FaceOutline) -> float:
         """Return the force per length in N/m of a membrane like the bed: the mean of both directions.
 
         sqrt((T n_m / w) (T n_c / l)) with n_m mains over the width w and n_c crosses over the length l.
@@ -41,12 +41,12 @@ class StringBed(Validated):
         along, across = self.mains / outline.width, self.crosses / (outline.end - outline.start)
         return self.tension * math.sqrt(along * across)
 
-    def mass(self, outline: Outline) -> float:
+    def mass(self, outline: FaceOutline) -> float:
         """Return the mass of the bed in kg: every chord of the oval."""
         length = self.mains * (outline.end - outline.start) + self.crosses * outline.width
         return self.linear_density * MEAN_CHORD * length
 
-    def face(self, outline: Outline) -> Face:
+    def face(self, outline: FaceOutline) -> Face:
         """Return the bed as a face: a stretched membrane of radius R, pushed evenly over a patch of radius a.
 
         k = 2 pi tau / (ln(R / a) + 1/4), exact for a round membrane with a small patch in its middle; the mass that

@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import Positive
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.implement import DensityRange, Implement, Look
 from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.laminate_theory import effective_moduli, laminate_stiffness
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.rubber import Rubber
-from sweetspot.equipment.section import FLAT_SHEAR, Section
+from sweetspot.equipment.section import FLAT_SHEAR, CrossSection
 from sweetspot.numerics.arrays import Array
 
 LENGTH_RANGE = (0.2, 0.35)
@@ -123,9 +123,9 @@ class TableTennisRacket(Implement):
         return self.front.face
 
     @property
-    def outline(self) -> Outline:
+    def outline(self) -> FaceOutline:
         """The blade."""
-        return Outline(start=self.neck, end=self.length, width=self.blade_width)
+        return FaceOutline(start=self.neck, end=self.length, width=self.blade_width)
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the ends of the pieces: closer together where the blade's outline bends most."""
@@ -140,7 +140,7 @@ class TableTennisRacket(Implement):
         narrowest = np.where(along > 0, NARROWEST, self.handle_width)
         return np.where(places <= self.neck, self.handle_width, np.maximum(blade, narrowest))
 
-    def section_at(self, position: Array, scale: Array) -> Section:
+    def section_at(self, position: Array, scale: Array) -> CrossSection:
         """Return the sections at positions in m; the wood's density is scaled, rubber's and scales' are not.
 
         The blade bends as a wide strip that is free to curl: EI = width / d_11, d the inverse of its bending stiffness
@@ -157,7 +157,7 @@ class TableTennisRacket(Implement):
         mass = width * (wood + covers) + scales.density * added_area
         rotary = width * wood * self.blade.thickness**2 / 12 + scales.density * added_second
         bending, shear = self._strip
-        return Section(
+        return CrossSection(
             mass,
             rotary,
             width * bending + scales.longitudinal_modulus * added_second,

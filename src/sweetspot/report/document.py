@@ -162,7 +162,7 @@ class Picture:
 
 
 @dataclass(frozen=True)
-class Sources:
+class SourceList:
     """The works behind an answer, by their keys in the bibliography."""
 
     keys: Sequence[str]
@@ -178,7 +178,7 @@ class Section:
     level: Literal[2, 3] = 2
 
 
-Block = Paragraph | Bullets | Question | Cards | Table | Picture | Sources | Section
+Block = Paragraph | Bullets | Question | Cards | Table | Picture | SourceList | Section
 
 
 @dataclass(frozen=True)

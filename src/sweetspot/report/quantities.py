@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.units import (
     DEGREE,
     FOOT,
@@ -215,7 +215,7 @@ WEIGHTS = {"oz": US, "g": SI}
 DISTANCES = {"ft": SCALES["distance"].us, "yd": Unit("yd", 3 * FOOT, 1), "m": SCALES["distance"].si}
 
 
-def reader(system: System | None, words: Words) -> Reader:
+def reader(system: System | None, words: Terms) -> Reader:
     """Return who reads an answer: of the system that was asked for, or as the sport's people read.
 
     >>> golf = Words(speed_unit="mph", place_unit="in", distance_unit="yd", mass_unit="g")

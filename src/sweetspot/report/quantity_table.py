@@ -6,7 +6,7 @@ import re
 from functools import partial
 from typing import Any, Literal
 
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.confidence import REACH
 from sweetspot.plausibility import parse
 from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, SYSTEMS, Reader, System, Unit
@@ -60,7 +60,7 @@ def quantity_data() -> dict[str, Any]:
             name: {"label": one.label, "scale": one.scale, "colour": _hue(one.colour)}
             for name, one in QUANTITIES.items()
         },
-        "spots": {name: {"label": spot.labelled(Words()), "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
+        "spots": {name: {"label": spot.labelled(Terms()), "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
         "palette": dict(PALETTE),
         "reach": REACH,
     }

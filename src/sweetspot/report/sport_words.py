@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import Number
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Part, Sentence, Slot, say
@@ -13,7 +13,7 @@ LIGHT = 0.02
 """kg below which a mass is shown to a tenth of a gram."""
 
 
-def words_of(implement: Implement) -> Words:
+def words_of(implement: Implement) -> Terms:
     """Return what the people of an implement's sport call things."""
     return sport(implement.sport).words
 
@@ -23,7 +23,7 @@ def reader_of(implement: Implement) -> Reader:
     return reader(None, words_of(implement))
 
 
-def in_words(template: str, words: Words, **slots: Part | float | Sentence) -> Sentence:
+def in_words(template: str, words: Terms, **slots: Part | float | Sentence) -> Sentence:
     """Return a template's words, its slots filled with a sport's words too.
 
     >>> in_words("from the {tip} of the {implement}", Words(tip="toe")).read(reader(None, Words()))
@@ -32,7 +32,7 @@ def in_words(template: str, words: Words, **slots: Part | float | Sentence) -> S
     return say(template, **(words.model_dump() | slots))
 
 
-def arriving(words: Words, speed: float) -> Sentence:
+def arriving(words: Terms, speed: float) -> Sentence:
     """Return what comes in: "a pitch at 90 mph", "a ball at rest"."""
     if not speed > 0:
         return in_words("a {incoming} at rest", words)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 
 
@@ -25,18 +25,18 @@ class Spot:
     meaning: str
     colour: str
 
-    def named(self, words: Words) -> str:
+    def named(self, words: Terms) -> str:
         """Return the name as a sport's people have it."""
         own = words.strongest if "{efficiency}" in self.name else ""
         return own or self.name.format(**words.model_dump())
 
-    def labelled(self, words: Words) -> str:
+    def labelled(self, words: Terms) -> str:
         """Return the label as a sport's people have it."""
         own = words.strongest if "{efficiency}" in self.name else ""
         short = words.efficiency.replace("collision ", "").replace("coefficient of ", "")
         return own or self.label.format(**words.model_dump(), short_efficiency=short)
 
-    def explained(self, words: Words) -> str:
+    def explained(self, words: Terms) -> str:
         """Return the meaning as a sport's people have it."""
         top_hand = "top hand" if words.hands == "hands" else words.hands
         return self.meaning.format(**words.model_dump(), top_hand=top_hand)

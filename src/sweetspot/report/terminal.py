@@ -87,7 +87,7 @@ def _rendered(blocks: Sequence[parts.Block], screen: Screen) -> Iterator[Rendera
                     yield Text(title, style="bold")
                 yield table(block, screen)
                 yield Text()
-            case parts.Sources():
+            case parts.SourceList():
                 yield from (
                     screen.as_lines(Text(f"[{key}] {screen.read(cite(key))}", style="dim")) for key in block.keys
                 )

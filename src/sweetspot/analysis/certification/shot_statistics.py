@@ -59,7 +59,7 @@ class Estimate:
 
 
 @dataclass(frozen=True)
-class Hit:
+class MeasuredShot:
     """A shot with its measures; ``normalised`` is BBCOR with a ball of standard restitution."""
 
     shot: Shot
@@ -269,20 +269,20 @@ def _recoil(shot: Shot, body: RigidBody, ball: Ball) -> float:
     return mass / effective_mass(body, shot.position, pivot=CLAMP)
 
 
-def _by_moi(best: list[Hit], bat: Bat, body: RigidBody, ball: Ball) -> float:
+def _by_moi(best: list[MeasuredShot], bat: Bat, body: RigidBody, ball: Ball) -> float:
     """Return what a moment of inertia in doubt leaves open of BBCOR = q (1 + r) + r, as a part of it; r = m z^2 / I."""
     part = REACH * moi_doubt(bat, body, CLAMP) / body.moi(CLAMP)
     return part * fmean((1 + hit.efficiency) * _recoil(hit.shot, body, ball) / hit.bbcor for hit in best)
 
 
-def _hit(shot: Shot, *, body: RigidBody, ball: Ball, standard: float) -> Hit:
+def _hit(shot: Shot, *, body: RigidBody, ball: Ball, standard: float) -> MeasuredShot:
     efficiency = shot.collision_efficiency
     restitution = restitution_from_efficiency(efficiency, recoil=_recoil(shot, body, ball))
     factor = 1.0 if shot.ball_cor is None else standard / shot.ball_cor
-    return Hit(shot, efficiency, restitution, restitution * factor)
+    return MeasuredShot(shot, efficiency, restitution, restitution * factor)
 
 
-def _check_bbcor(hits: list[Hit]) -> None:
+def _check_bbcor(hits: list[MeasuredShot]) -> None:
     """Raise `InputError` where a row gives a ball-bat restitution that cannot be, or that is not usual."""
     for hit in hits:
         if max(hit.bbcor, hit.normalised) >= 1:
@@ -293,13 +293,13 @@ def _check_bbcor(hits: list[Hit]) -> None:
         check(hit.normalised, f"the BBCOR of row {hit.shot.row}", f"{hit.normalised:.3g}", quantity="bbcor")
 
 
-def _normalised_efficiency(hit: Hit, body: RigidBody, ball: Ball) -> float:
+def _normalised_efficiency(hit: MeasuredShot, body: RigidBody, ball: Ball) -> float:
     return collision_efficiency(hit.normalised, recoil=_recoil(hit.shot, body, ball))
 
 
-def _places(hits: list[Hit]) -> list[list[Hit]]:
+def _places(hits: list[MeasuredShot]) -> list[list[MeasuredShot]]:
     """Return hits in order of position, those within `SAME_PLACE` of a place's first hit together."""
-    groups: list[list[Hit]] = []
+    groups: list[list[MeasuredShot]] = []
     for hit in hits:
         if groups and hit.shot.position - groups[-1][0].shot.position <= SAME_PLACE * (1 + 1e-9):
             groups[-1].append(hit)
@@ -308,11 +308,11 @@ def _places(hits: list[Hit]) -> list[list[Hit]]:
     return groups
 
 
-def _place(group: list[Hit]) -> Place:
+def _place(group: list[MeasuredShot]) -> Place:
     return Place(fmean(hit.shot.position for hit in group), len(group), fmean(hit.normalised for hit in group))
 
 
-def _best(groups: list[list[Hit]]) -> list[Hit]:
+def _best(groups: list[list[MeasuredShot]]) -> list[MeasuredShot]:
     repeated = [group for group in groups if len(group) > 1]
     if not repeated:
         count = sum(len(group) for group in groups)
@@ -323,7 +323,7 @@ def _best(groups: list[list[Hit]]) -> list[Hit]:
     return max(repeated, key=lambda group: _place(group).bbcor)
 
 
-def _outliers(hits: list[Hit]) -> tuple[Outlier, ...]:
+def _outliers(hits: list[MeasuredShot]) -> tuple[Outlier, ...]:
     """Return hits far from the median in median absolute deviations; with fewer than four none can be told."""
     if len(hits) < 4:
         return ()
@@ -334,7 +334,7 @@ def _outliers(hits: list[Hit]) -> tuple[Outlier, ...]:
 
 
 def _notes(
-    groups: list[list[Hit]], best: list[Hit], *, by_moi: float, normalised: bool, stiff: bool
+    groups: list[list[MeasuredShot]], best: list[MeasuredShot], *, by_moi: float, normalised: bool, stiff: bool
 ) -> tuple[str, ...]:
     top = _place(best)
     facts: Mapping[str, bool] = {

@@ -37,7 +37,7 @@ from sweetspot.catalog.racket_stiffness import frequency_of_ra
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.rubbers import rubber
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.face import Face, Outline
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import AddedMass, Implement
@@ -246,7 +246,7 @@ def _racket(file: RacketFile) -> Racket:
         given["first_frequency"] = frequency_of_ra(ra)
     size = in_si(file.head, "head", implement=file.kind)
     end = given["length"] - size["rim"]
-    given["head"] = Outline(start=end - size["length"], end=end, width=size["width"])
+    given["head"] = FaceOutline(start=end - size["length"], end=end, width=size["width"])
     given["strings"] = (
         None if file.strings is None else StringBed(**in_si(file.strings, "strings", implement=file.kind))
     )

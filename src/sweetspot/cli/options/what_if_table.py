@@ -44,14 +44,14 @@ class TableOptions:
     def document(self, bat: Bat, law: SwingLaw | None, swing: SwingOptions) -> Document:
         """Return the table of a bat."""
         from sweetspot import catalog
-        from sweetspot.analysis.two_way import Answers, what_if_table
+        from sweetspot.analysis.two_way import TableCell, what_if_table
         from sweetspot.cli.options.swing import conditions_for
         from sweetspot.cli.output import patience, progress
         from sweetspot.report.comparison.two_way import two_way_document
 
         answer = self.cell.replace("-", "_")
-        if answer not in Answers.__dataclass_fields__:
-            allowed = ", ".join(name.replace("_", "-") for name in Answers.__dataclass_fields__)
+        if answer not in TableCell.__dataclass_fields__:
+            allowed = ", ".join(name.replace("_", "-") for name in TableCell.__dataclass_fields__)
             raise InputError(f"--cell was given as {self.cell}; allowed is one of {allowed}")
         columns = None if self.columns is None else _axis(self.columns, "--columns")
         with patience(), progress("cells") as report:

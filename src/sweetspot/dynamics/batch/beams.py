@@ -11,7 +11,7 @@ import numpy as np
 from sweetspot.dynamics.batch.mesh import CLOSEST, Mesh, apart, mesh_of
 from sweetspot.dynamics.beam import BeamModel, section
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.section import Section, of_solid
+from sweetspot.equipment.section import CrossSection, of_solid
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array, IntArray
 
@@ -54,7 +54,7 @@ class Beams(Protocol):
     def ends(self) -> tuple[Mesh, Mesh]:
         """Return the ends of what is smooth: point masses among them, and without."""
 
-    def section_at(self, position: Array, owner: IntArray) -> Section:
+    def section_at(self, position: Array, owner: IntArray) -> CrossSection:
         """Return the sections at places in m of the beams whose numbers ``owner`` are, in rising order."""
 
     def as_measured(self) -> Beams:
@@ -151,7 +151,7 @@ class SolidBats:
         weighted = np.where(self.weight_mass != 0, self.weight_position, 0.0)
         return _distinct(np.concatenate([plain, weighted], axis=1)), _distinct(plain)
 
-    def section_at(self, position: Array, owner: IntArray) -> Section:
+    def section_at(self, position: Array, owner: IntArray) -> CrossSection:
         """Return the sections at places in m of the bats whose numbers ``owner`` are, in rising order."""
         rows = APART * np.arange(len(self))[:, None]
         outer = np.interp(position + APART * owner, (self.position + rows).ravel(), self.diameter.ravel()) / 2
@@ -161,7 +161,7 @@ class SolidBats:
         void = self.cup_diameter[owner] / 2 * np.sqrt(np.maximum(into_cup, 0.0))
         solid = of_solid(self.material, outer=outer, void=void, inclusions=(), scale=self.density_factor[owner])
         stiffer = self.stiffness_factor[owner]
-        return Section(
+        return CrossSection(
             solid.mass, solid.rotary_inertia, solid.bending_stiffness * stiffer, solid.shear_stiffness * stiffer,
             solid.roll_inertia,
         )  # fmt: skip
@@ -218,11 +218,13 @@ class BeamRow:
         ]
         return mesh_of([np.array(ends) for ends in whole]), mesh_of([np.array(ends) for ends in plain])
 
-    def section_at(self, position: Array, owner: IntArray) -> Section:
+    def section_at(self, position: Array, owner: IntArray) -> CrossSection:
         """Return the sections at places in m of the beams whose numbers ``owner`` are, in rising order."""
         borders = np.searchsorted(owner, np.arange(len(self) + 1))
         sections = [section(beam, position[borders[i] : borders[i + 1]]) for i, beam in enumerate(self.beams)]
-        return Section(*(np.concatenate([getattr(one, field.name) for one in sections]) for field in fields(Section)))
+        return CrossSection(
+            *(np.concatenate([getattr(one, field.name) for one in sections]) for field in fields(CrossSection))
+        )
 
     def as_measured(self) -> Beams:
         """Return them as their frequencies were measured: before weights were added; themselves where none was."""

@@ -19,7 +19,7 @@ from sweetspot.dynamics.batch.mesh import MODES, Mesh, least_elements, least_par
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.dynamics.residual_flexibility import CELLS, extrapolated, joints, just_inside, sample_places, with_corner
 from sweetspot.dynamics.rigid import RigidBody
-from sweetspot.equipment.section import Section
+from sweetspot.equipment.section import CrossSection
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.gauss_legendre import GAUSS_POINTS, rule
@@ -282,7 +282,9 @@ def _elements(whole: Mesh, size: Array, at_ends: Array) -> Mesh:
     return whole.divided(size, slack=SLACK, least=least_parts(at_ends, whole.width / size[whole.owner]))
 
 
-def _weighed(beams: Beams, mesh: Mesh, start: int) -> tuple[Section, tuple[Array, Array, Array, Array], Lumps, Array]:
+def _weighed(
+    beams: Beams, mesh: Mesh, start: int
+) -> tuple[CrossSection, tuple[Array, Array, Array, Array], Lumps, Array]:
     """Return the sections at every element's Gauss points, what they weigh together, point masses, and the places."""
     nodes, weights = rule()
     width, lumps = mesh.width, beams.lumps
@@ -293,7 +295,7 @@ def _weighed(beams: Beams, mesh: Mesh, start: int) -> tuple[Section, tuple[Array
 
 
 def _bodies(
-    at: Section, places: Array, weights: Array, first: IntArray, lumps: Lumps, unplaced: Array, start: int
+    at: CrossSection, places: Array, weights: Array, first: IntArray, lumps: Lumps, unplaced: Array, start: int
 ) -> tuple[Array, Array, Array, Array]:
     """Return mass, first moment, moment about the balance point and roll of every beam."""
 

@@ -29,7 +29,7 @@ from sweetspot.report.bat.tables import (
     stations,
 )
 from sweetspot.report.bat.words import answer_words, from_tip, why_intervals
-from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
+from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList
 from sweetspot.report.hit.document import hit_picture, hit_table, masses_words
 from sweetspot.report.hit.second_touch import touched_again_between
 from sweetspot.report.quantities import Reader
@@ -189,7 +189,7 @@ def _appendix(report: ReportAnswer) -> list[Block]:
         ])]
           if report.misses else []),
         assumptions_section(analysis), *published_section(published), constants_section(analysis),
-        Section("sources", "Sources", [Sources(sorted(set(keys)))]),
+        Section("sources", "Sources", [SourceList(sorted(set(keys)))]),
     ]  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse, Patch, Rectangle
 
 from sweetspot.analysis.face_maps import FaceMap
-from sweetspot.equipment.face import Outline
+from sweetspot.equipment.face import FaceOutline
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures.style import INK, MUTED, PAPER, axes_in_inches, heading, styled
@@ -84,7 +84,7 @@ def _step(length: float) -> float:
     return next((step for step in (0.01, 0.02, 0.05, 0.1) if length / step <= 7), 0.2)
 
 
-def _shape(outline: Outline) -> Patch:
+def _shape(outline: FaceOutline) -> Patch:
     """Return the face's edge."""
     look: dict[str, Any] = {"facecolor": "none", "edgecolor": INK, "linewidth": 0.9, "zorder": 3}
     length = outline.end - outline.start

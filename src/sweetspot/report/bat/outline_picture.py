@@ -13,7 +13,7 @@ from matplotlib.patches import Polygon
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.face import Outline
+from sweetspot.equipment.face import FaceOutline
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
@@ -164,7 +164,7 @@ def _draw_strings(axes: Axes, racket: Racket) -> None:
     axes.add_artist(LineCollection(lines, color=STRING, linewidth=0.5, zorder=2.5))
 
 
-def _oval(outline: Outline) -> tuple[Array, Array, Array]:
+def _oval(outline: FaceOutline) -> tuple[Array, Array, Array]:
     """Return places along an oval face and its lower and upper edge there, m."""
     angles = np.linspace(0, np.pi, POINTS // 2)
     places = outline.middle - (outline.end - outline.start) / 2 * np.cos(angles)

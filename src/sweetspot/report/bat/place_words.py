@@ -8,7 +8,7 @@ import numpy as np
 
 from sweetspot.analysis.position_scan import Scan
 from sweetspot.dynamics.rigid import RigidBody, effective_mass
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.sentences import Sentence, Slot, joined
@@ -61,7 +61,7 @@ def speed_difference(scan: Scan, position: float, *, best: float, exit_speed: fl
 
 
 def why_here(
-    difference: SpeedDifference, *, body: RigidBody, conditions: Conditions, best: float, words: Words,
+    difference: SpeedDifference, *, body: RigidBody, conditions: Conditions, best: float, words: Terms,
     in_the_middle: bool = True,
 ) -> Sentence:  # fmt: skip
     """Return why a ball met in the middle leaves a place as it does, with what each reason costs.
@@ -102,7 +102,7 @@ def why_here(
     return joined([joined([*parts[:-1], "and"], ", ") + " " + parts[-1] + ":", total])
 
 
-def why_off_axis(offset: float, cost: float, *, words: Words) -> Sentence:
+def why_off_axis(offset: float, cost: float, *, words: Terms) -> Sentence:
     """Return what it costs that the ball's centre lies off the implement's axis by so much; m and m/s."""
     met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
     if abs(cost) <= LITTLE:
@@ -113,7 +113,7 @@ def why_off_axis(offset: float, cost: float, *, words: Words) -> Sentence:
     )  # fmt: skip
 
 
-def why_backwards(offset: float, *, words: Words) -> Sentence:
+def why_backwards(offset: float, *, words: Terms) -> Sentence:
     """Return why a ball that is met so far off the implement's axis, m, leaves behind the batter."""
     met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
     return in_words(

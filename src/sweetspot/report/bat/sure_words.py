@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.sentences import Sentence, Slot, say
 from sweetspot.uncertainty.linear_doubt import SpeedDoubt
@@ -12,7 +12,7 @@ MOSTLY, COUNTS = 0.6, 0.1
 """Parts of the variance from which on one thing is most of it, and from which on a thing is named beside others."""
 
 
-def doubt_words(doubt: SpeedDoubt, words: Words) -> Sentence:
+def doubt_words(doubt: SpeedDoubt, words: Terms) -> Sentence:
     """Return the half width of the interval and what it comes from: ", give or take 6 mph, mostly by the ball"."""
     half = Slot(REACH * doubt.error, "speed")
     parts = _by_thing(doubt, words)
@@ -25,7 +25,7 @@ def doubt_words(doubt: SpeedDoubt, words: Words) -> Sentence:
     return say(", give or take {half}, by {things} and {last}", half=half, things=", ".join(named), last=last)
 
 
-def _by_thing(doubt: SpeedDoubt, words: Words) -> dict[str, float]:
+def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:
     """Return which part of the variance the ball, what hits it and the speeds that were given add."""
     parts: dict[str, float] = {}
     for name, share in doubt.shares.items():

@@ -8,7 +8,7 @@ from sweetspot.analysis.bat_analysis import dead_spot
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.answers.report import ReportAnswer
 from sweetspot.dynamics.rigid import effective_mass
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import Interval, Number
 from sweetspot.report.bat.assumed_values import soft_defaults
 from sweetspot.report.bat.sure_words import doubt_words
@@ -55,7 +55,7 @@ def cost(loss: Number, *, drawn: bool) -> Sentence:
     return within(loss, "speed")
 
 
-def _sure(report: ReportAnswer, words: Words) -> Sentence:
+def _sure(report: ReportAnswer, words: Terms) -> Sentence:
     """Return how far the exit speed may be off, and by what; nothing where that is not known, or stands beside it."""
     if report.doubt is not None:
         return doubt_words(report.doubt, words)
@@ -64,7 +64,7 @@ def _sure(report: ReportAnswer, words: Words) -> Sentence:
     return in_words(", give or take {half} by the {ball} alone", words, half=Slot(report.half_by_ball, "speed"))
 
 
-def _where(report: ReportAnswer, words: Words) -> Sentence:
+def _where(report: ReportAnswer, words: Terms) -> Sentence:
     spots, best = report.sweet_spots, report.best_hit
     text = in_words(
         "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}{doubt}.", words,
@@ -89,7 +89,7 @@ def _where(report: ReportAnswer, words: Words) -> Sentence:
     ) + _outside(float(spots.max_exit_speed), (float(inner), float(outer)), words)  # fmt: skip
 
 
-def _outside(best: float, zone: tuple[float, float], words: Words) -> Sentence:
+def _outside(best: float, zone: tuple[float, float], words: Terms) -> Sentence:
     """Return, where the place that hits best lies outside the zone, on which side of it."""
     if zone[0] <= best <= zone[1]:
         return say("")
@@ -99,7 +99,7 @@ def _outside(best: float, zone: tuple[float, float], words: Words) -> Sentence:
     )  # fmt: skip
 
 
-def _bounce(report: ReportAnswer, words: Words) -> Sentence:
+def _bounce(report: ReportAnswer, words: Terms) -> Sentence:
     """Return where a ball comes back best and worst, where the sport has words for it, and what a negative q means."""
     parts: list[Sentence] = []
     if words.strongest:
@@ -130,7 +130,7 @@ def _bounce(report: ReportAnswer, words: Words) -> Sentence:
     return joined(parts)
 
 
-def _why_not_the_end(report: ReportAnswer, words: Words) -> Sentence:
+def _why_not_the_end(report: ReportAnswer, words: Terms) -> Sentence:
     """Return why not at the tip; nothing where that is the fastest place or not the best one's rival."""
     there, face = report.at_the_tip, report.analysis.bat.face
     if there is None:
@@ -152,7 +152,7 @@ def _why_not_the_end(report: ReportAnswer, words: Words) -> Sentence:
     )  # fmt: skip
 
 
-def _miss(report: ReportAnswer, words: Words) -> Sentence:
+def _miss(report: ReportAnswer, words: Terms) -> Sentence:
     drawn = report.uncertainty is not None
     costs = [
         in_words(
@@ -167,12 +167,12 @@ def _miss(report: ReportAnswer, words: Words) -> Sentence:
     return joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), why_intervals(words, drawn=drawn)])
 
 
-def why_intervals(words: Words, *, drawn: bool) -> Sentence:
+def why_intervals(words: Terms, *, drawn: bool) -> Sentence:
     """Return what the intervals of a miss reach over."""
     return in_words(WHY_BOTH if drawn else WHY_TWO, words)
 
 
-def _hands(report: ReportAnswer, words: Words) -> Sentence:
+def _hands(report: ReportAnswer, words: Terms) -> Sentence:
     spots, effect, both = report.sweet_spots, float(report.grip_effect), words.hands == "hands"
     size = Slot(effect, "share", 1, sign=True) if abs(effect) >= SMALL else say("less than 0.1 %")
     return in_words(

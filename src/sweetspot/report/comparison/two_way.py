@@ -6,8 +6,8 @@ import math
 from dataclasses import replace
 from typing import Any
 
-from sweetspot.analysis.two_way import Answers, TwoWay
 from sweetspot.analysis.two_way import Cell as CellOfTable
+from sweetspot.analysis.two_way import TableCell, TwoWay
 from sweetspot.report.document import Bullets, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.grid.document import grid_document
 from sweetspot.report.grid.values import Grid, varied
@@ -27,7 +27,7 @@ def two_way_document(table: TwoWay, answer: str, bat: str = "") -> Document:
 
     Parameters
     ----------
-    answer : name of a field of `Answers`.
+    answer : name of a field of `TableCell`.
     bat : whose table it is.
     """
     down = (table.rows.variation, table.rows.values)
@@ -47,7 +47,7 @@ def two_way_document(table: TwoWay, answer: str, bat: str = "") -> Document:
 def _every_answer(table: TwoWay) -> Table:
     """Return every answer of every row: variants of a bat side by side."""
     name = table.rows.variation
-    names = [one for one in Answers.__dataclass_fields__ if one != name]
+    names = [one for one in TableCell.__dataclass_fields__ if one != name]
     columns = [Column(name.replace("_", " "), QUANTITIES[name].scale)]
     columns += [Column(HEADINGS[one], QUANTITIES[one].scale) for one in names]
     rows: list[list[Cell]] = [
@@ -63,7 +63,7 @@ def _json(table: TwoWay) -> dict[str, Any]:
         {
             "rows": {key(table.rows.variation): list(table.rows.values)},
             "columns": table.columns and {key(table.columns.variation): list(table.columns.values)},
-            "answers": {key(name): table.values(name) for name in Answers.__dataclass_fields__},
+            "answers": {key(name): table.values(name) for name in TableCell.__dataclass_fields__},
             "failures": [{"row": cell.row, "column": cell.column, "reason": cell.reason} for cell in table.failures],
         }
     )
@@ -73,7 +73,7 @@ def _rows(table: TwoWay) -> list[dict[str, Any]]:
     """Return one row per cell with what was varied, every answer and the reason of a failed one."""
     rows = []
     sides = [table.rows.variation, *([table.columns.variation] if table.columns else [])]
-    names = [name for name in Answers.__dataclass_fields__ if name not in sides]
+    names = [name for name in TableCell.__dataclass_fields__ if name not in sides]
     for cells in table.cells:
         for cell in cells:
             row: dict[str, Any] = {key(table.rows.variation): table.rows.values[cell.row]}

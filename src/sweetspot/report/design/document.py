@@ -12,7 +12,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.fronts import saved
-from sweetspot.design.gain import Verdict
+from sweetspot.design.gain import GainVerdict
 from sweetspot.design.measures import MEASURES, MeasuredDesigns
 from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
@@ -226,7 +226,8 @@ def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
         "gain": {
             "shift_towards_hands_m": gain.shift, "zone_wider_m": gain.wider, "greatest_exit_speed_m_s": gain.greatest,
             "expected_exit_speed_m_s": gain.expected, "half_interval_m_s": gain.doubt, "verdict": gain.verdict.value,
-            "probability": gain.odds, "seen": gain.verdict is Verdict.SEEN, "between_two_of_a_dozen_m_s": gain.pieces,
+            "probability": gain.odds, "seen": gain.verdict is GainVerdict.SEEN,
+            "between_two_of_a_dozen_m_s": gain.pieces,
             "from_wood_m_s": gain.wood, "from_wood_chosen_by_weight_m_s": gain.by_weight, "from_swing_m_s": gain.law,
             "from_contact_m_s": gain.contact, "from_few_balls_m_s": gain.sample, "balls": gain.balls,
             "balls_needed": gain.balls_needed, "time_to_contact_s": gain.time,

@@ -9,8 +9,7 @@ from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
-from sweetspot.design.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE
-from sweetspot.design.gain import Verdict as GainVerdict
+from sweetspot.design.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE, GainVerdict
 from sweetspot.design.measures import MEASURES
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD
 from sweetspot.equipment.cricket_bat import CricketBat

@@ -9,7 +9,7 @@ from sweetspot.answers.hit import Collision, Hit, HitAnswer, Strains, collision_
 from sweetspot.answers.records import to_dict
 from sweetspot.collision.impact import Impact
 from sweetspot.equipment.implement import Implement
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import Number
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
@@ -55,12 +55,12 @@ def hit_document(answer: HitAnswer) -> Document:
     )
 
 
-def masses_words(tool: Number, ball: Number, words: Words) -> Sentence:
+def masses_words(tool: Number, ball: Number, words: Terms) -> Sentence:
     """Return what met, kg, in words."""
     return in_words("{implement} {tool}, {ball} {thrown}", words, tool=Slot(tool, "mass"), thrown=weight(ball))
 
 
-def by_ball(half: Number | None, words: Words) -> list[Sentence]:
+def by_ball(half: Number | None, words: Terms) -> list[Sentence]:
     """Return in words what the ball alone leaves open of an exit speed; nothing where that is not known.
 
     Parameters
@@ -73,13 +73,13 @@ def by_ball(half: Number | None, words: Words) -> list[Sentence]:
     return [in_words("By the {ball} alone the {exit_speed} may be {half} more or less (90 %).", words, half=slot)]
 
 
-def _doubts(impact: Impact, words: Words) -> list[Paragraph]:
+def _doubts(impact: Impact, words: Terms) -> list[Paragraph]:
     return [Paragraph(doubt, "warning") for doubt in touched_again(impact, words)]
 
 
 def impact_document(impact: Impact) -> Document:
     """Return a collision alone as a document: nobody says here whose it is, or how fast the bat was swung."""
-    bare, words = collision_of(impact), Words()
+    bare, words = collision_of(impact), Terms()
     data = to_dict(bare)
     title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
     picture = hit_picture(impact, words, title=title)
@@ -116,7 +116,7 @@ def hit_table(hit: Hit, implement: Implement, masses: Sentence) -> Table:
     return _two_columns([*rows, *_contact_rows(hit, words), *_energy_rows(hit, words), ("masses", masses)])
 
 
-def hit_picture(impact: Impact, words: Words, caption: str | Sentence = "", *, title: str | Sentence = "") -> Picture:
+def hit_picture(impact: Impact, words: Terms, caption: str | Sentence = "", *, title: str | Sentence = "") -> Picture:
     """Return force and energy of a hit, drawn.
 
     Parameters
@@ -131,13 +131,13 @@ def hit_picture(impact: Impact, words: Words, caption: str | Sentence = "", *, t
     return Picture("hit", lambda reading: _drawn(impact, words, read(title, reading)), label, caption)
 
 
-def _drawn(impact: Impact, words: Words, title: str) -> Any:
+def _drawn(impact: Impact, words: Terms, title: str) -> Any:
     from sweetspot.report.hit.picture import hit_figure
 
     return hit_figure(impact, words, title)
 
 
-def _contact_rows(hit: Collision, words: Words) -> Rows:
+def _contact_rows(hit: Collision, words: Terms) -> Rows:
     pressed = Slot(hit.peak_compression, "pressed")
     return [
         ("contact, force above 1 % of its peak", Slot(hit.contact_time, "contact")),
@@ -146,7 +146,7 @@ def _contact_rows(hit: Collision, words: Words) -> Rows:
     ]
 
 
-def _energy_rows(hit: Collision, words: Words) -> Rows:
+def _energy_rows(hit: Collision, words: Terms) -> Rows:
     """Return the ledger; a part that the implement does not have is left out."""
     digits = 1 if float(hit.energy.incoming) > FEW_JOULES else 3
     rows: Rows = []
@@ -162,7 +162,7 @@ def _energy_rows(hit: Collision, words: Words) -> Rows:
     return [*rows, ("energy: what the sum misses", told)]
 
 
-def _damage_blocks(strains: Strains | None, words: Words) -> list[Block]:
+def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:
     """Return the strains of one hit in words, with a warning for each limit that is passed."""
     if strains is None:
         return []

@@ -9,7 +9,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from sweetspot.collision.impact import Impact
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.pictures.style import (
     INK,
@@ -26,13 +26,13 @@ from sweetspot.report.pictures.style import (
 from sweetspot.report.quantities import RED
 from sweetspot.units import INCH, POUND_FORCE
 
-BASEBALL = Words()
+BASEBALL = Terms()
 WIDTH, HEIGHT, TITLE = 8.5, 4.75, 0.4
 """Inches of paper; what a title takes."""
 
 
 @styled
-def hit_figure(impact: Impact, words: Words = BASEBALL, title: str = "") -> Figure:
+def hit_figure(impact: Impact, words: Terms = BASEBALL, title: str = "") -> Figure:
     """Return force against time, force against compression, and the energy ledger of one hit.
 
     Parameters
@@ -107,7 +107,7 @@ def force_loop(axes: Axes, impact: Impact) -> None:
 
 
 @styled
-def energy_ledger(axes: Axes, impact: Impact, words: Words) -> None:
+def energy_ledger(axes: Axes, impact: Impact, words: Terms) -> None:
     """Draw where the incoming energy went as a waterfall, with J and per cent on every step."""
     energy = impact.energy
     parts = [(name, getattr(energy, name)) for name in ENERGY_NAMES if getattr(energy, name) > 0]

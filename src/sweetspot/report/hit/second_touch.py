@@ -8,7 +8,7 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.sentences import Sentence, Slot, Span, UnitName, joined
 from sweetspot.report.sport_words import in_words
@@ -23,7 +23,7 @@ PRESSED_AGAIN = (
 )
 
 
-def best_in_doubt(best: Impact, words: Words) -> list[Sentence]:
+def best_in_doubt(best: Impact, words: Terms) -> list[Sentence]:
     """Return what is not known of a best hit that presses the ball more than once; nothing of any other."""
     if best.presses < 2:
         return []
@@ -35,7 +35,7 @@ def best_in_doubt(best: Impact, words: Words) -> list[Sentence]:
     ]  # fmt: skip
 
 
-def touched_again(impact: Impact, words: Words) -> list[Sentence]:
+def touched_again(impact: Impact, words: Terms) -> list[Sentence]:
     """Return the doubt of a hit whose ball is pressed more than once, in one sentence; nothing of any other."""
     if impact.presses < 2 and impact.unrecovered is None:
         return []
@@ -50,7 +50,7 @@ def touched_again(impact: Impact, words: Words) -> list[Sentence]:
 
 
 def touched_again_at(
-    perhaps: bool, words: Words, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
+    perhaps: bool, words: Terms, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
     lateral: float = 0.0,
 ) -> list[Sentence]:  # fmt: skip
     """Return the same for a hit of the compiled solver, which is made once more for it.
@@ -65,7 +65,7 @@ def touched_again_at(
     return touched_again(again, words)
 
 
-def touched_again_between(from_tip: Array, touches: Array, words: Words) -> list[Sentence]:
+def touched_again_between(from_tip: Array, touches: Array, words: Terms) -> list[Sentence]:
     """Return the same for hits along a bat, stretch by stretch.
 
     Parameters

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
-from sweetspot.equipment.sport import CERTAINTIES, Known, Limit, Sport
+from sweetspot.equipment.sport import CERTAINTIES, Known, RuleLimit, Sport
 from sweetspot.paper.formulas import Row
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.report.json_shapes import as_columns
@@ -104,7 +104,7 @@ def _known_table(known: Sequence[Known], title: str) -> Table:
     rows: list[list[Cell]] = []
     for one in known:
         value, *others = _cells(one)
-        rows.append([one.name, f"at {one.side} {value}" if isinstance(one, Limit) else value, *others])
+        rows.append([one.name, f"at {one.side} {value}" if isinstance(one, RuleLimit) else value, *others])
     return Table(title, [Column(name) for name in ("what", "value", "kind", "source")], rows)
 
 

@@ -19,8 +19,7 @@ from sweetspot.design.answer import Designed, findings_of
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.fronts import Front
-from sweetspot.design.gain import CLEARLY, LIKELY, gain_of
-from sweetspot.design.gain import Verdict as GainVerdict
+from sweetspot.design.gain import CLEARLY, LIKELY, GainVerdict, gain_of
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import MEASURES, MeasuredDesigns
 from sweetspot.design.outline_curve import HANDLES

@@ -21,7 +21,7 @@ from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.sport import Words
+from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.hit.second_touch import touched_again
@@ -116,7 +116,7 @@ def _asked(state: HitFilmState) -> tuple[ReducedBat[Bat], Conditions, float]:
     return reduced_bat, conditions, place
 
 
-def _hit(impact: Impact, conditions: Conditions, words: Words) -> dict[str, Any]:
+def _hit(impact: Impact, conditions: Conditions, words: Terms) -> dict[str, Any]:
     return {
         "position_m": impact.position,
         "outcome_text": impact.outcome.sentence,
