@@ -9,7 +9,7 @@ from tables import escaped, source, table
 
 from sweetspot import validation
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
-from sweetspot.equipment.sport import CERTAINTIES, Known, RuleLimit, Sport
+from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.paper.sports import sport_rows
 from sweetspot.validation.result import Result
 
@@ -71,9 +71,9 @@ def sport_page(name: str) -> str:
 
 def _numbers(found: Sport) -> str:
     stroke = found.stroke
-    known: tuple[Known, ...] = (stroke.swing_speed, stroke.ball_speed, *found.speeds, *found.limits, *found.facts)
+    known: tuple[Fact, ...] = (stroke.swing_speed, stroke.ball_speed, *found.speeds, *found.limits, *found.facts)
 
-    def row(one: Known) -> str:
+    def row(one: Fact) -> str:
         side = f"at {one.side} " if isinstance(one, RuleLimit) else ""
         cells = (one.name, f"{side}{one.marked}", one.kind, source(one.source), one.where)
         return "| " + " | ".join(cell if "](#" in cell else escaped(cell) for cell in cells) + " |"

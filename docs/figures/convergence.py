@@ -100,7 +100,9 @@ def mode_count_convergence() -> Figure:
     from_tip = np.array([2.0, 4.0, 6.0, 8.0, 10.0])
     places = bat.length - from_tip * INCH
     counts = np.array([0, 1, 2, 3, 4, 6, 8, 10, 12, 16, 20, 25, 30])
-    speeds = np.array([_exit_speeds(modes.kept(list(range(2 + int(count)))), places, 2 * MICRO) for count in counts])
+    speeds = np.array(
+        [_exit_speeds(modes.selected(list(range(2 + int(count)))), places, 2 * MICRO) for count in counts]
+    )
     figure, (whole, close) = new_figure(7.0, 6.0, 2, sharex=True)
     for column, inches in enumerate(from_tip):
         whole.plot(counts, speeds[:, column], "o-", markersize=3, label=f"{inches:g} in from the tip")

@@ -62,7 +62,7 @@ def test_one_mode_of_a_slender_rod_is_exact(ash: Material) -> None:
     """
     rod = Bat(name="rod", length=1.2, material=ash, profile=((0.0, 0.012), (1.2, 0.012)))
     beam = beam_model(rod)
-    alone = bending_modes(beam).kept([2])
+    alone = bending_modes(beam).selected([2])
     impact = hit(alone, ball=catalog.ball(), position=0.6, closing_speed=5.0)
     found = damage(impact, beam=beam, modes=alone)
     amplitude = np.abs(modal_history(impact, alone)).max()
@@ -114,7 +114,7 @@ def test_wall_strain_is_the_rings(baseball: Ball) -> None:
         shell=Shell(wall=((0.0, 0.002), (0.8, 0.002))),
     )  # fmt: skip
     beam = beam_model(bat)
-    rigid = bending_modes(beam).kept([0, 1])
+    rigid = bending_modes(beam).selected([0, 1])
     one = Modes(
         families=("hoop",),
         harmonics=(2,),

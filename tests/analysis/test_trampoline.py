@@ -65,7 +65,7 @@ def test_a_stiff_wall_is_a_solid_bat(quicker: float) -> None:
     result = analyse(stiff, conditions)
     solid = scan(bat, body=result.body, modes=bending_modes(result.beam), conditions=conditions)
     hoop = result.modes.of_family("hoop")
-    harder = result.modes.kept(list(range(len(result.modes))))
+    harder = result.modes.selected(list(range(len(result.modes))))
     scaled = Modes(
         harder.families, harder.harmonics,
         np.where(np.isin(np.arange(len(harder)), hoop), quicker * harder.frequency, harder.frequency),

@@ -43,7 +43,7 @@ SHARP = 2e-3
 def rigid(analysis: Analysis) -> ReducedBat[Bat]:
     """The bat without its vibrations."""
     modes = analysis.reduced.modes
-    return replace(analysis.reduced, modes=modes.kept(modes.of_family("rigid")))
+    return replace(analysis.reduced, modes=modes.selected(modes.of_family("rigid")))
 
 
 def met(

@@ -145,7 +145,7 @@ def test_few_modes_and_what_gives_way_at_once_are_two_hundred_modes(
     kept = many.shape_at(places)[:, 2:] ** 2 @ many.angular_frequency[2:] ** -2.0
     rest = _softening(beam) * static_compliance(beam, places) - kept
     apart = [i for i, family in enumerate(few.families) if i > 1 and family != "bending"]
-    many = replace(joined(many, few.kept(apart)), compliances=(cubic_spline(places, rest), *few.compliances[1:]))
+    many = replace(joined(many, few.selected(apart)), compliances=(cubic_spline(places, rest), *few.compliances[1:]))
 
     def efficiency(modes: Modes) -> Array:
         return hits(modes, ball=thrown, position=places, closing_speed=speed, step=2e-6).collision_efficiency
@@ -178,7 +178,7 @@ def test_a_soft_surface_before_a_lossless_one_is_two_springs_in_a_row() -> None:
     # exact: a linear ball without loss on a heavy bat touches for pi sqrt(m (1/k + C)) and keeps all its speed
     law = RestitutionLaw(reference=1.0, reference_speed=20.0)
     ball = BALL.replaced(restitution=law, stiffness=2e6, exponent=1.0)
-    heavy = replace(MODES.kept([0]), shapes=Piecewise(np.full((1, 1, 1), 1e-4), np.array([0.0, 1.0])))
+    heavy = replace(MODES.selected([0]), shapes=Piecewise(np.full((1, 1, 1), 1e-4), np.array([0.0, 1.0])))
     soft = replace(heavy, compliances=(Piecewise(np.full((1, 1), 3e-7), np.array([0.0, 1.0])),))
     impact = hit(soft, ball=ball, position=0.7, closing_speed=30.0)
     assert impact.collision_efficiency == pytest.approx(1.0, abs=1e-5)

@@ -111,7 +111,7 @@ def test_free_motion_does_not_depend_on_its_steps(name: str) -> None:
 
 def test_free_motion_of_one_mode_is_a_damped_cosine() -> None:
     # exact: q = e^(-gt) (cos wt + g/w sin wt) from rest at 1
-    modes = FREE["r161-ash"].kept([2])
+    modes = FREE["r161-ash"].selected([2])
     rate, omega = modes.damping_rate[0] / 2, modes.angular_frequency[0]
     ringing = np.sqrt(omega**2 - rate**2)
     motion = free_motion(modes, displacement=np.ones(1), velocity=np.zeros(1), step=1e-3, count=8)
@@ -143,7 +143,7 @@ def test_arrival_does_not_depend_on_the_number_of_modes() -> None:
 
 def test_a_wave_that_never_comes_is_none() -> None:
     """A rigid bat has no wave: a hit at the centre of percussion of a place leaves that place at rest for good."""
-    rigid = FREE["r161-ash"].kept([0, 1])
+    rigid = FREE["r161-ash"].selected([0, 1])
     pivot = 0.1524
     slopes = rigid.shape_at(pivot)
     pushed = -slopes[0] * rigid.shape_at(0.0)[0] / slopes[1]  # where the rotation's shape undoes the translation's

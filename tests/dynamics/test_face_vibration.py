@@ -131,7 +131,7 @@ def test_roll_is_the_rigid_bodys(club: GolfClub) -> None:
     ball, beam = catalog.ball("golf"), beam_model(with_face(club, Face()))
     body, place, lateral = rigid_body(beam), club.outline.middle, 0.03
     modes = all_modes(beam, ball)
-    shape = modes.kept(modes.of_family("rigid")).shape_at(place, lateral)
+    shape = modes.selected(modes.of_family("rigid")).shape_at(place, lateral)
     expected = 1 / effective_mass(body, place) + lateral**2 / body.roll_moi
     assert float(shape @ shape) == pytest.approx(expected, rel=1e-9)
 
@@ -253,7 +253,7 @@ def test_what_the_bounce_near_the_throat_hangs_on(racket: Racket) -> None:
     def bounce(made: Racket, *, bending: bool = True) -> np.ndarray:
         modes = all_modes(beam_model(made), ball)
         kept = [row for row, family in enumerate(modes.families) if bending or family != "bending"]
-        modes = modes if bending else modes.kept(kept)
+        modes = modes if bending else modes.selected(kept)
         return hits(modes, ball=ball, position=places, closing_speed=np.full(len(places), 20.0)).collision_efficiency
 
     usual, stiff, rigid = bounce(racket), bounce(racket.replaced(first_frequency=200.0)), bounce(racket, bending=False)

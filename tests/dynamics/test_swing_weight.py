@@ -24,12 +24,12 @@ def test_every_sport_weighs_a_swing() -> None:
 def test_a_racket_is_weighed_about_ten_centimetres() -> None:
     """Published [physics of the percussion centre]: 300 g, balance 30 cm, 300 kg cm^2 about 10 cm."""
     assert swing_weight("tennis").value(BODY) == pytest.approx(300.0)
-    assert swing_weight("tennis").shown(BODY) == "300 kg cm^2"
+    assert swing_weight("tennis").text_of(BODY) == "300 kg cm^2"
 
 
 def test_a_cataloged_racket_has_its_swing_weight() -> None:
     racket = catalog.implement("tennis-racket")
-    assert swing_weight(racket.sport).shown(rigid_body(beam_model(racket))) == "320 kg cm^2"
+    assert swing_weight(racket.sport).text_of(rigid_body(beam_model(racket))) == "320 kg cm^2"
 
 
 @given(points=st.integers(0, 69))
@@ -39,12 +39,12 @@ def test_ten_points_make_a_letter(points: int) -> None:
     assert scale.zero is not None and scale.step is not None
     moment = (scale.zero + points * scale.step) * INCH * OUNCE
     club = RigidBody(mass=0.3, balance_point=scale.axis + moment / 0.3, moi_cm=0.05, roll_moi=0.0)
-    assert scale.shown(club) == f"{'ABCDEFG'[points // 10]}{points % 10}.0"
+    assert scale.text_of(club) == f"{'ABCDEFG'[points // 10]}{points % 10}.0"
 
 
 def test_off_the_scale_the_moment_is_told() -> None:
     light = RigidBody(mass=0.1, balance_point=0.6, moi_cm=0.01, roll_moi=0.0)
-    assert swing_weight("golf").shown(light).endswith("in oz, off the scale")
+    assert swing_weight("golf").text_of(light).endswith("in oz, off the scale")
 
 
 def test_an_unknown_sport_names_the_nearest() -> None:

@@ -27,12 +27,12 @@ def test_the_sports_are_those_of_the_balls() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_number_has_a_source_and_memory_is_marked(name: str) -> None:
     found = sport(name)
-    for one in found.known():
+    for one in found.numbers():
         references.reference(one.source)
         assert one.kind in CERTAINTIES and math.isfinite(one.value)
         assert (one.source == "recalled") <= (one.kind == "assumed"), one.name
         assert (ASSUMED_MARK in one.marked) == (one.kind == "assumed")
-    assert sum(certainty(name).values()) == len(sport_records(name)) > len(found.known())
+    assert sum(certainty(name).values()) == len(sport_records(name)) > len(found.numbers())
     assert found.not_covered and found.name and found.balls
 
 

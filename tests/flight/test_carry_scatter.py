@@ -18,10 +18,10 @@ from sweetspot.flight.carry_scatter import (
     LaunchErrors,
     braked,
     carry_errors,
+    carry_spread,
     usual_launch,
 )
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.hit_alike import carry_spread
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.numerics.arrays import Array

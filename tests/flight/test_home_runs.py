@@ -14,9 +14,9 @@ from sweetspot import catalog
 from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.flight.batted_spin import batted_ball_spin
+from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import TABLE_STEP
-from sweetspot.flight.hit_alike import carry_spread
 from sweetspot.flight.home_runs import NONE, CarryScatter, HomeRuns, home_run_chances
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.motion.ball_motion import BallMotions, spin_axes

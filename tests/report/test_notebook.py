@@ -76,6 +76,6 @@ def test_answers_without_numbers_say_so(analysis: Analysis, baseball: Ball) -> N
     assert "1 hit, none of which has an answer" in none._repr_html_()
     missed = Play(Strike(Outcome.MISS, 30.0), None)
     assert "A miss: the ball passes" in missed._repr_html_()
-    for answer in (none, missed, analysis.modes.kept([0, 1])):
+    for answer in (none, missed, analysis.modes.selected([0, 1])):
         with pytest.raises(InputError, match="has no picture"):
             answer.plot()

@@ -57,7 +57,7 @@ def test_every_sport_s_file_answers_at_the_command_line(
         moi = told["moi_cm_kg_m2"] + told["mass_kg"] * (told["balance_point_m"] - swing_weight(sport).axis) ** 2
         assert moi / OUNCE_INCH_SQUARED == pytest.approx(asked["swing_weight_oz_in2"], rel=1e-4)
     if "swing_points" in asked:
-        assert swing_weight(sport).shown(body) == "D2.0"
+        assert swing_weight(sport).text_of(body) == "D2.0"
     best = f"{answer['sweet_spots']['max_exit_speed_m']}m"
     assert run_json("hit", str(file), "--at", best)["exit_speed_m_s"] > 0
 

@@ -83,7 +83,7 @@ def wall_energy(impact: Impact, modes: Modes) -> WallEnergy:
 
     What gives way at once under the ball counts as stored with C F^2 / 2, and gives all of it back.
     """
-    hoop = modes.kept(modes.of_family("hoop"))
+    hoop = modes.selected(modes.of_family("hoop"))
     if len(hoop) == 0 or len(impact.force) < 3:
         return WallEnergy(0.0, 0.0, 0.0, math.nan)
     motion = replayed(impact, hoop)

@@ -20,9 +20,9 @@ from sweetspot.answers.records import INTERNAL, Distance, Length
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Sport
 from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.court_marks import passages
-from sweetspot.flight.hit_alike import carry_spread
 from sweetspot.flight.home_runs import USUAL, home_run_chances, is_likely
 from sweetspot.flight.park import Park
 from sweetspot.flight.sweep import BattedBall, directed

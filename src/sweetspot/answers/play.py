@@ -25,7 +25,7 @@ from sweetspot.answers.records import (
     Time,
     with_intervals,
 )
-from sweetspot.flight.hit_alike import carry_spread
+from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.flight.trajectory import FlightOutcome
 from sweetspot.numerics.confidence import REACH

@@ -275,7 +275,7 @@ def _described(analysis: Analysis[Implement]) -> ReportAnswer:
         misses=misses_of(analysis),
         at_the_tip=_at_the_tip(analysis),
         sport=bat.sport if face else None,
-        swing_weight=SwingWeightText(convention.name, convention.shown(body)) if face else None,
+        swing_weight=SwingWeightText(convention.name, convention.text_of(body)) if face else None,
         face_map=hits_on_face(face_map(analysis.reduced, analysis.conditions)) if face else None,
         analysis=analysis,
         greatest_efficiency=float(np.nanmax(scan.collision_efficiency)),

@@ -40,7 +40,7 @@ def usual_band(modes: Modes | None) -> Band:
 def frame_modes(implement: Implement) -> Modes:
     """Return the modes that a tap on the frame, the shaft or the blade rings: strings and rubber are held still."""
     modes = modes_to_name(implement)
-    return modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
+    return modes.selected([index for index, family in enumerate(modes.families) if family != "face"])
 
 
 def free_damping(modes: Modes | None) -> float:

@@ -13,7 +13,7 @@ from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.deliveries import delivery_sport
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
-from sweetspot.equipment.sport import Certainty, CourtMark, DropRule, Known, RuleLimit, Sport, Stroke, Terms, counted
+from sweetspot.equipment.sport import Certainty, CourtMark, DropRule, Fact, RuleLimit, Sport, Stroke, Terms, counted
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.plausibility import parse
 from sweetspot.units import Kind
@@ -97,7 +97,7 @@ def certainty(name: str) -> dict[Certainty, int]:
 def sport_records(name: str) -> list[Record]:
     """Return the provenance of every number of a sport, its balls and its implements in the catalogue."""
     game = sport(name)
-    own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in game.known()]
+    own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in game.numbers()]
     balls = {canonical(key): table for key, table in read_table(BALLS).items()}
     tools = implement_tables()
     air = {canonical(key): table for key, table in read_table(AIR).items()}
@@ -119,8 +119,8 @@ def sport_implements(name: str) -> tuple[str, ...]:
     return tuple(sorted(own, key=lambda name: (name != DEFAULT_BAT, name))) or tuple(shared)
 
 
-def _known(table: dict[str, Any]) -> Known:
-    return Known(**_values(table))
+def _known(table: dict[str, Any]) -> Fact:
+    return Fact(**_values(table))
 
 
 def _limit(table: dict[str, Any]) -> RuleLimit:
@@ -135,7 +135,7 @@ def _limit(table: dict[str, Any]) -> RuleLimit:
 
 
 def _values(table: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a `Known` from a table with ``name``, ``of`` (kind of quantity) and a record."""
+    """Return the fields of a `Fact` from a table with ``name``, ``of`` (kind of quantity) and a record."""
     kind: Kind = table.get("of", "speed")
     number = quantity(table, "value", kind, table["name"])
     spread = f", spread {table['spread']}" if "spread" in table else ""

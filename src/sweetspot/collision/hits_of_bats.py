@@ -10,7 +10,7 @@ import numpy as np
 
 from sweetspot.collision.compiled import LANES, solve
 from sweetspot.collision.impact import Impacts
-from sweetspot.collision.kernel import STEP, numbers_of, own, steps_of
+from sweetspot.collision.kernel import STEP, contiguous, numbers_of, steps_of
 from sweetspot.collision.kernel_arrays import LATE, RESULT_ROWS, BatNumbers, output_of
 from sweetspot.collision.modal_propagator import free_steps, moved_freely
 from sweetspot.collision.time_step import give_of_steps, with_quick_modes_as_springs
@@ -73,8 +73,8 @@ def struck(
     constants = [balls[one] for one in ([ball] * count if isinstance(ball, Ball) else ball)]
     lanes = min(LANES, 4 * math.ceil(places / 4))
     nothing, none = np.zeros((0, size)), np.zeros(0)
-    speeds = own(closing_speed)
-    shapes, give, omega, step_give, drift = map(own, (shapes, give, omega, step_give, drift))
+    speeds = contiguous(closing_speed)
+    shapes, give, omega, step_give, drift = map(contiguous, (shapes, give, omega, step_give, drift))
 
     def work(part: slice) -> None:
         for i in range(part.start, part.stop):

@@ -130,7 +130,7 @@ def _hits(
         )  # fmt: skip
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = output_of(len(speed), size, keep_motion=keep_motion)
-        bat = BatNumbers(own(shapes), own(give), omega, *of_modes)
+        bat = BatNumbers(contiguous(shapes), contiguous(give), omega, *of_modes)
         solve(lanes, speed, bat, numbers, steps, output)
         outcome[part], results[:, part] = output.outcome, output.results
         if keep_motion:
@@ -149,7 +149,7 @@ def _of_modes(modes: Modes, step: float) -> tuple[Array, ...]:
         omega = modes.angular_frequency
         every = (omega, give_of_steps(omega, step), modal_propagator_of(modes, step), modes.dashpots,
                  dashpot_factors(modes, step / 2))  # fmt: skip
-        known = tuple(own(each) for each in every)
+        known = tuple(contiguous(each) for each in every)
         modes.for_steps.clear()  # one step serves all hits but those that are asked for another
         modes.for_steps[step] = known
     return known
@@ -167,10 +167,10 @@ def numbers_of(ball: Ball) -> BallNumbers:
     return BallNumbers(ball.mass, ball.stiffness, ball.exponent, line)
 
 
-def own(values: Array) -> Array:
+def contiguous(values: Array) -> Array:
     """Return an array whole and open to writing, as all that the kernel takes: for each other form it is compiled anew.
 
-    >>> own(np.broadcast_to(np.arange(2.0), (2, 2)).T).flags.c_contiguous
+    >>> contiguous(np.broadcast_to(np.arange(2.0), (2, 2)).T).flags.c_contiguous
     True
     """
     return np.require(values, requirements=["C", "W"])

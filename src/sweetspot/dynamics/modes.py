@@ -183,7 +183,7 @@ class Modes(ShownInNotebooks):
         """Return the indices of the modes of one family, lowest frequency first."""
         return [index for index, name in enumerate(self.families) if name == family]
 
-    def kept(self, indices: list[int]) -> Modes:
+    def selected(self, indices: list[int]) -> Modes:
         """Return only some of the modes, for example the rigid motions alone; nothing gives way at once any more."""
         return Modes(
             tuple(self.families[index] for index in indices),

@@ -77,13 +77,13 @@ class SwingWeight(Validated):
         points = 10 * (ord(written[1]) - ord(self.first_letter)) + float(written[2])
         return (self.zero + points * self.step) * self.size
 
-    def shown(self, body: RigidBody) -> str:
+    def text_of(self, body: RigidBody) -> str:
         """Return the swing weight as people write it: a number with its unit, or a letter with points.
 
         >>> club = RigidBody(mass=0.31, balance_point=0.85, moi_cm=0.05, roll_moi=0.0)
         >>> scale = SwingWeight(name="swing weight", order=1, axis=0.3556, unit="in oz", size=0.00072007788733,
         ...     zero=161.0, step=1.75, source="recalled", where="", kind="assumed")
-        >>> scale.shown(club)  # (0.31 kg x 0.4944 m) / 1 in oz = 212.8, 29.6 points above A0
+        >>> scale.text_of(club)  # (0.31 kg x 0.4944 m) / 1 in oz = 212.8, 29.6 points above A0
         'C9.6'
         """
         value = self.value(body)

@@ -56,7 +56,7 @@ class Way(Generic[Tool]):
         low, high = (weigh(self.changed(size)) for size in self.limits)
         return low, high
 
-    def met(self, mass: float, weigh: Callable[[Tool], float]) -> float | None:
+    def size_for(self, mass: float, weigh: Callable[[Tool], float]) -> float | None:
         """Return the size that has a mass (kg), None where none within the limits has."""
         from scipy.optimize import brentq
 
@@ -66,10 +66,12 @@ class Way(Generic[Tool]):
         return float(brentq(lambda size: weigh(self.changed(size)) - mass, *self.limits, xtol=1e-13))
 
 
-def first_met(ways: Sequence[Way[Tool]], mass: float, weigh: Callable[[Tool], float]) -> tuple[Tool, str] | None:
+def first_that_weighs(
+    ways: Sequence[Way[Tool]], mass: float, weigh: Callable[[Tool], float]
+) -> tuple[Tool, str] | None:
     """Return an implement of a mass (kg) by the first of some ways that can, and the size in words; None: none can."""
     for way in ways:
-        size = way.met(mass, weigh)
+        size = way.size_for(mass, weigh)
         if size is not None:
             return way.changed(size), way.in_words(size)
     return None
@@ -95,7 +97,7 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
         return bat
     ways = _as_drawn(bat, bat.shell)
     candidates = [ways[name] for name in ((by,) if by is not None else ORDER)]
-    if (met := first_met(candidates, bat.mass, drawn_mass)) is not None:
+    if (met := first_that_weighs(candidates, bat.mass, drawn_mass)) is not None:
         changed, how = met
         return changed.replaced(remark=f"The measured weight, {_weighed(bat.mass)}, is met by the drawing where {how}.")
     tried = [f"{way.name}: {' to '.join(map(_weighed, way.weights(drawn_mass)))}" for way in candidates]
@@ -119,7 +121,7 @@ def weighing(bat: Bat, mass: float) -> Bat:
     """
     if bat.shell is None:
         raise InputError(f"{bat.name} is solid: other wood makes it lighter or heavier, not a cap")
-    met = first_met(_made_otherwise(bat, bat.shell), mass, _mass_of)
+    met = first_that_weighs(_made_otherwise(bat, bat.shell), mass, _mass_of)
     if met is None:
         low, high = weights(bat)
         raise InputError(

@@ -16,7 +16,7 @@ ASSUMED_MARK = "(assumed)"
 """Stands behind every number that no source was read for, wherever it is shown."""
 
 
-class Known(Validated):
+class Fact(Validated):
     """A number of a sport and how sure it is.
 
     Parameters
@@ -40,13 +40,13 @@ class Known(Validated):
     def marked(self) -> str:
         """As written, with the mark of a value from memory where it is one.
 
-        >>> Known(name="n", value=1.0, unit="m/s", written="1 m/s", source="recalled", where="", kind="assumed").marked
+        >>> Fact(name="n", value=1.0, unit="m/s", written="1 m/s", source="recalled", where="", kind="assumed").marked
         '1 m/s (assumed)'
         """
         return f"{self.written} {ASSUMED_MARK}" if self.kind == "assumed" else self.written
 
 
-class RuleLimit(Known):
+class RuleLimit(Fact):
     """A limit of the rules: ``side`` says whether the value is the least or the most that is allowed."""
 
     side: Literal["least", "most"]
@@ -64,8 +64,8 @@ class CourtMark(Validated):
     """
 
     name: str
-    distance: Known
-    height: Known | None = None
+    distance: Fact
+    height: Fact | None = None
     side: Literal["beyond", "before"]
 
 
@@ -148,9 +148,9 @@ class Stroke(Validated):
     pivot : m from the butt end of the axis that the implement turns about; negative: behind it, in the arm.
     """
 
-    swing_speed: Known
+    swing_speed: Fact
     from_tip: NonNegative
-    ball_speed: Known
+    ball_speed: Fact
     hands: Positive
     pivot: float = 0.0
 
@@ -185,11 +185,11 @@ class Sport(Validated):
     aerodynamics: str
     stroke: Stroke
     words: Terms = Terms()
-    speeds: tuple[Known, ...] = ()
+    speeds: tuple[Fact, ...] = ()
     limits: tuple[RuleLimit, ...] = ()
     marks: tuple[CourtMark, ...] = ()
     drops: tuple[DropRule, ...] = ()
-    facts: tuple[Known, ...] = ()
+    facts: tuple[Fact, ...] = ()
     terms: tuple[tuple[str, str], ...] = ()
     not_covered: tuple[str, ...] = ()
     pitches: tuple[str, ...] = ()
@@ -197,7 +197,7 @@ class Sport(Validated):
     fields: tuple[str, ...] = ()
     swing_law: str = "baseball"
 
-    def known(self) -> tuple[Known, ...]:
+    def numbers(self) -> tuple[Fact, ...]:
         """Return every number of the sport with its certainty; those of its balls and implements are not here."""
         heights = tuple(mark.height for mark in self.marks if mark.height is not None)
         stroke = (self.stroke.swing_speed, self.stroke.ball_speed)

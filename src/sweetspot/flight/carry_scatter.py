@@ -1,12 +1,12 @@
 """How surely a carry is known: drag and spin that single balls scatter in, and the errors of what was measured.
 
 What a carry does when exit speed, launch angle or backspin are a little more is tabled once in some air, with the
-flight kernel; what it does with more drag is known ball by ball. All four are independent. `hit_alike` says the same of
-one flight.
+flight kernel; what it does with more drag is known ball by ball. All four are independent.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -18,8 +18,9 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.batted_spin import USUAL_ANGLES, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.home_runs import USUAL
 from sweetspot.flight.kernel import flights
-from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, spin_axes
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, MPH, RPM
 
@@ -172,3 +173,42 @@ def usual_launch(
 def braked(law: Aerodynamics) -> Aerodynamics:
     """Return a law with a little more drag."""
     return law.with_drag(1 + MORE_DRAG)
+
+
+def carry_spread(
+    motion: BallMotion,
+    conditions: FlightConditions,
+    *,
+    drag_scatter: float = USUAL.open,
+    spin_scatter: float = SPIN_SCATTER,
+) -> float:
+    """Compute the standard deviation of the carry of baseballs hit alike, m.
+
+    A launch without measuring errors: balls differ in drag and in backspin about the usual line, and the breeze is not
+    known, which counts as drag.
+
+    Parameters
+    ----------
+    motion : as the ball leaves the bat.
+    conditions : what it flies through.
+    drag_scatter : part of the drag coefficient that home runs scatter by, with all in it, 0 to less than 1.
+    spin_scatter : standard deviation of backspin, rad/s; 0 where the spin was measured.
+    """
+    less, more = (
+        _carries(motion, replace(conditions, aerodynamics=conditions.aerodynamics.with_drag(1 + sign * drag_scatter)))
+        for sign in (-1, 1)
+    )
+    right, out, up = (float(part) for part in motion.velocity)
+    backwards = np.asarray(spin_axes(math.atan2(up, math.hypot(right, out)), math.atan2(right, out))[0])
+    low, high = (_carries(motion, conditions, spin=sign * spin_scatter * backwards) for sign in (-1, 1))
+    by_drag = np.array((less - more) / 2)
+    per_drag = by_drag / drag_scatter if drag_scatter else by_drag
+    drag = drag_alone(by_drag, per_drag=per_drag, home_run=home_run_share(conditions))
+    return float(np.sqrt(drag + ((high - low) / 2) ** 2))
+
+
+def _carries(motion: BallMotion, conditions: FlightConditions, *, spin: Array | float = 0.0) -> float:
+    changed = BallMotions(
+        velocity=np.asarray(motion.velocity), spin=np.asarray(motion.spin) + spin, position=motion.position
+    )
+    return float(flights(changed, conditions).carry[0])

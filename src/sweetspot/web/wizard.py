@@ -1,6 +1,6 @@
 """A bat, racket, club or stick from a few answers: what is asked of each sport, and the file that the answers make.
 
-The catalogue's implement of the sport is the pattern; see `catalog.own_measures`.
+The catalogue's implement of the sport is the pattern; see `catalog.scaled_implements`.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from pydantic import BaseModel, ConfigDict, Field
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.catalog.files.write_changes import changes_table
-from sweetspot.catalog.own_measures import Measures, made_to_measure, with_shaft
 from sweetspot.catalog.racket_stiffness import frequency_of_ra
 from sweetspot.catalog.rubbers import rubber
+from sweetspot.catalog.scaled_implements import Measures, scaled_to, with_shaft
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -64,7 +64,7 @@ def described_by(wanted: Wanted) -> tuple[str, str]:
     tool, told = pattern, ""
     for field, known in _steps(pattern, wanted, axis):
         with about(field):
-            tool, told = made_to_measure(pattern, known)
+            tool, told = scaled_to(pattern, known)
     tool = tool.replaced(sport=wanted.sport)
     return f"# {told}\n{_text(tool, wanted)}" if told else _text(tool, wanted), told
 
@@ -109,7 +109,7 @@ def _steps(pattern: Implement, wanted: Wanted, axis: float) -> list[tuple[str, M
     if wanted.swing_points is not None:
         with about("swing_points"):
             moment = swing_weight(wanted.sport).moment_of(wanted.swing_points)
-        mass = known.mass or rigid_body(beam_model(made_to_measure(pattern, known)[0])).mass
+        mass = known.mass or rigid_body(beam_model(scaled_to(pattern, known)[0])).mass
         known = replace(known, balance_point=axis + moment / mass)
         steps.append(("swing_points", known))
     return steps[-1:] if isinstance(pattern, GolfClub) else steps  # a club's weight is met together with its balance

@@ -283,7 +283,7 @@ def _bending_as(modes: Modes, beam: BeamModel) -> Modes:
     bending = bending_modes(beam)
     bending = replace(bending, compliances=(*bending.compliances, *modes.compliances[1:]))
     walls = modes.of_family("hoop")
-    return joined(bending, modes.kept(walls)) if walls else bending
+    return joined(bending, modes.selected(walls)) if walls else bending
 
 
 def _bpf_of(slow: BatTest) -> float:

@@ -14,8 +14,8 @@ from typing import Any
 from sweetspot.catalog.files.bat import MEASURED, read_toml, with_fitted
 from sweetspot.catalog.files.implement import AddedTable, added_masses, implement_of_table
 from sweetspot.catalog.files.write_implement import implement_table
-from sweetspot.catalog.own_measures import Measures, made_to_measure
 from sweetspot.catalog.records import FOLDER, canonical, entry, unwrapped
+from sweetspot.catalog.scaled_implements import Measures, scaled_to
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.implement import AddedMass
@@ -138,14 +138,14 @@ def _base(parent: Table, changes: Table) -> Table:
     if length == parse(parent["length"], "length", "length"):
         length = None
     if parent.get("kind") in KNOWN_BY_MEASURES and (length is not None or set(MEASURED) & changes.keys()):
-        return _made_to_measure(parent, changes, length)
+        return _scaled_to(parent, changes, length)
     if length is None or (OUTLINES & changes.keys() and "shell" not in parent):  # a new outline has its own length
         return parent
     longer = implement_table(stretched(implement_of_table(parent, "its parent"), length))
     return {**_kept(parent), **_without(longer, "original")}
 
 
-def _made_to_measure(parent: Table, changes: Table, length: float | None) -> Table:
+def _scaled_to(parent: Table, changes: Table, length: float | None) -> Table:
     """Return the table of a racket or club like its parent that has, with all its weights on it, what was measured."""
     tool = implement_of_table(parent, "its parent")
     more = _weights(changes, parent["kind"])
@@ -153,7 +153,7 @@ def _made_to_measure(parent: Table, changes: Table, length: float | None) -> Tab
     whole = rigid_body(beam_model(tool)).mass + sum(one.mass for one in more)
     known = _bare(weights, changes, whole, tool.moi_axis)
     plain = tool.replaced(added=())
-    made, _ = made_to_measure(plain, replace(known, length=length))
+    made, _ = scaled_to(plain, replace(known, length=length))
     follows = [name for name in MEASURED if name not in changes and getattr(made, name) != getattr(plain, name)]
     fitted = [name for name in MEASURED if name in follows or (name in tool.fitted and name not in changes)]
     return {**_kept(parent), **implement_table(made.replaced(fitted=tuple(fitted)))}

@@ -119,7 +119,7 @@ def _swing_weight(report: ReportAnswer, reading: Reader) -> str:
         moi = moment(report.bat.moi_6in, float(report.bat.moi_6in_doubt)).read(reading)
         return f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat).butt}"
     convention = swing_weight(bat.sport)
-    return f"{convention.name} {convention.shown(report.analysis.body)}".replace("^2", "²")
+    return f"{convention.name} {convention.text_of(report.analysis.body)}".replace("^2", "²")
 
 
 def _guides(

@@ -81,5 +81,5 @@ def _others(bats: set[str]) -> Table:
         body = rigid_body(beam_model(implement))
         convention = swing_weight(implement.sport)
         rows.append([key, implement.name, implement.sport, Slot(implement.length, "place"), Slot(body.mass, "mass"),
-                     convention.shown(body)])  # fmt: skip
+                     convention.text_of(body)])  # fmt: skip
     return Table("Of other sports", columns, rows)

@@ -177,7 +177,7 @@ def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> t
         "{name}, about {axis} from the {butt}", words_of(bat), name=convention.name,
         axis=Slot(convention.axis, "place"),
     )  # fmt: skip
-    return name, convention.shown(body).replace("^2", "²")
+    return name, convention.text_of(body).replace("^2", "²")
 
 
 def modes_table(bat: Implement, modes: Sequence[VibrationMode]) -> Table:

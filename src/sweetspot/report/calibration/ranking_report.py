@@ -35,7 +35,7 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         (
             one.name, one.exit_speed.value, half_width(one.exit_speed), one.best_chance, one.properties["mass"].value,
             one.properties["moi"].value,
-            *([convention.shown(_as_body(one, model))] if lettered else []), _stiffer(one),
+            *([convention.text_of(_as_body(one, model))] if lettered else []), _stiffer(one),
             "not ranked" if one in ranking.unranked else ", ".join(WORDS[name] for name in one.differs)
             or "nothing surely",
         )

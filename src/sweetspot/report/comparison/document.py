@@ -109,7 +109,7 @@ def _things(answer: CompareAnswer) -> Table:
     rows: list[list[Cell]] = []
     for one in answer.bats:
         own, body = one.compared.analysis.bat, one.compared.analysis.body
-        turning: Cell = convention.shown(body)
+        turning: Cell = convention.text_of(body)
         if isinstance(own, Bat):
             turning = moment(_of_draws(answer, one.bat.moi_6in), moi_doubt(own, body, STANDARD_AXIS))
         row: list[Cell] = [

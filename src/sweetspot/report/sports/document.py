@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
-from sweetspot.equipment.sport import CERTAINTIES, Known, RuleLimit, Sport
+from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.paper.formulas import Row
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.report.json_shapes import as_columns
@@ -57,7 +57,7 @@ def sport_document(described: Sport, rows: Sequence[Row]) -> Document:
     if described.terms:
         blocks.append(Table("Words", [Column("word"), Column("what it is here")], described.terms))
     missing = Bullets(described.not_covered)
-    known = [_record(one) for one in described.known()]
+    known = [_record(one) for one in described.numbers()]
     data = _summary(described) | {
         "words": described.words.model_dump(), "numbers": known, "formulas": paper_json(rows)["rows"],
         "terms": dict(described.terms), "not_covered": list(described.not_covered),
@@ -84,7 +84,7 @@ def _summary(described: Sport) -> dict[str, Any]:
     }
 
 
-def _record(one: Known) -> dict[str, Any]:
+def _record(one: Fact) -> dict[str, Any]:
     return {name: getattr(one, name) for name in ("name", "value", "unit", "written", "kind", "source", "where")}
 
 
@@ -100,7 +100,7 @@ def _stroke(described: Sport) -> Table:
     return Table("Usual stroke", [Column(name) for name in ("what", "speed", "kind", "source")], rows)
 
 
-def _known_table(known: Sequence[Known], title: str) -> Table:
+def _known_table(known: Sequence[Fact], title: str) -> Table:
     rows: list[list[Cell]] = []
     for one in known:
         value, *others = _cells(one)
@@ -118,7 +118,7 @@ def _marks(described: Sport) -> Table:
     return Table("Court or field, from where the ball is usually hit", columns, rows)
 
 
-def _cells(one: Known) -> tuple[str, str, str]:
+def _cells(one: Fact) -> tuple[str, str, str]:
     return one.marked, one.kind, one.source
 
 

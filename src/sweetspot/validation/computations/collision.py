@@ -69,7 +69,7 @@ def _held_rod(bat: str, closing_speed: float) -> tuple[float, float, float, Rigi
     """Return the speed of the centre, the angular speed, the impulse, the rod as a body, and its length."""
     free, body, length, ball = shared.free_modes(bat), shared.body(bat), shared.length(bat), catalog.ball()
     hinge = Hands(position=0.0, spacing=0.0, mass=1e6, stiffness=1e9)
-    held = gripped(free.kept(free.of_family("rigid")), hinge)
+    held = gripped(free.selected(free.of_family("rigid")), hinge)
     impact = hit(held, ball=ball, position=length, closing_speed=closing_speed, step=1e-6)
     impulse = ball.mass * closing_speed * (1 + impact.collision_efficiency)
     centre = float(held.shape_at(body.balance_point) @ impact.velocity)
@@ -144,7 +144,7 @@ def _flexible_over_rigid(bat: str) -> tuple[Array, Array]:
     scan, modes, conditions = analysis.scan, analysis.modes, analysis.conditions
     barrel = scan.position > analysis.body.balance_point
     places, closing, bat_speed = scan.position[barrel], scan.closing_speed[barrel], scan.bat_speed[barrel]
-    rigid = replace(modes.kept(modes.of_family("rigid")), compliances=modes.compliances)
+    rigid = replace(modes.selected(modes.of_family("rigid")), compliances=modes.compliances)
     efficiency = hits(rigid, ball=conditions.ball, position=places, closing_speed=closing).collision_efficiency
     alone = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
     return places, scan.exit_speed[barrel] / alone - 1

@@ -49,7 +49,7 @@ class Measures:
     moi_axis: float = 0.0
 
 
-def made_to_measure(pattern: Implement, known: Measures) -> tuple[Implement, str]:
+def scaled_to(pattern: Implement, known: Measures) -> tuple[Implement, str]:
     """Return an implement like a pattern that has all that is known of it, and what met its weight, in words.
 
     Density meets the weight first, as far as the material varies; where it cannot, a hollow bat's handle, knob, cap or
@@ -62,7 +62,7 @@ def made_to_measure(pattern: Implement, known: Measures) -> tuple[Implement, str
         where nothing meets what is known, with what can be.
 
     >>> from sweetspot import catalog
-    >>> racket, _ = made_to_measure(catalog.implement("tennis-racket"), Measures(mass=0.305))
+    >>> racket, _ = scaled_to(catalog.implement("tennis-racket"), Measures(mass=0.305))
     >>> racket.mass
     0.305
     """
@@ -122,7 +122,7 @@ def _thickened(tool: Implement, mass: float) -> tuple[Implement, str]:
         what, THICKNESS, lambda factor: thicker(tool, factor),
         lambda factor: f"{what} {factor:.3f} times as thick as the pattern's",
     )  # fmt: skip
-    factor = way.met(mass, drawn_mass)
+    factor = way.size_for(mass, drawn_mass)
     if factor is None:
         factor = THICKNESS[0] if mass <= way.weights(drawn_mass)[0] else THICKNESS[1]
     changed = way.changed(factor).replaced(mass=mass, balance_point=None, moi=None)
