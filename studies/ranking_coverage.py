@@ -18,8 +18,8 @@ import numpy as np
 from studies.calibration_coverage import measured
 from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
+from sweetspot.answers.rank import barrel_places, rank_bats
 from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.ranking import barrel_places, rank_bats
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
+from sweetspot.answers.rank import RankAnswer, greatest_scatter, rank_bats
 from sweetspot.calibration.bat_table import read_bats
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.moisture import STIFFER, at_usual_moisture
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.ranking import Ranking, rank_bats
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.errors import InputError, UnusualWarning
@@ -33,7 +33,7 @@ WANTED = [
 ]  # fmt: skip
 
 
-def ranked(offs: dict[str, dict[str, float]], *, noise: bool = False) -> Ranking:
+def ranked(offs: dict[str, dict[str, float]], *, noise: bool = False) -> RankAnswer:
     """Return the ranking of bats that deviate from the model in these ways."""
     generator = np.random.default_rng(5)
     posteriors = {}
@@ -79,7 +79,12 @@ def test_what_is_said_agrees_in_every_case() -> None:
         (1.2, 1.0, 0.5, "the order may be chance", "means something"),
         (1.2, 0.5, 2.0, "no more than wood does by itself", "may be chance"),
     ):
-        words = read(ranking_words(replace(apart, scatter=scatter, not_known=not_known, wood=wood), model=MODEL), US)
+        by_chance, wood_by_chance = (greatest_scatter(2) * size for size in (not_known, wood))
+        changed = replace(
+            apart, scatter=scatter, not_known=not_known, by_chance=by_chance, wood=wood, wood_by_chance=wood_by_chance,
+            beyond_doubt=scatter > by_chance,
+        )  # fmt: skip
+        words = read(ranking_words(changed), US)
         assert said in words
         assert unsaid not in words.replace("is not known of each:", "")
 
@@ -162,11 +167,9 @@ def test_a_bat_of_unknown_moisture_among_others(tmp_path: Path) -> None:
 def test_few_bats_scatter_by_chance_more_than_many() -> None:
     """Bats that are alike seem to differ in one table of twenty, however many they are (chi squared)."""
     generator = np.random.default_rng(3)
-    one = ranked({"a": {}, "b": {}})
     for count in (2, 12):
-        many = replace(one, bats=one.bats[:1] * count, not_known=1.0)
         scatters = generator.standard_normal((20_000, count)).std(axis=1, ddof=1)
-        assert np.mean(scatters > many.by_chance) == pytest.approx(0.05, abs=0.005)
+        assert np.mean(scatters > greatest_scatter(count)) == pytest.approx(0.05, abs=0.005)
 
 
 def test_no_property_of_alike_bats_differs() -> None:
@@ -177,7 +180,7 @@ def test_no_property_of_alike_bats_differs() -> None:
 def test_metal_is_no_billet() -> None:
     model = catalog.bat("single-wall")
     one = ranked({"a": {}, "b": {}})
-    words = read(ranking_words(one, model=model), US)
+    words = read(ranking_words(replace(one, model=model)), US)
     assert "billet" not in words and "wood" not in words and "wall" in words
 
 

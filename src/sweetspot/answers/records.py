@@ -16,6 +16,7 @@ from typing import Annotated, Any, Final, TypeVar, Union, get_args, get_origin, 
 
 import numpy as np
 
+from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve, Interval, Number, interval_of
 from sweetspot.uncertainty.intervals import Reach
@@ -41,6 +42,9 @@ INTERNAL: Final = "internal"
 """Mark of a field that other programs do not see."""
 NESTED: Final = "nested"
 """Mark of a number whose interval other programs see below its own name, {"value", "low", "high"}."""
+
+OF_RECORD: Final = "dimension of the record"
+"""Mark of a number whose dimension its record says, in a property ``dimension``."""
 
 Speed = Annotated[Number, SPEED]
 Length = Annotated[Number, LENGTH]
@@ -88,7 +92,7 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
     """Return a record as plain numbers, texts, lists and dictionaries, with the unit in every key.
 
     The ends of an interval stand beside its number, ``exit_speed_low_m_s`` and ``exit_speed_high_m_s``; what is not
-    finite is None.
+    finite is None. A measured value has its standard error too, ``mass_error_kg``.
 
     Parameters
     ----------
@@ -100,7 +104,9 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
         value = getattr(record, field.name)
         if value is None and field.default is None:
             continue
-        table |= _entries(field.name, value, dimension, system, nested=NESTED in _marks(hint))
+        marks = list(_marks(hint))
+        counted_in = record.dimension if OF_RECORD in marks else dimension
+        table |= _entries(field.name, value, counted_in, system, nested=NESTED in marks)
     return table
 
 
@@ -110,8 +116,12 @@ def _entries(name: str, value: Any, dimension: Dimension, system: System, *, nes
         number = interval_of(value)
         sides = {"value": number.value, "low": number.low, "high": number.high}
         return {dimension.key(name, system): _plain(sides, dimension, system)}
-    if isinstance(value, (Interval, Band)):
+    if isinstance(value, CalibratedValue):
+        return {name: {"kind": value.kind, **_entries(name, value.value, dimension, system, nested=False)}}
+    if isinstance(value, (Interval, Band, Measured)):
         ends = {name: value.value, f"{name}_low": value.low, f"{name}_high": value.high}
+        if isinstance(value, Measured):
+            ends[f"{name}_error"] = value.error
         return {dimension.key(key, system): _plain(end, dimension, system) for key, end in ends.items()}
     return {dimension.key(name, system): _plain(value, dimension, system)}
 

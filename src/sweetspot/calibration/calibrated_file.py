@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.calibration.calibrated_values import Value, fitted_names, material_values, properties
-from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.calibrated_values import fitted_names, material_values, properties
+from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import OF_BALL, Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName
@@ -22,7 +22,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 
 SOURCE = "own_measurement"
@@ -69,7 +68,7 @@ def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str
         written = material.get(name, f"{one.value.value!r} {units[name]}")
         material[name] = _record(written, one, units[name])
     if damping is not None:
-        material["damping_ratio"] = _record(damping.value, Value(damping, "measured"), "")
+        material["damping_ratio"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
     table["material"] = material
     return {**table, "calibration": _calibration_table(posterior)}
 
@@ -104,20 +103,20 @@ def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str
         if name in table:
             table[name] = _record(f"{one.value.value!r} {units[name]}", one, units[name])
     if damping is not None and "damping" in table:
-        table["damping"] = _record(damping.value, Value(damping, "measured"), "")
+        table["damping"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
     if isinstance(own, GolfClub):
         for holder, name, unknown in ((table["head"], "mass", "end_mass"), (table, "grip_mass", "knob_mass")):
             mass = own.head.mass if name == "mass" else own.grip_mass
             error = mass * posterior.deviation(unknown).error
-            holder[name] = _record(f"{mass!r} kg", Value(Measured(mass, error), "fitted"), "kg")
+            holder[name] = _record(f"{mass!r} kg", CalibratedValue(Measured(mass, error), "fitted"), "kg")
     return {**table, "calibration": _calibration_table(posterior)}
 
 
-def _record(written: Any, one: Value, unit: str) -> dict[str, Any]:
-    half = REACH * one.value.error
+def _record(written: Any, value: CalibratedValue, unit: str) -> dict[str, Any]:
+    half = value.value.half_width
     spread = f"{half:.6g} {unit}" if unit else float(f"{half:.6g}")
     where = "`sweetspot calibrate`: half width of the 90 % interval"
-    return {"value": written, "spread": spread, "source": SOURCE, "where": where, "kind": one.kind}
+    return {"value": written, "spread": spread, "source": SOURCE, "where": where, "kind": value.kind}
 
 
 def deviations_of(name_or_path: str) -> tuple[tuple[Unknown, ...], Array] | None:

@@ -6,13 +6,11 @@ Each says where it comes from: a measurement that tells it by itself, the fit to
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
 from sweetspot.calibration.deviation_batch import deviated_bodies
-from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
 from sweetspot.calibration.measurements import Measurement, predicted, said_of_body
 from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import deviated
@@ -22,7 +20,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 
-ValueKind = Literal["measured", "fitted", "assumed"]
 TOLD = 0.7
 """Error after over before, below which measurements have told something about an unknown (our choice)."""
 MEASURING = {"mass": ("mass",), "balance_point": ("balance_point",), "moi": ("moi", "period")}
@@ -31,21 +28,7 @@ STEP = 1e-3
 """Of an unknown's spread, in the derivatives of weight, balance point and moment of inertia."""
 
 
-@dataclass(frozen=True)
-class Value:
-    """A value of a calibrated bat.
-
-    Parameters
-    ----------
-    value : SI, with its error.
-    kind : where it comes from.
-    """
-
-    value: Measured
-    kind: ValueKind
-
-
-def properties(posterior: Posterior) -> dict[str, Value]:
+def properties(posterior: Posterior) -> dict[str, CalibratedValue]:
     """Return mass, balance point and moment of inertia about the swing axis, with errors of the whole posterior.
 
     A bat's moment of inertia that was not measured is in doubt by as much as outlines tell it, `moi_doubt`.
@@ -58,7 +41,9 @@ def properties(posterior: Posterior) -> dict[str, Value]:
     errors[2] = max(errors[2], _doubt_of_moi(posterior))
     not_measured = fitted_names(posterior)
     return {
-        one.kind: Value(Measured(float(value), float(error)), "fitted" if one.kind in not_measured else "measured")
+        one.kind: CalibratedValue(
+            Measured(float(value), float(error)), "fitted" if one.kind in not_measured else "measured"
+        )
         for one, value, error in zip(wanted, values, errors, strict=True)
     }
 
@@ -95,7 +80,7 @@ def _slopes(posterior: Posterior, wanted: Sequence[Measurement]) -> Array:
     return np.asarray((ahead - behind) / (2 * steps[:, None]))
 
 
-def material_values(posterior: Posterior) -> dict[str, Value]:
+def material_values(posterior: Posterior) -> dict[str, CalibratedValue]:
     """Return moduli and density of the calibrated bat; of a racket, club or stick the first frequency."""
     bat = posterior.beam.bat
     if not isinstance(bat, Bat):
@@ -103,7 +88,11 @@ def material_values(posterior: Posterior) -> dict[str, Value]:
         assert frequency is not None  # guaranteed by implement_unknowns
         error = posterior.deviation("first_frequency").error
         rung = any(one.mode is not None for one in posterior.measurements)
-        return {"first_frequency": Value(Measured(frequency, frequency * error), "measured" if rung else "assumed")}
+        return {
+            "first_frequency": CalibratedValue(
+                Measured(frequency, frequency * error), "measured" if rung else "assumed"
+            )
+        }
     centre = {
         "modulus": ("longitudinal_modulus", bat.material.longitudinal_modulus),
         "shear_modulus": ("shear_modulus", bat.material.shear),
@@ -115,5 +104,5 @@ def material_values(posterior: Posterior) -> dict[str, Value]:
             field, value = centre[unknown.name]
             error = posterior.deviation(unknown.name).error
             told: ValueKind = "fitted" if error < TOLD * unknown.spread else "assumed"
-            values[field] = Value(Measured(value, value * error), told)
+            values[field] = CalibratedValue(Measured(value, value * error), told)
     return values

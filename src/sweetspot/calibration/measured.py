@@ -1,10 +1,11 @@
-"""A measured value with its standard error, and the interval that follows."""
+"""Measured values with their standard errors, and the intervals that follow."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -33,9 +34,25 @@ class Measured:
         """Error over value."""
         return self.error / abs(self.value)
 
+    @property
+    def half_width(self) -> float:
+        """Half the width of the 90 % interval."""
+        return REACH * self.error
+
     def widened(self, error: float) -> Measured:
         """Return the same value with a further, independent error."""
         return Measured(self.value, math.hypot(self.error, error))
+
+
+ValueKind = Literal["measured", "fitted", "assumed"]
+
+
+@dataclass(frozen=True)
+class CalibratedValue:
+    """A value of a calibrated implement with its error, SI, and where it comes from."""
+
+    value: Measured
+    kind: ValueKind
 
 
 def pooled(values: Sequence[Measured]) -> Measured:

@@ -10,7 +10,6 @@ from cyclopts import Parameter
 from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.calibration.measurements import Measurement
@@ -43,46 +42,26 @@ def rank(
 ) -> int:
     """Rank bats of one model that were weighed, hung and tapped: how fast each hits, how surely, what differs."""
     from sweetspot import catalog
-    from sweetspot.calibration.likeness import check_likeness
-    from sweetspot.calibration.posterior import calibrate
-    from sweetspot.calibration.ranking import rank_bats
-    from sweetspot.calibration.unknowns import described, unknowns_of
+    from sweetspot.answers.rank import RankQuestion, rank_answer
     from sweetspot.catalog.swing_laws import swing_law
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present, progress
-    from sweetspot.equipment.bat import Bat
     from sweetspot.plausibility import parse, parse_position
     from sweetspot.report.calibration.ranking_report import ranking_document
 
     model = catalog.load_implement(like).as_drawn()
     axis = model.swing_axis if pivot is None else parse_position(pivot, length=model.length, what="--pivot-of-table")
-    measured = _measured(table, axis, model, columns.given())
-    check_likeness(measured, model, axis=axis)
-    if not isinstance(model, Bat):
-        _check_columns(measured, model)
-    unknowns = unknowns_of(model, diameter_spread=parse(diameter_error, "ratio", "--diameter-error"))
-    line, law = described(model), None if swing.same_speed else swing_law(catalog.sport(model.sport).swing_law)
+    question = RankQuestion(
+        model=model,
+        bats=_measured(table, axis, model, columns.given()),
+        conditions=conditions_for(model, swing),
+        law=None if swing.same_speed else swing_law(catalog.sport(model.sport).swing_law),
+        diameter_error=parse(diameter_error, "ratio", "--diameter-error"),
+        axis=axis,
+    )
     with progress("bats") as step, patience():
-        posteriors = {}
-        for count, (name, given) in enumerate(measured.items(), start=1):
-            try:
-                posteriors[name] = calibrate(line, unknowns, given)
-            except InputError as error:
-                raise InputError(f"{name}: {error}") from None
-            step(count, len(measured))
-        ranking = rank_bats(posteriors, conditions=conditions_for(model, swing), law=law)
-    return present(ranking_document(ranking, model=model), output)
-
-
-def _check_columns(measured: dict[str, list[Measurement]], model: Implement) -> None:
-    """Refuse tones above the first of rackets, clubs and sticks: their stiffness is scaled to the first."""
-    for name, given in measured.items():
-        for one in given:
-            if one.mode is not None and (one.mode.family != "bending" or one.mode.harmonic > 1):
-                raise InputError(
-                    f"{name}: {one.mode} was given; of {model.name} only bending_1_hz counts, to which its stiffness "
-                    "is scaled. Leave the other columns out"
-                )
+        answer = rank_answer(question, step=step)
+    return present(ranking_document(answer), output)
 
 
 def _measured(table: Path, axis: float, model: Implement, given: GivenColumns) -> dict[str, list[Measurement]]:

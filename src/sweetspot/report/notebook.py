@@ -64,6 +64,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.optimum import OptimumAnswer
     from sweetspot.answers.pendulum import PendulumAnswer
     from sweetspot.answers.play import PlayAnswer
+    from sweetspot.answers.rank import RankAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
     from sweetspot.collision.hit_in_space import Strike, Strikes
     from sweetspot.collision.impact import Impact, Impacts
@@ -72,6 +73,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.flight.kernel import Flights
     from sweetspot.flight.trajectory import Flight
     from sweetspot.report.bat.document import described_document, report_document
+    from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.report.certification.document import certificate_document, certification_document
     from sweetspot.report.comparison.document import compare_document, comparison_document
     from sweetspot.report.drop.document import drop_document
@@ -94,6 +96,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (OptimumAnswer, optimum_document),
         (DropAnswer, drop_document),
         (PendulumAnswer, pendulum_document),
+        (RankAnswer, ranking_document),
         (Comparison, comparison_document),
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from itertools import chain
 from typing import Any
 
-from sweetspot.calibration.calibrated_values import Value, material_values, properties
+from sweetspot.calibration.calibrated_values import material_values, properties
 from sweetspot.calibration.contradictions import Meant, meant, renamed, suspects
-from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
 from sweetspot.calibration.posterior import CONTRADICTION, Posterior
 from sweetspot.catalog.materials import keys_by_name, material
@@ -346,7 +346,7 @@ def source_words(name: str, implement: Implement) -> str:
 def _data(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
     """Return everything that `sweetspot calibrate` knows, SI; nothing of a bat that measurements contradict."""
     agree = not posterior.contradictions
-    values: dict[str, Value] = {**properties(posterior), **material_values(posterior)} if agree else {}
+    values: dict[str, CalibratedValue] = {**properties(posterior), **material_values(posterior)} if agree else {}
     units = {name: SCALES[scale].ending for name, (_, scale) in VALUES.items()}
     return cleaned(
         {

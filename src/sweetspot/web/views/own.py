@@ -16,9 +16,9 @@ from sweetspot.answers.certify import rule_check
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table
-from sweetspot.calibration.calibrated_values import Value, material_values, properties
+from sweetspot.calibration.calibrated_values import material_values, properties
 from sweetspot.calibration.contradictions import meant, suspects
-from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import MeasuredKind, predicted
 from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import described as beam_of
@@ -129,7 +129,7 @@ def _guesses(body: RigidBody, state: OwnState, own: Implement) -> dict[str, floa
             "swing_weight_oz_in2": body.moi(pivot) / OUNCE_INCH_SQUARED, "pivot_in": pivot / INCH}  # fmt: skip
 
 
-def _values(known: dict[str, Value], posterior: Posterior, damping: Measured | None) -> list[dict[str, Any]]:
+def _values(known: dict[str, CalibratedValue], posterior: Posterior, damping: Measured | None) -> list[dict[str, Any]]:
     values = {**known, **material_values(posterior)}
     rows = [
         {"name": name, "label": _both(called(name, posterior)), "scale": VALUES[name][1], "value": one.value.value,
@@ -190,7 +190,9 @@ def _residuals(state: OwnState, posterior: Posterior | None, alone: Mapping[str,
     return rows
 
 
-def _rules(state: OwnState, fitted: Implement, body: RigidBody, values: dict[str, Value]) -> list[dict[str, Any]]:
+def _rules(
+    state: OwnState, fitted: Implement, body: RigidBody, values: dict[str, CalibratedValue]
+) -> list[dict[str, Any]]:
     """Return the league's rules held against the calibrated bat; a moment of inertia counts with its interval."""
     chosen = usual_league(fitted) if state.league == "usual" else state.league
     if chosen is None:
