@@ -11,6 +11,7 @@ from typing import Any
 import polars as pl
 import pytest
 
+from sweetspot.answers.season import SeasonAnswer
 from sweetspot.cli import main
 from sweetspot.errors import InputError
 from sweetspot.report import html
@@ -19,7 +20,7 @@ from sweetspot.report.season.one_player import player_page
 from sweetspot.report.season.tables import write_tables
 from sweetspot.season.bat_table import read_bats
 from sweetspot.season.batters import require_batter
-from sweetspot.season.standings import GROUPS
+from sweetspot.season.standings import GROUPS, Standing
 from tests.report.season.test_picture import CASES
 from tests.season.conftest import made_up
 
@@ -88,9 +89,9 @@ def test_few_balls_with_bat_speed_are_told_as_few(tmp_path: Path, capsys: pytest
 
 def test_a_name_that_is_a_formula_is_only_shown(tmp_path: Path) -> None:
     names = pl.DataFrame({"player": ["=HYPERLINK(1)", "A"], "balls": [3, 4]})
-    season = SimpleNamespace(setting=SimpleNamespace(system="us"))
-    report: Any = SimpleNamespace(standings={next(iter(GROUPS)): SimpleNamespace(table=names)}, season=season)
-    for name in write_tables(report, tmp_path):
+    question = SimpleNamespace(system="us")
+    answer: Any = SimpleNamespace(standings=["batter"], to_frame=lambda *_, **__: names, question=question)
+    for name in write_tables(answer, tmp_path):
         if name.endswith(".csv"):
             assert (tmp_path / name).read_text("utf-8") == "player,balls\n'=HYPERLINK(1),3\nA,4\n"
 
@@ -162,7 +163,7 @@ def test_an_unknown_player_is_refused_before_anything_is_computed(
         table, compression="gzip" if name.endswith("gz") else "uncompressed"
     )
     other.write_text("launch_speed\n90\n", encoding="utf-8")
-    monkeypatch.setattr("sweetspot.season.season_table.analyse_season", lambda *_, **__: pytest.fail("computed"))
+    monkeypatch.setattr("sweetspot.answers.season.analyse_season", lambda *_, **__: pytest.fail("computed"))
     assert run(table, "--player", "600009") == 2
     said = capsys.readouterr().err.strip()
     assert said.count("\n") == 0 and "no batter '600009' in the tables. Did you mean 60000" in said
@@ -183,7 +184,7 @@ def test_bats_of_batters_who_are_not_in_the_tables(tmp_path: Path, capsys: pytes
     assert said.count("\n") == 0 and "no batter of the table of bats is in the tables: 'Nobody', '600009'" in said
     bats.write_text("batter,bat\n600000.0,mlb-a\n600009,r161-ash\n", "utf-8")
     assert run(table, "--bats", bats, "--out", tmp_path / "out") == 0
-    assert f"'600009' of {bats} is no batter of the tables" in capsys.readouterr().err
+    assert "'600009' has a bat and is no batter of the tables" in capsys.readouterr().err
     told = pl.read_parquet(tmp_path / "out" / "balls").group_by("batter").agg(pl.col("bat").unique()).sort("batter")
     assert told["bat"].to_list() == [["mlb-a"], *[["unknown"]] * 5]
 
@@ -197,9 +198,11 @@ def test_a_table_of_bats_as_spreadsheets_save_it(text: str, tmp_path: Path) -> N
 def test_one_is_not_several() -> None:
     row = {"batter": "7", "name": None, "balls": 1, "ev20": 40.0, "home_runs_expected": 0.2, "home_runs": 0,
            "doubters": 1, "mostly_gone": 1, "no_doubters": 2}  # fmt: skip
-    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=pl.DataFrame([row]), spreads={})},
-                                  counted=CASES["speeds alone"][0].with_columns(batter=pl.lit("7")))  # fmt: skip
-    told = html.page(player_page(report, "7"), US)
+    answer: Any = SimpleNamespace(
+        standings={"batter": Standing("batter", pl.DataFrame([row]), {})}, to_frame=lambda _: pl.DataFrame([row]),
+        counted=CASES["speeds alone"][0].with_columns(batter=pl.lit("7")), rare_shares={"batter": []},
+    )  # fmt: skip
+    told = html.page(player_page(SeasonAnswer.player(answer, "7")), US)
     assert "1 ball in play" in told and "1 doubter, 1 mostly gone, 2 no-doubters" in told
 
 
@@ -214,9 +217,9 @@ def test_one_is_not_several() -> None:
 def test_a_name_that_is_nobody_s_or_of_several_is_refused(asked: str, words: str) -> None:
     numbers = [str(number) for number in range(1, 204)]
     table = pl.DataFrame({"batter": numbers, "name": ["Doe", "Doe", "Roe", *(f"X{one}Y" for one in numbers[3:])]})
-    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=table, spreads={})})
+    answer: Any = SimpleNamespace(standings={"batter": Standing("batter", table, {})})
     with pytest.raises(InputError, match=words):
-        player_page(report, asked)
+        SeasonAnswer.player(answer, asked)
 
 
 @pytest.mark.parametrize(

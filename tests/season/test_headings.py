@@ -11,10 +11,10 @@ import pytest
 from polars.testing import assert_frame_equal
 
 from sweetspot import catalog
+from sweetspot.answers.season import SeasonQuestion, season_answer
 from sweetspot.errors import InputError
 from sweetspot.report import html
 from sweetspot.report.quantities import US
-from sweetspot.report.season.document import season_document, season_report
 from sweetspot.report.season.one_player import player_page
 from sweetspot.season.batters import require_batter
 from sweetspot.season.headings import headings_of
@@ -227,16 +227,15 @@ def test_a_club_s_feed_needs_no_inference_of_the_place(tmp_path: Path) -> None:
         BatAxialOffset=6.0 - pl.col("true_from_tip_in"), RelSpeed="release_speed", truth="true_from_tip_in",
     )  # fmt: skip
     feed.write_csv(tmp_path / "club.csv")
-    season = analyse_season([tmp_path / "club.csv"], folder=tmp_path / "out")
-    balls = season.balls().filter(pl.col("contact_outcome") == "ok").collect()
+    answer = season_answer(SeasonQuestion(paths=[tmp_path / "club.csv"]))
+    balls = answer.balls().filter(pl.col("contact_outcome") == "ok").collect()
     off = balls["from_tip_in"] - balls["truth"]
     assert len(balls) > 300 and off.abs().median() < 0.35 and off.abs().max() < 2.0  # type: ignore[operator]
     sure = balls.filter((balls["truth"] - balls["best_from_tip_in"]).abs() > 1.0)
     tip_side = sure["truth"] < sure["best_from_tip_in"]
     assert ((sure["tip_side"] > 0.5) == tip_side).mean() > 0.97  # type: ignore[operator]
-    assert "the side of the bat that was met" not in str([one.detail for one in season.survey.warnings])
-    data = season_document(season_report(season)).data
-    assert not any("Which side" in words for words in data["cannot_tell"])
+    assert "the side of the bat that was met" not in str(answer.warnings)
+    assert not any("Which side" in words for words in answer.cannot_tell)
 
 
 def test_who_has_no_number_goes_by_his_name(tmp_path: Path) -> None:
@@ -246,12 +245,11 @@ def test_who_has_no_number_goes_by_his_name(tmp_path: Path) -> None:
     )  # fmt: skip
     frame.write_csv(tmp_path / "table.csv")
     require_batter([tmp_path / "table.csv"], "Batter, 600001")
-    season = analyse_season([tmp_path / "table.csv"], setting=season_setting(contact=False), folder=tmp_path / "out")
-    report = season_report(season)
-    players = report.standings["batter"].table
+    answer = season_answer(SeasonQuestion(paths=[tmp_path / "table.csv"], contact=False))
+    players = answer.to_frame()
     assert players["batter"].to_list() == [f"Batter, {600_000 + number}" for number in range(6)]
-    assert report.standings["pitcher"].table.select("pitcher", "balls").rows() == [("Pitcher, One", 60)]
+    assert answer.to_frame(key="pitcher").select("pitcher", "balls").rows() == [("Pitcher, One", 60)]
     counted = ["home_runs_expected", "home_runs", "home_runs_average_park", "doubters"]
     assert players.select(counted).null_count().row(0) == (6,) * len(counted)
-    page = html.page(player_page(report, "Batter, 600001"), US)
+    page = html.page(player_page(answer.player("Batter, 600001")), US)
     assert "10 balls in play" in page and "Home runs:" not in page

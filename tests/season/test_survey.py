@@ -11,16 +11,16 @@ import numpy as np
 import polars as pl
 import pytest
 
+from sweetspot.answers.season import SeasonQuestion, season_answer
 from sweetspot.errors import InputError
-from sweetspot.report.season.document import season_document, season_report
+from sweetspot.report.season.document import season_document
 from sweetspot.season import csv_copy, duplicates, rows
 from sweetspot.season.balls import balls_of
 from sweetspot.season.batters import require_batter
 from sweetspot.season.rows import REASONS, USED, rows_of
 from sweetspot.season.season_table import analyse_season, season_setting
-from sweetspot.season.survey import Survey, survey_tables
+from sweetspot.season.survey import Survey, survey_tables, tracking_bias
 from sweetspot.season.table_file import open_table
-from sweetspot.season.untracked import untracked_bias
 from tests.season.conftest import made_up
 
 Write = Callable[..., Path]
@@ -76,15 +76,15 @@ def test_untracked_is_not_zero(table: Write) -> None:
     )
     found = look(table(frame=frame))
     assert found.counts[0]["untracked"] == warned(found, "untracked") == 12
-    bias = untracked_bias(found)
+    bias = tracking_bias(found)
     assert bias is not None and bias.share == pytest.approx(0.2)
     used = rows_of(frame, found.tables[0].headings).filter(pl.col("reason") == USED)
-    assert bias.tracked == pytest.approx(used["exit_speed"].mean())
+    assert bias.mean_exit_speed_of_tracked == pytest.approx(used["exit_speed"].mean())
     table_of = used.group_by("event", "batted_type").agg(pl.col("exit_speed").mean())
     means = {(event, kind): mean for event, kind, mean in table_of.iter_rows()}
     lost = frame.filter(pl.col("launch_speed").is_null()).select("events", "bb_type").iter_rows()
-    total = used["exit_speed"].sum() + sum(means.get(ending, bias.tracked) for ending in lost)
-    assert bias.estimated == pytest.approx(total / 60)
+    total = used["exit_speed"].sum() + sum(means.get(ending, bias.mean_exit_speed_of_tracked) for ending in lost)
+    assert bias.mean_exit_speed_of_all == pytest.approx(total / 60)
 
 
 def test_bunts_arrive_as_balls_in_play(table: Write) -> None:
@@ -178,12 +178,12 @@ def test_rows_of_csv_are_numbered_as_a_spreadsheet_shows_them(
     path.write_bytes(ends.join([*lines, ""]).encode())
     sheet = {"90": 4, "999": 7, "95": 9, "998": 10}  # the remark of two lines is one row of the sheet
     monkeypatch.setattr("sweetspot.season.plan.TASK_ROWS", 2)
-    season = analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
-    rows = {one.name: one.rows for one in season.survey.warnings}
+    answer = season_answer(SeasonQuestion(paths=[path], contact=False, folder=tmp_path / "out"))
+    season, rows = answer.season, {warning.name: warning.first_rows for warning in answer.warnings}
     assert rows["impossible"] == [sheet["999"], sheet["998"]]
     assert season.balls().select("table_row").collect()["table_row"].to_list() == [sheet["90"], sheet["95"]]
     assert season.ledger().collect()["table_row"].to_list() == list(sheet.values())
-    words = " ".join(str(block) for block in season_document(season_report(season)).blocks)
+    words = " ".join(str(block) for block in season_document(answer).blocks)
     assert "the numbers that a spreadsheet shows" in words
     made_up(10).write_parquet(tmp_path / "table.parquet")
     bare = analyse_season([tmp_path / "table.parquet"], setting=season_setting(contact=False), folder=tmp_path / "out")
@@ -293,11 +293,9 @@ def test_every_line_of_a_file_stands_in_the_ledger(tmp_path: Path) -> None:
     path.write_text(
         f"launch_speed,launch_angle,remarks\n{balls}\n,,\n,,no reading\nnan,--,\n95,20,b\nmph,deg,\n", "utf-8"
     )
-    season = analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
-    assert season.survey.counts[0] == {**dict.fromkeys(REASONS, 0), USED: 6, "nothing": 4, "beside": 1}
-    assert season.survey.rows == len(path.read_text("utf-8").splitlines()) - 1 == 11
-    data = season_document(season_report(season)).data
-    assert data["tables"][0]["rows"] == sum(data["tables"][0]["ledger"].values()) == 11
+    (read,) = season_answer(SeasonQuestion(paths=[path], contact=False)).tables
+    assert read.ledger == {**dict.fromkeys(REASONS, 0), USED: 6, "nothing": 4, "beside": 1}
+    assert read.rows == sum(read.ledger.values()) == len(path.read_text("utf-8").splitlines()) - 1 == 11
 
 
 @pytest.mark.parametrize("held", [True, False])
@@ -562,9 +560,7 @@ def test_whose_name_player_name_is(table: Write) -> None:
     found = look(table(frame=made_up().with_columns(player_name=names)))
     assert warned(found, "name of the pitcher") == 0
     assert found.tables[0].headings.columns["batter_name"].heading == "player_name"
-    season = analyse_season([found.tables[0].path], setting=season_setting(contact=False),
-                            folder=found.tables[0].path.parent / "out")  # fmt: skip
-    players = season_report(season).standings["batter"].table
+    players = season_answer(SeasonQuestion(paths=[found.tables[0].path], contact=False)).to_frame()
     assert players["name"].to_list() == [f"Batter, {600_000 + number}" for number in range(6)]
     require_batter([found.tables[0].path], "Batter, 600001")
 
@@ -658,18 +654,17 @@ def test_an_estimate_from_endings_comes_nearer_to_the_truth(table: Write) -> Non
     frame = pl.concat([made_up(seed=seed) for seed in range(20)]).with_columns(game_pk=pl.int_range(pl.len()))
     slow = pl.col("launch_speed") < 80
     frame = frame.with_columns(bb_type=pl.when(slow).then(pl.lit("popup")).otherwise(pl.lit("fly_ball")))
-    truth = frame["launch_speed"].mean()
+    truth = float(frame["launch_speed"].to_numpy().mean())
     lost = frame.with_columns(launch_speed=pl.when(~(slow & (pl.int_range(pl.len()) % 2 == 0))).then("launch_speed"))
     path = table(frame=lost)
-    bias = untracked_bias(look(path))
+    bias = tracking_bias(look(path))
     assert bias is not None and bias.explained == 1.0
-    assert bias.tracked / 0.44704 - truth > 2 and abs(bias.estimated / 0.44704 - truth) < 0.5  # type: ignore[operator]
-    season = analyse_season([path], setting=season_setting(contact=False), folder=path.parent / "out")
-    words = " ".join(str(block) for block in season_document(season_report(season)).blocks)
+    assert bias.mean_exit_speed_of_tracked / 0.44704 - truth > 2
+    assert abs(bias.mean_exit_speed_of_all / 0.44704 - truth) < 0.5
+    words = " ".join(map(str, season_document(season_answer(SeasonQuestion(paths=[path], contact=False))).blocks))
     assert "the mean exit speed of all would be" in words
     bare = table("bare.csv", lost.drop("events", "bb_type", "hc_x", "hc_y"))
-    season = analyse_season([bare], setting=season_setting(contact=False), folder=path.parent / "out")
-    words = " ".join(str(block) for block in season_document(season_report(season)).blocks)
+    words = " ".join(map(str, season_document(season_answer(SeasonQuestion(paths=[bare], contact=False))).blocks))
     assert "nothing tells how they ended" in words
 
 
@@ -690,9 +685,13 @@ def test_how_far_out_untracked_balls_came_tells_of_them(table: Write) -> None:
         events=pl.lit("field_out"), hc_x=pl.lit(125.42), hc_y=pl.when(near).then(180.0).otherwise(100.0)
     )
     lost = frame.with_columns(launch_speed=pl.when(~(near & (pl.int_range(pl.len()) % 2 == 0))).then("launch_speed"))
-    bias = untracked_bias(look(table(frame=lost)))
-    assert bias is not None and bias.tracked / 0.44704 - frame["launch_speed"].mean() > 2  # type: ignore[operator]
-    assert bias.estimated / 0.44704 == pytest.approx(frame["launch_speed"].mean(), abs=0.5)
+    bias = tracking_bias(look(table(frame=lost)))
+    assert bias is not None and bias.mean_exit_speed_of_tracked / 0.44704 - frame["launch_speed"].mean() > 2  # type: ignore[operator]
+    assert bias.mean_exit_speed_of_all / 0.44704 == pytest.approx(frame["launch_speed"].mean(), abs=0.5)
     fled = lost.with_columns(hc_y=pl.when(pl.col("launch_speed").is_null()).then(20.0).otherwise("hc_y"))
-    farther = untracked_bias(look(table(frame=fled)))  # where no tracked one came down the words tell
-    assert farther is not None and farther.explained == 1.0 and farther.estimated == pytest.approx(farther.tracked)
+    farther = tracking_bias(look(table(frame=fled)))  # where no tracked one came down the words tell
+    assert (
+        farther is not None
+        and farther.explained == 1.0
+        and farther.mean_exit_speed_of_all == pytest.approx(farther.mean_exit_speed_of_tracked)
+    )

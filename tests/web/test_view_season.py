@@ -210,6 +210,7 @@ def test_progress_has_a_speed_once_there_is_enough_to_count(monkeypatch: pytest.
     progress = season_work.counting(lambda found, _: told.append(found))
     for done in (100, 200, 300, 400):
         progress(done, 400)
-    assert [one["done"] for one in told] == [100, 200, 300, 400]
-    assert [one["rows_per_s"] for one in told] == [None, None, 100.0, 75.0]
-    assert [one["left_s"] for one in told] == [None, None, 1.0, 0.0]
+    *rows, last = told
+    assert [step["done"] for step in rows] == [100, 200, 300, 400] and last == {"phase": "players"}
+    assert [step["rows_per_s"] for step in rows] == [None, None, 100.0, 75.0]
+    assert [step["left_s"] for step in rows] == [None, None, 1.0, 0.0]

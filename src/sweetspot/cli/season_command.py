@@ -16,7 +16,7 @@ from sweetspot.errors import InputError
 from sweetspot.units import grouped
 
 if TYPE_CHECKING:
-    from sweetspot.season.season_table import Season
+    from sweetspot.answers.season import SeasonAnswer
     from sweetspot.tables.headings import GivenColumns
 
 
@@ -105,81 +105,69 @@ def season(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Tell every ball in play of tables of any size: where on the bat it was hit, how far it carries, who did what."""
-    from sweetspot.season.batters import require_batter, strangers
-    from sweetspot.season.own_tables import tables_of_balls
-    from sweetspot.season.season_table import temporary_folder
-
     given = columns.columns.given()
     if columns.show_columns:
         return _show_columns(files, given)
     if output.out is None and work.needs_folder:
         raise InputError(work.needs_folder)
-    files, own = tables_of_balls(files, out=output.out)
-    if own:
-        shown = ", ".join(path.name for path in own)
-        print(f"sweetspot: left out, as season wrote them itself: {shown}", file=sys.stderr)
-    names = bats.named()
-    if batters := [who for who in names or () if who]:
-        for batter in strangers(files, batters, given=given):
-            print(f"sweetspot: {batter!r} of {bats.bats} is no batter of the tables", file=sys.stderr)
-    if player is not None:
-        require_batter(files, player, given=given)
+    from functools import partial
 
-    def computed(folder: Path) -> Season:
-        from functools import partial
+    from sweetspot.answers.season import SeasonQuestion, checked_season, season_answer
+    from sweetspot.cli.options.weather import weather_of
+    from sweetspot.cli.output import patience, progress
+    from sweetspot.season.cluster import run_on_cluster
 
-        from sweetspot.cli.options.weather import weather_of
-        from sweetspot.cli.output import patience, progress
-        from sweetspot.season.cluster import run_on_cluster
-        from sweetspot.season.season_table import analyse_season, season_setting
-
-        with patience():
-            setting = season_setting(
-                bats=names, others=bats.try_bat or (), contact=not bats.flight_only, system=output.units or "us",
+    with patience():
+        question = checked_season(
+            SeasonQuestion(
+                paths=files,
+                bats=bats.named(),
+                others=bats.try_bat or (),
+                contact=not bats.flight_only,
                 air=weather_of(air),
-            )  # fmt: skip
-        run = partial(run_on_cluster, workers=work.workers, scheduler=work.scheduler)
-        with progress("season") as report:
-            return analyse_season(
-                files, setting=setting, folder=folder, given=given, resume=work.resume, run=run, progress=report
+                given=given,
+                system=output.units or "us",
+                player=player,
+                folder=output.out,
+                resume=work.resume,
             )
+        )
+    run = partial(run_on_cluster, workers=work.workers, scheduler=work.scheduler)
+    try:
+        with progress("season") as report:
+            answer = season_answer(question, run=run, progress=report)
+        return _presented(answer, output)
+    except KeyboardInterrupt:
+        if output.out is None:
+            raise
+        words = f"interrupted; what is done lies in {output.out}, and --resume goes on"
+        raise KeyboardInterrupt(words) from None
 
-    if output.out is not None:
-        try:
-            return _answered(computed(output.out), output, player)
-        except KeyboardInterrupt:
-            words = f"interrupted; what is done lies in {output.out}, and --resume goes on"
-            raise KeyboardInterrupt(words) from None
-    with temporary_folder() as folder:
-        return _answered(computed(Path(folder)), output, player)
 
-
-def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
+def _presented(answer: SeasonAnswer, output: OutputOptions) -> int:
     from sweetspot.cli.output import present
-    from sweetspot.report.season.document import season_document, season_report
+    from sweetspot.report.season.document import season_document, unread_of
     from sweetspot.report.season.one_player import player_page
     from sweetspot.report.season.tables import write_tables
 
-    report = season_report(season)
     if output.out is not None:
-        written = write_tables(report, output.out)
+        written = write_tables(answer, output.out)
         tables = f"; {', '.join(written)}" if written else ""
         print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted{tables}", file=sys.stderr)
-    document = season_document(report) if player is None else player_page(report, player)
-    code = present(document, output, long=True)
-    code = max(code, int(bool(season.survey.faults)))
-    for path, reason in season.survey.faults:
-        named = "" if path.name in reason else f"{path.name}: "
-        print(f"sweetspot: not read: {named}{reason}", file=sys.stderr)
-    return code
+    player = answer.question.player
+    code = present(season_document(answer) if player is None else player_page(answer.player(player)), output, long=True)
+    for fault in unread_of(answer):
+        print(f"sweetspot: not read: {fault}", file=sys.stderr)
+    return max(code, int(bool(answer.not_read)))
 
 
 def _show_columns(files: list[Path], given: GivenColumns) -> int:
-    from sweetspot.season.season_table import temporary_folder
+    from tempfile import TemporaryDirectory
+
     from sweetspot.season.table_file import open_table
 
     bad = 0
-    with temporary_folder() as folder:
+    with TemporaryDirectory(prefix="sweetspot-season-") as folder:
         for number, path in enumerate(files):
             try:
                 table = open_table(path, staging=Path(folder) / str(number), given=given)
@@ -188,8 +176,8 @@ def _show_columns(files: list[Path], given: GivenColumns) -> int:
                 bad = 1
                 continue
             print(f"{path.name}: {table.headings.system}, {grouped(table.lines)} rows")
-            for name, one in table.headings.columns.items():
-                print(f"  {name:<18}{one.heading}{f' [{one.unit}]' if one.unit else ''}")
+            for name, column in table.headings.columns.items():
+                print(f"  {name:<18}{column.heading}{f' [{column.unit}]' if column.unit else ''}")
             print(f"  passed through: {', '.join(table.headings.passed) or 'nothing'}")
             for note in table.notes:
                 print(f"  note: {note}")

@@ -66,6 +66,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.play import PlayAnswer
     from sweetspot.answers.rank import RankAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
+    from sweetspot.answers.season import SeasonAnswer, SeasonPlayer
     from sweetspot.collision.hit_in_space import Strike, Strikes
     from sweetspot.collision.impact import Impact, Impacts
     from sweetspot.dynamics.modes import Modes
@@ -86,6 +87,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.pendulum.document import pendulum_document
     from sweetspot.report.play.bare_play import bare_play_document, strike_document
     from sweetspot.report.play.document import play_document
+    from sweetspot.report.season.document import season_document
+    from sweetspot.report.season.one_player import player_page
     from sweetspot.uncertainty.sources import sources_of
 
     return (
@@ -95,6 +98,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (PlayAnswer, play_document),
         (OptimumAnswer, optimum_document),
         (DropAnswer, drop_document),
+        (SeasonAnswer, season_document),
+        (SeasonPlayer, player_page),
         (PendulumAnswer, pendulum_document),
         (RankAnswer, ranking_document),
         (Comparison, comparison_document),

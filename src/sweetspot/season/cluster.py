@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import logging
 import signal
-from collections.abc import Callable
 from importlib import import_module
 from multiprocessing import resource_tracker
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.season.plan import Plan, Task, do_task, is_done, serial
+from sweetspot.season.plan import Plan, Progress, Task, do_task, is_done, serial
 
-Progress = Callable[[int, int], None]
 PATIENCE = "20s"
 """How long a scheduler is waited for, at first and when it was lost."""
 TRIES = 5

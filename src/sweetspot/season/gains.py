@@ -4,33 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import polars as pl
 
 from sweetspot.season.counted import WITH
 from sweetspot.season.output_columns import ENDINGS, columns_of_other
 from sweetspot.season.season_table import Season
+from sweetspot.units.dimensions import SPEED
 
 
 @dataclass(frozen=True)
-class Gain:
+class OtherBatGain:
     """What the balls of a season would gain with another bat.
 
     Parameters
     ----------
     bat : its name.
     balls : hit with any other bat than this, and solved.
-    mean, low, high : of their exit speeds, m/s; 90 % interval by the swing law, which errs alike for all balls.
+    gain, low, high : mean change of their exit speeds, m/s; 90 % by the swing law, which errs alike for all balls.
     """
 
     bat: str
     balls: int
-    mean: float
-    low: float
-    high: float
+    gain: Annotated[float, SPEED]
+    low: Annotated[float, SPEED]
+    high: Annotated[float, SPEED]
 
 
-def gains_of(season: Season) -> list[Gain]:
+def bat_gains(season: Season) -> list[OtherBatGain]:
     """Return the gains with all bats that were tried; those are left out that no ball could be tried with."""
     contact, system = season.setting.contact, season.setting.system
     gains = []
@@ -42,7 +44,7 @@ def gains_of(season: Season) -> list[Gain]:
         _, low, high = (pl.col(column.heading(system)).cast(pl.Float64) for column in columns_of_other(other.name))
         _, width = _mean(season.balls_parts(), (high - low).filter(high > low))
         reach = width * ENDINGS["speed"][system][1] / 2
-        gains.append(Gain(other.name, balls, mean, mean - reach, mean + reach))
+        gains.append(OtherBatGain(other.name, balls, mean, mean - reach, mean + reach))
     return gains
 
 

@@ -77,10 +77,15 @@ def ball_means(counted: pl.LazyFrame) -> dict[str, float | None]:
         pl.len().alias("balls"), speed.mean().alias("exit_speed"),
         speed.filter(speed >= speed.quantile(HARDEST)).mean().alias("ev20"),
         *(pl.col(name).cast(pl.Float64).mean() for name in means),
-        known_sum(pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").alias("home_runs"),
+        known_sum(is_home_run(pl.col("event"))).alias("home_runs"),
         known_sum(pl.col("home_run_here").cast(pl.Float64)).alias("home_runs_expected"),
     ).collect().row(0, named=True)  # fmt: skip
     return {name: None if value is None else float(value) for name, value in row.items()}
+
+
+def is_home_run(event: pl.Expr) -> pl.Expr:
+    """Return whether a ball was a home run, by how the table says that it ended."""
+    return event.str.to_lowercase().str.replace_all("[_ ]", "") == "homerun"
 
 
 def known_sum(values: pl.Expr) -> pl.Expr:

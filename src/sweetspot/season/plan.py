@@ -31,6 +31,7 @@ from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_reader import TableReader
 
+Progress = Callable[[int, int], None]
 TASK_ROWS = 65_536
 """Rows of a task, fewer of wide tables; what is held in memory at a time depends on it, the answers of a row do not."""
 ONLY_KEYS = {"at_bat", "pitch", "pitch_id", "player_name"}

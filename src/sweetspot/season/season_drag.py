@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 import polars as pl
@@ -12,8 +11,11 @@ import polars as pl
 from sweetspot.catalog.ballparks import park
 from sweetspot.errors import InputError
 from sweetspot.flight.home_runs import USUAL
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH, ROBUST_SCALE
 from sweetspot.numerics.interval import Interval
+from sweetspot.season.maps import is_home_run
+from sweetspot.units import DEGREE, MPH
 
 FEWEST = 20
 """Fly balls below which nothing is said."""
@@ -106,7 +108,7 @@ def home_runs_with(counted: pl.LazyFrame, drag: DragOfMonth) -> Interval | None:
     """
     from scipy.special import ndtr, ndtri
 
-    gone = (pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").fill_null(value=False)
+    gone = is_home_run(pl.col("event")).fill_null(value=False)
     known = counted.filter(pl.col("home_run_here").is_not_null()).select("park", "home_run_here", gone=gone).collect()
     if not len(known) or np.mean(known["gone"].to_numpy()) > SELECTED:
         return None
@@ -126,43 +128,61 @@ def _scatter(name: str | None) -> float:
         return USUAL.drag(None)
 
 
-def residuals(counted: pl.LazyFrame, *, by: str, edges: Sequence[float]) -> pl.DataFrame:
-    """Return mean tracked distance less carry and its standard error in bins of a measure, m.
+@dataclass(frozen=True)
+class LeftOver:
+    """Mean tracked distance less carry of some balls, m.
 
     Parameters
     ----------
-    by : a measure of the counted balls: launch_angle, exit_speed, bearing.
-    edges : of the bins, SI, rising.
+    mean, error : and its standard error.
+    balls : how many.
+    middle : of a bin, SI; None: no bin.
+    name : of a group; None: a bin.
     """
-    middles = [(low + high) / 2 for low, high in pairwise(edges)]
-    binned = pl.sum_horizontal(*((pl.col(by) >= edge).cast(pl.Int64) for edge in edges))
-    table = _in_groups(counted.filter(pl.col(by).is_not_null()), binned)
-    inside = table.filter((pl.col("name") > 0) & (pl.col("name") < len(edges)))
-    middle = pl.Series([middles[number - 1] for number in inside["name"]], dtype=pl.Float64)
-    return inside.drop("name").with_columns(middle=middle)
+
+    mean: float
+    error: float
+    balls: int
+    middle: float | None = None
+    name: str | None = None
 
 
-def residuals_in(counted: pl.LazyFrame, key: str) -> pl.DataFrame:
-    """Return mean tracked distance less carry and its standard error in groups of at least `FEWEST` balls, m.
+EDGES: Mapping[str, Array] = {
+    "launch_angle": np.arange(15.0, 46.0, 3.0) * DEGREE,
+    "exit_speed": np.arange(80.0, 116.0, 4.0) * MPH,
+    "bearing": np.arange(-45.0, 46.0, 9.0) * DEGREE,
+    "park": np.array([]),
+}
+"""What balls are compared by, and the edges of its bins in SI; none where it has names."""
+
+
+def left_over_by(counted: pl.LazyFrame, kind: str) -> tuple[LeftOver, ...]:
+    """Return mean tracked distance less carry in bins or groups of at least `FEWEST` balls; groups by their mean.
 
     Parameters
     ----------
-    key : a column of names: park, month.
+    counted : groups and measures of balls.
+    kind : a key of `EDGES`.
     """
-    table = _in_groups(counted.filter(pl.col(key).is_not_null()), pl.col(key))
-    return table.filter(pl.col("balls") >= FEWEST).sort("mean", "name")
-
-
-def _in_groups(counted: pl.LazyFrame, group: pl.Expr) -> pl.DataFrame:
-    """Return ``name``, ``mean``, ``error`` and ``balls`` of groups, in order; always added up ball by ball."""
-    asked = counted.filter(pl.col("carry_above").is_not_null())
-    balls = asked.select(name=group, above=pl.col("carry_above").cast(pl.Float64)).collect()
-    names = balls["name"].unique().sort()
-    number = balls["name"].rank("dense").cast(pl.Int64).to_numpy() - 1
-    above, several = balls["above"].to_numpy(), np.bincount(number, minlength=len(names))
-    mean = np.bincount(number, above, len(names)) / several
-    squares = np.bincount(number, (above - mean[number]) ** 2, len(names))
-    error = pl.Series(np.sqrt(squares / np.maximum(several - 1, 1) / several))
-    return pl.DataFrame({"name": names, "mean": mean}).with_columns(
-        error=pl.when(pl.Series(several) > 1).then(error), balls=pl.Series(several)
-    )  # fmt: skip
+    edges = EDGES[kind]
+    known = counted.filter(pl.col("carry_above").is_not_null() & pl.col(kind).is_not_null())
+    balls = known.select(value=pl.col(kind), above=pl.col("carry_above").cast(pl.Float64)).collect()
+    places: list[tuple[float | None, str | None]]
+    if len(edges):
+        value = balls["value"].to_numpy()
+        number = np.searchsorted(edges.astype(value.dtype), value, side="right") - 1
+        places = [(float(middle), None) for middle in (edges[1:] + edges[:-1]) / 2]
+    else:
+        number = balls["value"].rank("dense").cast(pl.Int64).to_numpy() - 1
+        places = [(None, name) for name in balls["value"].unique().sort()]
+    inside = (number >= 0) & (number < len(places))
+    number, above = number[inside], balls["above"].to_numpy()[inside]
+    count = np.bincount(number, minlength=len(places))
+    mean = np.bincount(number, above, len(places)) / np.maximum(count, 1)
+    squares = np.bincount(number, (above - mean[number]) ** 2, len(places))
+    error = np.sqrt(squares / np.maximum(count - 1, 1) / np.maximum(count, 1))
+    groups = [
+        LeftOver(float(mean[group]), float(error[group]), int(count[group]), *places[group])
+        for group in np.flatnonzero(count >= FEWEST)
+    ]
+    return tuple(groups if len(edges) else sorted(groups, key=lambda group: (group.mean, str(group.name))))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import suppress
@@ -47,6 +46,7 @@ from sweetspot.season.plan import (
     FOLDERS,
     LEDGER,
     Plan,
+    Progress,
     do_task,
     plan_fingerprint,
     reader_of,
@@ -60,7 +60,6 @@ from sweetspot.season.table_parts import PART, parts
 from sweetspot.season.table_warnings import TableWarning
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
-Progress = Callable[[int, int], None]
 MOST_PARTS = 16
 """Parts of all tables that the relation of places is learnt from, at most."""
 
@@ -392,8 +391,3 @@ def season_columns(
 
     schema = answered(lazy.clear().collect()).schema
     return lazy.map_batches(answered, schema=schema, streamable=True)
-
-
-def temporary_folder() -> tempfile.TemporaryDirectory[str]:
-    """Return a folder for answers that nobody keeps."""
-    return tempfile.TemporaryDirectory(prefix="sweetspot-season-")

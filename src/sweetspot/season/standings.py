@@ -13,6 +13,7 @@ from sweetspot.season.bounded_pooling import Bounds
 from sweetspot.season.counted import WITH
 from sweetspot.season.pooling import BALLS, MEAN, POSITIVE, SQUARES, Spread, pooled_groups
 from sweetspot.season.sums import group_sums
+from sweetspot.units.dimensions import DISTANCE, LENGTH, RATIO, SPEED, Dimension, System
 
 GROUPS: Mapping[str, str] = {
     "batter": "players", "pitcher": "pitchers", "team": "clubs", "pitch_type": "pitch types", "count": "counts",
@@ -70,6 +71,35 @@ class Standing:
     key: str
     table: pl.DataFrame
     spreads: Mapping[str, Spread]
+
+    def with_units(self, units: System) -> pl.DataFrame:
+        """Return the table in a system's units, with the unit in every column's name."""
+        names = self.table.columns
+        scales = {name: scale for name, (scale, _) in MEASURES.items()} | {"ev20": "speed"}
+        scales |= {name: "speed" for name in names if name.startswith(WITH) and f"{name}_balls" in names}
+        columns = []
+        for column in self.table.get_columns():
+            stem = max((stem for stem in scales if _is_part(column.name, stem)), key=len, default="")
+            label, part = stem, column.name[len(stem) :]
+            if stem.startswith(WITH):
+                label = f"gain_with_{stem.removeprefix(WITH).replace('-', '_')}"
+            dimension = DIMENSIONS.get(scales.get(stem, ""), RATIO)
+            if part in IN_UNITS:
+                size = 1.0 if units == "si" else dimension.size
+                columns.append((column / size if size != 1 else column).alias(dimension.key(label + part, units)))
+            else:
+                columns.append(column.alias(label + part))
+        return pl.DataFrame(columns)
+
+
+DIMENSIONS: Mapping[str, Dimension] = {"speed": SPEED, "offset": LENGTH, "distance": DISTANCE}
+"""Of the scales of measures; the others are ratios."""
+IN_UNITS = ("", "_mean", "_spread", "_low50", "_high50", "_low90", "_high90")
+"""Ends of a measure's columns that have its unit."""
+
+
+def _is_part(name: str, stem: str) -> bool:
+    return name.startswith(stem) and name[len(stem) :] in (*IN_UNITS, "_balls", "_reliability", "_percentile")
 
 
 def rare_shares(table: Standing) -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import polars as pl
 
+from sweetspot.season.maps import is_home_run
 from sweetspot.season.pooling import BALLS, MEAN, SQUARES
 from sweetspot.season.rows import by_value
 from sweetspot.units import MPH
@@ -65,7 +66,7 @@ def group_sums(
 
 def _made_ready(rows: pl.DataFrame) -> pl.DataFrame:
     """Return rows with exact numbers, whether each ball was a home run, and the box of its exit speed."""
-    gone = by_value(rows["event"], lambda text: text.str.to_lowercase().str.replace_all("[_ ]", "") == "homerun")
+    gone = by_value(rows["event"], is_home_run)
     box = (pl.col("exit_speed") / BOX).round().cast(pl.Int32)
     return rows.with_columns(gone.alias("home_runs"), box=box).with_columns(pl.col(pl.Float32).cast(pl.Float64))
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 import polars as pl
@@ -23,6 +24,7 @@ from sweetspot.season.table_parts import PART, part_of
 from sweetspot.season.table_reader import TableReader
 from sweetspot.season.table_warnings import TableWarning
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
+from sweetspot.units.dimensions import SPEED
 
 Ending = tuple[str, int | None]
 """How a ball in play ended, in words, and how far out; None where that is not known."""
@@ -120,3 +122,49 @@ def _count_endings(rows: pl.DataFrame, endings: dict[Ending, tuple[int, float, i
         ending = " ".join(word or "" for word in words), far_out
         before = endings.get(ending, (0, 0.0, 0))
         endings[ending] = (before[0] + tracked, before[1] + total, before[2] + lost)
+
+
+@dataclass(frozen=True)
+class TrackingBias:
+    """How balls without an exit speed bias the mean of those with one.
+
+    Parameters
+    ----------
+    share : part of the balls in play that have no exit speed.
+    explained : part of those for whose ending there are tracked ones.
+    mean_exit_speed_of_tracked : m/s.
+    mean_exit_speed_of_all : m/s, if untracked balls are like tracked ones that ended alike, as far out.
+    """
+
+    share: float
+    explained: float
+    mean_exit_speed_of_tracked: Annotated[float, SPEED]
+    mean_exit_speed_of_all: Annotated[float, SPEED]
+
+
+def tracking_bias(survey: Survey) -> TrackingBias | None:
+    """Return how the mean exit speed changes when untracked balls count as tracked ones that ended alike.
+
+    Alike are event, kind of hit and how far out a ball was fielded; where none came down there, the first two.
+    None where no table has endings, or every ball was tracked.
+
+    Parameters
+    ----------
+    survey : the first look at the tables.
+    """
+    tracked = sum(count for count, _, _ in survey.endings.values())
+    missed = sum(count for _, _, count in survey.endings.values())
+    if not tracked or not missed:
+        return None
+    mean = sum(total for _, total, _ in survey.endings.values()) / tracked
+    alike: dict[str, tuple[int, float]] = {}
+    for (words, _), (count, total, _) in survey.endings.items():
+        before = alike.get(words, (0, 0.0))
+        alike[words] = (before[0] + count, before[1] + total)
+    untracked, explained = 0.0, 0
+    for (words, _), (count, total, lost) in survey.endings.items():
+        balls, speeds = (count, total) if count else alike[words]
+        untracked += lost * (speeds / balls if balls else mean)
+        explained += lost if balls else 0
+    balls = tracked + missed
+    return TrackingBias(missed / balls, explained / missed, mean, (mean * tracked + untracked) / balls)

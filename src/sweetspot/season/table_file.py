@@ -125,6 +125,11 @@ class TableFile:
         return frame.with_columns(pl.col(name).cast(pl.Float64, strict=False) for name in wanted)
 
 
+def is_parquet(path: Path) -> bool:
+    """Return whether a file is Parquet, by its name."""
+    return path.name.lower().endswith(PARQUET_ENDINGS)
+
+
 def no_table(path: Path) -> InputError:
     """Return the refusal of a path where nothing lies, with the file beside it that may have been meant."""
     near = near_file(path)
@@ -154,7 +159,7 @@ def open_table(path: Path, *, staging: Path, given: GivenColumns = NOTHING_GIVEN
         raise no_table(path)
     if path.stat().st_size == 0:
         raise InputError(f"{path} is empty; a table needs a line of column names and a row per ball")
-    if name.endswith(PARQUET_ENDINGS):
+    if is_parquet(path):
         return _parquet(path, given)
     if not name.endswith(CSV_ENDINGS):
         do = next((f"{words}, or give" for ending, words in OTHERS.items() if name.endswith(ending)), "allowed:")
@@ -204,7 +209,7 @@ def text_columns(
         when the file cannot be read, or lacks what is needed.
     """
     try:
-        parquet = path.name.lower().endswith(PARQUET_ENDINGS)
+        parquet = is_parquet(path)
         with reading_parquet(path) if parquet else nullcontext():
             frame = pl.scan_parquet(path) if parquet else _text_frame(path, staging)
             headings = headings_of(frame.collect_schema().names(), given=given, file_name=str(path))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+
+from sweetspot.season.table_file import TableFile
 
 
 @dataclass
@@ -67,3 +69,21 @@ WARNINGS: Mapping[str, str] = {
     "unknown park": "home teams whose park is not known; no chance of a home run there",
 }
 """What can be wrong with a table of batted balls, by name."""
+NO_FOULS = (
+    "Misses have no exit speed, and fouls seldom all have one, so nothing per contact or per swing can be told; timing "
+    "needs the place of the bat in time, which tables seldom hold."
+)
+SIDE = (
+    "Which side of the best place one ball was met on is told by the pitch's place alone; tip_side near 0.5 says that "
+    "it cannot be told."
+)
+ONE_BAT = (
+    "Without a bat of each player every ball is judged against one bat; a ceiling then is that bat's, not the player's "
+    "own."
+)
+
+
+def cannot_tell(tables: Sequence[TableFile]) -> tuple[str, ...]:
+    """Return what tables of batted balls cannot tell; those that measure places along the bat tell the side."""
+    measured = all(table.headings.has("axial_offset") for table in tables)
+    return (*(() if measured else (SIDE,)), NO_FOULS, ONE_BAT)

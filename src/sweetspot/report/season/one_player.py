@@ -2,67 +2,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
 import polars as pl
 
-from sweetspot.errors import InputError
-from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.answers.season import SeasonAnswer, SeasonPlayer
+from sweetspot.report.document import Bullets, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
-from sweetspot.report.season.document import NO_FOULS, SeasonReport, cannot_tell, few_of_a_kind
-from sweetspot.report.season.standing_columns import with_units
+from sweetspot.report.season.document import few_of_a_kind
 from sweetspot.report.sentences import Slot, joined, say
-from sweetspot.season.batters import unknown_batter
 from sweetspot.season.counted import WITH
 from sweetspot.season.standings import MEASURES
+from sweetspot.season.table_warnings import NO_FOULS
 from sweetspot.units import grouped
 
 TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""
 ENDS = ("low90", "high90")
-MOST_NAMED = 8
-"""Batters whose numbers or names are told where one is not known."""
 KINDS = (("doubters", "doubter", "doubters"), ("mostly_gone", "mostly gone", "mostly gone"),
          ("no_doubters", "no-doubter", "no-doubters"))  # fmt: skip
 """Kinds of home runs: column, and what one and several are called."""
 
 
-def player_page(report: SeasonReport, batter: str) -> Document:
-    """Return one player's page: every measure partly pooled, with its intervals, reliability and rank in the table.
-
-    Raises
-    ------
-    InputError
-        for a player whom no table has.
-    """
-    players = report.standings.get("batter")
-    if players is None:
-        raise InputError("no table has a column of batters, so there is no player to tell of")
-    index = _index_of(players.table, batter)
-    row = players.table.row(index, named=True)
+def player_page(player: SeasonPlayer) -> Document:
+    """Return one player's page: every measure partly pooled, with its intervals, reliability and rank in the table."""
+    answer, row, data = player.season, player.row, player.to_dict()
     number = str(row["batter"])
     name = str(row.get("name") or f"Player {number}")
-    drawing = Picture("player", partial(_drawn, report, number, name), label=f"Balls of {name}.",
-                      sheet=partial(_drawn, report, number, ""))  # fmt: skip
+    drawing = Picture(
+        "player",
+        partial(_drawn, answer, number, name),
+        label=f"Balls of {name}.",
+        sheet=partial(_drawn, answer, number, ""),
+    )
     balls = "1 ball" if row["balls"] == 1 else f"{grouped(row['balls'])} balls"
-    words = joined([
-        say("{balls} in play with an exit speed, the hardest fifth at {ev20} on average.", balls=balls,
-            ev20=Slot(row["ev20"], "speed")),
-        *_home_runs(row),
-    ])  # fmt: skip
-    cannot = cannot_tell(report.season) if row.get("squared_up") is not None else (NO_FOULS,)
-    told = with_units(players, system="si").row(index, named=True)
-    rare = [Paragraph(one, "note") for one in few_of_a_kind(players)]
-    blocks: list[Block] = [Paragraph(words), _measures(row), *rare, drawing, *_bats(row), Bullets(cannot)]
+    words = "{balls} in play with an exit speed, the hardest fifth at {ev20} on average."
+    headline = joined([say(words, balls=balls, ev20=Slot(row["ev20"], "speed")), *_home_runs(row)])
+    cannot = answer.cannot_tell if row.get("squared_up") is not None else (NO_FOULS,)
+    rare = [Paragraph(sentence, "note") for sentence in few_of_a_kind(answer.rare_shares["batter"])]
     return Document(
-        name=f"player-{number}", title=name, kind="Season of a player", blocks=blocks, drawing=drawing,
-        data=cleaned(told), rows={key: [value] for key, value in told.items()},
-    )  # fmt: skip
+        name=f"player-{number}",
+        title=name,
+        kind="Season of a player",
+        blocks=[Paragraph(headline), _measures(row), *rare, drawing, *_bats(row), Bullets(cannot)],
+        drawing=drawing,
+        data=cleaned(data),
+        rows={key: [value] for key, value in data.items()},
+    )
 
 
-def _home_runs(row: dict[str, Any]) -> list[str]:
+def _home_runs(row: Mapping[str, Any]) -> list[str]:
     """Return what is known of a player's home runs, in words."""
     told = []
     if row["home_runs_expected"] is not None:
@@ -74,22 +66,7 @@ def _home_runs(row: dict[str, Any]) -> list[str]:
     return [f"Home runs: {'; '.join(filter(None, (', '.join(told), ', '.join(kinds))))}."] if told or kinds else []
 
 
-def _index_of(players: pl.DataFrame, batter: str) -> int:
-    """Return where the row of a batter's number stands, or of a name that only one batter has."""
-    asked = [name for name in ("batter", "name") if name in players.columns]
-    for name in asked:
-        places = (players[name] == batter).arg_true()
-        if len(places) > 1:
-            numbers = players["batter"].gather(places)
-            listed = ", ".join(numbers.head(MOST_NAMED)) + (", …" if len(numbers) > MOST_NAMED else "")
-            raise InputError(f"{len(numbers)} batters are called {batter!r}; give the number of one: {listed}")
-        if len(places):
-            return int(places[0])
-    known = players[asked[0] if batter.isdigit() else asked[-1]].drop_nulls().unique(maintain_order=True).to_list()
-    raise unknown_batter(batter, known)
-
-
-def _measures(row: dict[str, Any]) -> Table:
+def _measures(row: Mapping[str, Any]) -> Table:
     heads = ("pooled", "50 %", "90 %", "own mean")
     columns = [Column("measure"), *(Column(head, right=True) for head in heads), Column("reliability", "ratio", 2),
                Column("percentile", right=True)]  # fmt: skip
@@ -110,7 +87,7 @@ def _measures(row: dict[str, Any]) -> Table:
     return Table("Against everybody in the tables", columns, rows)
 
 
-def _bats(row: dict[str, Any]) -> list[Paragraph]:
+def _bats(row: Mapping[str, Any]) -> list[Paragraph]:
     gains = {name.removeprefix(WITH): value for name, value in row.items()
              if name.startswith(WITH) and f"{name}_balls" in row and value is not None}  # fmt: skip
     if not gains:
@@ -133,7 +110,7 @@ def _bats(row: dict[str, Any]) -> list[Paragraph]:
     return [Paragraph(words)]
 
 
-def _drawn(report: SeasonReport, batter: str, name: str, reading: Reader) -> Any:
+def _drawn(answer: SeasonAnswer, batter: str, name: str, reading: Reader) -> Any:
     from sweetspot.report.season.picture import season_figure
 
-    return season_figure(report.counted.filter(pl.col("batter") == batter), title=name, reading=reading)
+    return season_figure(answer.counted.filter(pl.col("batter") == batter), title=name, reading=reading)

@@ -5,7 +5,7 @@ What is left over stands by launch angle, exit speed, bearing and park, and what
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import polars as pl
@@ -16,13 +16,13 @@ from matplotlib.ticker import MaxNLocator
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures.style import MUTED, SMALL, heading, light_grid, styled
 from sweetspot.report.quantities import BLUE, ORANGE, RED, US, Reader
-from sweetspot.report.season.left_over import KINDS, left_over_by
+from sweetspot.report.season.left_over import SCALES
 from sweetspot.season.contact import SQUARED_UP
-from sweetspot.season.season_drag import DragOfMonth, drag_by_month
+from sweetspot.season.season_drag import DragOfMonth, LeftOver, drag_by_month, left_over_by
 from sweetspot.units import INCH, grouped
 
 PLACES, OFFSETS = np.linspace(0, 14, 57) * INCH, np.linspace(-2.4, 2.4, 49) * INCH
-BINNED = tuple(name for name, kind in KINDS.items() if kind.scale)
+LABELS = {"launch_angle": "launch angle", "exit_speed": "exit speed", "bearing": "bearing, left to right field"}
 FEW = 400
 """Balls below which each is a dot on the barrel: a map of so few is too pale to see."""
 LONGEST = 46
@@ -42,8 +42,7 @@ def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Read
     """
     names = counted.collect_schema().names()
     swung = "squared_up_ratio" in names and counted.select(pl.col("squared_up_ratio").count()).collect().item() > 0
-    tables = {name: left_over_by(counted, name).drop_nulls("mean") for name in BINNED}
-    tables = {name: table for name, table in tables.items() if len(table)}
+    tables = {name: groups for name in LABELS if (groups := left_over_by(counted, name))}
     parks = left_over_by(counted, "park")
     named = bool(tables) and len(parks) > 1
     rows = [ROW] * (int(swung) + bool(tables)) + ([max(LEAST, AXIS + LINE * len(parks))] if named else [])
@@ -61,7 +60,7 @@ def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Read
         middle = grid[int(swung)].subgridspec(1, len(tables))
         _left_over([figure.add_subplot(middle[part]) for part in range(len(tables))], tables, reading)
     if named:
-        months = [one for one in drag_by_month(counted) if one.month != "all"]
+        months = [month for month in drag_by_month(counted) if month.month != "all"]
         lower = grid[-1].subgridspec(1, 5)
         _by_park(figure.add_subplot(lower[:3] if months else lower[:]), parks, reading)
         if months:
@@ -109,34 +108,32 @@ def barrel_map(axes: Axes, counted: pl.LazyFrame, reading: Reader = US) -> None:
     heading(axes, "Where on the barrel", "one draw from what is known of each ball")
 
 
-def _left_over(places: list[Axes], tables: Mapping[str, pl.DataFrame], reading: Reader) -> None:
+def _left_over(places: list[Axes], tables: Mapping[str, Sequence[LeftOver]], reading: Reader) -> None:
     unit = reading.units["distance"]
-    for axes, (name, table) in zip(places, tables.items(), strict=True):
-        kind = KINDS[name]
-        size = reading.units[kind.scale]
+    for axes, (name, groups) in zip(places, tables.items(), strict=True):
+        size = reading.units[SCALES[name]]
         light_grid(axes)
         axes.axhline(0, color=MUTED, linewidth=0.7)
-        axes.errorbar(
-            table["middle"].to_numpy() / size.size, table["mean"].to_numpy() / unit.size,
-            table["error"].fill_null(0).to_numpy() / unit.size, fmt="o", color=RED, markersize=3.5, linewidth=1.0,
-        )  # fmt: skip
-        axes.set(xlabel=f"{kind.label}, {size.name}")
+        middle, mean, error = np.array([(group.middle, group.mean, group.error) for group in groups]).T
+        mean, error = mean / unit.size, error / unit.size
+        axes.errorbar(middle / size.size, mean, error, fmt="o", color=RED, markersize=3.5, linewidth=1.0)
+        axes.set(xlabel=f"{LABELS[name]}, {size.name}")
     places[0].set(ylabel=f"{unit.name}")
     heading(places[0], "Tracked distance less carry", "with standard errors" if len(places) < 3 else "")
 
 
-def _by_park(axes: Axes, parks: pl.DataFrame, reading: Reader) -> None:
+def _by_park(axes: Axes, parks: Sequence[LeftOver], reading: Reader) -> None:
     unit = reading.units["distance"]
-    _spread_by(axes, parks["name"].to_list(), parks["mean"].to_numpy() / unit.size,
-               parks["error"].fill_null(0).to_numpy() / unit.size, colour=RED)  # fmt: skip
+    mean, error = np.array([(park.mean, park.error) for park in parks]).T / unit.size
+    _spread_by(axes, [str(park.name) for park in parks], mean, error, colour=RED)
     axes.axvline(0, color=MUTED, linewidth=0.7)
     axes.set(xlabel=f"{unit.name}, with standard errors")
     heading(axes, "By park", "tracked distance less carry")
 
 
 def _by_month(axes: Axes, months: list[DragOfMonth]) -> None:
-    _spread_by(axes, [one.month for one in months], np.array([one.drag for one in months]),
-               np.array([one.error for one in months]), colour=BLUE)  # fmt: skip
+    drag, error = np.array([(month.drag, month.error) for month in months]).T
+    _spread_by(axes, [month.month for month in months], drag, error, colour=BLUE)
     axes.axvline(1, color=MUTED, linewidth=0.7)
     axes.set(xlabel="ratio, with standard errors")
     heading(axes, "Drag over the law's", "by month")

@@ -7,14 +7,13 @@ from pathlib import Path
 
 import polars as pl
 
+from sweetspot.answers.season import SeasonAnswer
 from sweetspot.numerics.text_files import harmless
 from sweetspot.report.file_set import write_all
-from sweetspot.report.season.document import SeasonReport
-from sweetspot.report.season.standing_columns import with_units
 from sweetspot.season.own_tables import table_stem
 
 
-def write_tables(report: SeasonReport, folder: Path) -> list[str]:
+def write_tables(answer: SeasonAnswer, folder: Path) -> list[str]:
     """Write each grouping's table as CSV and as Parquet and return the files' names.
 
     Raises
@@ -23,8 +22,8 @@ def write_tables(report: SeasonReport, folder: Path) -> list[str]:
         when one cannot be written.
     """
     contents: dict[Path, bytes] = {}
-    for key, one in report.standings.items():
-        table = with_units(one, system=report.season.setting.system)
+    for key in answer.standings:
+        table = answer.to_frame(answer.question.system, key=key)
         stem = table_stem(key)
         texts = [column.name for column in table if column.dtype == pl.String]
         shown = table.with_columns(pl.col(texts).map_elements(harmless, return_dtype=pl.String))

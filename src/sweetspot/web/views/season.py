@@ -31,10 +31,10 @@ from sweetspot.web.states import BatState, Name
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
 from sweetspot.web.views.design_state import batter_controls
-from sweetspot.web.views.season_work import Handed, kept_report, kept_summary, read_season
+from sweetspot.web.views.season_work import Handed, kept_answer, kept_summary, read_season
 
 if TYPE_CHECKING:  # tables load slowly, and no other view needs them
-    from sweetspot.report.season.document import SeasonReport
+    from sweetspot.answers.season import SeasonAnswer
     from sweetspot.season.maps import BallMap
 
 MOST_TABLES = 60
@@ -157,7 +157,7 @@ def player(state: SeasonState) -> dict[str, Any]:
     if folder is None or state.batter is None:
         return {}
     with about("batter"):
-        return told(player_page(_report(folder), state.batter))
+        return told(player_page(_answer(folder).player(state.batter)))
 
 
 def contacts(state: SeasonState) -> dict[str, Any]:
@@ -191,8 +191,8 @@ def _folder(state: SeasonState) -> Path | None:
 
 
 @lru_cache(maxsize=4)
-def _report(folder: Path) -> SeasonReport:
-    return kept_report(folder)
+def _answer(folder: Path) -> SeasonAnswer:
+    return kept_answer(folder)
 
 
 def recipe(state: SeasonState) -> dict[str, str]:

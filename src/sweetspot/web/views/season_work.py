@@ -22,10 +22,9 @@ from sweetspot.web.jobs import Say
 from sweetspot.web.uploads import TAKEN_AWAY
 
 if TYPE_CHECKING:  # tables load slowly, and no other view needs them
-    from sweetspot.report.season.document import SeasonReport
-    from sweetspot.season.season_table import Season
+    from sweetspot.answers.season import SeasonAnswer
 
-SUMMARY, REPORT, HANDED_IN = "summary.json", "report.pickle", "handed-in"
+SUMMARY, ANSWER, HANDED_IN = "summary.json", "answer.pickle", "handed-in"
 LISTED = 3000
 """Players that can be chosen from, those with most balls."""
 LONGEST_NAME = 120
@@ -48,14 +47,9 @@ def read_season(
 
     The result's ``season`` is the name by which the view is asked about it.
     """
-    from sweetspot.report.season.document import season_report
-
     say({"phase": "tables"}, True)
     paths = named(handed, folder / HANDED_IN) if handed else [made_up(bat, folder)]
-    season = analysed(paths, folder, bat, resume=after is not None, say=say)
-    say({"phase": "players"}, True)
-    report = season_report(season)
-    keep(report, folder, described)
+    keep(analysed(paths, folder, bat, resume=after is not None, say=say), folder, described)
     return {"phase": "done", "season": key}
 
 
@@ -86,15 +80,17 @@ def made_up(bat: Bat, folder: Path) -> Path:
     return path
 
 
-def analysed(paths: list[Path], folder: Path, bat: Bat, *, resume: bool, say: Say) -> Season:
-    """Return the season of some tables; what is wrong with one is said by the name that people know."""
-    from sweetspot.season.season_table import analyse_season, season_setting
+def analysed(paths: list[Path], folder: Path, bat: Bat, *, resume: bool, say: Say) -> SeasonAnswer:
+    """Return what is told of some tables; what is wrong with one is said by the name that people know."""
+    from sweetspot.answers.season import SeasonQuestion, season_answer
 
-    setting = season_setting(bats={"": bat}, threads=1)
+    question = SeasonQuestion(paths=paths, bats={"": bat}, folder=folder, resume=resume, threads=1)
     try:
-        return analyse_season(paths, setting=setting, folder=folder, resume=resume, progress=counting(say))
+        answer = season_answer(question, progress=counting(say))
     except InputError as error:
         raise InputError(without_folders(str(error), paths)) from None
+    reasons = (replace(unread, reason=without_folders(unread.reason, paths)) for unread in answer.not_read)
+    return replace(answer, not_read=tuple(reasons))
 
 
 def counting(say: Say) -> Callable[[int, int], None]:
@@ -109,6 +105,8 @@ def counting(say: Say) -> Callable[[int, int], None]:
             speed = (done - before) / (now - begun)
         left = None if speed is None else (rows - done) / speed
         say({"phase": "rows", "done": done, "rows": rows, "rows_per_s": speed, "left_s": left}, True)
+        if done >= rows:
+            say({"phase": "players"}, True)
 
     return progress
 
@@ -120,7 +118,7 @@ def without_folders(words: str, paths: list[Path]) -> str:
     return words
 
 
-def keep(report: SeasonReport, folder: Path, described: str) -> None:
+def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     """Write what the view tells of a season, the tables that can be taken away, and the summary last of all."""
     from sweetspot.report.season.document import season_document, unread_of
     from sweetspot.report.season.tables import write_tables
@@ -128,39 +126,33 @@ def keep(report: SeasonReport, folder: Path, described: str) -> None:
 
     tables = folder / TAKEN_AWAY
     tables.mkdir(exist_ok=True)
-    write_tables(report, tables)
-    report.season.balls().sink_parquet(tables / "balls.parquet")
-    report.season.ledger().sink_parquet(tables / "ledger.parquet")
-    named = without_paths(report)
-    document = told(season_document(named))
+    write_tables(answer, tables)
+    answer.balls().sink_parquet(tables / "balls.parquet")
+    answer.season.ledger().sink_parquet(tables / "ledger.parquet")
     summary = {
-        "bat": described, "html": document["html"], "players": players_of(report),
-        "choices": choices_of(report.counted), "rows": report.season.survey.rows,
-        "files": [table.path.name for table in report.season.survey.tables],
-        "unread": unread_of(named.season),
+        "bat": described,
+        "html": told(season_document(answer))["html"],
+        "players": players_of(answer),
+        "choices": choices_of(answer.counted),
+        "rows": sum(table.rows for table in answer.tables),
+        "files": [Path(table.file).name for table in answer.tables],
+        "unread": unread_of(answer),
         "tables": [{"name": path.name, "bytes": path.stat().st_size} for path in sorted(tables.iterdir())],
-    }  # fmt: skip
-    (folder / REPORT).write_bytes(pickle.dumps(replace(report, counted=report.counted.clear())))
+    }
+    (folder / ANSWER).write_bytes(pickle.dumps(replace(answer, counted=answer.counted.clear())))
     (folder / SUMMARY).write_bytes(pydantic_core.to_json(summary, inf_nan_mode="null"))
 
 
-def without_paths(report: SeasonReport) -> SeasonReport:
-    """Return a report whose faults name files as people know them."""
-    survey = report.season.survey
-    faults = tuple((path, without_folders(reason, [path])) for path, reason in survey.faults)
-    return replace(report, season=replace(report.season, survey=replace(survey, faults=faults)))
-
-
-def players_of(report: SeasonReport) -> list[dict[str, Any]]:
+def players_of(answer: SeasonAnswer) -> list[dict[str, Any]]:
     """Return the players of a season, those with most balls first, with a few measures in SI."""
-    players = report.standings.get("batter")
+    players = answer.standings.get("batter")
     if players is None:
         return []
     table = players.table.sort(["balls", "batter"], descending=[True, False]).head(LISTED)
-    known = [name for name in MEASURES if name in table.columns]
+    measures = [name for name in MEASURES if name in table.columns]
     return [
         {"batter": str(row["batter"]), "name": str(row.get("name") or row["batter"]), "balls": row["balls"],
-         **{one: row[one] for one in known}}
+         **{name: row[name] for name in measures}}
         for row in table.iter_rows(named=True)
     ]  # fmt: skip
 
@@ -171,7 +163,7 @@ def kept_summary(folder: Path) -> dict[str, Any] | None:
     return dict(json.loads(path.read_text(encoding="utf-8"))) if path.exists() else None
 
 
-def kept_report(folder: Path) -> SeasonReport:
-    """Return a season's report without its balls; the file is this server's own."""
-    report: SeasonReport = pickle.loads((folder / REPORT).read_bytes())
-    return report
+def kept_answer(folder: Path) -> SeasonAnswer:
+    """Return what was told of a season without its balls; the file is this server's own."""
+    answer: SeasonAnswer = pickle.loads((folder / ANSWER).read_bytes())
+    return answer

@@ -8,8 +8,7 @@ import numpy as np
 import polars as pl
 import pytest
 
-from sweetspot.season.survey import survey_tables
-from sweetspot.season.untracked import untracked_bias
+from sweetspot.season.survey import survey_tables, tracking_bias
 from sweetspot.units import MPH
 from tests.real_data import real_file
 
@@ -33,7 +32,8 @@ def test_the_estimate_takes_back_what_endings_tell(why: str, least: float, most:
         kept = pl.Series(np.random.default_rng(seed).random(len(balls)) > chance)
         lost = balls.with_columns(pl.when(kept).then(name).alias(name) for name in ("launch_speed", "launch_angle"))
         lost.write_parquet(tmp_path / "lost.parquet")
-        bias = untracked_bias(survey_tables([tmp_path / "lost.parquet"], staging=tmp_path))
+        bias = tracking_bias(survey_tables([tmp_path / "lost.parquet"], staging=tmp_path))
         assert bias is not None and bias.share == pytest.approx(1 - kept.mean())  # type: ignore[operator]
-        taken_back.append((bias.tracked - bias.estimated) / (bias.tracked - speed.mean() * MPH))
+        tracked = bias.mean_exit_speed_of_tracked
+        taken_back.append((tracked - bias.mean_exit_speed_of_all) / (tracked - speed.mean() * MPH))
     assert least < np.mean(taken_back) < most
