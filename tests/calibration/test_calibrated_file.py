@@ -10,6 +10,7 @@ import tomli_w
 
 from sweetspot import catalog
 from sweetspot.analysis.certification.rules import construction_findings
+from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
 from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations
 from sweetspot.calibration.calibrated_values import properties
 from sweetspot.calibration.implement_unknowns import as_described
@@ -96,9 +97,10 @@ def test_what_was_fitted_is_no_measurement_of_a_file_that_lost_its_calibration(r
 def test_calibrated_again_no_evidence_narrows_twice(r161: Bat) -> None:
     """The file is taken as a drawing: the same measurements leave as much open as they did, and the answer says so."""
     tone = Measurement("frequency", Measured(176.0, 0.4), mode=ModeName("bending", 1))
-    once = fitted_to(r161, MASS, BALANCE, PERIOD, tone)
-    twice = fitted_to(kept(once), MASS, BALANCE, PERIOD, tone)
-    errors = [np.sqrt(np.diag(one.covariance)) for one in (once, twice)]
+    measurements = MASS, BALANCE, PERIOD, tone
+    once = calibrate_answer(CalibrateQuestion(r161, measurements))
+    twice = calibrate_answer(CalibrateQuestion(kept(once.posterior), measurements))
+    errors = [np.sqrt(np.diag(answer.posterior.covariance)) for answer in (once, twice)]
     assert errors[1] / errors[0] == pytest.approx(1.0, abs=0.12)
     assert again_words(once) == []
     assert "would count twice" in str(*again_words(twice))

@@ -1,14 +1,13 @@
 """Which measurement contradicts all the others, and what was probably meant by it.
 
-Every slip that people make is tried: a tone by another mode's name, inches told as centimetres, a balance point from
-the other end, two swings timed for one. Those that agree with everything else are told; there may be several.
+The slips that people make are tried: inches given as centimetres, a balance point from the other end, two swings timed
+for one, a tone by another mode's name. Those that agree with everything else are told; there may be several.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 
@@ -24,17 +23,23 @@ from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 NEAR: Mapping[str, float] = {"mass": 0.15, "balance_point": 0.1, "moi": 0.3, "period": 0.1, "frequency": 0.3}
 """Logarithm of a value over what the others expect from which on a slip is not tried: more than bats of one drawing
 differ by. 25 % of the modulus are 0.12 of a frequency; 0.15 of a mass are two spreads of wood's density (7 %)."""
-UNITS: Mapping[str, Sequence[tuple[str, str, float]]] = {
-    "mass": (("pounds", "kilograms", 16 * OUNCE), ("ounces", "grams", OUNCE / 0.001)),
-    "balance_point": (("inches", "centimetres", INCH / 0.01),),
-    "moi": (
-        ("oz in²", "kg cm²", OUNCE_INCH_SQUARED / 1e-4), ("lb in²", "oz in²", 16.0),
-        ("lb in²", "kg cm²", 16 * OUNCE_INCH_SQUARED / 1e-4),
-    ),
-}  # fmt: skip
-"""Units that are taken for each other, and the first over the second."""
-COUNTED = (10, 20)
-"""Swings that are timed and divided by."""
+FACTORS: Mapping[str, Mapping[str, float]] = {
+    "mass": {
+        "pounds and not kilograms": 16 * OUNCE,
+        "kilograms and not pounds": 1 / (16 * OUNCE),
+        "ounces and not grams": OUNCE / 0.001,
+        "grams and not ounces": 0.001 / OUNCE,
+    },
+    "balance_point": {"inches and not centimetres": INCH / 0.01, "centimetres and not inches": 0.01 / INCH},
+    "moi": {
+        "oz in² and not kg cm²": OUNCE_INCH_SQUARED / 1e-4,
+        "kg cm² and not oz in²": 1e-4 / OUNCE_INCH_SQUARED,
+        "lb in² and not oz in²": 16.0,
+        "oz in² and not lb in²": 1 / 16.0,
+    },
+    "period": {"the time of two swings": 0.5, "the time of half a swing": 2.0},
+}
+"""What a value would have to be multiplied by, were it meant as the words say."""
 HANDLE = 0.4
 """Of the length; an implement balances beyond it, and hangs from within it."""
 
@@ -64,8 +69,8 @@ def suspects(posterior: Posterior) -> dict[str, Posterior]:
     if len(posterior.measurements) == 1:
         return {posterior.measurements[0].name: _as_described(posterior)}
     without = {
-        one.name: _agreement(posterior, [other for other in posterior.measurements if other is not one])
-        for one in posterior.measurements
+        suspect.name: _agreement(posterior, [other for other in posterior.measurements if other is not suspect])
+        for suspect in posterior.measurements
     }
     return {name: others for name, others in without.items() if others}
 
@@ -81,10 +86,10 @@ def meant(suspect: Measurement, others: Posterior) -> list[Meant]:
     slips = list(_slips(suspect, others))
     if not slips:
         return []
-    values = np.array([one.measurement.value.value for one in slips])
-    said = predicted(others.beam, [one.measurement for one in slips], livelier=others.livelier)
+    values = np.array([slip.measurement.value.value for slip in slips])
+    expected = predicted(others.beam, [slip.measurement for slip in slips], livelier=others.livelier)
     with np.errstate(invalid="ignore"):
-        off = np.abs(np.log(said / values))
+        off = np.abs(np.log(expected / values))
     return [
         slips[index]
         for index in np.argsort(off)
@@ -92,77 +97,44 @@ def meant(suspect: Measurement, others: Posterior) -> list[Meant]:
     ]
 
 
-def renamed(posterior: Posterior) -> list[Measurement]:
-    """Return the tones under names by which all measurements agree: two exchanged, or all one higher or lower.
-
-    Nothing where no such names do.
-    """
-    tones = [one for one in posterior.measurements if one.mode is not None]
-    rest = [one for one in posterior.measurements if one.mode is None]
-    for names in _other_names([one.mode for one in tones if one.mode]):
-        again = [replace(one, mode=name) for one, name in zip(tones, names, strict=True)]
-        if _agreement(posterior, [*rest, *again]):
-            return again
-    return []
-
-
-def _other_names(names: Sequence[ModeName]) -> Iterator[list[ModeName]]:
-    for first, second in combinations(range(len(names)), 2):
-        exchanged = list(names)
-        exchanged[first], exchanged[second] = names[second], names[first]
-        yield exchanged
-    for step in (1, -1):
-        moved = [replace(one, harmonic=one.harmonic + step * (one.family == "bending")) for one in names]
-        if moved != list(names) and all(1 <= one.harmonic <= MOST_BENDING for one in moved):
-            yield moved
-
-
 def _slips(suspect: Measurement, others: Posterior) -> Iterator[Meant]:
     """Yield what people may have meant, whether it agrees or not."""
-    for one, other, size in UNITS.get(suspect.kind, ()):
-        yield Meant(_times(suspect, size), f"{one} and not {other}")
-        yield Meant(_times(suspect, 1 / size), f"{other} and not {one}")
-    if suspect.kind == "balance_point":
-        from_other_end = others.beam.bat.length - suspect.value.value
-        if from_other_end > 0:
-            yield Meant(replace(suspect, value=Measured(from_other_end, suspect.value.error)), "from the other end")
-    if suspect.kind == "period":
-        yield Meant(_times(suspect, 0.5), "the time of two swings")
-        yield Meant(_times(suspect, 2.0), "the time of half a swing")
-        for count in COUNTED:
-            for swings in (count - 1, count + 1):
-                yield Meant(_times(suspect, count / swings), f"{swings} swings counted for {count}")
+    value, bat = suspect.value, others.beam.bat
+    for words, factor in FACTORS.get(suspect.kind, {}).items():
+        yield Meant(replace(suspect, value=Measured(value.value * factor, value.error * factor)), words)
+    if suspect.kind == "balance_point" and value.value < bat.length:
+        yield Meant(replace(suspect, value=Measured(bat.length - value.value, value.error)), "from the other end")
     if suspect.kind in ("period", "moi"):
-        at = suspect.axis
-        elsewhere = (0.0, STANDARD_AXIS, at * INCH / 0.01, at * 0.01 / INCH)
+        elsewhere = (0.0, STANDARD_AXIS, suspect.axis * INCH / 0.01, suspect.axis * 0.01 / INCH)
         for axis in dict.fromkeys(round(place, 6) for place in elsewhere):
-            if axis != round(at, 6) and axis < HANDLE * others.beam.bat.length:
+            if axis != round(suspect.axis, 6) and axis < HANDLE * bat.length:
                 yield Meant(replace(suspect, axis=axis))
-    if suspect.kind == "frequency" and isinstance(others.beam.bat, Bat):
-        known = {one.mode for one in others.measurements} | {suspect.mode}
+    if suspect.kind == "frequency" and isinstance(bat, Bat):
+        taken = {other.mode for other in others.measurements} | {suspect.mode}
         names = [ModeName("bending", number) for number in range(1, MOST_BENDING + 1)]
-        names += [ModeName("hoop", 2)] * (others.beam.bat.shell is not None)
-        yield from (Meant(replace(suspect, mode=name), str(name)) for name in names if name not in known)
-
-
-def _times(suspect: Measurement, factor: float) -> Measurement:
-    value = suspect.value
-    return replace(suspect, value=Measured(value.value * factor, value.error * factor))
+        names += [ModeName("hoop", 2)] * (bat.shell is not None)
+        yield from (Meant(replace(suspect, mode=name), str(name)) for name in names if name not in taken)
 
 
 def _as_described(posterior: Posterior) -> Posterior:
     """Return what is known of the same bat before anything was measured."""
-    spreads = np.array([one.spread for one in posterior.unknowns])
+    spreads = np.array([unknown.spread for unknown in posterior.unknowns])
     return replace(
-        posterior, beam=posterior.prior, measurements=(), deviations=np.zeros(len(spreads)),
-        covariance=np.diag(spreads**2), predictions=np.empty(0), pulls=np.zeros(len(spreads)), gains=np.diag(spreads),
-    )  # fmt: skip
+        posterior,
+        beam=posterior.prior,
+        measurements=(),
+        deviations=np.zeros(len(spreads)),
+        covariance=np.diag(spreads**2),
+        predictions=np.empty(0),
+        pulls=np.zeros(len(spreads)),
+        gains=np.diag(spreads),
+    )
 
 
 def _agreement(posterior: Posterior, measurements: Sequence[Measurement]) -> Posterior | None:
     """Return the same bat by other measurements, None where these contradict each other too."""
     try:
-        one = calibrate(posterior.prior, posterior.unknowns, measurements, agreeing=True)
+        found = calibrate(posterior.prior, posterior.unknowns, measurements, agreeing=True)
     except InputError:
         return None
-    return None if one.contradictions else one
+    return None if found.contradictions else found

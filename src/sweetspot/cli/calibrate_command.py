@@ -14,10 +14,10 @@ from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from sweetspot.analysis.certification.shots import Shot
     from sweetspot.calibration.measured import Measured
     from sweetspot.calibration.measurements import Measurement
-    from sweetspot.calibration.posterior import Posterior
-    from sweetspot.calibration.unknowns import Unknown
+    from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.implement import Implement
 
 
@@ -98,40 +98,35 @@ def calibrate(
 ) -> int:
     """Fit a bat to what was measured on it, and say how sure each value is. Exit 1 when measurements contradict."""
     from sweetspot import catalog
-    from sweetspot.calibration.posterior import calibrate as fitted
-    from sweetspot.calibration.unknowns import described, unknowns_of
+    from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
     from sweetspot.cli.output import present
     from sweetspot.plausibility import parse
     from sweetspot.report.calibration.document import calibration_document
 
-    own = catalog.load_implement(bat).as_drawn()
-    unknowns = unknowns_of(own, diameter_spread=parse(trust.diameter_error, "ratio", "--diameter-error"))
-    measurements = _weighed(own, weighed)
-    tapped, damping = _tapped(own, rung.tap or [], rung.at or [])
-    measurements += tapped + [_tone(text, own) for text in rung.tone or []]
-    if shot.shots is not None:
-        told, of_ball = _shot(own, shot.shots, shot)
-        measurements += told
-        unknowns = (*unknowns, of_ball)
-    elif shot.ball is not None:
-        raise InputError("--ball was given without --shots; name the file of shots")
-    posterior = fitted(described(own), unknowns, _without(measurements, trust.leave_out or []))
-    if posterior.contradictions:
+    described = catalog.load_implement(bat).as_drawn()
+    diameter_error = parse(trust.diameter_error, "ratio", "--diameter-error")
+    measurements = _weighed(described, weighed)
+    tapped, damping = _tapped(described, rung.tap or [], rung.at or [])
+    measurements += tapped + [_tone(text, described) for text in rung.tone or []]
+    shots, ball = _shots(described, shot)
+    question = CalibrateQuestion(
+        bat=described,
+        measurements=measurements,
+        damping=damping,
+        shots=shots,
+        ball=ball,
+        left_out=trust.leave_out or [],
+        diameter_error=diameter_error,
+    )
+    found = calibrate_answer(question)
+    if not found.consistent:
         print("sweetspot: measurements contradict each other; no bat was written", file=sys.stderr)
     elif out is not None:
-        _write(posterior, damping, out)
-    return present(calibration_document(posterior, damping), answer.into(None))
+        from sweetspot.report.file_set import write_all
 
-
-def _write(posterior: Posterior, damping: Measured | None, path: Path) -> None:
-    """Write the calibrated bat's file."""
-    import tomli_w
-
-    from sweetspot.calibration.calibrated_file import calibrated_table
-    from sweetspot.report.file_set import write_all
-
-    write_all({path: tomli_w.dumps(calibrated_table(posterior, damping)).encode()})
-    print(f"sweetspot: wrote {path}", file=sys.stderr)
+        write_all({out: found.to_toml().encode()})
+        print(f"sweetspot: wrote {out}", file=sys.stderr)
+    return present(calibration_document(found), answer.into(None))
 
 
 def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
@@ -193,23 +188,21 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     return telling(of_tones(test.tones), own), pooled(bending)
 
 
-def _shot(own: Implement, path: Path, given: ShotOptions) -> tuple[list[Measurement], Unknown]:
-    """Return what shots say at each place, and how lively their balls may be."""
+def _shots(described: Implement, given: ShotOptions) -> tuple[list[Shot], Ball | None]:
+    """Return the shots of a table, and the kind of their balls."""
     from sweetspot import catalog
     from sweetspot.analysis.certification.shots import read_shots
-    from sweetspot.calibration.shot_measurements import of_shots, shot_ball_unknown
-    from sweetspot.catalog.standard_hit import standard_conditions
-    from sweetspot.equipment.bat import Bat
+    from sweetspot.answers.calibrate import check_takes_shots
 
-    if not isinstance(own, Bat):
-        raise InputError(
-            f"--shots tell of bats only; {own.name} is calibrated by weight, balance, swing weight and tap"
-        )
-    read = read_shots(path, length=own.length, given=given.columns.given())
-    for bad in read.bad_rows:
-        print(f"sweetspot: {path}, row {bad.row} was left out: {bad.reason}", file=sys.stderr)
-    used = standard_conditions(own).ball if given.ball is None else catalog.ball(given.ball)
-    return of_shots(read.shots, used), shot_ball_unknown(read.shots, used)
+    if given.shots is None:
+        if given.ball is not None:
+            raise InputError("--ball was given without --shots; name the file of shots")
+        return [], None
+    check_takes_shots(described)
+    table = read_shots(given.shots, length=described.length, given=given.columns.given())
+    for bad in table.bad_rows:
+        print(f"sweetspot: {given.shots}, row {bad.row} was left out: {bad.reason}", file=sys.stderr)
+    return list(table.shots), None if given.ball is None else catalog.ball(given.ball)
 
 
 def _tone(text: str, own: Implement) -> Measurement:
@@ -234,11 +227,3 @@ def _tone(text: str, own: Implement) -> Measurement:
             "stiffness is scaled: bending-1"
         )
     return given
-
-
-def _without(measurements: list[Measurement], names: list[str]) -> list[Measurement]:
-    known = {one.name for one in measurements}
-    for name in names:
-        if name not in known:
-            raise InputError(f"--leave-out was given as {name!r}; measured are {', '.join(sorted(known)) or 'none'}")
-    return [one for one in measurements if one.name not in names]

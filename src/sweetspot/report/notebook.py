@@ -55,6 +55,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.analysis.comparison import Comparison
     from sweetspot.analysis.full_play import Play, Plays
+    from sweetspot.answers.calibrate import CalibrateAnswer
     from sweetspot.answers.certify import CertifyAnswer
     from sweetspot.answers.compare import CompareAnswer
     from sweetspot.answers.drop import DropAnswer
@@ -74,6 +75,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.flight.kernel import Flights
     from sweetspot.flight.trajectory import Flight
     from sweetspot.report.bat.document import described_document, report_document
+    from sweetspot.report.calibration.document import calibration_document
     from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.report.certification.document import certificate_document, certification_document
     from sweetspot.report.comparison.document import compare_document, comparison_document
@@ -102,6 +104,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (SeasonPlayer, player_page),
         (PendulumAnswer, pendulum_document),
         (RankAnswer, ranking_document),
+        (CalibrateAnswer, calibration_document),
         (Comparison, comparison_document),
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),

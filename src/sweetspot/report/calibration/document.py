@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from itertools import chain
-from typing import Any
 
-from sweetspot.calibration.calibrated_values import material_values, properties
-from sweetspot.calibration.contradictions import Meant, meant, renamed, suspects
-from sweetspot.calibration.measured import CalibratedValue, Measured
-from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
-from sweetspot.calibration.posterior import CONTRADICTION, Posterior
+from sweetspot.answers.calibrate import CalibrateAnswer, CalibratedUnknown
+from sweetspot.calibration.contradictions import Meant
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import MeasuredKind
+from sweetspot.calibration.posterior import CONTRADICTION
 from sweetspot.catalog.materials import keys_by_name, material
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import LEVEL, REACH
-from sweetspot.report.calibration.intervals import measured_json, measured_words
+from sweetspot.numerics.confidence import REACH
+from sweetspot.report.calibration.intervals import measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Table
-from sweetspot.report.json_shapes import as_columns, cleaned
-from sweetspot.report.quantities import SCALES, reader
+from sweetspot.report.json_shapes import as_columns
+from sweetspot.report.quantities import reader
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
@@ -46,65 +44,66 @@ WORDS = {
 }  # fmt: skip
 OF_CLUB = {"knob_mass": "mass of the grip", "end_mass": "mass of the head"}
 """Words of a golf club for what a bat has at its ends."""
-OF_STIFFNESS = ("longitudinal_modulus", "first_frequency")
-"""Values of which a tap tells."""
 LEAST_SHARE = 0.01
 
 
-def calibration_document(posterior: Posterior, damping: Measured | None) -> Document:
-    """Return a calibration as an answer; it has not passed where measurements contradict each other.
-
-    Parameters
-    ----------
-    damping : measured damping ratio of the bending modes, if any.
-    """
-    findings = contradictions(posterior)
-    data = _data(posterior, damping)
+def calibration_document(answer: CalibrateAnswer) -> Document:
+    """Return a calibration as a document; it has not passed where measurements contradict each other."""
+    findings = contradictions(answer)
+    data = {**answer.to_dict(), "findings": [str(words) for words in findings]}
+    blocks: list[Block] = [Paragraph(words, "warning") for words in findings]
+    if answer.consistent:
+        sentences = chain(
+            [budget_words(answer)],
+            again_words(answer),
+            moi_words(answer),
+            density_words(answer),
+            assumption_words(answer),
+        )
+        blocks += [_values(answer), _unknowns(answer), _measured(answer), *map(Paragraph, sentences)]
+    else:  # what contradicts itself says nothing of a bat
+        blocks.append(_measured(answer))
     sigma = say(
         "Plus or minus: {level} intervals. Sigma: distance from all other sources together, one for the measurement's "
         "and the model's error.",
-        level=Slot(LEVEL, "share"),
+        level=Slot(answer.interval_level, "share"),
     )
-    blocks: list[Block] = [Paragraph(words, "warning") for words in findings]
-    if findings:  # what contradicts itself says nothing of a bat
-        blocks.append(_measured(posterior))
-    else:
-        blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
-        told = (again_words(posterior), moi_words(posterior), density_words(posterior), supposed_words(posterior))
-        blocks += [Paragraph(words) for words in (budget_words(posterior), *chain(*told))]
     blocks.append(Paragraph(sigma, "note"))
-    own = posterior.beam.bat
+    fitted = answer.posterior.beam.bat
     return Document(
-        name="calibrate", title="The calibrated bat" if isinstance(own, Bat) else f"{own.name}, calibrated",
-        kind="Calibration", blocks=blocks, data=data, rows=as_columns(data["measurements"]),
-        passed=not posterior.contradictions, reader=reader(None, sport(own.sport).words),
-    )  # fmt: skip
+        name="calibrate",
+        title="The calibrated bat" if isinstance(fitted, Bat) else f"{fitted.name}, calibrated",
+        kind="Calibration",
+        blocks=blocks,
+        data=data,
+        rows=as_columns(data["measurements"]),
+        passed=answer.consistent,
+        reader=reader(None, sport(fitted.sport).words),
+    )
 
 
-def _values(posterior: Posterior, damping: Measured | None) -> Table:
-    values = {**properties(posterior), **material_values(posterior)}
+def _values(answer: CalibrateAnswer) -> Table:
     rows: list[tuple[Cell, ...]] = [
-        (called(name, posterior), measured_words(one.value, VALUES[name][1]), one.kind) for name, one in values.items()
+        (called(name, answer.posterior.beam.bat), measured_words(value.value, VALUES[name][1]), value.kind)
+        for name, value in answer.bat.by_name.items()
     ]
-    if damping is not None:
-        rows.append(("damping", measured_words(damping, "share"), "measured"))
-    return Table("", [Column(_kind(posterior)), Column("value", right=True), Column("known from")], rows)
+    if answer.damping_ratio is not None:
+        rows.append(("damping", measured_words(answer.damping_ratio.value, "share"), answer.damping_ratio.kind))
+    return Table("", [Column(f"the {_noun(answer)}"), Column("value", right=True), Column("known from")], rows)
 
 
-def _kind(posterior: Posterior, which: str = "") -> str:
-    """Return what people call what was calibrated: the bat, the fitted racket."""
-    noun = sport(posterior.beam.bat.sport).words.implement
-    return f"the {which} {noun}" if which else f"the {noun}"
+def _noun(answer: CalibrateAnswer) -> str:
+    """Return what people call what was calibrated: a bat, a racket."""
+    return sport(answer.posterior.beam.bat.sport).words.implement
 
 
-def called(name: str, posterior: Posterior) -> str | Sentence:
-    """Return what a value of the calibrated bat, or of an implement of another sport, is called."""
-    own = posterior.beam.bat
-    if isinstance(own, Bat) or name not in ("balance_point", "moi"):
+def called(name: str, implement: Implement) -> str | Sentence:
+    """Return what a value of a calibrated bat, or of an implement of another sport, is called."""
+    if isinstance(implement, Bat) or name not in ("balance_point", "moi"):
         return VALUES[name][0]
     if name == "moi":
-        return say("swing weight about {axis}", axis=axis_words(own.moi_axis, own.grip_end))
-    return f"balance point from the {own.grip_end}"
+        return say("swing weight about {axis}", axis=axis_words(implement.moi_axis, implement.grip_end))
+    return f"balance point from the {implement.grip_end}"
 
 
 def axis_words(axis: float, butt: str) -> Sentence:
@@ -114,17 +113,19 @@ def axis_words(axis: float, butt: str) -> Sentence:
     return say("{axis} from the {butt}", axis=Slot(axis, "place", round=True), butt=butt)
 
 
-def _unknowns(posterior: Posterior) -> Table:
-    rows = [
-        (
-            unknown_words(one.name, posterior.beam.bat),
-            say("± {spread}", spread=Slot(REACH * as_part(one.name, Measured(0.0, one.spread)).error, "share", 1)),
-            _percent(as_part(one.name, posterior.deviation(one.name))),
-        )
-        for one in posterior.unknowns
-    ]
+def _unknowns(answer: CalibrateAnswer) -> Table:
+    rows = []
+    for unknown in answer.unknowns:
+        before, after = parts_of(unknown)
+        words = unknown_words(unknown.name, answer.posterior.beam.bat)
+        rows.append((words, say("± {spread}", spread=Slot(before.half_width, "share", 1)), _percent(after)))
     columns = [Column("what was not known"), Column("before", right=True), Column("off the description by", right=True)]
     return Table("What the measurements changed", columns, rows)
+
+
+def parts_of(unknown: CalibratedUnknown) -> tuple[Measured, Measured]:
+    """Return what was not known before and after the measurements, as parts of what was described."""
+    return as_part(unknown.name, Measured(0.0, unknown.before_error)), as_part(unknown.name, unknown.deviation)
 
 
 def unknown_words(name: str, implement: Implement) -> str:
@@ -151,180 +152,157 @@ def _percent(value: Measured) -> Sentence:
     )  # fmt: skip
 
 
-def _measured(posterior: Posterior) -> Table:
+def _measured(answer: CalibrateAnswer) -> Table:
     """Return the measurements and how far they lie off; what a fitted bat says to them only where they allow one."""
-    agree = not posterior.contradictions
-    rows: list[tuple[Cell, ...]] = [
-        (one.name, measured_words(one.value, SCALE_OF[one.kind][0]),
-         *([Slot(fitted, *SCALE_OF[one.kind])] if agree else []), f"{pull:+.1f}")
-        for one, fitted, pull in _rows(posterior)
-    ]  # fmt: skip
+    rows: list[tuple[Cell, ...]] = []
+    for row in answer.measurements:
+        scale, digits = SCALE_OF[row.kind]
+        fitted = [] if row.fitted is None else [Slot(row.fitted, scale, digits)]
+        rows.append((row.name, measured_words(row.measured, scale), *fitted, f"{row.off_by_sigma:+.1f}"))
+    fitted_column = [Column(f"the fitted {_noun(answer)}", right=True)] if answer.consistent else []
     columns = [
-        Column("measured"), Column("value", right=True),
-        *([Column(_kind(posterior, "fitted"), right=True)] if agree else []), Column("off by sigma", right=True),
-    ]  # fmt: skip
+        Column("measured"),
+        Column("value", right=True),
+        *fitted_column,
+        Column("off by sigma", right=True),
+    ]
     return Table("The measurements", columns, rows)
 
 
-def contradictions(posterior: Posterior, alone: Mapping[str, Posterior] | None = None) -> list[Sentence]:
-    """Return in words which measurement contradicts the others, by how much, and what it should have been.
-
-    Parameters
-    ----------
-    alone : its suspects, where they are known already.
-    """
-    if not posterior.contradictions:
+def contradictions(answer: CalibrateAnswer) -> list[Sentence]:
+    """Return in words which measurement contradicts the others, by how much, and what it should have been."""
+    if answer.consistent:
         return []
-    name, pull = next(iter(posterior.contradictions.items()))
-    alone = suspects(posterior) if alone is None else alone
-    lone = len(posterior.measurements) == 1
-    by = (
-        say(": {name} lies {pull} sigma from what all the others say together",
-            name=source_words(name, posterior.beam.bat), pull=f"{abs(pull):.1f}")
-        if (name in alone or not alone) and not lone
-        else say(", by {pull} sigma", pull=f"{abs(pull):.1f}")
-    )  # fmt: skip
-    who = "measurement and description" if lone else "measurements"
-    words = [
-        say("The {who} contradict each other{by}; allowed is {most}.", who=who, by=by, most=f"{CONTRADICTION:g}")
-    ]  # fmt: skip
-    for suspect, without in alone.items():
-        one = next(one for one in posterior.measurements if one.name == suspect)
-        said = float(predicted(without.beam, [one], livelier=without.livelier)[0])
-        should, given = (Slot(value, *SCALE_OF[one.kind]) for value in (said, one.value.value))
-        words.append(
-            say("By the description the {name} should be about {should} and not {given}.", name=suspect, should=should,
-                given=given)
-            if lone
-            else say(
-                "Without {name} all others agree; by them it should be {should} and not {given}. Measure it again, or "
-                "--leave-out '{name}'.", name=suspect, should=should, given=given,
-            )
-        )  # fmt: skip
-        if as_meant := meant(one, without):
-            how = joined((_meant_words(slip, posterior) for slip in as_meant), " or ")
-            words.append(say("As {how} it would agree{others}.", how=how, others="" if lone else " with all others"))
-    if len(words) == 1:
-        words.append(_unexplained(posterior))
-    elif isinstance(posterior.beam.bat, Bat) and len(words) == 1 + len(alone):  # nobody knows what was meant
-        words.append(say("If {what} right, the outline is not this bat's.",
-                         what="it is" if len(alone) == 1 else "all of them are"))  # fmt: skip
-    return [*words, *supposed_words(posterior)]
+    bat = answer.posterior.beam.bat
+    name, pull = next(iter(answer.contradictions.items()))
+    names, alone = [suspect.name for suspect in answer.suspects], len(answer.measurements) == 1
+    by = say(", by {pull} sigma", pull=f"{abs(pull):.1f}")
+    if (name in names or not names) and not alone:
+        source = source_words(name, bat)
+        by = say(
+            ": {name} lies {pull} sigma from what all the others say together", name=source, pull=f"{abs(pull):.1f}"
+        )
+    who = "measurement and description" if alone else "measurements"
+    words = [say("The {who} contradict each other{by}; allowed is {most}.", who=who, by=by, most=f"{CONTRADICTION:g}")]
+    for suspect in answer.suspects:
+        should, given = (Slot(value, *SCALE_OF[suspect.measurement.kind]) for value in (suspect.should, suspect.given))
+        text = (
+            "By the description the {name} should be about {should} and not {given}."
+            if alone
+            else "Without {name} all others agree; by them it should be {should} and not {given}. Measure it again, or "
+            "--leave-out '{name}'."
+        )
+        words.append(say(text, name=suspect.name, should=should, given=given))
+        if suspect.meant:
+            how = joined((_meant_words(slip, bat) for slip in suspect.meant), " or ")
+            words.append(say("As {how} it would agree{others}.", how=how, others="" if alone else " with all others"))
+    if not answer.suspects:
+        words.append(_unexplained(bat))
+    elif isinstance(bat, Bat) and not any(suspect.meant for suspect in answer.suspects):
+        right = "it is" if len(names) == 1 else "all of them are"
+        words.append(say("If {what} right, the outline is not this bat's.", what=right))
+    return [*words, *assumption_words(answer)]
 
 
-def _meant_words(slip: Meant, posterior: Posterior) -> Sentence:
+def _meant_words(slip: Meant, implement: Implement) -> Sentence:
     """Return as what a measurement was probably meant."""
     if slip.words:
         return say("{words}", words=slip.words)
     about = "swung about" if slip.measurement.kind == "period" else "taken about"
-    return say("{about} {axis}", about=about, axis=axis_words(slip.measurement.axis, posterior.beam.bat.grip_end))
+    return say("{about} {axis}", about=about, axis=axis_words(slip.measurement.axis, implement.grip_end))
 
 
-def _unexplained(posterior: Posterior) -> Sentence:
+def _unexplained(implement: Implement) -> Sentence:
     """Return in words what else may be wrong where no single measurement explains a contradiction."""
-    if names := renamed(posterior):
-        told = (say("{value} {name}", value=Slot(one.value.value, "frequency", 1), name=one.name) for one in names)
-        return say("All would agree were the tones named otherwise: {names}.", names=joined(told, ", "))
-    own = posterior.beam.bat
     drawing = "unit or axis"
-    if isinstance(own, Bat):
-        drawing = "outline, another wood" if own.shell is None else "outline or wall"
+    if isinstance(implement, Bat):
+        drawing = "outline, another wood" if implement.shell is None else "outline or wall"
     return say(
-        "No single measurement explains it: look for a wrong {drawing}, or a {bat} that was not free.",
+        "No single measurement explains it: look for a wrong {drawing}, a tone under another's name, or a {bat} that "
+        "was not free.",
         drawing=drawing,
-        bat=sport(own.sport).words.implement,
+        bat=sport(implement.sport).words.implement,
     )
 
 
-def _rows(posterior: Posterior) -> list[tuple[Measurement, float, float]]:
-    """Return every measurement with what the fitted bat says to it, and its distance from the others in sigma."""
-    pulls = posterior.pulls[: len(posterior.measurements)]
-    return list(zip(posterior.measurements, posterior.predictions.tolist(), pulls.tolist(), strict=True))
-
-
-def budget_words(posterior: Posterior) -> Sentence:
+def budget_words(answer: CalibrateAnswer) -> Sentence:
     """Return in words what the doubt about the modulus comes from, and what a wrong handle would do to it."""
-    of_bat = isinstance(posterior.beam.bat, Bat)
-    what, unknown = ("E", "modulus") if of_bat else ("the first frequency", "first_frequency")
-    if "assumed" in {one.kind for name, one in material_values(posterior).items() if name in OF_STIFFNESS}:
+    posterior = answer.posterior
+    bat = posterior.beam.bat
+    what, unknown = ("E", "modulus") if isinstance(bat, Bat) else ("the first frequency", "first_frequency")
+    stiffness = answer.bat.longitudinal_modulus or answer.bat.first_frequency
+    if stiffness is not None and stiffness.kind == "assumed":
         return say(
             "{what} was not measured and stays as described, give or take {half}. Tap the {bat} to know it.",
             what=what[0].upper() + what[1:],
-            half=Slot(REACH * posterior.deviation(unknown).error, "share"),
-            bat=sport(posterior.beam.bat.sport).words.implement,
+            half=Slot(posterior.deviation(unknown).half_width, "share"),
+            bat=_noun(answer),
         )
     shares = (
-        say("{name} {share}", name=source_words(name, posterior.beam.bat), share=Slot(share, "share"))
-        for name, share in posterior.budget(unknown).items()
+        say("{name} {share}", name=source_words(name, bat), share=Slot(share, "share"))
+        for name, share in answer.budget[unknown].items()
         if share >= LEAST_SHARE
     )
     words = [say("What the doubt about {what} comes from: {shares}.", what=what, shares=joined(shares, ", "))]
-    names = posterior.sources
-    if "expected handle" in names:
-        index = [one.name for one in posterior.unknowns].index("handle")
-        gain = posterior.gains[0][names.index("expected handle")] / posterior.unknowns[index].spread
+    if "expected handle" in posterior.sources:
+        index = [entry.name for entry in posterior.unknowns].index("handle")
+        gain = posterior.gains[0][posterior.sources.index("expected handle")] / posterior.unknowns[index].spread
         words.append(say("A handle 1 % thinner than drawn would raise E by {gain} %.", gain=f"{abs(gain):.1f}"))
     return joined(words)
 
 
-def supposed_words(posterior: Posterior) -> list[Sentence]:
+def assumption_words(answer: CalibrateAnswer) -> list[Sentence]:
     """Return in words that a turned bat is taken as solid; measurements on its outside do not show what is within."""
-    own = posterior.beam.bat
-    if not isinstance(own, Bat) or own.material.family != "wood" or own.shell is not None:
+    bat = answer.posterior.beam.bat
+    if not isinstance(bat, Bat) or bat.material.family != "wood" or bat.shell is not None:
         return []
-    return [
-        say(
-            "Supposed is a bat of {material}, solid but for what the drawing says. A corked, bamboo, laminated or "
-            "composite one may agree all the same and hits otherwise: describe it as what it is.",
-            material=own.made_of,
-        )
-    ]  # fmt: skip
+    text = (
+        "Supposed is a bat of {material}, solid but for what the drawing says. A corked, bamboo, laminated or "
+        "composite one may agree all the same and hits otherwise: describe it as what it is."
+    )
+    return [say(text, material=bat.made_of)]
 
 
-def again_words(posterior: Posterior) -> list[Sentence]:
+def again_words(answer: CalibrateAnswer) -> list[Sentence]:
     """Return in words what a file that was calibrated before is good for: its values, and none of its evidence."""
-    if not posterior.prior.bat.calibrated or not isinstance(posterior.prior.bat, Bat):
+    before = answer.posterior.prior.bat
+    if not before.calibrated or not isinstance(before, Bat):
         return []
-    return [
-        say(
-            "This file was calibrated before, and its values are taken as a drawing's. What made them would count "
-            "twice if it were given again: then begin from the drawing, with all that was measured."
-        )
-    ]
+    text = (
+        "This file was calibrated before, and its values are taken as a drawing's. What made them would count "
+        "twice if it were given again: then begin from the drawing, with all that was measured."
+    )
+    return [say(text)]
 
 
-def moi_words(posterior: Posterior) -> list[Sentence]:
+def moi_words(answer: CalibrateAnswer) -> list[Sentence]:
     """Return in words what a bat's moment of inertia rests on where it was not measured."""
-    own, values = posterior.beam.bat, properties(posterior)
-    if not isinstance(own, Bat) or values["moi"].kind == "measured":
+    moi = answer.bat.moi
+    if not isinstance(answer.posterior.beam.bat, Bat) or moi is None or moi.kind == "measured":
         return []
-    return [
-        say(
-            "The MOI was not measured: its interval is what the outlines of other bats miss by. Hang the bat and give "
-            "--pendulum to know it."
-        )
-    ]
+    text = (
+        "The MOI was not measured: its interval is what the outlines of other bats miss by. Hang the bat and give "
+        "--pendulum to know it."
+    )
+    return [say(text)]
 
 
-def density_words(posterior: Posterior) -> list[Sentence]:
+def density_words(answer: CalibrateAnswer) -> list[Sentence]:
     """Return in words that the material would be lighter or heavier than usual; nothing where it is not."""
-    beam = posterior.beam
-    own, known = beam.bat.density_range, _usual(beam.bat).density_range
-    if own is None or known is None:
+    beam = answer.posterior.beam
+    bat, usual = beam.bat, _usual(beam.bat).density_range
+    if bat.density_range is None or usual is None:
         return []
-    weighed = beam if isinstance(beam.bat, Bat) else beam_model(beam.bat.replaced(balance_point=None, moi=None))
-    density = weighed.density_factor * own.usual
-    if known.lightest <= density <= known.heaviest:
+    weighed = beam if isinstance(bat, Bat) else beam_model(bat.replaced(balance_point=None, moi=None))
+    density = weighed.density_factor * bat.density_range.usual
+    if usual.lightest <= density <= usual.heaviest:
         return []
-    return [
-        say(
-            "As drawn it weighs this only at {density}; {material} usually has {low} to {high}. The drawing's walls or "
-            "thicknesses are not quite those of this {bat}.",
-            density=Slot(density, "density"), material=beam.bat.made_of,
-            low=Slot(known.lightest, "density").bare, high=Slot(known.heaviest, "density"),
-            bat=sport(beam.bat.sport).words.implement,
-        )
-    ]  # fmt: skip
+    text = (
+        "As drawn it weighs this only at {density}; {material} usually has {low} to {high}. The drawing's walls or "
+        "thicknesses are not quite those of this {bat}."
+    )
+    low, high = Slot(usual.lightest, "density").bare, Slot(usual.heaviest, "density")
+    return [say(text, density=Slot(density, "density"), material=bat.made_of, low=low, high=high, bat=_noun(answer))]
 
 
 def _usual(implement: Implement) -> Implement:
@@ -341,40 +319,3 @@ def source_words(name: str, implement: Implement) -> str:
     unknown = name.removeprefix("expected ")
     words = unknown_words(unknown, implement)
     return words if unknown in ("handle", "barrel") else f"{words} as expected"
-
-
-def _data(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
-    """Return everything that `sweetspot calibrate` knows, SI; nothing of a bat that measurements contradict."""
-    agree = not posterior.contradictions
-    values: dict[str, CalibratedValue] = {**properties(posterior), **material_values(posterior)} if agree else {}
-    units = {name: SCALES[scale].ending for name, (_, scale) in VALUES.items()}
-    return cleaned(
-        {
-            "interval_level": LEVEL,
-            "consistent": agree,
-            "contradictions": posterior.contradictions,
-            "findings": [str(words) for words in contradictions(posterior)],
-            "bat": {
-                name: {"kind": one.kind, **measured_json(one.value, name, units[name])} for name, one in values.items()
-            },
-            "damping_ratio": None if damping is None else measured_json(damping, "damping_ratio", ""),
-            "unknowns": [
-                {"name": one.name, "before_error": one.spread,
-                 **measured_json(posterior.deviation(one.name), "deviation", "")}
-                for one in posterior.unknowns
-                if agree
-            ],
-            "measurements": [
-                _measurement_data(one, fitted if agree else None, pull) for one, fitted, pull in _rows(posterior)
-            ],
-            "budget": {one.name: posterior.budget(one.name) for one in posterior.unknowns if agree},
-        }
-    )  # fmt: skip
-
-
-def _measurement_data(one: Measurement, fitted: float | None, pull: float) -> dict[str, Any]:
-    ending = SCALES[SCALE_OF[one.kind][0]].ending
-    return {
-        "name": one.name, **measured_json(one.value, "measured", ending), f"fitted{ending}": fitted,
-        "off_by_sigma": pull,
-    }  # fmt: skip

@@ -5,22 +5,15 @@ Rackets, cricket bats, clubs and sticks go the same way, by weight, balance, swi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from shlex import quote
 from typing import Any
 
-import tomli_w
-
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings
+from sweetspot.answers.calibrate import CalibrateAnswer
 from sweetspot.answers.certify import rule_check
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
-from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table
-from sweetspot.calibration.calibrated_values import material_values, properties
-from sweetspot.calibration.contradictions import meant, suspects
-from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import MeasuredKind, predicted
-from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.design.variables import sizes_of
@@ -33,14 +26,14 @@ from sweetspot.numerics.confidence import REACH
 from sweetspot.report.calibration.document import (
     SCALE_OF,
     VALUES,
-    as_part,
+    assumption_words,
     budget_words,
     called,
     contradictions,
     density_words,
     moi_words,
+    parts_of,
     source_words,
-    supposed_words,
     unknown_words,
 )
 from sweetspot.report.sentences import Sentence, say
@@ -55,12 +48,11 @@ from sweetspot.web.view import View
 from sweetspot.web.views.own_state import (
     FARTHEST_PIVOT,
     OwnState,
-    damping_of,
+    answer_of,
     measurements_of,
     name_of,
     own_of,
     pivot_of,
-    posterior_of,
     unknown_of,
 )
 from sweetspot.web.views.own_tap import expected_tones, tap
@@ -79,36 +71,34 @@ def answer(state: OwnState) -> dict[str, Any]:
     While measurements contradict each other, nothing is told of a fitted bat: it is the one that was described.
     """
     own, _ = unknown_of(state)
-    posterior = posterior_of(state)
-    told = None if posterior is None or posterior.contradictions else posterior
+    found = answer_of(state)
+    agreeing = found if found is not None and found.consistent else None
     with about("weighed_oz" if state.balanced_in is None else "balanced_in"):
-        fitted = own if told is None else _fitted(told, state)
+        fitted = own if agreeing is None else agreeing.implement
     body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(own))
-    alone = {} if posterior is None else suspects(posterior)
-    words = [] if posterior is None else contradictions(posterior, alone)
-    known = {} if told is None else properties(told)
-    budget = [] if told is None else [budget_words(told), *moi_words(told), *density_words(told), *supposed_words(told)]
+    budget = []
+    if agreeing is not None:
+        budget = [budget_words(agreeing), *moi_words(agreeing), *density_words(agreeing), *assumption_words(agreeing)]
     axis = own.swing_axis
     return {
         "bat": {**to_dict(mass_properties(own, described_body)), **_picture(state, own)},
         "tool": None if state.implement is None else {"name": own.name},
-        "words": words_of(own).model_dump(), "grip_end": own.grip_end,
-        "fitted": to_dict(mass_properties(fitted, body))
-        | {"swing_weight_kg_m2": body.moi(axis), "swing_weight_half_kg_m2": REACH * moi_doubt(fitted, body, axis)},
+        "words": words_of(own).model_dump(),
+        "grip_end": own.grip_end,
+        "fitted": {
+            **to_dict(mass_properties(fitted, body)),
+            "swing_weight_kg_m2": body.moi(axis),
+            "swing_weight_half_kg_m2": REACH * moi_doubt(fitted, body, axis),
+        },
         "guesses": _guesses(described_body, state, own),
         "expected": expected_tones(state),
-        "values": [] if told is None else _values(known, told, damping_of(state)),
-        "unknowns": [] if told is None else _unknowns(told),
-        "measurements": _residuals(state, posterior, alone),
-        "contradictions": in_both_systems(words),
+        "values": [] if agreeing is None else _values(agreeing),
+        "unknowns": [] if agreeing is None else _unknowns(agreeing),
+        "measurements": _residuals(state, own, found),
+        "contradictions": in_both_systems([] if found is None else contradictions(found)),
         "budget": in_both_systems(budget),
-        "rules": _rules(state, fitted, body, known),
-    }  # fmt: skip
-
-
-def _fitted(posterior: Posterior, state: OwnState) -> Implement:
-    own = posterior.beam.bat
-    return calibrated_bat(posterior, damping_of(state)) if isinstance(own, Bat) else own
+        "rules": _rules(state, fitted, body, agreeing),
+    }
 
 
 def _picture(state: OwnState, own: Implement) -> dict[str, Any]:
@@ -129,17 +119,16 @@ def _guesses(body: RigidBody, state: OwnState, own: Implement) -> dict[str, floa
             "swing_weight_oz_in2": body.moi(pivot) / OUNCE_INCH_SQUARED, "pivot_in": pivot / INCH}  # fmt: skip
 
 
-def _values(known: dict[str, CalibratedValue], posterior: Posterior, damping: Measured | None) -> list[dict[str, Any]]:
-    values = {**known, **material_values(posterior)}
-    rows = [
-        {"name": name, "label": _both(called(name, posterior)), "scale": VALUES[name][1], "value": one.value.value,
-         "half": REACH * one.value.error, "known_from": one.kind}
-        for name, one in values.items()
+def _values(found: CalibrateAnswer) -> list[dict[str, Any]]:
+    bat = found.posterior.beam.bat
+    rows = [(name, called(name, bat), VALUES[name][1], value) for name, value in found.bat.by_name.items()]
+    if found.damping_ratio is not None:
+        rows.append(("damping", "damping", "share", found.damping_ratio))
+    return [
+        {"name": name, "label": _both(label), "scale": scale, "value": value.value.value,
+         "half": value.value.half_width, "known_from": value.kind}
+        for name, label, scale, value in rows
     ]  # fmt: skip
-    if damping is not None:
-        rows.append({"name": "damping", "label": _both("damping"), "scale": "share", "value": damping.value,
-                     "half": REACH * damping.error, "known_from": "measured"})  # fmt: skip
-    return rows
 
 
 def _both(words: str | Sentence) -> dict[str, str]:
@@ -147,52 +136,47 @@ def _both(words: str | Sentence) -> dict[str, str]:
     return {system: lines[0] for system, lines in in_both_systems([say("{words}", words=words)]).items()}
 
 
-def _unknowns(posterior: Posterior) -> list[dict[str, Any]]:
+def _unknowns(found: CalibrateAnswer) -> list[dict[str, Any]]:
     """Return for everything that was not known how doubtful it was and is, as parts of it, and by what."""
-    rows, own = [], posterior.beam.bat
-    for one in posterior.unknowns:
-        off = as_part(one.name, posterior.deviation(one.name))
-        before = as_part(one.name, Measured(0.0, one.spread))
+    rows, bat = [], found.posterior.beam.bat
+    for unknown in found.unknowns:
+        before, after = parts_of(unknown)
         shares = [
-            {"name": source_words(name, own), "share": share}
-            for name, share in posterior.budget(one.name).items()
+            {"name": source_words(name, bat), "share": share}
+            for name, share in found.budget[unknown.name].items()
             if share >= LEAST_SHARE
         ]
-        rows.append({"name": one.name, "label": unknown_words(one.name, own), "before": REACH * before.error,
-                     "off": off.value, "after": REACH * off.error, "budget": shares})  # fmt: skip
+        rows.append({"name": unknown.name, "label": unknown_words(unknown.name, bat), "before": before.half_width,
+                     "off": after.value, "after": after.half_width, "budget": shares})  # fmt: skip
     return rows
 
 
-def _residuals(state: OwnState, posterior: Posterior | None, alone: Mapping[str, Posterior]) -> list[dict[str, Any]]:
+def _residuals(state: OwnState, own: Implement, found: CalibrateAnswer | None) -> list[dict[str, Any]]:
     """Return every measurement beside what the fitted bat, if there is one, says to it, and how far it lies off.
 
     One that alone contradicts the others has what they say to it, and for a tone the mode that they take it for.
     """
-    own, _ = unknown_of(state)
-    pulls = {} if posterior is None else dict(zip(posterior.sources, posterior.pulls.tolist(), strict=True))
-    beam = beam_of(own) if posterior is None else posterior.beam
-    agree = posterior is None or not posterior.contradictions
+    counted = {} if found is None else {row.name: row for row in found.measurements}
+    suspects = {} if found is None else {suspect.name: suspect for suspect in found.suspects}
+    beam = beam_of(own) if found is None else found.posterior.beam
     rows = []
-    for one in measurements_of(state):
-        counts, others = one.name in pulls, alone.get(one.name)
-        scale, digits = SCALE_OF[one.kind]
-        as_meant = meant(one, others) if others is not None and one.mode else []
-        mode = as_meant[0].measurement.mode if as_meant else None
+    for measurement in measurements_of(state):
+        row, suspect, mode = counted.get(measurement.name), suspects.get(measurement.name), measurement.mode
+        scale, digits = SCALE_OF[measurement.kind]
+        right = suspect.meant[0].measurement.mode if suspect is not None and suspect.meant else None
         rows.append({
-            "name": one.name, "scale": scale, "digits": digits, "value": one.value.value,
-            "half": REACH * one.value.error, "counts": counts, "field": FIELDS.get(one.kind),
-            "sigma": pulls.get(one.name),
-            "contradicts": posterior is not None and one.name in posterior.contradictions,
-            "fitted": float(predicted(beam, [one])[0]) if agree else None,
-            "should": None if others is None else float(predicted(others.beam, [one])[0]),
-            "tone": name_of(one.mode) if one.mode else None, "right_tone": name_of(mode) if mode else None,
+            "name": measurement.name, "scale": scale, "digits": digits, "value": measurement.value.value,
+            "half": measurement.value.half_width, "counts": row is not None, "field": FIELDS.get(measurement.kind),
+            "sigma": None if row is None else row.off_by_sigma,
+            "contradicts": found is not None and measurement.name in found.contradictions,
+            "fitted": float(predicted(beam, [measurement])[0]) if found is None or found.consistent else None,
+            "should": None if suspect is None else suspect.should,
+            "tone": name_of(mode) if mode else None, "right_tone": name_of(right) if mode and right else None,
         })  # fmt: skip
     return rows
 
 
-def _rules(
-    state: OwnState, fitted: Implement, body: RigidBody, values: dict[str, CalibratedValue]
-) -> list[dict[str, Any]]:
+def _rules(state: OwnState, fitted: Implement, body: RigidBody, found: CalibrateAnswer | None) -> list[dict[str, Any]]:
     """Return the league's rules held against the calibrated bat; a moment of inertia counts with its interval."""
     chosen = usual_league(fitted) if state.league == "usual" else state.league
     if chosen is None:
@@ -201,8 +185,8 @@ def _rules(
         rules = league(chosen)
     if isinstance(fitted, Bat):
         known = construction_findings(fitted, body=body)
-        if "moi" in values and "moi" not in fitted.fitted:
-            moi = values["moi"].value
+        if found is not None and found.bat.moi is not None and found.bat.moi.kind == "measured":
+            moi = found.bat.moi.value
             known["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
     else:
         known = {name: Finding(size) for name, size in sizes_of(fitted).items()}
@@ -211,14 +195,14 @@ def _rules(
 
 def file(state: OwnState) -> dict[str, str]:
     """Return the calibrated bat's file, with the interval of every value and what was measured or assumed."""
-    posterior = posterior_of(state)
-    if posterior is None:
+    found = answer_of(state)
+    if found is None:
         raise FieldError("weighed_oz", "nothing was measured yet; weigh, balance, swing or tap the bat first")
-    if posterior.contradictions:
+    if not found.consistent:
         raise FieldError(
             "", "the measurements contradict each other; measure again, or leave one out, before the bat is kept"
         )
-    return {"toml": tomli_w.dumps(calibrated_table(posterior, damping_of(state)))}
+    return {"toml": found.to_toml()}
 
 
 def file_if_any(state: OwnState) -> dict[str, str]:

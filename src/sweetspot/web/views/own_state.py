@@ -7,10 +7,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from sweetspot.answers.calibrate import CalibrateAnswer, CalibrateQuestion, calibrate_answer
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import MOST_BENDING, ModeName
-from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import Unknown, unknowns_of
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.dynamics.rigid import rigid_body
@@ -124,24 +124,26 @@ def name_of(mode: ModeName) -> str:
 
 
 @lru_cache(maxsize=64)
-def posterior_of(state: OwnState) -> Posterior | None:
+def answer_of(state: OwnState) -> CalibrateAnswer | None:
     """Return the bat that the measurements that count allow; None: nothing was measured."""
     for name in state.left_out:
         if name not in MEASURED:
             raise FieldError("left_out", f"there is no measurement {name!r}; there are {', '.join(MEASURED)}")
-    measured = [one for one in measurements_of(state) if one.name not in state.left_out]
-    if not measured:
+    counted = [measurement for measurement in measurements_of(state) if measurement.name not in state.left_out]
+    if not counted:
         return None
-    own, unknowns = unknown_of(state)
-    described_beam = beam_of(own)
-    balance = rigid_body(described_beam).balance_point
-    if state.pendulum_ms is not None and pivot_of(state, own) > FARTHEST_PIVOT * balance:
+    bat = own_of(state)
+    balance = rigid_body(beam_of(bat)).balance_point
+    if state.pendulum_ms is not None and pivot_of(state, bat) > FARTHEST_PIVOT * balance:
         raise FieldError(
-            "pivot_in", f"what balances {balance / INCH:.4g} in from its {own.grip_end} hardly swings from there; hang "
-            "it from the handle"
-        )  # fmt: skip
+            "pivot_in",
+            f"what balances {balance / INCH:.4g} in from its {bat.grip_end} hardly swings from there; hang it from the "
+            "handle",
+        )
     with about("bat" if state.implement is None else "implement"):
-        return calibrate(described_beam, unknowns, measured)
+        return calibrate_answer(
+            CalibrateQuestion(bat, counted, damping=damping_of(state), diameter_error=state.diameter_error)
+        )
 
 
 def damping_of(state: OwnState) -> Measured | None:
