@@ -69,6 +69,7 @@ JS := src/sweetspot/web/static
 UNREACHED := code (E(NOTFOUND|AI_AGAIN|CONNREFUSED|CONNRESET|TIMEDOUT|HOSTUNREACH|NETUNREACH|403|407|5[0-9][0-9])|ERR_SOCKET)
 
 js: $(VENV)/.dev  ## types and rules of the page's JavaScript; Node comes as a wheel, the tools from npm
+	$(BIN)/python tools/answer_types.py --check
 	@if $(MAKE) -s --no-print-directory node_modules/.installed; then \
 		$(BIN)/node node_modules/typescript/bin/tsc && $(BIN)/node node_modules/eslint/bin/eslint.js $(JS) && \
 		echo "JavaScript checked: types and rules of $$(find $(JS) -name '*.js' | wc -l) modules"; \

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -12,6 +11,7 @@ import pytest
 from playwright.sync_api import BrowserContext
 
 from sweetspot import catalog
+from sweetspot.answers.records import plain_data
 from sweetspot.report.quantities import US
 from sweetspot.units import DEGREE, INCH
 from sweetspot.web.views import explorer, flight, hit, modes, optimum, sports
@@ -40,7 +40,7 @@ def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
     page.goto(f"{server}/docs")
 
     def words(name: str, method: str, answer: Mapping[str, Any]) -> str:
-        plain = json.loads(json.dumps(answer, default=lambda values: values.tolist()))
+        plain = plain_data(answer)
         return str(page.evaluate(SCRIPT, [name, method, plain])).replace("\N{NO-BREAK SPACE}", " ")
 
     yield words
@@ -54,10 +54,11 @@ def shown(value: float, scale: str, digits: int | None = None) -> str:
 @pytest.mark.parametrize("name", BATS)
 def test_explorer_and_hit_say_what_they_show(name: str, said: Said) -> None:
     found = explorer.answer(explorer.ExplorerState(bat=name, impact_from_tip_in=3.0))
-    words, bat = said("explorer", "say", found), found["bat"]
-    best = shown(bat["length_m"] - found["sweet_spots"]["max_exit_speed_m"], "place", 1)
-    assert f"{bat['name']} hits fastest {best} from the tip: {shown(found['best_exit_speed_m_s'], 'speed')}." in words
-    assert f"Here, 3.0 in from the tip: {shown(found['hit']['exit_speed_m_s'], 'speed')}" in words
+    bat, [fastest, *_, here] = found.bat, found.headline["us"]
+    best = shown(float(bat.length) - float(found.sweet_spots.max_exit_speed), "place", 1)
+    assert fastest == f"{bat.name} hits fastest {best} from the tip: {shown(float(found.best_exit_speed), 'speed')}."
+    assert found.hit.exit_speed is not None
+    assert here == f"Here, 3.0 in from the tip: {shown(float(found.hit.exit_speed), 'speed')}."
     pressed = hit.answer(hit.HitFilmState(bat=name))
     words, hands = said("hit", "say", pressed), pressed["hands"]
     contact = pressed["hit"]["contact_time_s"]
@@ -124,7 +125,7 @@ def test_best_swing_and_other_sports_say_what_they_show(said: Said) -> None:
 
 @pytest.mark.parametrize("name", BATS)
 def test_modes_say_where_each_motion_stands_still(name: str, said: Said) -> None:
-    found = modes.answer(modes.ModesState(bat=name))
+    found = plain_data(modes.answer(modes.ModesState(bat=name)))
     for motion in found["modes"]:
         words = said("modes", "say", {**found, "said": motion})
         assert ("stands still nowhere" in words) == (not motion["nodes_m"])

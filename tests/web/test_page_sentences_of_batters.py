@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import BrowserContext
 
+from sweetspot.answers.records import plain_data
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED, grouped
 from sweetspot.web.views import compare, design, own, paper, player
 from sweetspot.web.views.design_state import DesignState
@@ -47,7 +48,7 @@ def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
     page.goto(f"{server}/docs")
 
     def words(name: str, method: str, answer: Mapping[str, Any], **mine: Any) -> Any:
-        plain = json.loads(json.dumps([answer, mine], default=lambda values: values.tolist()))
+        plain = plain_data([answer, mine])
         told = page.evaluate(SCRIPT, [name, method, *plain])
         return json.loads(json.dumps(told, ensure_ascii=False).replace("\N{NO-BREAK SPACE}", " "))
 

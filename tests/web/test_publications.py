@@ -13,16 +13,16 @@ from sweetspot.web.states import BatState
 
 
 def test_places_and_values_come_with_their_source() -> None:
-    known = {(one["by"], one["curve"]): one for one in published(BatState(bat="r161-ash"))}
-    assert known[("Cross 1998", "sting_m_s")]["places_m"] == pytest.approx([6.5 * INCH] * 2)
+    known = {(one.by, one.curve): one for one in published(BatState(bat="r161-ash"))}
+    assert known[("Cross 1998", "sting_m_s")].places == pytest.approx([6.5 * INCH] * 2)
     best = known[("Nathan 2003", "exit_speed_m_s")]
-    assert best["places_m"] == pytest.approx([4 * INCH, 6 * INCH]) and "American Journal of Physics" in best["source"]
-    assert known[("Nathan 2011", "collision_efficiency")]["values"] == pytest.approx([0.188, 0.240])
+    assert best.places == pytest.approx([4 * INCH, 6 * INCH]) and "American Journal of Physics" in best.source
+    assert known[("Nathan 2011", "collision_efficiency")].values == pytest.approx([0.188, 0.240])
 
 
 def test_a_changed_bat_is_not_the_one_that_was_measured() -> None:
-    assert published(BatState(bat="r161-ash", bore_diameter_in=1.0)) == []
-    assert published(BatState(bat="composite")) == []
+    assert published(BatState(bat="r161-ash", bore_diameter_in=1.0)) == ()
+    assert published(BatState(bat="composite")) == ()
 
 
 def test_the_page_lists_what_its_diamonds_are(page: Page, server: str, answered: Callable[..., int]) -> None:

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from sweetspot.answers.records import to_dict
 from sweetspot.units import MPH
 from sweetspot.web.views import VIEWS, compare, explorer, flight
 from sweetspot.web.views.flight_recipe import flight_lines
@@ -23,7 +24,7 @@ CHANGES: list[dict[str, Any]] = [
 
 
 def explored(**controls: Any) -> dict[str, Any]:
-    return explorer.answer(explorer.ExplorerState.model_validate(controls))
+    return to_dict(explorer.answer(explorer.ExplorerState.model_validate(controls)))
 
 
 @pytest.mark.parametrize("change", CHANGES, ids=str)

@@ -163,9 +163,9 @@ def test_the_command_line_gives_the_same_numbers(run_json: Callable[..., Any]) -
 
 def test_how_sure_a_comparison_and_its_tests_are() -> None:
     state = CompareState.model_validate({"others": [{"bat": "torpedo"}]})
-    told = sure(state)["html"]["us"]
+    told = sure(state).html["us"]
     assert "probability" in told and "swing law" in told and "±" in told
     hollow = CompareState.model_validate({"bat": "college-alloy", "others": [{"bat": "russell-b6"}]})
-    tests = rules_sure(hollow)["html"]["us"]
+    tests = rules_sure(hollow).html["us"]
     assert tests.count("keeps the limit on BBCOR") == 2
     assert 'id="how-sure-1"' in tests and 'id="how-sure-2"' in tests, "no anchor stands twice on a page"

@@ -173,7 +173,7 @@ def test_each_park_has_the_carry_and_the_fence_that_its_own_command_says(
 
 
 def test_no_slider_of_the_swing_goes_where_no_swing_is() -> None:
-    bounds = answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0}))["bat"]["bounds"]
+    bounds = answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0}))["bat"].bounds
     assert (bounds["attack_angle_deg"], bounds["tilt_deg"][0]) == ((-20.0, 20.0), 9.0)
     for ends in ({"attack_angle_deg": 20.0}, {"attack_angle_deg": -20.0}, {"tilt_deg": 9.0}):
         assert not answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0, **ends}))["missed"]
@@ -218,7 +218,7 @@ def test_a_direction_may_be_that_of_the_landing() -> None:
 @pytest.mark.parametrize("start", ["ball", "swing"])
 def test_how_sure_a_flight_is(start: str) -> None:
     """A ball with its own numbers has its drag alone; one that was hit has bat and ball too."""
-    told = flight.sure(FlightState.model_validate({"start": start}))["html"]["us"]
+    told = flight.sure(FlightState.model_validate({"start": start})).html["us"]
     assert "carries" in told and "±" in told and "drag of the ball" in told
     assert ("ball restitution" in told) == (start == "swing")
 

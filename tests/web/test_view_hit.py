@@ -75,7 +75,7 @@ def test_a_ball_that_is_hit_again_is_told_alike_everywhere(run: Callable[..., tu
     [doubt] = asked(bat="single-wall", impact_from_tip_in=18.0)["hit"]["touched_again"]["us"]
     assert "hits it again" in doubt and "mph slower" in doubt
     met = explorer.answer(explorer.ExplorerState(bat="single-wall", impact_from_tip_in=18.0))
-    assert met["hit"]["touched_again"]["us"] == [doubt]
+    assert met.hit.touched_again["us"] == [doubt]
     assert asked(bat="single-wall", impact_from_tip_in=6.0)["hit"]["touched_again"]["us"] == []
     measured = doubt[: doubt.index("; had it")].removeprefix("The ")
 
@@ -133,5 +133,5 @@ def test_how_sure_the_hits_numbers_are() -> None:
     """The hit of the command with its intervals; who holds the bat makes no difference to them."""
     free, held = (hit.sure(hit.HitFilmState(held=held)) for held in (False, True))
     assert free == held
-    assert "exit speed" in free["html"]["us"] and "ball restitution" in free["html"]["us"]
-    assert "±" in free["html"]["us"] and "m/s" in free["html"]["si"]
+    assert "exit speed" in free.html["us"] and "ball restitution" in free.html["us"]
+    assert "±" in free.html["us"] and "m/s" in free.html["si"]

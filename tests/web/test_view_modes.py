@@ -8,13 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sweetspot.answers.records import plain_data
 from sweetspot.units import INCH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views import modes
 
 
 def asked(**controls: Any) -> dict[str, Any]:
-    return modes.answer(modes.ModesState(**controls))
+    return plain_data(modes.answer(modes.ModesState(**controls)))  # type: ignore[no-any-return]
 
 
 def motion(answer: dict[str, Any], family: str, number: int) -> dict[str, Any]:

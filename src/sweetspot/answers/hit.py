@@ -23,7 +23,8 @@ from sweetspot.answers.records import (
     with_intervals,
 )
 from sweetspot.collision.closed_form import bbcor
-from sweetspot.collision.impact import Impact
+from sweetspot.collision.hit_in_space import Strikes
+from sweetspot.collision.impact import Impact, Impacts, Outcome
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
@@ -77,16 +78,13 @@ class HitHistory:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Collision:
-    """One collision as the implement at rest sees it; see `Impact`.
+class CollisionNumbers:
+    """What is told of every collision, one of a batch included.
 
     Parameters
     ----------
     position, lateral : from the knob end and beside the line.
     outcome, outcome_text : how it ended, for programs and for people.
-    energy, energy_share : parts of the energy, and as parts of what comes in.
-    energy_imbalance : what the parts miss of the whole, an error of the time steps.
-    unrecovered_gain : how much faster a ball leaves that has not recovered when it is touched again; None: it is not.
     """
 
     position: Length
@@ -96,14 +94,60 @@ class Collision:
     closing_speed: Speed
     collision_efficiency: Ratio
     contact_time: Time
-    release_time: Time
     peak_force: Force
     peak_compression: Length
+
+
+@dataclass(frozen=True, kw_only=True)
+class Collision(CollisionNumbers):
+    """One collision as the implement at rest sees it; see `Impact`.
+
+    Parameters
+    ----------
+    energy, energy_share : parts of the energy, and as parts of what comes in.
+    energy_imbalance : what the parts miss of the whole, an error of the time steps.
+    unrecovered_gain : how much faster a ball leaves that has not recovered when it is touched again; None: it is not.
+    """
+
+    release_time: Time
     energy: Annotated[Energies, ENERGY]
     energy_share: Energies
     energy_imbalance: float
     history: HitHistory
     unrecovered_gain: Speed | None = None
+
+
+def collision_numbers(impact: Impact) -> CollisionNumbers:
+    """Return what is told of every collision."""
+    return CollisionNumbers(
+        position=impact.position,
+        lateral=impact.lateral,
+        outcome=impact.outcome.name.lower(),
+        outcome_text=impact.outcome.sentence,
+        closing_speed=impact.closing_speed,
+        collision_efficiency=impact.collision_efficiency,
+        contact_time=impact.contact_time,
+        peak_force=impact.peak_force,
+        peak_compression=impact.peak_compression,
+    )
+
+
+def numbers_in_batch(
+    hits: Impacts | Strikes, *, position: float, closing_speed: float, lateral: float = 0.0
+) -> CollisionNumbers:
+    """Return what is told of the first hit of a batch."""
+    outcome = Outcome(int(hits.outcome[0]))
+    return CollisionNumbers(
+        position=position,
+        lateral=lateral,
+        outcome=outcome.name.lower(),
+        outcome_text=outcome.sentence,
+        closing_speed=closing_speed,
+        collision_efficiency=float(hits.collision_efficiency[0]),
+        contact_time=float(hits.contact_time[0]),
+        peak_force=float(hits.peak_force[0]),
+        peak_compression=float(hits.peak_compression[0]),
+    )
 
 
 def collision_of(impact: Impact) -> Collision:
@@ -114,16 +158,8 @@ def collision_of(impact: Impact) -> Collision:
 def _collision_fields(impact: Impact) -> dict[str, Any]:
     energy, incoming = asdict(impact.energy), impact.energy.incoming
     return {
-        "position": impact.position,
-        "lateral": impact.lateral,
-        "outcome": impact.outcome.name.lower(),
-        "outcome_text": impact.outcome.sentence,
-        "closing_speed": impact.closing_speed,
-        "collision_efficiency": impact.collision_efficiency,
-        "contact_time": impact.contact_time,
+        **vars(collision_numbers(impact)),
         "release_time": impact.release_time,
-        "peak_force": impact.peak_force,
-        "peak_compression": impact.peak_compression,
         "energy": Energies(**energy),
         "energy_share": Energies(**{name: part / incoming if incoming else 0.0 for name, part in energy.items()}),
         "energy_imbalance": impact.energy.imbalance,

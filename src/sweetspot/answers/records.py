@@ -15,6 +15,7 @@ from types import UnionType
 from typing import Annotated, Any, Final, TypeVar, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.numerics.arrays import Array
@@ -42,6 +43,10 @@ INTERNAL: Final = "internal"
 """Mark of a field that other programs do not see."""
 NESTED: Final = "nested"
 """Mark of a number whose interval other programs see below its own name, {"value", "low", "high"}."""
+GRID: Final = "grid"
+"""Mark of an array of rows, shape (m, n); one without it has one dimension."""
+GAPS: Final = "gaps"
+"""Mark of an array some of whose values may be nan, which other programs see as None."""
 
 OF_RECORD: Final = "dimension of the record"
 """Mark of a number whose dimension its record says, in a property ``dimension``."""
@@ -110,6 +115,11 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
     return table
 
 
+def plain_data(value: Any, system: System = "si") -> Any:
+    """Return what an answer holds, records among it, as plain numbers, texts, lists and dictionaries."""
+    return _plain(value, RATIO, system)
+
+
 def _entries(name: str, value: Any, dimension: Dimension, system: System, *, nested: bool) -> dict[str, Any]:
     """Return one field's keys and values."""
     if nested:
@@ -126,20 +136,31 @@ def _entries(name: str, value: Any, dimension: Dimension, system: System, *, nes
     return {dimension.key(name, system): _plain(value, dimension, system)}
 
 
-def _plain(value: Any, dimension: Dimension, system: System) -> Any:
+def _plain(value: Any, dimension: Dimension, system: System) -> Any:  # noqa: PLR0911 - one for each kind of value
+    value = value.item() if isinstance(value, np.generic) else value
     if is_dataclass(value):
         if dimension is RATIO:
             return to_dict(value, system)
         # its fields have the unit that stands in the key above them
         return {key: _plain(number, dimension, system) for key, number in to_dict(value).items()}
+    if isinstance(value, np.ndarray) and value.dtype.kind == "f":
+        counted = dimension.counted(value, system)
+        return (counted if np.isfinite(counted).all() else _with_none(counted)).tolist()
+    if isinstance(value, Mapping):
+        return {key: _plain(item, dimension, system) for key, item in value.items()}
     if isinstance(value, (np.ndarray, list, tuple)):
         items = value.tolist() if isinstance(value, np.ndarray) else value
         return [_plain(item, dimension, system) for item in items]
-    if isinstance(value, Mapping):
-        return {key: _plain(item, dimension, system) for key, item in value.items()}
     if isinstance(value, float):
         return dimension.counted(value, system) if math.isfinite(value) else None
     return value
+
+
+def _with_none(values: Array) -> NDArray[np.object_]:
+    """Return an array with None in the place of what is not finite."""
+    items = values.astype(object)
+    items[~np.isfinite(values)] = None
+    return items
 
 
 def with_intervals(record: Record, drawn: Columns, reach: Callable[[Array], Reach]) -> Record:

@@ -7,7 +7,7 @@ is then ``exit_speed_m_s``, or ``exit_speed_mph``.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 from sweetspot.units.factors import (
     DEGREE,
@@ -21,7 +21,12 @@ from sweetspot.units.factors import (
     RPM,
 )
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
 System = Literal["si", "us"]
+Value = TypeVar("Value", float, "NDArray[np.float64]")
 
 
 @dataclass(frozen=True)
@@ -47,8 +52,8 @@ class Dimension:
         """Return a name with the unit's ending."""
         return name + (self.si if system == "si" else self.us)
 
-    def counted(self, value: float, system: System) -> float:
-        """Return a value in SI in units of a system."""
+    def counted(self, value: Value, system: System) -> Value:
+        """Return a value in SI, or an array of them, in units of a system."""
         return value if system == "si" else (value - self.zero) / self.size
 
 

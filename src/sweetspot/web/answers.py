@@ -14,6 +14,7 @@ from typing import Any
 import pydantic_core
 from pydantic import ValidationError
 
+from sweetspot.answers.records import plain_data
 from sweetspot.web.catalogue import load_lists
 from sweetspot.web.crowd import Crowd
 from sweetspot.web.errors import FieldError, fault
@@ -105,12 +106,7 @@ def answer_json(name: str, state: ViewState, aside: str = "") -> bytes:
     """Return a view's answer, or one of its asides, as JSON; numbers that are not finite become null."""
     view = VIEWS[name]
     answer = view.asides[aside](state) if aside else view.answer(state)
-    return pydantic_core.to_json(answer, inf_nan_mode="null", fallback=_plain)
-
-
-def _plain(value: Any) -> Any:
-    """Return an array, or a number of numpy's own, as what JSON knows."""
-    return value.tolist()
+    return pydantic_core.to_json(plain_data(answer), inf_nan_mode="null")
 
 
 def state_of(name: str, table: Any) -> ViewState:

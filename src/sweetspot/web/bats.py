@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
@@ -28,7 +28,7 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import SPEED_FROM_TIP, Conditions, Hands, Pitch, Swing
 from sweetspot.units import INCH, MPH, OUNCE
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.states import BatState, SwungState
+from sweetspot.web.states import BatState, PlacedState, SwungState
 
 NOTHING = "nothing"
 """What an empty hole is filled with."""
@@ -57,7 +57,8 @@ def reduced(state: BatState, ball: Ball) -> ReducedBat:
     return replace(model, bat=described(state)) if state.choke_up_in else model
 
 
-class Usual(NamedTuple):
+@dataclass(frozen=True)
+class UsualHit:
     """What a bat is usually met with: what the controls stand at that nobody has moved."""
 
     pitch_speed_mph: float
@@ -69,17 +70,16 @@ class Usual(NamedTuple):
     park: str
 
 
-def usual(bat: Bat) -> Usual:
+def usual(bat: Bat) -> UsualHit:
     """Return what is usual in a bat's sport, as on the command line."""
     its = catalog.sport(bat.sport)
     pitch, speed = (round(one.value / MPH, 6) for one in (its.stroke.ball_speed, its.stroke.swing_speed))
-    return Usual(pitch, speed, its.balls[0], its.pitches[0], its.swing_law, its.rules, (*its.fields, PARK)[0])
+    return UsualHit(pitch, speed, its.balls[0], its.pitches[0], its.swing_law, its.rules, (*its.fields, PARK)[0])
 
 
 def swung(state: Swung) -> Swung:
     """Return a state with what its bat's sport usually has wherever a control is empty."""
-    fields = type(state).model_fields
-    empty = [name for name in Usual._fields if name in fields and getattr(state, name) is None]
+    empty = [field.name for field in fields(UsualHit) if getattr(state, field.name, "") is None]
     if not empty:
         return state
     conditions = usual(described(state))
@@ -123,6 +123,17 @@ def changed_bat(state: SwungState) -> Changed | None:
 def _listed(state: BatState) -> Bat:
     """Return the bat of the catalogue or of the file, with which the player's bat speed is known."""
     return _changed(BatState.model_construct(**{**dict(_FIRST), "bat": state.bat, "bat_toml": state.bat_toml}))
+
+
+def place_of(state: PlacedState, bat: Bat, conditions: Conditions) -> float:
+    """Return where a state's ball meets the bat, m from the knob end; not on the hands."""
+    place = bat.length - state.impact_from_tip_in * INCH
+    if place < conditions.hands.position:
+        most = (bat.length - conditions.hands.position) / INCH
+        raise FieldError(
+            "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
+        )
+    return place
 
 
 @lru_cache(maxsize=KEPT)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, replace
 
 from sweetspot.report.document import Block, Document, Picture, Section
 from sweetspot.report.html import fragment
-from sweetspot.report.quantities import SYSTEMS, with_minus_signs
+from sweetspot.report.quantities import SYSTEMS, System, with_minus_signs
 from sweetspot.report.sentences import Sentence
+
+Sentences = dict[System, list[str]]
+"""By the reader's system of units."""
 
 BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:{})(?:[\s,;)]|$))".format("|".join(sorted(
     {re.escape(unit.name) for reader in SYSTEMS.values() for unit in reader.units.values() if unit.name}
@@ -26,24 +28,33 @@ def unbroken(text: str) -> str:
     return BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", text)
 
 
-def told(document: Document, *, mark: str = "") -> dict[str, Any]:
-    """Return a document's title and its HTML for readers of either system; the server's own words, all escaped.
+@dataclass(frozen=True)
+class ReadDocument:
+    """A document's title and its HTML for readers of either system; the server's own words, all escaped."""
+
+    title: str
+    html: dict[System, str]
+
+
+def told(document: Document, *, mark: str = "") -> ReadDocument:
+    """Return a document as the page shows it.
 
     Parameters
     ----------
     mark : put behind its sections' anchors, where several documents stand on one page.
     """
     bare = replace(document, blocks=_without_pictures(document.blocks, mark))
-    return {
-        "title": str(document.title),
-        "html": {system: unbroken(fragment(bare, reader)) for system, reader in SYSTEMS.items()},
-    }
+    return ReadDocument(
+        str(document.title), {system: unbroken(fragment(bare, reader)) for system, reader in SYSTEMS.items()}
+    )
 
 
-def in_both_systems(sentences: Iterable[Sentence]) -> dict[str, list[str]]:
+def in_both_systems(sentences: Iterable[Sentence]) -> Sentences:
     """Return sentences as readers of either system see them, with minus signs as the page's own numbers have."""
     every = list(sentences)
-    return {system: [with_minus_signs(one.read(reader)) for one in every] for system, reader in SYSTEMS.items()}
+    return {
+        system: [with_minus_signs(sentence.read(reader)) for sentence in every] for system, reader in SYSTEMS.items()
+    }
 
 
 def _without_pictures(blocks: Sequence[Block], mark: str) -> list[Block]:

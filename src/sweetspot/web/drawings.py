@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.answers.implement import mass_properties
-from sweetspot.answers.records import to_dict
+from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.records import Length, Mass, MomentOfInertia, Ratio
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.swung_with import effort_words
-from sweetspot.web.bat_bounds import bounds
-from sweetspot.web.bats import changed_bat, conditions_of, swung, usual
+from sweetspot.units.dimensions import LENGTH, System
+from sweetspot.web.bat_bounds import Range, bounds
+from sweetspot.web.bats import UsualHit, changed_bat, conditions_of, swung, usual
 from sweetspot.web.documents import in_both_systems
 from sweetspot.web.one_system import in_one_system
 from sweetspot.web.states import BatState, SwungState
@@ -27,21 +31,105 @@ POINTS = 120
 """Places along a bat whose outline is a formula."""
 
 
-def bat_picture(state: BatState, reduced: ReducedBat) -> dict[str, Any]:
-    """Return a state's bat: its facts, its outline, how far its controls may go, and what is usual in its sport."""
-    return {
-        **to_dict(mass_properties(reduced.bat, reduced.body)),
-        "moi_6in_half_kg_m2": moi_half(reduced.bat, reduced.body),
-        **outline(reduced.bat),
-        "bounds": bounds(state, reduced.bat),
-        "sport": reduced.bat.sport,
-        "usual": usual(reduced.bat)._asdict(),
-        "swung": _how_swung(state, reduced.bat) if isinstance(state, SwungState) else None,
-    }
+@dataclass(frozen=True)
+class Outline:
+    """Diameters along a bat, from the knob end, shape (n,)."""
+
+    position: Annotated[Array, LENGTH]
+    diameter: Annotated[Array, LENGTH]
 
 
-def _how_swung(state: SwungState, bat: Bat) -> dict[str, str] | None:
-    """Return in a sentence how a changed bat is swung, in either system; None: nothing was changed of it."""
+@dataclass(frozen=True)
+class Station:
+    """One diameter of a bat that is drawn by stations."""
+
+    position: Length
+    diameter: Length
+
+
+@dataclass(frozen=True)
+class DrawnBore:
+    """A hole from the tip, between two places from the knob end; ``fill`` names what it is filled with."""
+
+    diameter: Length
+    start: Length
+    stop: Length
+    fill: str | None
+
+
+@dataclass(frozen=True)
+class DrawnCup:
+    """A hollow turned into the tip."""
+
+    diameter: Length
+    depth: Length
+
+
+@dataclass(frozen=True)
+class DrawnWeight:
+    """A weight fixed to the bat."""
+
+    position: Length
+    mass: Mass
+
+
+@dataclass(frozen=True, kw_only=True)
+class BatShape:
+    """What a drawing of a bat to scale needs; ``wall`` is of a hollow bat, where its outline has its places."""
+
+    outline: Outline
+    stations: tuple[Station, ...]
+    hollow: bool
+    wall: Annotated[Array | None, LENGTH]
+    bores: tuple[DrawnBore, ...]
+    cup: DrawnCup | None
+    weights: tuple[DrawnWeight, ...]
+    material: str
+    remark: Mapping[System, str]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BatPicture(BatShape, MassProperties):
+    """A bat: its facts, its shape, how far its controls may go, and what is usual in its sport.
+
+    Parameters
+    ----------
+    moi_6in_half : half the 90 % interval of ``moi_6in``; 0: it was measured.
+    swung : how a changed bat is swung, in a sentence; None: nothing was changed of it.
+    """
+
+    moi_6in_half: MomentOfInertia
+    bounds: Mapping[str, Range]
+    sport: str
+    usual: UsualHit
+    swung: Mapping[System, str] | None
+
+
+@dataclass(frozen=True)
+class BallPicture:
+    """A ball's size, and what its controls stand at where nobody has moved them."""
+
+    radius: Length
+    mass: Mass
+    cor: Ratio
+    humidity: Ratio
+    temperature_degf: float
+
+
+def bat_picture(state: BatState, reduced: ReducedBat) -> BatPicture:
+    """Return the picture of a state's bat."""
+    return BatPicture(
+        **vars(mass_properties(reduced.bat, reduced.body)),
+        **vars(outline(reduced.bat)),
+        moi_6in_half=moi_half(reduced.bat, reduced.body),
+        bounds=bounds(state, reduced.bat),
+        sport=reduced.bat.sport,
+        usual=usual(reduced.bat),
+        swung=_how_swung(state, reduced.bat) if isinstance(state, SwungState) else None,
+    )
+
+
+def _how_swung(state: SwungState, bat: Bat) -> dict[System, str] | None:
     changed = changed_bat(state)
     if changed is None:
         return None
@@ -54,38 +142,33 @@ def moi_half(bat: Bat, body: RigidBody) -> float:
     return REACH * moi_doubt(bat, body, STANDARD_AXIS)
 
 
-def ball_picture(state: SwungState, ball: Ball) -> dict[str, float]:
-    """Return the ball's size, and what its controls stand at where nobody has moved them."""
-    own = catalog.ball(swung(state).ball or "")
-    return {
-        "radius_m": ball.radius,
-        "mass_kg": ball.mass,
-        "cor": own.restitution.reference,
-        "humidity": own.reference_humidity,
-        "temperature_degf": own.reference_temperature * 1.8 + 32,
-    }
+def ball_picture(state: SwungState, ball: Ball) -> BallPicture:
+    """Return the picture of a ball."""
+    listed = catalog.ball(swung(state).ball or "")
+    warm = listed.reference_temperature * 1.8 + 32
+    return BallPicture(ball.radius, ball.mass, listed.restitution.reference, listed.reference_humidity, warm)
 
 
-def outline(bat: Bat) -> dict[str, Any]:
-    """Return stations and what is inside, m from the knob end: what a drawing of the bat to scale needs."""
+def outline(bat: Bat) -> BatShape:
+    """Return the shape of a bat and what is inside it."""
     edges = np.asarray(bat.breakpoints())
     places = edges if bat.profile is not None else np.union1d(edges, np.linspace(0, bat.length, POINTS))
-    return {
-        "outline": {"position_m": places, "diameter_m": bat.diameter_at(places)},
-        "stations": [{"position_m": place, "diameter_m": width} for place, width in bat.profile or ()],
-        "hollow": bat.shell is not None,
-        "wall_m": None if bat.shell is None else bat.wall_at(places),
-        "bores": [
-            {
-                "diameter_m": bore.diameter,
-                "start_m": bat.length - bore.depth,
-                "stop_m": bat.length - bore.plug,
-                "fill": None if bore.fill is None else bore.fill.name,
-            }
+    return BatShape(
+        outline=Outline(places, bat.diameter_at(places)),
+        stations=tuple(Station(place, width) for place, width in bat.profile or ()),
+        hollow=bat.shell is not None,
+        wall=None if bat.shell is None else bat.wall_at(places),
+        bores=tuple(
+            DrawnBore(
+                diameter=bore.diameter,
+                start=bat.length - bore.depth,
+                stop=bat.length - bore.plug,
+                fill=None if bore.fill is None else bore.fill.name,
+            )
             for bore in bat.bores
-        ],
-        "cup": None if bat.cup is None else {"diameter_m": bat.cup.diameter, "depth_m": bat.cup.depth},
-        "weights": [{"position_m": weight.position, "mass_kg": weight.mass} for weight in bat.point_masses],
-        "material": bat.material.name,
-        "remark": in_one_system(bat.remark),
-    }
+        ),
+        cup=None if bat.cup is None else DrawnCup(bat.cup.diameter, bat.cup.depth),
+        weights=tuple(DrawnWeight(weight.position, weight.mass) for weight in bat.point_masses),
+        material=bat.material.name,
+        remark=in_one_system(bat.remark),
+    )

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Annotated
 
 from sweetspot.references import cite, reference
 from sweetspot.units import INCH
+from sweetspot.units.dimensions import LENGTH
 from sweetspot.validation.cases import Case, Row, sources
 from sweetspot.web.recipes import is_catalogued
 from sweetspot.web.states import BatState
@@ -20,28 +22,49 @@ VALUES = {"whole_efficiency": "collision_efficiency"}
 """Computations of a curve's greatest value, whose place was not published."""
 
 
-def published(state: BatState) -> list[dict[str, Any]]:
-    """Return what is known of a state's bat, as long as nothing of it was changed; see `_mark`."""
-    return _of_bat(state.bat) if is_catalogued(state) else []
+@dataclass(frozen=True, kw_only=True)
+class Publication:
+    """One published number of a bat.
+
+    Parameters
+    ----------
+    words, by, source : what it is, who published it, and where.
+    curve : beside which it is drawn.
+    places : from the tip, where it is a stretch of the bat.
+    values : ends of a curve's greatest value, whose place was not published.
+    """
+
+    words: str
+    by: str
+    source: str
+    curve: str
+    places: Annotated[tuple[float, float] | None, LENGTH]
+    values: tuple[float, float] | None
+
+
+def published(state: BatState) -> tuple[Publication, ...]:
+    """Return what is known of a state's bat, as long as nothing of it was changed."""
+    return _of_bat(state.bat) if is_catalogued(state) else ()
 
 
 @cache
-def _of_bat(name: str) -> list[dict[str, Any]]:
-    marks = [_mark(row, case, name) for case in sources() for row in case.rows if row.inputs.get("bat") == name]
-    return [one for one in marks if one is not None]
+def _of_bat(name: str) -> tuple[Publication, ...]:
+    rows = [(row, case) for case in sources() for row in case.rows if row.inputs.get("bat") == name]
+    return tuple(mark for row, case in rows if (mark := _mark(row, case, name)) is not None)
 
 
-def _mark(row: Row, case: Case, name: str) -> dict[str, Any] | None:
-    """Return one published number: its curve, the stretch from the tip in m, or the values of a greatest one."""
+def _mark(row: Row, case: Case, name: str) -> Publication | None:
     low, high = (row.value if end is None else end for end in (row.low, row.high))
     assert low is not None and high is not None
-    words = row.quantity.partition(",")[0].removesuffix(f" of {name}")
+    place = row.computation in PLACES and row.unit in UNITS
+    if not place and row.computation not in VALUES:
+        return None
     source = reference(case.source)
-    by = f"{source.authors.split(',')[0]} {source.fields.get('year', '')}".strip()
-    told = {"words": words, "by": by, "source": cite(case.source), "places_m": None, "values": None}
-    if row.computation in PLACES and row.unit in UNITS:
-        ends = [UNITS[row.unit] * end for end in (low, high)]
-        return {**told, "curve": PLACES[row.computation], "places_m": ends}
-    if row.computation in VALUES:
-        return {**told, "curve": VALUES[row.computation], "values": [*row.allowed]}
-    return None
+    return Publication(
+        words=row.quantity.partition(",")[0].removesuffix(f" of {name}"),
+        by=f"{source.authors.split(',')[0]} {source.fields.get('year', '')}".strip(),
+        source=cite(case.source),
+        curve=PLACES[row.computation] if place else VALUES[row.computation],
+        places=(UNITS[row.unit] * low, UNITS[row.unit] * high) if place else None,
+        values=None if place else row.allowed,
+    )

@@ -112,7 +112,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
 
 
 def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
-    def route(path: str, name: str, asked: Callable[[Any], dict[str, Any]], aside: str) -> None:
+    def route(path: str, name: str, asked: Callable[[Any], Any], aside: str) -> None:
         async def endpoint(state: Any) -> Response:
             return Response(await answers.json(view.name, state, aside), media_type="application/json")
 

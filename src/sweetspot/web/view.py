@@ -19,7 +19,7 @@ class View:
     name : in addresses: /explorer, /api/v1/explorer, static/views/explorer.js.
     title : in the page's navigation.
     state : its controls; the defaults are the first picture.
-    answer : from its controls to numbers and lists under keys with units; pure, safe in many threads at once, and
+    answer : from its controls to a record as `answers.records` describes it; pure, safe in many threads at once, and
         raises `FieldError` where a control does not work.
     recipe : from its controls to the lines that give the same numbers without the page; see `web.recipes`.
     slow : states whose first answer takes long, worked out once before anyone asks.
@@ -31,9 +31,9 @@ class View:
     name: str
     title: str
     state: type[ViewState]
-    answer: Callable[[Any], dict[str, Any]]
+    answer: Callable[[Any], Any]
     recipe: Callable[[Any], dict[str, str]] | None = None
     slow: tuple[ViewState, ...] = ()
     anywhere: bool = True
-    asides: Mapping[str, Callable[[Any], dict[str, Any]]] = field(default_factory=dict)
+    asides: Mapping[str, Callable[[Any], Any]] = field(default_factory=dict)
     jobs: Mapping[str, LongWork] = field(default_factory=dict)

@@ -3,8 +3,9 @@
 How to write one, say ``modes``:
 
 * ``web/views/modes.py``: a state model (a `BatState` or `HitState` with more fields, or a `ViewState`; every field has
-  bounds, a unit in its name and a default), ``answer(state) -> dict`` of plain numbers, texts and lists (arrays may
-  stay numpy; NaN becomes null) under keys with units, and ``VIEW = View("modes", "Modes", ModesState, answer)``.
+  bounds, a unit in its name and a default), ``answer(state) -> ModesAnswer``, a frozen dataclass as `answers.records`
+  describes it, and ``VIEW = View("modes", "Modes", ModesState, answer)``. ``tools/answer_types.py`` writes its
+  type for JavaScript: ``@type {View<"modes">}``.
   Take the bat from `web.bats`: ``reduced(state, ball)`` keeps beam and modes between requests, ``conditions_of(state,
   bat)`` gives pitch, swing, hands and ball. A control that does not work raises `FieldError(field, message)`, or wraps
   what fails in ``with about(field):``. An answer should take a few ms: 50 browsers may be dragging at once. What takes

@@ -40,7 +40,7 @@ from sweetspot.report.sentences import Sentence, say
 from sweetspot.uncertainty.sources import Sources
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
-from sweetspot.web.documents import in_both_systems, told
+from sweetspot.web.documents import ReadDocument, in_both_systems, told
 from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
@@ -85,7 +85,7 @@ def answer(state: CompareState) -> dict[str, Any]:
     verdicts, taken = in_both_systems(words + _of_wall(state, comparison)), in_both_systems([assumptions(plain)])
     table = plain.to_dict() | {"verdict": verdicts["us"], "interval": "none here: /compare/intervals has them"}
     for row, one in zip(table["bats"], comparison.compared, strict=True):
-        row["shape"] = outline(one.analysis.bat)
+        row["shape"] = to_dict(outline(one.analysis.bat))
         row["bat"]["moi_6in_half_kg_m2"] = moi_half(one.analysis.bat, one.analysis.body)
         row["scan"] |= {
             "collision_efficiency": one.analysis.scan.collision_efficiency,
@@ -137,7 +137,7 @@ def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], C
     return reductions, compare_reduced(reductions, conditions=conditions, law=law, labels=labels)
 
 
-def sure(state: CompareState) -> dict[str, Any]:
+def sure(state: CompareState) -> ReadDocument:
     """Return the comparison with an interval beside each number, and what they come from."""
     from sweetspot.report.comparison.document import compare_document
 
@@ -147,7 +147,7 @@ def sure(state: CompareState) -> dict[str, Any]:
     return told(compare_document(answer, corking=state.what_if == "cork"))
 
 
-def rules_sure(state: CompareState) -> dict[str, Any]:
+def rules_sure(state: CompareState) -> ReadDocument:
     """Return every bat's simulated test with intervals, one below the other, for leagues with the first one's ball."""
     from sweetspot.report.certification.document import certificate_document
 
@@ -164,9 +164,9 @@ def rules_sure(state: CompareState) -> dict[str, Any]:
         sources = sources_for(own, bat, conditions)
         question = CertifyQuestion(bat, leagues, done.ball, sources=sources, draws=PAGE_DRAWS)
         tested = certificate_of(question, body=reduction.body, test=done)
-        for system, page in told(certificate_document(tested), mark=f"-{number}")["html"].items():
+        for system, page in told(certificate_document(tested), mark=f"-{number}").html.items():
             pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
-    return {"title": "", "html": pages}
+    return ReadDocument("", pages)
 
 
 def rules(state: CompareState) -> dict[str, Any]:

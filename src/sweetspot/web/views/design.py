@@ -92,7 +92,7 @@ def answer(state: DesignState) -> dict[str, Any]:
             for one, value in zip(space.variables, numbers.tolist(), strict=True)
         ],
         "design": {
-            **to_dict(mass_properties(bat, body)), **outline(bat),
+            **to_dict(mass_properties(bat, body)), **to_dict(outline(bat)),
             "moi_6in_half_kg_m2": moi_half(bat, body),
             "stations": _handles(request, numbers),
         },

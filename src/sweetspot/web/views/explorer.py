@@ -3,39 +3,55 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict
-from typing import Any
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import analyse_reduced
-from sweetspot.answers.conditions import hit_conditions
-from sweetspot.answers.records import to_dict
-from sweetspot.answers.report import report_of
+from sweetspot.answers.conditions import HitConditions, hit_conditions
+from sweetspot.answers.hit import CollisionNumbers, numbers_in_batch
+from sweetspot.answers.records import Angle, Impulse, Length, Ratio, Speed, Spin
+from sweetspot.answers.report import SweetSpotPlaces, report_of, sweet_spot_places
 from sweetspot.collision.closed_form import bbcor, exit_speed
+from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, values_of
-from sweetspot.report.bat.place_words import speed_difference, why_backwards, why_here, why_off_axis
+from sweetspot.report.bat.place_words import (
+    energy_words,
+    hits_fastest,
+    leaves_here,
+    speed_difference,
+    why_backwards,
+    why_here,
+    why_off_axis,
+)
 from sweetspot.report.bat.words import answer_words
 from sweetspot.report.hit.second_touch import touched_again_at
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
-from sweetspot.web.documents import in_both_systems, told
-from sweetspot.web.drawings import ball_picture, bat_picture
-from sweetspot.web.errors import FieldError
-from sweetspot.web.publications import published
+from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
+from sweetspot.web.bats import place_of
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
+from sweetspot.web.publications import Publication, published
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import (
+    CurvesOfHits,
+    HitsAlongBat,
     Met,
     along,
     beside,
     curves,
-    here,
+    jumps_at,
     leaving,
     power_map,
+    scans_at,
     struck,
     touched_twice,
 )
@@ -45,69 +61,153 @@ class ExplorerState(HitState):
     """The explorer's controls: the bat, the swing, the ball, and where they meet."""
 
 
-def answer(state: ExplorerState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class SpeedParts:
+    """What the exit speed here owes to what, against the best place; see `SpeedDifference`."""
+
+    motion: float
+    giving: float
+    keeping: float
+    whole: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExplorerHit(CollisionNumbers):
+    """The hit at the chosen place.
+
+    Parameters
+    ----------
+    exit_speed, launch_angle, backspin : of the ball; None: it does not leave. Beyond a right angle it goes backwards.
+    energy_shares : where the energy goes, by part.
+    hand_impulse, sting : where values jump beside the place; elsewhere the curves tell.
+    """
+
+    touched_again: Sentences
+    bat_speed: Speed
+    exit_speed: Speed | None
+    launch_angle: Angle | None
+    backspin: Spin | None
+    bbcor: Ratio
+    energy_shares: Mapping[str, float]
+    hand_impulse: Impulse | None = None
+    sting: Annotated[float | None, VIBRATION] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExplorerAnswer:
+    """Bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why.
+
+    Parameters
+    ----------
+    headline : where the bat hits best, and what the ball does here.
+    lost : against the best place; None: the ball does not leave forwards.
+    """
+
+    bat: BatPicture
+    hands: Annotated[tuple[float, ...], LENGTH]
+    sweet_spots: SweetSpotPlaces
+    scan: CurvesOfHits
+    energy_shares: Mapping[str, Array]
+    touched_again: Sentences
+    hit: ExplorerHit
+    headline: Sentences
+    why: Sentences
+    where_energy_goes: Sentences
+    difference: Annotated[SpeedParts, SPEED]
+    best_exit_speed: Speed
+    lost: Speed | None
+    ball: BallPicture
+    published: tuple[Publication, ...]
+    conditions: HitConditions
+
+
+@dataclass(frozen=True)
+class SpeedSpan:
+    """Exit speed at a place by two laws of the ball."""
+
+    position: Length
+    low: Speed
+    high: Speed
+
+
+@dataclass(frozen=True)
+class ReportWords:
+    """What the report says, and what misses cost by two laws of the ball."""
+
+    sentences: Sentences
+    other_law: tuple[SpeedSpan, ...]
+
+
+def answer(state: ExplorerState) -> ExplorerAnswer:
     """Return bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why."""
     met = along(state)
-    conditions, spots, shown = met.conditions, met.spots, curves(state)
-    hit = _hit(state, met)
-    at_middle, exact = here(state, hit["position_m"])
-    middle = hit["exit_speed_m_s"] if state.offset_in == 0 else at_middle
+    bat, conditions, spots, words = met.reduced.bat, met.conditions, met.spots, words_of(met.reduced.bat)
+    found = curves(state)
+    hit, middle = _hit(state, met, found)
     fastest = float(np.nanmax(met.scan.exit_speed[beside(met.scan, spots.max_exit_speed)]))
-    difference = speed_difference(met.scan, hit["position_m"], best=spots.max_exit_speed, exit_speed=middle)
-    angle, words, lost = hit["launch_angle_rad"], words_of(met.reduced.bat), None
-    if angle is not None and abs(angle) > math.pi / 2:
+    difference = speed_difference(met.scan, float(hit.position), best=spots.max_exit_speed, exit_speed=middle)
+    backwards = hit.launch_angle is not None and abs(float(hit.launch_angle)) > math.pi / 2
+    lost = None if backwards or hit.exit_speed is None else fastest - float(hit.exit_speed)
+    if backwards:
         why = [why_backwards(state.offset_in * INCH, words=words)]
     else:
         why = [
             why_here(
-                difference, body=met.reduced.body, conditions=conditions, best=spots.max_exit_speed, words=words,
+                difference,
+                body=met.reduced.body,
+                conditions=conditions,
+                best=spots.max_exit_speed,
+                words=words,
                 in_the_middle=state.offset_in == 0,
             )
-        ]  # fmt: skip
-        lost = None if hit["exit_speed_m_s"] is None else fastest - hit["exit_speed_m_s"]
+        ]
         if lost is not None and state.offset_in != 0:
             why.append(why_off_axis(state.offset_in * INCH, -lost - difference.whole, words=words))
-    return {
-        "bat": bat_picture(state, met.reduced),
-        "hands_m": conditions.hands.places,
-        "sweet_spots": {
-            **{f"{name}_m": place for name, place in asdict(spots).items() if name != "zone"},
-            "zone_m": spots.zone,
-        },
-        "scan": shown["curves"],
-        "energy_shares": shown["energy"],
-        "touched_again": shown["touched_again"],
-        "best_in_doubt": in_both_systems(met.doubts),
-        "hit": hit | exact,
-        "why": in_both_systems(why),
-        "difference_m_s": {name: getattr(difference, name) for name in ("motion", "giving", "keeping", "whole")},
-        "best_exit_speed_m_s": fastest,
-        "lost_m_s": lost,
-        "ball": ball_picture(state, conditions.ball),
-        "published": published(state),
-        "conditions": to_dict(hit_conditions(conditions)),
-    }
+    headline = [
+        hits_fastest(bat.name, bat.length - spots.max_exit_speed, fastest, words=words),
+        *met.doubts,
+        leaves_here(
+            bat.length - float(hit.position), hit.exit_speed, ends=hit.outcome_text, backwards=backwards, words=words
+        ),
+    ]
+    return ExplorerAnswer(
+        bat=bat_picture(state, met.reduced),
+        hands=conditions.hands.places,
+        sweet_spots=sweet_spot_places(spots),
+        scan=found.curves,
+        energy_shares=found.shares,
+        touched_again=found.touched_again,
+        hit=hit,
+        headline=in_both_systems(headline),
+        why=in_both_systems(why),
+        where_energy_goes=in_both_systems(energy_words(hit.energy_shares, words)),
+        difference=SpeedParts(difference.motion, difference.giving, difference.keeping, difference.whole),
+        best_exit_speed=fastest,
+        lost=lost,
+        ball=ball_picture(state, conditions.ball),
+        published=published(state),
+        conditions=hit_conditions(conditions),
+    )
 
 
-def why(state: ExplorerState) -> dict[str, Any]:
+def why(state: ExplorerState) -> ReportWords:
     """Return what the report says of this bat and swing, and what misses cost by two laws of the ball."""
     met = along(state)
     report = report_of(analyse_reduced(met.reduced, met.conditions))
     best, top = float(report.sweet_spots.max_exit_speed), float(np.nanmax(values_of(report.scan.exit_speed)))
     sides = [
-        (best + way * float(one.distance), loss)
-        for one in report.misses
-        for way, loss in ((-1, one.inside), (1, one.outside))
+        (best + way * float(miss.distance), loss)
+        for miss in report.misses
+        for way, loss in ((-1, miss.inside), (1, miss.outside))
         if isinstance(loss, Interval)
     ]
-    points = [
-        {"position_m": place, "low_m_s": top - loss.high, "high_m_s": top - loss.low}
-        for place, loss in sorted(sides, key=lambda side: side[0])
-    ]
-    return {"sentences": in_both_systems(answer_words(report)), "other_law": points}
+    spans = [SpeedSpan(place, top - loss.high, top - loss.low) for place, loss in sides]
+    return ReportWords(
+        in_both_systems(answer_words(report)), tuple(sorted(spans, key=lambda span: float(span.position)))
+    )
 
 
-def sure(state: ExplorerState) -> dict[str, Any]:
+def sure(state: ExplorerState) -> ReadDocument:
     """Return the report with an interval beside each number, and what they come from; speeds are taken as they are."""
     from sweetspot.report.bat.document import report_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
@@ -151,56 +251,56 @@ def recipe(state: ExplorerState) -> dict[str, str]:
     return {"command": command, "python": python, "toml": bat_text(state)}
 
 
-def _hit(state: ExplorerState, met: Met) -> dict[str, Any]:
-    """Return the collision at the chosen place; off the bat's axis by a level swing at a ball that comes level."""
-    bat, conditions = met.reduced.bat, met.conditions
-    place = bat.length - state.impact_from_tip_in * INCH
-    if place < conditions.hands.position:
-        most = (bat.length - conditions.hands.position) / INCH
-        raise FieldError(
-            "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
-        )
-    done, (speed, angle, backspin) = _met(state, met, place)
-    outcome = Outcome(int(done.outcome[0]))
-    apart = outcome is Outcome.SEPARATED
-    efficiency, bat_speed = float(done.collision_efficiency[0]), conditions.swing.speed_at(place)
-    closing = conditions.pitch.speed + bat_speed if isinstance(done, Impacts) else float(done.closing_speed[0])
-    again = touched_again_at(
-        float(done.touches[0]) > 1 or touched_twice(met.scan, place, within=INCH), words_of(bat),
-        modes=met.reduced.modes, ball=conditions.ball, position=place, closing_speed=closing,
-    )  # fmt: skip
-    return {
-        "position_m": place,
-        "outcome": outcome.name.lower(),
-        "outcome_text": outcome.sentence,
-        "touched_again": in_both_systems(again),
-        "bat_speed_m_s": bat_speed,
-        "exit_speed_m_s": speed if apart else None,
-        "launch_angle_rad": angle if apart else None,
-        "backspin_rad_s": backspin if apart else None,
-        "collision_efficiency": efficiency,
-        "bbcor": bbcor(efficiency, body=met.reduced.body, ball=conditions.ball, position=place),
-        "contact_time_s": done.contact_time[0],
-        "peak_force_n": done.peak_force[0],
-        "peak_compression_m": done.peak_compression[0],
-    }
+def _hit(state: ExplorerState, met: Met, found: HitsAlongBat) -> tuple[ExplorerHit, float | None]:
+    """Return the collision at the chosen place, and the exit speed there of a ball met in the middle.
 
-
-def _met(state: ExplorerState, met: Met, place: float) -> tuple[Any, tuple[float, float, float]]:
-    """Return the collision, and how the ball leaves: speed, launch angle and backspin.
-
-    Head-on the part along the line of centres is all there is, and is found three times as fast alone.
+    Off the bat's axis it is a level swing at a ball that comes level. Head-on the part along the line of centres is all
+    there is, and is found three times as fast alone.
     """
-    coming, bat_speed = met.conditions.pitch.speed, met.conditions.swing.speed_at(place)
+    bat, conditions, modes = met.reduced.bat, met.conditions, met.reduced.modes
+    place = place_of(state, bat, conditions)
+    coming, bat_speed = conditions.pitch.speed, conditions.swing.speed_at(place)
     if state.offset_in == 0:
-        done: Impacts = hits(
-            met.reduced.modes, ball=met.conditions.ball, position=place, closing_speed=coming + bat_speed
-        )
-        speed = exit_speed(float(done.collision_efficiency[0]), ball_speed=coming, bat_speed=bat_speed)
-        return done, (speed, 0.0, 0.0)
-    off = struck(met, position=[place], offset=state.offset_in * INCH)
-    speeds, angles, spins = leaving(off)
-    return off, (float(speeds[0]), float(angles[0]), float(spins[0]))
+        closing = coming + bat_speed
+        hit: Impacts | Strikes = hits(modes, ball=conditions.ball, position=place, closing_speed=closing)
+        speed = exit_speed(float(hit.collision_efficiency[0]), ball_speed=coming, bat_speed=bat_speed)
+        angle = spin = 0.0
+    else:
+        hit = struck(met, position=[place], offset=state.offset_in * INCH)
+        closing = float(hit.closing_speed[0])
+        speed, angle, spin = (float(values[0]) for values in leaving(hit))
+    numbers = numbers_in_batch(hit, position=place, closing_speed=closing)
+    leaves = hit.outcome[0] == Outcome.SEPARATED
+    again = touched_again_at(
+        bool(hit.touches[0] > 1) or touched_twice(met.scan, place, within=INCH),
+        words_of(bat),
+        modes=modes,
+        ball=conditions.ball,
+        position=place,
+        closing_speed=closing,
+    )
+    at = found.curves.position
+    shares = {name: float(np.interp(place, at, part)) for name, part in found.shares.items()}
+    middle = speed if state.offset_in == 0 else None
+    push = felt = None
+    if jumps_at(met, place):  # between the neighbours lies nothing that happens
+        on_axis, here = scans_at(state, place)
+        middle = speed if state.offset_in == 0 else float(on_axis.exit_speed[0])
+        push, felt = float(here.hand_impulse[0]), float(here.sting[0])
+        shares = {name: round(float(part[0]), 5) for name, part in here.energy._asdict().items() if name in shares}
+    result = ExplorerHit(
+        **vars(numbers),
+        touched_again=in_both_systems(again),
+        bat_speed=bat_speed,
+        exit_speed=speed if leaves else None,
+        launch_angle=angle if leaves else None,
+        backspin=spin if leaves else None,
+        bbcor=bbcor(float(numbers.collision_efficiency), body=met.reduced.body, ball=conditions.ball, position=place),
+        energy_shares=shares,
+        hand_impulse=push,
+        sting=felt,
+    )
+    return result, middle if leaves or state.offset_in != 0 else None
 
 
 VIEW = View("explorer", "Explorer", ExplorerState, answer, recipe, asides={"map": power_map, "why": why, "sure": sure})

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
-from typing import Any
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +14,7 @@ from numpy.typing import ArrayLike
 from sweetspot.analysis.bat_analysis import check_conditions, hit_at
 from sweetspot.analysis.position_scan import Scan, energy_shares, scan, sting
 from sweetspot.analysis.sweet_spot import SweetSpots, sweet_spots
+from sweetspot.answers.records import GAPS, GRID
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
 from sweetspot.collision.kernel import hits_with_motion
@@ -26,17 +28,51 @@ from sweetspot.report.hit.second_touch import best_in_doubt, touched_again_betwe
 from sweetspot.report.sentences import Sentence
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
+from sweetspot.units.dimensions import ANGLE, IMPULSE, LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.documents import in_both_systems
+from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.states import HitState
 
 KEPT = 128
+MIDDLE = {"impact_from_tip_in": 6.0, "offset_in": 0.0}
 BESIDE = 3 * INCH
 """m from the best place within which a ball that is touched twice makes the best hit doubtful."""
 ALONG, ABOVE = 49, 25
 """Places of the map along the barrel and above its axis."""
 BARREL, EDGE = 18 * INCH, 0.98
 """m from the tip that the map shows; part of the greatest offset at which the bat still touches the ball."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurvesOfHits:
+    """Hits at every place along a bat, shape (n,), of a ball met so far off its axis; nan where nothing is known."""
+
+    position: Annotated[Array, LENGTH]
+    exit_speed: Annotated[Array, SPEED, GAPS]
+    rigid_exit_speed: Annotated[Array, SPEED, GAPS]
+    launch_angle: Annotated[Array | None, ANGLE, GAPS] = None
+    collision_efficiency: Annotated[Array, GAPS]
+    bbcor: Annotated[Array, GAPS]
+    hand_impulse: Annotated[Array, IMPULSE, GAPS]
+    sting: Annotated[Array, VIBRATION, GAPS]
+
+
+@dataclass(frozen=True)
+class HitsAlongBat:
+    """The curves, parts of the energy, and where the ball is touched again."""
+
+    curves: CurvesOfHits
+    shares: Mapping[str, Array]
+    touched_again: Sentences
+
+
+@dataclass(frozen=True)
+class PowerMap:
+    """Exit speeds over the barrel and over how far off its axis the ball is met; nan: it is fouled back."""
+
+    position: Annotated[Array, LENGTH]
+    offset: Annotated[Array, LENGTH]
+    exit_speed: Annotated[Array, SPEED, GRID, GAPS]
 
 
 @dataclass(frozen=True)
@@ -52,12 +88,12 @@ class Met:
 
 def along(state: HitState) -> Met:
     """Return the hits all along a state's bat; where the ball is makes no difference."""
-    return _along(HitState.model_construct(**{**_shared(state), "impact_from_tip_in": 6.0, "offset_in": 0.0}))
+    return _along(_shared(state, **MIDDLE))
 
 
-def curves(state: HitState) -> dict[str, Any]:
+def curves(state: HitState) -> HitsAlongBat:
     """Return the curves along the bat at a state's offset, and where on the barrel the ball is touched again."""
-    return _curves(HitState.model_construct(**{**_shared(state), "impact_from_tip_in": 6.0}))
+    return _curves(_shared(state, impact_from_tip_in=6.0))
 
 
 def struck(met: Met, *, position: ArrayLike, offset: ArrayLike) -> Strikes:
@@ -72,20 +108,21 @@ def struck(met: Met, *, position: ArrayLike, offset: ArrayLike) -> Strikes:
     )
 
 
-def leaving(done: Strikes) -> tuple[Array, Array, Array]:
+def leaving(strikes: Strikes) -> tuple[Array, Array, Array]:
     """Return speed, launch angle from straight ahead (beyond a right angle: backwards) and backspin of struck balls."""
-    out, up = done.velocity[:, 1], done.velocity[:, 2]
+    out, up = strikes.velocity[:, 1], strikes.velocity[:, 2]
     angle = np.where(np.isfinite(out), np.arctan2(up, out), np.nan)
-    return done.exit_speed, angle, done.spin[:, 0]
+    return strikes.exit_speed, angle, strikes.spin[:, 0]
 
 
-def power_map(state: HitState) -> dict[str, Any]:
+def power_map(state: HitState) -> PowerMap:
     """Return exit speeds over the barrel and over how far off its axis the ball is met; null: it is fouled back."""
-    return _power_map(HitState.model_construct(**{**_shared(state), "impact_from_tip_in": 6.0, "offset_in": 0.0}))
+    return _power_map(_shared(state, **MIDDLE))
 
 
-def _shared(state: HitState) -> dict[str, Any]:
-    return {name: getattr(state, name) for name in HitState.model_fields}
+def _shared(state: HitState, **changes: float) -> HitState:
+    """Return the controls that every view of a hit has, with changes: what the curves are kept under."""
+    return HitState.model_construct(**{**{name: getattr(state, name) for name in HitState.model_fields}, **changes})
 
 
 @lru_cache(maxsize=KEPT)
@@ -111,38 +148,44 @@ def _doubts(model: ReducedBat, conditions: Conditions, scanned: Scan, best: floa
 
 
 @lru_cache(maxsize=KEPT)
-def _curves(state: HitState) -> dict[str, Any]:
+def _curves(state: HitState) -> HitsAlongBat:
     met = along(state)
-    return _listed(_scanned(state, met, met.scan), met)
-
-
-def _scanned(state: HitState, met: Met, middle: Scan) -> dict[str, Any]:
-    """Return a scan's values of a ball met as far off the bat's axis as is asked; ``middle`` is of one met on it."""
-    if state.offset_in == 0:
-        return asdict(middle)
-    position, modes, ball = middle.position, met.reduced.modes, met.conditions.ball
-    done = struck(met, position=position, offset=state.offset_in * INCH)
-    closing = np.nan_to_num(done.closing_speed)
-    again = hits_with_motion(modes, ball=ball, position=position, closing_speed=closing)
-    speed, angle, _ = leaving(done)
-    efficiency, body, hands = done.collision_efficiency, met.reduced.body, met.conditions.hands
-    ratio = hand_impulse_ratio(body, position, hands=hands.position)
-    return {
-        **asdict(middle),
-        "exit_speed": speed,
-        "rigid_exit_speed": np.full(len(position), math.nan),
-        "launch_angle": angle,
-        "collision_efficiency": efficiency,
-        "bbcor": bbcor(efficiency, body=body, ball=ball, position=position),
-        "hand_impulse": ratio * ball.mass * closing * (1 + efficiency),
-        "sting": np.where(
-            np.isfinite(efficiency),
-            sting(modes, hands=hands, displacement=again.displacement, velocity=again.velocity),
-            np.nan,
-        ),
-        "energy": energy_shares(again, modes=modes, ball=ball, closing_speed=closing),
-        "touches": done.touches,
+    scanned, angle = _scanned(state, met, met.scan)
+    from_tip = met.reduced.bat.length - scanned.position
+    barrel = from_tip <= BARREL
+    again = touched_again_between(from_tip[barrel], scanned.touches[barrel], words_of(met.reduced.bat))
+    shares: dict[str, Array] = {
+        name: part.round(5) for name, part in scanned.energy._asdict().items() if np.nanmax(part) > 0
     }
+    names = [field.name for field in fields(CurvesOfHits) if hasattr(scanned, field.name)]
+    values: dict[str, Array] = {name: getattr(scanned, name) for name in names}
+    return HitsAlongBat(CurvesOfHits(**values, launch_angle=angle), shares, in_both_systems(again))
+
+
+def _scanned(state: HitState, met: Met, middle: Scan) -> tuple[Scan, Array | None]:
+    """Return a scan of a ball met as far off the bat's axis as is asked, from one met on it, and its launch angles."""
+    if state.offset_in == 0:
+        return middle, None
+    position, modes, ball = middle.position, met.reduced.modes, met.conditions.ball
+    off = struck(met, position=position, offset=state.offset_in * INCH)
+    closing = np.nan_to_num(off.closing_speed)
+    again = hits_with_motion(modes, ball=ball, position=position, closing_speed=closing)
+    speed, angle, _ = leaving(off)
+    efficiency, body, hands = off.collision_efficiency, met.reduced.body, met.conditions.hands
+    ratio = hand_impulse_ratio(body, position, hands=hands.position)
+    felt = sting(modes, hands=hands, displacement=again.displacement, velocity=again.velocity)
+    changed = replace(
+        middle,
+        exit_speed=speed,
+        rigid_exit_speed=np.full(len(position), math.nan),
+        collision_efficiency=efficiency,
+        bbcor=bbcor(efficiency, body=body, ball=ball, position=position),
+        hand_impulse=ratio * ball.mass * closing * (1 + efficiency),
+        sting=np.where(np.isfinite(efficiency), felt, np.nan),
+        energy=energy_shares(again, modes=modes, ball=ball, closing_speed=closing),
+        touches=off.touches,
+    )
+    return changed, angle
 
 
 def beside(scanned: Scan, place: float) -> slice:
@@ -151,50 +194,27 @@ def beside(scanned: Scan, place: float) -> slice:
     return slice(max(0, beyond - 1), beyond + 1)
 
 
-def here(state: HitState, place: float) -> tuple[float | None, dict[str, Any]]:
-    """Return how fast a ball met in the middle leaves a place, m from the knob end, and what curves do not tell there.
+def jumps_at(met: Met, place: float) -> bool:
+    """Return whether values jump next to a place, m from the knob end: where a ball begins to be touched twice."""
+    return bool(np.any(met.scan.touches[beside(met.scan, place)] > 1))
 
-    Where a ball begins to be touched twice values jump, and lie between those of the neighbours nowhere; elsewhere
-    they do, and nothing is worked out anew.
-    """
+
+def scans_at(state: HitState, place: float) -> tuple[Scan, Scan]:
+    """Return scans of one place: of a ball met in the middle, and of one met as far off the axis as is asked."""
     met = along(state)
-    if not np.any(met.scan.touches[beside(met.scan, place)] > 1):
-        return None, {}
-    middle = scan(
-        met.reduced.bat, body=met.reduced.body, modes=met.reduced.modes, conditions=met.conditions,
-        positions=np.array([place]),
-    )  # fmt: skip
-    found = _scanned(state, met, middle)
-    return float(middle.exit_speed[0]), {
-        "hand_impulse_n_s": found["hand_impulse"][0],
-        "sting_m_s": found["sting"][0],
-        "energy_shares": {name: round(float(part[0]), 5) for name, part in found["energy"]._asdict().items()},
-    }
-
-
-def _listed(scanned: dict[str, Any], met: Met) -> dict[str, Any]:
-    bat, from_tip = met.reduced.bat, met.reduced.bat.length - scanned["position"]
-    shown = from_tip <= BARREL
-    again = touched_again_between(from_tip[shown], scanned["touches"][shown], words_of(bat))
-    names = {
-        "position": "position_m", "exit_speed": "exit_speed_m_s", "rigid_exit_speed": "rigid_exit_speed_m_s",
-        "launch_angle": "launch_angle_rad", "collision_efficiency": "collision_efficiency", "bbcor": "bbcor",
-        "hand_impulse": "hand_impulse_n_s", "sting": "sting_m_s",
-    }  # fmt: skip
-    shares = {name: np.round(part, 5) for name, part in scanned["energy"]._asdict().items() if np.nanmax(part) > 0}
-    curves = {key: scanned[name] for name, key in names.items() if name in scanned}
-    return {"curves": curves, "energy": shares, "touched_again": in_both_systems(again)}
+    bat, body, modes = met.reduced.bat, met.reduced.body, met.reduced.modes
+    middle = scan(bat, body=body, modes=modes, conditions=met.conditions, positions=np.array([place]))
+    return middle, _scanned(state, met, middle)[0]
 
 
 @lru_cache(maxsize=KEPT)
-def _power_map(state: HitState) -> dict[str, Any]:
+def _power_map(state: HitState) -> PowerMap:
     met = along(state)
     bat, ball = met.reduced.bat, met.conditions.ball
     position = np.linspace(max(bat.length - BARREL, met.scan.position[0]), bat.length, ALONG)
     reach = EDGE * (ball.radius + float(np.max(bat.diameter_at(position))) / 2)
     offset = np.linspace(-reach, reach, ABOVE)
     places, above = np.meshgrid(position, offset)
-    done = struck(met, position=places.ravel(), offset=above.ravel())
-    speed, angle, _ = leaving(done)
+    speed, angle, _ = leaving(struck(met, position=places.ravel(), offset=above.ravel()))
     speed = np.where(np.abs(angle) < math.pi / 2, speed, np.nan).reshape(places.shape)
-    return {"position_m": position, "offset_m": offset, "exit_speed_m_s": np.round(speed, 3)}
+    return PowerMap(position, offset, np.round(speed, 3))

@@ -26,7 +26,7 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung, usual
-from sweetspot.web.documents import told
+from sweetspot.web.documents import ReadDocument, told
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
@@ -81,7 +81,7 @@ def carry_map(state: FlightState) -> dict[str, Any]:
     return carries(start.motion, conditions=start.conditions, park=start.park)
 
 
-def sure(state: FlightState) -> dict[str, Any]:
+def sure(state: FlightState) -> ReadDocument:
     """Return the play, or the flight of a ball with its own numbers, with an interval beside each number."""
     from sweetspot.answers.flight import FlightQuestion, flight_answer
     from sweetspot.answers.flight_draws import flight_sources
@@ -216,7 +216,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
     plane = {"attack_angle_deg": (-tilt, tilt), "tilt_deg": (abs(state.attack_angle_deg), 90.0)}  # no path is steeper
     return {
         "motion": BallMotion(pitch.position, done.velocity[0], done.spin[0]) if hit else None,
-        "bat": {**picture, "bounds": {**picture["bounds"], **plane}},
+        "bat": replace(picture, bounds={**picture.bounds, **plane}),
         "position_m": place,
         "bat_speed_m_s": bat_speed,
         "collision_efficiency": float(done.collision_efficiency[0]),

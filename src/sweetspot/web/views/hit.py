@@ -28,7 +28,7 @@ from sweetspot.report.hit.second_touch import touched_again
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.documents import in_both_systems, told
+from sweetspot.web.documents import ReadDocument, in_both_systems, told
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
@@ -90,7 +90,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
     }
 
 
-def sure(state: HitFilmState) -> dict[str, Any]:
+def sure(state: HitFilmState) -> ReadDocument:
     """Return the hit of the free bat with an interval beside each number, and what they come from."""
     from sweetspot.answers.hit import HitQuestion, hit_answer
     from sweetspot.report.hit.document import hit_document

@@ -47,7 +47,7 @@ def answer(state: ModesState) -> dict[str, Any]:
     """Return every motion of the bat and what the tap leaves in it."""
     still = {name: ModesState.model_fields[name].default for name in ("family", "number", "exaggeration", *TAP_FIELDS)}
     held = _held(state.model_copy(update=still))
-    length = held.answer["bat"]["length_m"]
+    length = held.answer["bat"].length
     place, duration = length - state.tap_from_tip_in * INCH, state.tap_ms * 1e-3
     if place < 0:
         raise FieldError("tap_from_tip_in", f"the bat is {length / INCH:.4g} in long; tap it no further from its tip")

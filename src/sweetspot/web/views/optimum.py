@@ -19,7 +19,7 @@ from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
 from sweetspot.report.optimum.document import optimum_document
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
-from sweetspot.web.documents import told
+from sweetspot.web.documents import ReadDocument, told
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text, stroke_options
@@ -65,7 +65,7 @@ def answer(state: OptimumState) -> dict[str, Any]:
     }
 
 
-def swing(state: OptimumState) -> dict[str, Any]:
+def swing(state: OptimumState) -> ReadDocument:
     """Return how to swing at a pitch so that it carries farthest, as a document."""
     state = swung(state)
     reduced_bat = reduced(state, ball_of(state))
@@ -80,7 +80,7 @@ def swing(state: OptimumState) -> dict[str, Any]:
     return told(optimum_document(found))
 
 
-def parks(state: OptimumState) -> dict[str, Any]:
+def parks(state: OptimumState) -> ReadDocument:
     """Return the slowest home run of every park, each in its own air, as a document."""
     state = swung(state)
     bat, name = reduced(state, ball_of(state)).bat, state.ball or ""

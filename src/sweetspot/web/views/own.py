@@ -104,7 +104,7 @@ def answer(state: OwnState) -> dict[str, Any]:
 def _picture(state: OwnState, own: Implement) -> dict[str, Any]:
     """Return a bat's outline and how far its controls go; of anything else how far from its tip it can be tapped."""
     if state.implement is None and isinstance(own, Bat):
-        return {**outline(own), "bounds": bounds(state, own)}
+        return {**to_dict(outline(own)), "bounds": bounds(state, own)}
     return {"outline": None, "bounds": {"tap_from_tip_in": (0.0, own.length / INCH)}}
 
 

@@ -34,7 +34,7 @@ from sweetspot.report.quantities import SYSTEMS
 from sweetspot.units import MPH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described, listed_bat
-from sweetspot.web.documents import told
+from sweetspot.web.documents import ReadDocument, told
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.one_system import in_one_system
@@ -80,7 +80,7 @@ def answer(state: PlayerState) -> dict[str, Any]:
     return {
         "bat": {
             **to_dict(mass_properties(own, rigid_body(beam_model(own)))),
-            **outline(own),
+            **to_dict(outline(own)),
             "bounds": bounds(state, own),
         },
         "example": state.swings_csv is None,
@@ -111,13 +111,13 @@ def table(state: PlayerState) -> dict[str, str]:
     return {"csv": text}
 
 
-def fit(state: PlayerState) -> dict[str, Any]:
+def fit(state: PlayerState) -> ReadDocument:
     """Return the training report: what the swings say, and what serves; one second or two."""
     return _fitted(state)
 
 
 @lru_cache(maxsize=16)
-def _fitted(state: PlayerState) -> dict[str, Any]:
+def _fitted(state: PlayerState) -> ReadDocument:
     own, posterior = described(state), learned(state)
     law = catalog.aerodynamics_of_ball(catalog.sport(own.sport).balls[0])
     advice = advise(posterior, goal=Goal(state.goal, None), aerodynamics=law, air=Air(), others=[])

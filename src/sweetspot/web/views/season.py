@@ -22,7 +22,7 @@ from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.units import INCH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import PARK, described
-from sweetspot.web.documents import told
+from sweetspot.web.documents import ReadDocument, told
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
@@ -73,7 +73,7 @@ def answer(state: SeasonState) -> dict[str, Any]:
     summary = None if folder is None else kept_summary(folder)
     return {
         "bat": {
-            **to_dict(mass_properties(own, rigid_body(beam_model(own)))), **outline(own),
+            **to_dict(mass_properties(own, rigid_body(beam_model(own)))), **to_dict(outline(own)),
             "bounds": bounds(state, own),
         },
         "park": {
@@ -149,7 +149,7 @@ def _map(ball_map: BallMap | None) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def player(state: SeasonState) -> dict[str, Any]:
+def player(state: SeasonState) -> ReadDocument | dict[str, Any]:
     """Return one player's page."""
     from sweetspot.report.season.one_player import player_page
 

@@ -131,7 +131,7 @@ def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     answer.season.ledger().sink_parquet(tables / "ledger.parquet")
     summary = {
         "bat": described,
-        "html": told(season_document(answer))["html"],
+        "html": told(season_document(answer)).html,
         "players": players_of(answer),
         "choices": choices_of(answer.counted),
         "rows": sum(table.rows for table in answer.tables),

@@ -2,7 +2,7 @@
 
 import { fitted, unbroken } from "./tables.js";
 import { MPH, grouped, toShown, unitOf } from "./units.js";
-/** @import { Answer, App, Control, State, Step } from "../shell/main.js" */
+/** @import { App, Control, State, Step } from "../shell/main.js" */
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -198,9 +198,13 @@ function slim(item, defaults) {
 
 // A list of numbers with names: facts as [name, (answer) => [kind, value] or text]; fill it after every answer.
 /** @typedef {[string, number | null, number?]} Shown a kind (units.js), a value, and how many decimals where not the usual ones */
-/** @typedef {[string, (answer: Answer, app: App) => string | Shown]} Fact */
 /**
- * @param {Fact[]} facts
+ * @template A  the answer
+ * @typedef {[string, (answer: A, app: App) => string | Shown]} Fact
+ */
+/**
+ * @template A
+ * @param {Fact<A>[]} facts
  * @param {App} app
  */
 export function factList(facts, app) {
@@ -208,7 +212,7 @@ export function factList(facts, app) {
   const element = make("dl", { className: "facts" }, ...facts.map(([name], i) => make("div", {}, make("dt", { textContent: name }), values[i])));
   return {
     element,
-    /** @param {Answer} answer */
+    /** @param {A} answer */
     fill(answer) {
       facts.forEach(([, value], i) => {
         const found = value(answer, app);

@@ -51,6 +51,7 @@ import { exportButton, stepButton, switchOf, themeButton } from "./toolbar.js";
 import { text } from "../controls/units.js";
 import { fillBar, pointBar } from "./viewbar.js";
 import { fetchOthers, fetched } from "./viewfiles.js";
+/** @import { Answers, States } from "../answers.js" */
 /** @import { System } from "../controls/units.js" */
 
 const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "{}");
@@ -61,10 +62,8 @@ const AGAIN = 2000; // ms until a view's files that could not be fetched are ask
 const QUESTION = "answer";
 const MEANINGS = "meanings of words";
 
-/**
- * What the server answers; its shape is that of the view (web/views) and is not written down a second time here.
- * @typedef {any} Answer
- */
+/** @typedef {keyof Answers} ViewName */
+/** @typedef {any} Answer  of a view whose answer has no type yet */
 /** @typedef {Record<string, any>} State of a view: its fields, by their names in web/views */
 /** @typedef {Record<string, string>} Colors by name */
 /** @typedef {{ name: string, width: number, height: number, paint: (context: any, width: number, height: number) => void }} Figure */
@@ -74,19 +73,23 @@ const MEANINGS = "meanings of words";
 /** @typedef {{ name: string, title: string, schema: Record<string, any>, bat: string[] }} Entry */
 /**
  * A view, and whatever else it keeps; the shell calls nothing but these.
+ * @template {ViewName} Name
  * @typedef {object} OwnView
  * @property {string} name
  * @property {[string, string][]} guide
  * @property {(root: HTMLElement, app: App) => void} mount
- * @property {(answer: Answer, state: State) => void} update
+ * @property {(answer: Answers[Name], state: States[Name]) => void} update
  * @property {() => void} unmount
  * @property {() => Figure[]} [figures]
  * @property {() => Record<string, unknown[]>} [table]
  */
-/** @typedef {OwnView & Record<string, any> & ThisType<OwnView & { app: App } & Record<string, any>>} View */
+/**
+ * @template {ViewName} Name
+ * @typedef {OwnView<Name> & Record<string, any> & ThisType<OwnView<Name> & { app: App, answer: Answers[Name], state: States[Name] } & Record<string, any>>} View
+ */
 
 export class App {
-  /** @type {View} */
+  /** @type {View<any>} */
   view = /** @type {any} */ (null); // until the first one's files are there
   /** @type {State} */
   state = {};
@@ -335,7 +338,7 @@ export class App {
 
   /**
    * @param {Entry} entry
-   * @param {View} view
+   * @param {View<any>} view
    */
   show(entry, view) {
     this.view?.unmount();

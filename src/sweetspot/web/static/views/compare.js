@@ -22,7 +22,7 @@ const VERDICT = 110; // pixels that a column of verdicts needs
 /** @type {Record<string, string>} */
 const KINDS = { m: "x_m", "m/s": "x_m_s", "kg m^2": "x_kg_m2" };
 
-/** @type {View} */
+/** @type {View<"compare">} */
 export const view = {
   name: "compare",
   guide: [

@@ -42,7 +42,7 @@ function verdictOf(change, { words, seen_from_m_s: clearly, likely_from_m_s: lik
   return words.hidden;
 }
 
-/** @type {View} */
+/** @type {View<"design">} */
 export const view = {
   name: "design",
   guide: [

@@ -2,7 +2,7 @@
 
 import { BatView } from "../bat/batview.js";
 import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
-import { Chart, between } from "../charts/chart.js";
+import { Chart } from "../charts/chart.js";
 import { button, group, slider } from "../controls/controls.js";
 import { gripsOf } from "../bat/grips.js";
 import { HeatMap } from "../charts/heatmap.js";
@@ -12,8 +12,9 @@ import { factList, make, paragraphs, tell, withDoubt } from "../controls/parts.j
 import { INCH } from "../controls/units.js";
 import { Zoom } from "../charts/zoom.js";
 /** @import { Curve, Panel } from "../charts/chart.js" */
+/** @import { Answers, SpeedSpan } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
-/** @import { Answer, App, State, View } from "../shell/main.js" */
+/** @import { App, State, View } from "../shell/main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
 const ROOM = 1.06; // part of the greatest offset that the map leaves free, so that a ball met there is seen whole
@@ -32,7 +33,7 @@ const PANELS = [
   { title: "Jolt at the top hand", kind: "hand_impulse_n_s", height: 70, zero: true, lines: [{ key: "hand_impulse_n_s", color: "green" }] },
   { title: "Sting, vibration at the hands", kind: "sting", height: 70, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] },
 ];
-/** @type {Fact[]} */
+/** @type {Fact<Answers["explorer"]>[]} */
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Lost against the best", (a) => ["exit_speed_m_s", a.lost_m_s]],
@@ -46,7 +47,7 @@ const FACTS = [
   ["Swing weight", (a, app) => withDoubt("moi_6in_kg_m2", a.bat.moi_6in_kg_m2, a.bat.moi_6in_half_kg_m2, app)],
 ];
 
-/** @type {View} */
+/** @type {View<"explorer">} */
 export const view = {
   name: "explorer",
   guide: [
@@ -167,7 +168,7 @@ export const view = {
     if (!answer) return;
     const { bat, sweet_spots: spots, scan, hit } = answer;
     const speeds = scan.exit_speed_m_s;
-    const most = Math.max(...speeds.filter((/** @type {number} */ value) => value !== null));
+    const most = Math.max(...speeds.filter((value) => value !== null));
     this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, grips: gripsOf(answer, app),
       warm: this.warm ? { position_m: scan.position_m, values: speeds, least: 0.55 * most, most } : null,
       ball: { position_m: hit.position_m, radius_m: answer.ball.radius_m, offset_m: state.offset_in * INCH, launch_angle_rad: hit.launch_angle_rad } });
@@ -178,23 +179,23 @@ export const view = {
       marks: [{ at: spots.max_exit_speed_m, color: "red" }],
       published: this.published(answer),
       here: { exit_speed_m_s: hit.exit_speed_m_s, collision_efficiency: hit.collision_efficiency, bbcor: hit.bbcor, hand_impulse_n_s: hit.hand_impulse_n_s, sting_m_s: hit.sting_m_s },
-      points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map((/** @type {Answer} */ { position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
+      points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map((/** @type {SpeedSpan} */ { position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
     });
     this.bars.hidden = state.offset_in !== 0 || !this.costs?.length;
     if (this.map) this.power.draw({ x: this.map.position_m, y: this.map.offset_m, z: this.map.exit_speed_m_s, heights: [this.map.offset_m[0] * ROOM, this.map.offset_m.at(-1) * ROOM], cross: [hit.position_m, state.offset_in * INCH] });
   },
 
   // What others have published of this very bat, where it lies on the curves, and in a list with its source.
-  /** @param {Answer} given */
+  /** @param {Answers["explorer"]} given */
   published({ published: known, bat, sweet_spots: spots }) {
     const show = (/** @type {number[]} */ places) => [...new Set(places.map((place) => this.app.text("from_m", place, 1)))].join(" to ");
-    const told = known.map((/** @type {Answer} */ { words, by, source, places_m: places, values, curve }) => ({ curve, source,
-      words: `${by}: ${words}: ${places ? `${show(places)} from the tip` : values.map((/** @type {number} */ value) => value.toFixed(3)).join(" to ")}`,
+    const told = known.map(({ words, by, source, places_m: places, values, curve }) => ({ curve, source,
+      words: `${by}: ${words}: ${places ? `${show(places)} from the tip` : values?.map((value) => value.toFixed(3)).join(" to ")}`,
       from: places ? bat.length_m - places[1] : spots.max_collision_efficiency_m, to: places ? bat.length_m - places[0] : spots.max_collision_efficiency_m,
       low: values?.[0], high: values?.[1] }));
     this.known.hidden = told.length === 0;
-    const list = told.map((/** @type {Answer} */ { words, source }) => `${words} ${source}`).join();
-    if (list !== this.listed) this.knownList.replaceChildren(...told.map((/** @type {Answer} */ { words, source }) => make("li", {}, `${words} `, make("small", { textContent: source }))));
+    const list = told.map(({ words, source }) => `${words} ${source}`).join();
+    if (list !== this.listed) this.knownList.replaceChildren(...told.map(({ words, source }) => make("li", {}, `${words} `, make("small", { textContent: source }))));
     this.listed = list;
     /** @type {Record<string, object[]>} */
     const marks = {};
@@ -202,28 +203,23 @@ export const view = {
     return marks;
   },
 
-  /** @param {Answer} given */
-  say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan, touched_again: stretches, best_in_doubt: doubts }) {
-    const show = this.app.text.bind(this.app);
-    const here = hit.exit_speed_m_s === null ? hit.outcome_text : show("exit_speed_m_s", hit.exit_speed_m_s);
-    const back = hit.launch_angle_rad !== null && Math.abs(hit.launch_angle_rad) > Math.PI / 2 ? ", fouled back" : "";
-    const words = `${bat.name} hits fastest ${show("from_m", bat.length_m - spots.max_exit_speed_m, 1)} from the tip: ` +
-      `${[`${show("exit_speed_m_s", best)}.`, ...doubts[this.app.units]].join(" ")} Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}${back}.`;
+  /** @param {Answers["explorer"]} given */
+  say({ bat, hit, headline, why, where_energy_goes: energy, touched_again: stretches }) {
+    const { units } = this.app;
+    const words = headline[units].join(" ");
     tell(this.words, words);
-    const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => ({ name, part: hit.energy_shares?.[key] ?? between(scan.position_m, shares[key], hit.position_m) ?? 0 })).filter(({ part }) => part > 0.004);
-    const energy = parts.length ? ` Of the energy of the meeting: ${parts.map(({ part, name }) => `${name} ${show("share", part, 0)}`).join(", ")}.` : "";
-    tell(this.why, [...why[this.app.units], ...hit.touched_again[this.app.units]].join(" ") + energy);
-    tell(this.again, hit.touched_again[this.app.units].length ? "" : stretches[this.app.units].join(" "));
+    tell(this.why, [...why[units], ...hit.touched_again[units], ...energy[units]].join(" "));
+    tell(this.again, hit.touched_again[units].length ? "" : stretches[units].join(" "));
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
     this.chart.label(`Curves along the bat. ${words} ${this.why.textContent}`);
     this.power.label(`Exit speed over the barrel and how far off its axis the ball is met. ${words}`);
     const canvas = this.picture.element;
     const inches = (/** @type {number} */ place) => (place / INCH).toFixed(2);
-    canvas.setAttribute("aria-valuemin", inches(this.app.answer.hands_m[0]));
+    canvas.setAttribute("aria-valuemin", inches(this.answer.hands_m[0]));
     canvas.setAttribute("aria-valuemax", inches(bat.length_m));
     canvas.setAttribute("aria-valuenow", inches(hit.position_m)); // from the knob, so that right is more
-    canvas.setAttribute("aria-valuetext", `${show("from_m", bat.length_m - hit.position_m, 1)} from the tip`);
+    canvas.setAttribute("aria-valuetext", `${this.app.text("from_m", bat.length_m - hit.position_m, 1)} from the tip`);
   },
 
   unmount() {

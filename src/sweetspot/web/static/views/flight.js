@@ -7,6 +7,7 @@ import { HowSure } from "../controls/howsure.js";
 import { factList, make, tableOf, tell } from "../controls/parts.js";
 import { MPH, toShown } from "../controls/units.js";
 import { FieldPicture, SidePicture, clearance } from "./flight_pictures.js";
+/** @import { Answers } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 /** @import { Answer, App, State, View } from "../shell/main.js" */
 
@@ -16,7 +17,7 @@ const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play
 const CLASSES = { "home run": "good", foul: "muted" };
 const SURE = 0.05; // chances nearer to none or to one are told as one outcome
 const MAPPED = ["exit_speed_mph", "launch_angle_deg", "own_elevation"]; // what the map does not depend on, for a ball with its own numbers
-/** @type {Fact[]} */
+/** @type {Fact<Answers["flight"]>[]} */
 const FACTS = [
   ["Chance of a home run", (a, app) => app.text("share", a.chance, 0)],
   ["Parks it leaves on average", (a) => `${a.expected_out_in.toFixed(1)} of ${a.of}`],
@@ -28,7 +29,7 @@ const FACTS = [
   ["Air", (a, app) => app.text("air_density_kg_m3", a.air_density_kg_m3)],
 ];
 
-/** @type {View} */
+/** @type {View<"flight">} */
 export const view = {
   name: "flight",
   guide: [

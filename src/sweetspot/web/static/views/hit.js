@@ -11,6 +11,7 @@ import { factList, tell } from "../controls/parts.js";
 import { Surface } from "../charts/surface.js";
 import { Transport } from "../controls/transport.js";
 /** @import { Answer, View } from "../shell/main.js" */
+/** @import { Answers } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 
 const PANELS = [
@@ -18,7 +19,7 @@ const PANELS = [
   { title: "Speed of the bat under the top hand", kind: "hand_velocity_m_s", height: 84, lines: [{ key: "hand", color: "purple" }] },
 ];
 const FILMED = ["held", "duration_ms", "moment_ms", "exaggeration", "recoil", "slowness"]; // what the hit's numbers do not depend on
-/** @type {Fact[]} */
+/** @type {Fact<Answers["hit"]>[]} */
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Push over, below 1 % of its peak", (a) => ["contact_time_s", a.hit.contact_time_s]],
@@ -29,7 +30,7 @@ const FACTS = [
   ["Push given by then", (a) => ["given_pct", a.hands.impulse_given === null ? null : 100 * a.hands.impulse_given]],
 ];
 
-/** @type {View} */
+/** @type {View<"hit">} */
 export const view = {
   name: "hit",
   guide: [

@@ -14,7 +14,7 @@ import { INCH, kindOf, toShown } from "../controls/units.js";
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
 const MOST_ROWS = 14;
 
-/** @type {View} */
+/** @type {View<"modes">} */
 export const view = {
   name: "modes",
   guide: [
@@ -40,7 +40,7 @@ export const view = {
     this.toggle.id = "play";
     this.speed = Object.assign(document.createElement("span"), { className: "note" });
     const row = Object.assign(document.createElement("div"), { className: "transport" });
-    row.append(this.toggle, button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
+    row.append(this.toggle, button("Listen to the tap", () => strike(/** @type {any} */ (this.answer)), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
     this.rowsBox = Object.assign(document.createElement("div"), { className: "scroll" });
     const picture = Object.assign(document.createElement("section"), { className: "picture" });
     picture.setAttribute("aria-label", "Motions of the bat");

@@ -8,7 +8,7 @@ import { make, tell } from "../controls/parts.js";
 import { MPH } from "../controls/units.js";
 /** @import { View } from "../shell/main.js" */
 
-/** @type {View} */
+/** @type {View<"optimum">} */
 export const view = {
   name: "optimum",
   guide: [
@@ -71,7 +71,7 @@ export const view = {
     this.app.aside("parks", others, 900, (found) => this.parks.show(found));
   },
 
-  unmount() { this.answer = null; },
+  unmount() { Object.assign(this, { answer: null }); },
   figures() { return [this.map.figure("carry"), this.chances.figure("chance")]; },
   table() {
     const { map } = this.app.answer;

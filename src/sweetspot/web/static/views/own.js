@@ -19,7 +19,7 @@ const OWN = "own file";
 const SOON = 1000; // ms until which nobody needs to be told that something is being worked on
 const SOUND = new RegExp(`(${SOUNDS.join("|").replaceAll(".", "\\.")})$`, "i");
 
-/** @type {View} */
+/** @type {View<"own">} */
 export const view = {
   name: "own",
   guide: [
@@ -253,7 +253,7 @@ export const view = {
     this.picture.label(`The bat and its balance point. ${words}`);
   },
 
-  unmount() { this.answer = null; },
+  unmount() { Object.assign(this, { answer: null }); },
   figures() { return [...(this.picture.element.hidden ? [] : [this.picture.figure("bat")]), this.tap.chart.figure("spectrum")]; },
   table() {
     const rows = this.app.answer.unknowns;

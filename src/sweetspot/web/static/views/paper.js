@@ -10,7 +10,7 @@ import { STEPS } from "./paper_steps.js";
 /** @import { Answer, View } from "../shell/main.js" */
 /** @import { Asked } from "./paper_steps.js" */
 
-/** @type {View} */
+/** @type {View<"paper">} */
 export const view = {
   name: "paper",
   guide: [

@@ -15,7 +15,7 @@ const LONGEST = 40000; // letters that are taken as they are
 const LARGEST = 10e6; // bytes
 const LEFT = 46, FOOT = 34, TOP = 12, RIGHT = 12;
 
-/** @type {View} */
+/** @type {View<"player">} */
 export const view = {
   name: "player",
   guide: [
@@ -142,7 +142,7 @@ export const view = {
     }
   },
 
-  unmount() { this.answer = null; },
+  unmount() { Object.assign(this, { answer: null }); },
   figures() { return [this.points.figure("swings")]; },
   table() {
     const { bat_speed_m_s, exit_speed_m_s } = this.app.answer;

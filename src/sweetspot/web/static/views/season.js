@@ -9,12 +9,13 @@ import { Players } from "./season_players.js";
 import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
 import { Reading } from "./season_reading.js";
 import { grouped } from "../controls/units.js";
+/** @import { Answers } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 /** @import { View } from "../shell/main.js" */
 
 const FILTERS = [["team", "Hit for", "any club"], ["pitch_type", "Off", "all pitches"], ["count", "At the count", "all counts"], ["month", "In the month", "all months"], ["park", "In the park", "all parks"]];
 const EVERYBODY = { batter: null, team: null, pitch_type: null, count: null, month: null, park: null };
-/** @type {Fact[]} */
+/** @type {Fact<Answers["season"]>[]} */
 const FACTS = [
   ["Balls", ({ means }) => grouped(means.balls)], ["Exit speed", ({ means }) => ["speed", means.exit_speed]],
   ["Hardest fifth (EV20)", ({ means }) => ["speed", means.ev20]], ["Bat speed", ({ means }) => ["speed", means.bat_speed]],
@@ -23,7 +24,7 @@ const FACTS = [
   ["Home runs", ({ means }) => ["count", means.home_runs]], ["Home runs expected", ({ means }) => ["count", means.home_runs_expected, 1]],
 ];
 
-/** @type {View} */
+/** @type {View<"season">} */
 export const view = {
   name: "season",
   guide: [
@@ -164,7 +165,7 @@ export const view = {
       make("a", { href: `/api/v1/uploads/${season}/${name}`, download: name, textContent: name }), ` ${size(bytes)}`)));
   },
 
-  unmount() { this.answer = null; },
+  unmount() { Object.assign(this, { answer: null }); },
   figures() { return this.found ? [this.barrel.figure("barrel"), this.ceilings.figure("ceilings"), this.field.figure("field")] : []; },
   table() { return this.found ? this.barrel.columns() : {}; },
 };

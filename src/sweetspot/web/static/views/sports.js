@@ -9,13 +9,14 @@ import { factList, make, paragraphs, partOf, tell } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
 import { takeDrops } from "../controls/upload.js";
 import { FORGOTTEN } from "./own_measured.js";
+/** @import { Answers } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 /** @import { App, State, View } from "../shell/main.js" */
 
 const OWN = "own file";
 const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it changes neither map nor words
 
-/** @type {Fact[]} */
+/** @type {Fact<Answers["sports"]>[]} */
 const FACTS = [
   ["Leaves at", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Efficiency", (a) => ["ratio", a.hit.collision_efficiency]],
@@ -28,7 +29,7 @@ const FACTS = [
   ["Balance from the grip's end", (a) => ["balance_point_m", a.tool.balance_point_m]],
 ];
 
-/** @type {View} */
+/** @type {View<"sports">} */
 export const view = {
   name: "sports",
   guide: [

@@ -1,0 +1,665 @@
+// What the views take and answer. Written by tools/answer_types.py; do not edit.
+
+/** The controls of every view. */
+export interface States {
+  explorer: ExplorerState;
+  hit: HitFilmState;
+  modes: ModesState;
+  compare: CompareState;
+  flight: FlightState;
+  optimum: OptimumState;
+  player: PlayerState;
+  own: OwnState;
+  design: DesignState;
+  season: SeasonState;
+  sports: SportsState;
+  paper: PaperState;
+}
+
+/** What every view answers. */
+export interface Answers {
+  explorer: ExplorerAnswer;
+  hit: Record<string, any>;
+  modes: Record<string, any>;
+  compare: Record<string, any>;
+  flight: Record<string, any>;
+  optimum: Record<string, any>;
+  player: Record<string, any>;
+  own: Record<string, any>;
+  design: Record<string, any>;
+  season: Record<string, any>;
+  sports: Record<string, any>;
+  paper: Record<string, any>;
+}
+
+/** What is asked apart, by view and name. */
+export interface Asides {
+  explorer: { map: PowerMap; why: ReportWords; sure: ReadDocument; };
+  hit: { sure: ReadDocument; };
+  modes: {  };
+  compare: { intervals: Record<string, any>; rules: Record<string, any>; sure: ReadDocument; rules_sure: ReadDocument; };
+  flight: { map: Record<string, any>; fences: Record<string, any>; sure: ReadDocument; };
+  optimum: { swing: ReadDocument; parks: ReadDocument; };
+  player: { fit: ReadDocument; table: Record<string, string>; };
+  own: { tap: Record<string, any>; file: Record<string, string>; };
+  design: { gain: Record<string, any>; files: Record<string, any>; batter: Record<string, any>; };
+  season: { summary: Record<string, any>; maps: Record<string, any>; player: ReadDocument | Record<string, any>; contacts: Record<string, any>; };
+  sports: { face: Record<string, any>; sentences: Record<string, any>; };
+  paper: {  };
+}
+
+/** What long work gives, by view and name. */
+export interface Jobs {
+  explorer: {  };
+  hit: {  };
+  modes: {  };
+  compare: {  };
+  flight: {  };
+  optimum: {  };
+  player: {  };
+  own: {  };
+  design: { search: Record<string, any>; };
+  season: { read: Record<string, any>; };
+  sports: {  };
+  paper: {  };
+}
+
+/** A ball's size, and what its controls stand at where nobody has moved them. */
+export interface BallPicture {
+  radius_m: number; radius_low_m?: number; radius_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  cor: number; cor_low?: number; cor_high?: number;
+  humidity: number; humidity_low?: number; humidity_high?: number;
+  temperature_degf: number;
+}
+
+/** A bat: its facts, its shape, how far its controls may go, and what is usual in its sport. */
+export interface BatPicture {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  outline: Outline;
+  stations: Station[];
+  hollow: boolean;
+  wall_m: number[] | null;
+  bores: DrawnBore[];
+  cup: DrawnCup | null;
+  weights: DrawnWeight[];
+  material: string;
+  remark: Record<"si" | "us", string>;
+  moi_6in_half_kg_m2: number; moi_6in_half_low_kg_m2?: number; moi_6in_half_high_kg_m2?: number;
+  bounds: Record<string, [number, number]>;
+  sport: string;
+  usual: UsualHit;
+  swung: Record<"si" | "us", string> | null;
+}
+
+/** Which bat, and what was done to it. */
+export interface BatState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+}
+
+/** The bat, its swing, the others beside it, and what is asked of them. */
+export interface CompareState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  others: BatState[];
+  swing_law: string | null;
+  what_if: "none" | "cork" | "wall";
+  hole_diameter_in: number;
+  hole_depth_in: number;
+  wall_times: number;
+  league: string | null;
+}
+
+/** Hits at every place along a bat, shape (n,), of a ball met so far off its axis; nan where nothing is known. */
+export interface CurvesOfHits {
+  position_m: number[];
+  exit_speed_m_s: (number | null)[];
+  rigid_exit_speed_m_s: (number | null)[];
+  launch_angle_rad?: (number | null)[];
+  collision_efficiency: (number | null)[];
+  bbcor: (number | null)[];
+  hand_impulse_n_s: (number | null)[];
+  sting_m_s: (number | null)[];
+}
+
+/** The batter's present bat and swing, where the ball is met, the bat that is being shaped, and what must stay. */
+export interface DesignState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  contact_in: number;
+  contact_spread_in: number;
+  contact_doubt_in: number;
+  miss_in: number;
+  miss_spread_in: number;
+  swing_law: "baseball" | "none";
+  design_si: number[] | null;
+  design_for: string | null;
+  pulled: number | null;
+  keep_mass: boolean;
+  keep_moi: boolean;
+  keep_wood: boolean;
+  keep_balance: boolean;
+  keep_grip: boolean;
+  deepest_cup_in: number;
+  league: string;
+  want: "exit_speed" | "zone" | "best" | "sting" | "swing_time" | "durability";
+  also_want: "exit_speed" | "zone" | "best" | "sting" | "swing_time" | "durability";
+  generations: number;
+  seed: number;
+  swings_csv: string | null;
+  swings_of: string | null;
+}
+
+/** A hole from the tip, between two places from the knob end; ``fill`` names what it is filled with. */
+export interface DrawnBore {
+  diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
+  start_m: number; start_low_m?: number; start_high_m?: number;
+  stop_m: number; stop_low_m?: number; stop_high_m?: number;
+  fill: string | null;
+}
+
+/** A hollow turned into the tip. */
+export interface DrawnCup {
+  diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
+  depth_m: number; depth_low_m?: number; depth_high_m?: number;
+}
+
+/** A weight fixed to the bat. */
+export interface DrawnWeight {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+}
+
+/** Bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why. */
+export interface ExplorerAnswer {
+  bat: BatPicture;
+  hands_m: number[];
+  sweet_spots: SweetSpotPlaces;
+  scan: CurvesOfHits;
+  energy_shares: Record<string, number[]>;
+  touched_again: Record<"us" | "si", string[]>;
+  hit: ExplorerHit;
+  headline: Record<"us" | "si", string[]>;
+  why: Record<"us" | "si", string[]>;
+  where_energy_goes: Record<"us" | "si", string[]>;
+  difference_m_s: SpeedParts;
+  best_exit_speed_m_s: number; best_exit_speed_low_m_s?: number; best_exit_speed_high_m_s?: number;
+  lost_m_s: number | null; lost_low_m_s?: number; lost_high_m_s?: number;
+  ball: BallPicture;
+  published: Publication[];
+  conditions: HitConditions;
+}
+
+/** The hit at the chosen place. */
+export interface ExplorerHit {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  lateral_m: number; lateral_low_m?: number; lateral_high_m?: number;
+  outcome: string;
+  outcome_text: string;
+  closing_speed_m_s: number; closing_speed_low_m_s?: number; closing_speed_high_m_s?: number;
+  collision_efficiency: number; collision_efficiency_low?: number; collision_efficiency_high?: number;
+  contact_time_s: number; contact_time_low_s?: number; contact_time_high_s?: number;
+  peak_force_n: number; peak_force_low_n?: number; peak_force_high_n?: number;
+  peak_compression_m: number; peak_compression_low_m?: number; peak_compression_high_m?: number;
+  touched_again: Record<"us" | "si", string[]>;
+  bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
+  exit_speed_m_s: number | null; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
+  launch_angle_rad: number | null; launch_angle_low_rad?: number; launch_angle_high_rad?: number;
+  backspin_rad_s: number | null; backspin_low_rad_s?: number; backspin_high_rad_s?: number;
+  bbcor: number; bbcor_low?: number; bbcor_high?: number;
+  energy_shares: Record<string, number>;
+  hand_impulse_n_s?: number; hand_impulse_low_n_s?: number; hand_impulse_high_n_s?: number;
+  sting_m_s?: number;
+}
+
+/** The explorer's controls: the bat, the swing, the ball, and where they meet. */
+export interface ExplorerState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  impact_from_tip_in: number;
+  offset_in: number;
+}
+
+/** How the ball leaves, from numbers or from a swing; the park, the air and the wind. */
+export interface FlightState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  impact_from_tip_in: number;
+  offset_in: number;
+  start: "ball" | "swing";
+  exit_speed_mph: number;
+  launch_angle_deg: number;
+  spray_deg: number;
+  direction: "launch" | "landing";
+  backspin_rpm: number;
+  sidespin_rpm: number;
+  height_ft: number;
+  attack_angle_deg: number;
+  attack_direction_deg: number;
+  tilt_deg: number;
+  batter: "right" | "left";
+  pitch_angle_deg: number;
+  pitch_backspin_rpm: number;
+  park: string | null;
+  temperature_degf: number;
+  relative_humidity: number;
+  pressure_inhg: number;
+  elevation_ft: number | null;
+  wind_speed_mph: number;
+  wind_direction_deg: number;
+  own_elevation: boolean;
+}
+
+/** Pitch, swing, hands and ball; places from the knob end. See `Conditions`. */
+export interface HitConditions {
+  pitch_speed_m_s: number; pitch_speed_low_m_s?: number; pitch_speed_high_m_s?: number;
+  bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
+  bat_speed_at_m: number; bat_speed_at_low_m?: number; bat_speed_at_high_m?: number;
+  pivot_m: number; pivot_low_m?: number; pivot_high_m?: number;
+  hands_m: number; hands_low_m?: number; hands_high_m?: number;
+  ball: string;
+  ball_mass_kg: number; ball_mass_low_kg?: number; ball_mass_high_kg?: number;
+  ball_restitution: number; ball_restitution_low?: number; ball_restitution_high?: number;
+  ball_restitution_speed_m_s: number; ball_restitution_speed_low_m_s?: number; ball_restitution_speed_high_m_s?: number;
+  ball_restitution_slope_s_m: number; ball_restitution_slope_low_s_m?: number; ball_restitution_slope_high_s_m?: number;
+}
+
+/** The bat, the swing, where they meet, and how the film is shown. */
+export interface HitFilmState {
+  held: boolean;
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  impact_from_tip_in: number;
+  duration_ms: number;
+  moment_ms: number;
+  exaggeration: number;
+  recoil: boolean;
+  slowness: number;
+}
+
+/** The bat, who holds it, which motion is shown, and where it is tapped. */
+export interface ModesState {
+  held: boolean;
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  family: "rigid" | "bending" | "hoop" | "hand";
+  number: number;
+  tap_from_tip_in: number;
+  tap_ms: number;
+  exaggeration: number;
+}
+
+/** The bat, how fast it is swung, and the pitch it meets. */
+export interface OptimumState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  pitch: string | null;
+  tilt_deg: number;
+  exit_speed_mph: number;
+  backspin_rpm: number;
+  park: string | null;
+}
+
+/** Diameters along a bat, from the knob end, shape (n,). */
+export interface Outline {
+  position_m: number[];
+  diameter_m: number[];
+}
+
+/** The bat as described, and what scale, balance, pendulum and tap say of it; what is empty was not measured. */
+export interface OwnState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  implement: string | null;
+  implement_toml: string | null;
+  weighed_oz: number | null;
+  weighed_error_oz: number;
+  balanced_in: number | null;
+  balanced_error_in: number;
+  pendulum_ms: number | null;
+  pendulum_error_ms: number;
+  swing_weight_oz_in2: number | null;
+  swing_weight_error_oz_in2: number;
+  pivot_in: number | null;
+  tones: (["bending-1" | "bending-2" | "bending-3" | "bending-4" | "bending-5" | "hoop", number, number])[];
+  damping: number | null;
+  damping_error: number;
+  diameter_error: number;
+  left_out: string[];
+  tap_from_tip_in: number;
+  league: string;
+  recordings: string[];
+}
+
+/** The question, what the paper leaves open, and the bat and swing of the full model. */
+export interface PaperState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  question: "end" | "percussion" | "corking" | "drop" | "energy" | "verdict";
+  entry_angle_deg: number;
+  rod_hands_in: number;
+  hands_moved_in: number;
+  hole_diameter_in: number;
+  hole_depth_in: number;
+  hole_fill: string;
+  drop_height_m: number;
+  block_thickness_m: number;
+  block_support: "clamped" | "floor" | "free";
+  ball_restitution: number;
+  wood_restitution: number;
+  metal_restitution: number;
+  wood_share: number;
+  metal_share: number;
+}
+
+/** The player's swings, the bat they were made with, and what is wanted. */
+export interface PlayerState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  swings_csv: string | null;
+  swings_of: string | null;
+  upload: string | null;
+  goal: "exit-speed" | "carry";
+  given_pitch_mph: number;
+}
+
+/** Exit speeds over the barrel and over how far off its axis the ball is met; nan: it is fouled back. */
+export interface PowerMap {
+  position_m: number[];
+  offset_m: number[];
+  exit_speed_m_s: (number | null)[][];
+}
+
+/** One published number of a bat. */
+export interface Publication {
+  words: string;
+  by: string;
+  source: string;
+  curve: string;
+  places_m: [number, number] | null;
+  values: [number, number] | null;
+}
+
+/** A document's title and its HTML for readers of either system; the server's own words, all escaped. */
+export interface ReadDocument {
+  title: string;
+  html: Record<"us" | "si", string>;
+}
+
+/** What the report says, and what misses cost by two laws of the ball. */
+export interface ReportWords {
+  sentences: Record<"us" | "si", string[]>;
+  other_law: SpeedSpan[];
+}
+
+/** Tables that were handed in, the bat that all hitters are taken to swing, and which balls are looked at. */
+export interface SeasonState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  uploads: string[];
+  season: string | null;
+  batter: string | null;
+  team: string | null;
+  pitch_type: string | null;
+  count: string | null;
+  month: string | null;
+  park: string | null;
+  fence: string | null;
+}
+
+/** What the exit speed here owes to what, against the best place; see `SpeedDifference`. */
+export interface SpeedParts {
+  motion: number;
+  giving: number;
+  keeping: number;
+  whole: number;
+}
+
+/** Exit speed at a place by two laws of the ball. */
+export interface SpeedSpan {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  low_m_s: number; low_low_m_s?: number; low_high_m_s?: number;
+  high_m_s: number; high_low_m_s?: number; high_high_m_s?: number;
+}
+
+/** What one hits with, how fast, and where the ball meets it; empty: as is usual in its sport. */
+export interface SportsState {
+  implement: string;
+  implement_toml: string | null;
+  swing_mph: number | null;
+  incoming_mph: number | null;
+  met_from_tip_in: number | null;
+  aside_in: number;
+}
+
+/** One diameter of a bat that is drawn by stations. */
+export interface Station {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
+}
+
+/** Every meaning of "sweet spot", from the knob end; see `SweetSpots`. */
+export interface SweetSpotPlaces {
+  center_of_percussion_m: number; center_of_percussion_low_m?: number; center_of_percussion_high_m?: number;
+  node_1_m: number; node_1_low_m?: number; node_1_high_m?: number;
+  node_2_m: number; node_2_low_m?: number; node_2_high_m?: number;
+  max_collision_efficiency_m: number; max_collision_efficiency_low_m?: number; max_collision_efficiency_high_m?: number;
+  max_exit_speed_m: number; max_exit_speed_low_m?: number; max_exit_speed_high_m?: number;
+  min_sting_m: number; min_sting_low_m?: number; min_sting_high_m?: number;
+  zone_m: number[] | null; zone_low_m?: number[]; zone_high_m?: number[];
+}
+
+/** What a bat is usually met with: what the controls stand at that nobody has moved. */
+export interface UsualHit {
+  pitch_speed_mph: number;
+  bat_speed_mph: number;
+  ball: string;
+  pitch: string;
+  swing_law: string;
+  league: string;
+  park: string;
+}
