@@ -44,7 +44,8 @@ from studies.recorder_bats import (
 )  # fmt: skip
 from studies.recorder_taps import recorders
 from studies.struck_beams import FREE, GRIPS, Beam, Grip
-from sweetspot.calibration.calibrated_file import deviations_of
+from sweetspot.calibration.calibrated_file import known_deviations
+from sweetspot.catalog.implements import loaded_implement
 from sweetspot.catalog.standard_hit import standard_analysis
 from sweetspot.cli import main as command
 from sweetspot.collision.closed_form import exit_speed
@@ -146,7 +147,7 @@ def true_exit_speed(truth: Truth, file: str) -> tuple[float, float, float]:
     The true one is that of the modes that the other code solved; how the ball dents the wood, which no tap tells, is
     ours.
     """
-    beam, known = truth.ringing.beam, deviations_of(file)
+    beam, known = truth.ringing.beam, known_deviations(loaded_implement(file).table)
     assert beam is not None and known is not None
     analysis = standard_analysis(file)
     doubt = speed_doubt(analysis, Sources(doubt_of_piece(file, *known), (), "its calibration", "bat"))

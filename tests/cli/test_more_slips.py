@@ -150,7 +150,7 @@ def test_a_wind_in_degrees_is_refused() -> None:
 
 def test_a_ball_of_another_sport_is_named(run: Run) -> None:
     code, _, err = run("certify", "r161-ash", "--ball", "tennis")
-    assert code == 2 and "a ball of tennis; ncaa tests bats with a ball of baseball. Leave --ball out" in err
+    assert code == 2 and "a ball of tennis; ncaa tests bats with a ball of baseball. Leave it out" in err
     code, told, err = run("report", "r161-ash", "--ball", "tennis")
     assert code == 0 and "computed all the same" in err and "; hit by: tennis ball, type 2" in " ".join(told.split())
 

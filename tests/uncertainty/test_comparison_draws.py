@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog, compare
-from sweetspot.calibration.calibrated_file import deviations_of
+from sweetspot.calibration.calibrated_file import known_deviations
+from sweetspot.catalog.implements import loaded_implement
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
@@ -74,7 +75,7 @@ def halves(folder: Path, *files: str) -> list[float]:
     law = catalog.swing_law(catalog.sport(implements[0].sport).swing_law)
     found = compare(implements, conditions=standard_conditions(implements[0]), law=law)
     sources = [
-        sources_of(one.analysis.bat, one.analysis.conditions, known=deviations_of(name))
+        sources_of(one.analysis.bat, one.analysis.conditions, known=known_deviations(loaded_implement(name).table))
         for one, name in zip(found.compared, named, strict=True)
     ]
     return [float(linear_reach(one.change).below) / MPH for one in linear_comparison(found, sources).bats[1:]]

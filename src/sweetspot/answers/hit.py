@@ -22,6 +22,7 @@ from sweetspot.answers.records import (
     Time,
     with_intervals,
 )
+from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts, Outcome
@@ -284,6 +285,7 @@ class HitAnswer(Hit, Answer):
     damage: Strains | None = None
     exit_speed_half_by_ball: Speed | None = None
     uncertainty: Uncertainty | None = None
+    swung_with: SwungWith | None = None
 
 
 def hit_answer(question: HitQuestion) -> HitAnswer:

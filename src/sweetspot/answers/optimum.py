@@ -12,6 +12,7 @@ from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
 from sweetspot.answers.optimum_draws import AskedPark, drawn_optimum
 from sweetspot.answers.play_question import PlayQuestion
 from sweetspot.answers.records import INTERNAL, Angle, Distance, Length, Speed, Spin, Time, with_intervals
+from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
@@ -162,6 +163,7 @@ class OptimumAnswer(Answer):
     launches: tuple[FarthestLaunch, ...] | None = None
     parks: tuple[SlowestHomeRun, ...] | None = None
     uncertainty: Uncertainty | None = None
+    swung_with: SwungWith | None = None
 
 
 def optimum_answer(question: OptimumQuestion) -> OptimumAnswer:

@@ -12,14 +12,20 @@ from sweetspot.answers.flight_draws import draws_of_sources, written_errors
 from sweetspot.answers.records import INTERNAL, Columns, Length, MomentOfInertia, Ratio, Time, with_intervals
 from sweetspot.calibration.measured import Measured
 from sweetspot.dynamics.rigid import moi_from_pendulum, pendulum_period
+from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY
+from sweetspot.plausibility import insisted
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT
 from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources
 from sweetspot.units import OUNCE_INCH_SQUARED
 
 WEIGHT, BALANCE, PERIOD, MOI, AXIS = "weight", "balance point", "period", "moment of inertia", "axis it hangs from"
+USUAL_GYRATIONS = (0.04, 0.4)
+"""m, from table-tennis rackets to golf drivers."""
+WIDEST = 0.75
+"""Of the balance point: a uniform rod has a radius of gyration of 0.58 of that about it, bats 0.4."""
 
 
 @dataclass(frozen=True)
@@ -100,6 +106,43 @@ def pendulum_answer(question: PendulumQuestion) -> PendulumAnswer:
     known = uncertainty_of(columns[main], of=main, normal=normal, names=sources.names, sources=sources.described)
     drawn: Columns = {**columns}
     return with_intervals(replace(plain, uncertainty=known), drawn, reach_of_draws)
+
+
+def checked_pendulum(question: PendulumQuestion) -> PendulumAnswer:
+    """Return the answer about a hanging bat; refuse what no implement is like, unless it is insisted on.
+
+    Raises
+    ------
+    InputError
+        for a moment that its weight cannot have, or a radius of gyration that no implement has.
+    """
+    answer = pendulum_answer(question)
+    mass, balance = question.mass.value, question.balance_point.value
+    if not mass > 0:
+        raise InputError(f"mass is {mass:g} kg; allowed is a weight above zero")
+    if insisted():
+        return answer
+    moi, least = float(answer.moi), mass * (balance - question.pivot.value) ** 2
+    given = f"a period of {question.swung.value:.4g} s" if question.timed else "that moment of inertia"
+    if moi <= least:
+        raise InputError(
+            f"{given} makes {moi / OUNCE_INCH_SQUARED:.0f} oz in^2 about the axis, less than this weight has when "
+            f"all of it sits at its balance point, {least / OUNCE_INCH_SQUARED:.0f} oz in^2. A period is there and "
+            "back: check that, the weight and the balance point, or add --force if it is meant"
+        )
+    gyration = ((moi - least) / mass) ** 0.5
+    low, high = USUAL_GYRATIONS
+    if not low <= gyration <= high:
+        raise InputError(
+            f"what was given makes a radius of gyration of {100 * gyration:.1f} cm about the balance point; usual is "
+            f"{100 * low:g} to {100 * high:g} cm. Check the units, or add --force if it is meant"
+        )
+    if gyration > WIDEST * balance:
+        raise InputError(
+            f"a balance point at {100 * balance:.1f} cm and the rest spread the weight by {100 * gyration:.1f} cm "
+            "about it, as no implement does. Check the units, or add --force if it is meant"
+        )
+    return answer
 
 
 def drawn_pendulum(question: PendulumQuestion) -> tuple[Array, dict[str, Array]]:

@@ -25,6 +25,7 @@ from sweetspot.answers.records import (
     Time,
     with_intervals,
 )
+from sweetspot.answers.setups import SwungWith
 from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.flight.trajectory import FlightOutcome
@@ -79,6 +80,7 @@ class PlayAnswer(Answer):
     exit_speed_half_by_ball: Speed | None = None
     home_run_chance: float | None = None
     uncertainty: Uncertainty | None = None
+    swung_with: SwungWith | None = None
 
     @property
     def launch(self) -> BallLeaving | None:

@@ -18,6 +18,7 @@ from sweetspot.answers.hit import Hit, hit_of
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import INTERNAL, Frequency, Length, Mass, MomentOfInertia, Ratio, Speed, with_intervals
 from sweetspot.answers.report_draws import drawn_report
+from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.modes import Modes
@@ -188,6 +189,7 @@ class ReportAnswer(Answer):
     swing_weight: SwingWeightText | None = None
     face_map: HitsOnFace | None = None
     uncertainty: Uncertainty | None = None
+    swung_with: SwungWith | None = None
     analysis: Annotated[Analysis[Implement], INTERNAL]
     doubt: Annotated[SpeedDoubt | None, INTERNAL] = None
     half_by_ball: Annotated[float | None, INTERNAL] = None

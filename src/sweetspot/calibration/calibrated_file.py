@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,8 +12,6 @@ from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import OF_BALL, Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName
-from sweetspot.catalog.bats import is_file
-from sweetspot.catalog.files.read import whole_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.catalog.files.write_implement import implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
@@ -119,12 +117,7 @@ def _record(written: Any, value: CalibratedValue, unit: str) -> dict[str, Any]:
     return {"value": written, "spread": spread, "source": SOURCE, "where": where, "kind": value.kind}
 
 
-def deviations_of(name_or_path: str) -> tuple[tuple[Unknown, ...], Array] | None:
-    """Return what the file of a calibrated bat, or of one that is like it, holds of what is not known; or None."""
-    return known_deviations(whole_table(Path(name_or_path))) if is_file(name_or_path) else None
-
-
-def known_deviations(table: dict[str, Any]) -> tuple[tuple[Unknown, ...], Array] | None:
+def known_deviations(table: Mapping[str, Any]) -> tuple[tuple[Unknown, ...], Array] | None:
     """Return the unknowns and their covariance that a bat file's table holds; None: it was not calibrated."""
     calibration = table.get("calibration")
     if calibration is None:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from sweetspot.catalog.bats import bat_files, bat_tables, is_file, other_files, other_tables, refuse_slip
-from sweetspot.catalog.files.bat import read_toml
-from sweetspot.catalog.files.read import implement_from_table, read_implement
+from sweetspot.catalog.bats import bat_files, bat_tables, is_file, load_bat, other_files, other_tables, refuse_slip
+from sweetspot.catalog.files.bat import bat_of_table, read_toml
+from sweetspot.catalog.files.implement import implement_of_table
+from sweetspot.catalog.files.read import implement_from_table, whole_table
+from sweetspot.catalog.implement_doubts import warn_of_doubts
 from sweetspot.catalog.records import entry
 from sweetspot.equipment.implement import Implement
 
@@ -48,9 +52,40 @@ def _catalogue_implement(name: str) -> Implement:
     return implement_from_table(read_toml(path), f"catalogue {key}")
 
 
+@dataclass(frozen=True)
+class Loaded:
+    """An implement and the content of its file.
+
+    Parameters
+    ----------
+    table : the file with what it takes from those that it is ``like``; empty: the implement has no file of its own.
+    """
+
+    implement: Implement
+    table: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
+
+
 def load_implement(name_or_path: str) -> Implement:
     """Return the implement of a TOML file, or the catalogue's of that name; see `load_bat` for what is a file."""
+    return loaded_implement(name_or_path).implement
+
+
+def loaded_implement(name_or_path: str) -> Loaded:
+    """Load an implement by its name or file; see `load_implement`."""
     if is_file(name_or_path):
-        return read_implement(Path(name_or_path))
+        table = whole_table(Path(name_or_path))
+        implement = implement_of_table(table, name_or_path)
+        warn_of_doubts(implement)
+        return Loaded(implement, table)
     refuse_slip(name_or_path, {**bat_files(), **other_files()})
-    return _catalogue_implement(name_or_path)
+    return Loaded(_catalogue_implement(name_or_path))
+
+
+def loaded_bat(name_or_path: str) -> Loaded:
+    """Load a round bat by its name or file and refuse any other implement; see `load_bat`."""
+    if not is_file(name_or_path):
+        return Loaded(load_bat(name_or_path))
+    table = whole_table(Path(name_or_path))
+    described = bat_of_table(table, name_or_path)
+    warn_of_doubts(described)
+    return Loaded(described, table)

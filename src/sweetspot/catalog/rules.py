@@ -6,11 +6,15 @@ from functools import cache
 from typing import Any
 
 from sweetspot.analysis.certification.rules import QUANTITIES, League, Rule
+from sweetspot.catalog.balls import DEFAULT_BALL, ball, ball_sport
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
 from sweetspot.catalog.sports import RULES, sport
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
+from sweetspot.errors import InputError
+from sweetspot.plausibility import insisted
 from sweetspot.units import Kind
 
 DEFAULT_LEAGUE, WOODEN_LEAGUE = "ncaa", "mlb"
@@ -34,6 +38,31 @@ def league(name: str = DEFAULT_LEAGUE) -> League:
     key, described = entry(read_table(RULES), name, "league")
     rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in described["rule"])
     return League(canonical(key), described["name"], described["ball"], rules, described.get("superseded", ""))
+
+
+def leagues_and_ball(name: str, ball_name: str | None = None) -> tuple[list[League], Ball]:
+    """Return a league in a list, or "all" that use a ball, and the ball; None: the league's.
+
+    Raises
+    ------
+    InputError
+        for an unknown league, or a ball of another sport.
+    """
+    if name.strip().lower() == "all":
+        ball_name = ball_name or DEFAULT_BALL
+        asked = ball(ball_name)
+        using = [each for each in map(league, league_names()) if ball(each.ball) == asked]
+        if not using:
+            raise InputError(f"no league's rules name the ball {ball_name!r}; name one league")
+        return using, asked
+    chosen = league(name)
+    wanted, own = (sport(ball_sport(each)).name.lower() for each in (ball_name or chosen.ball, chosen.ball))
+    if wanted != own and not insisted():
+        raise InputError(
+            f"ball was given as {ball_name}, a ball of {wanted}; {chosen.key} tests bats with a ball of {own}. Leave "
+            "it out, or add --force if it is meant"
+        )
+    return [chosen], ball(ball_name or chosen.ball)
 
 
 def usual_league(implement: Implement) -> str | None:

@@ -8,19 +8,16 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.reading import read
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.what_if_table import TableOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
-    from sweetspot.motion.swing import Conditions
     from sweetspot.motion.swing_law import SwingLaw
-    from sweetspot.uncertainty.sources import Sources
 
 
 @Parameter(name="*")
@@ -52,20 +49,6 @@ class CorkingOptions:
     bore_depth: Annotated[str, Parameter(help="Depth of the hole of --what-if.")] = "10in"
     plug: Annotated[str, Parameter(help="Length of wood that closes a filled hole.")] = "1in"
 
-    def corked(self, bat: Bat) -> list[Bat]:
-        """Return the bat as it is and with each filling of the catalogue."""
-        from sweetspot.catalog.corking import corkings
-        from sweetspot.plausibility import parse
-
-        return list(
-            corkings(
-                bat,
-                diameter=parse(self.bore_diameter, "length", "--bore-diameter"),
-                depth=parse(self.bore_depth, "length", "--bore-depth"),
-                plug=parse(self.plug, "length", "--plug"),
-            )
-        )
-
 
 DEFAULT_EFFORT, DEFAULT_CORKING, DEFAULT_TABLE = EffortOptions(), CorkingOptions(), TableOptions()
 
@@ -82,10 +65,10 @@ def compare(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Put bats side by side for one player's swing: what each gains or loses, and how surely."""
-    from sweetspot import catalog
-    from sweetspot.answers.compare import CompareQuestion, compare_answer
-    from sweetspot.catalog.corking import LABELS
-    from sweetspot.cli.options.swing import conditions_for
+    from sweetspot.answers.ask_bat import compare as asked
+    from sweetspot.answers.ask_bat import compare_corked
+    from sweetspot.answers.setups import CorkSetup
+    from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import patience, present
     from sweetspot.report.comparison.document import compare_document
 
@@ -93,44 +76,26 @@ def compare(
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
     if corking.what_if is None:
         refuse_unused(given(corking, "bore_diameter", "bore_depth", "plug"), "a corked bat", "add --what-if cork")
-    described, corked = [catalog.load_implement(name) for name in bats], corking.what_if is not None
-    law = effort.law(described[0], same_speed=swing.same_speed)
+    loaded, corked = [loaded_implement(name) for name in bats], corking.what_if is not None
+    first, law = loaded[0].implement, effort.swing_law
     if table.rows is not None or table.columns is not None:
         if len(bats) != 1 or corked or table.rows is None:
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
         if uncertainty:
             raise InputError("--uncertainty is told of bats side by side; leave it out, or leave out --rows")
-        return present(table.document(_bat(described[0]), law, swing), output)
+        return present(table.document(_bat(first), effort.law(first, same_speed=swing.same_speed), swing), output)
     refuse_unused(given(table, "cell"), "a what-if table", "add --rows, for example --rows mass=29oz:33oz:5")
-    if corked:
-        if len(bats) != 1:
-            raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")
-        described = list(corking.corked(_bat(described[0])))
-    conditions = conditions_for(described[0], swing)
-    question = CompareQuestion(
-        described,
-        conditions,
-        law,
-        labels=LABELS if corked else None,
-        sources=_sources(described, (None,) * len(described) if corked else bats, conditions, swing),
-        drawn=uncertainty,
-        rules=True,
-    )
+    if corked and len(bats) != 1:
+        raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")
+    setup = swing.setup(first)
     with patience():
-        answer = compare_answer(question)
+        if corked:
+            hole = read(CorkSetup, corking)
+            _bat(first)
+            answer = compare_corked(loaded[0], corking=hole, swing_law=law, setup=setup, uncertainty=uncertainty)
+        else:
+            answer = asked(*loaded, swing_law=law, setup=setup, uncertainty=uncertainty)
     return present(compare_document(answer, corking=corked), output)
-
-
-def _sources(
-    implements: Sequence[Implement], names: Sequence[str | None], conditions: Conditions, swing: SwingOptions
-) -> list[Sources]:
-    """Return what is not known, bat by bat; the speeds as they were written are the first bat's."""
-    from sweetspot.cli.options.uncertainty import sources_for
-
-    return [
-        sources_for(name, one, conditions, swing if number == 0 else SwingOptions())
-        for number, (one, name) in enumerate(zip(implements, names, strict=True))
-    ]
 
 
 def _bat(described: Implement) -> Bat:

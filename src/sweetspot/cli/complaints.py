@@ -15,10 +15,13 @@ from cyclopts.exceptions import (
 )
 
 from sweetspot.cli.app import PATHS
+from sweetspot.cli.options.reading import option
 from sweetspot.cli.shorthand import FORMATS, SURE
 from sweetspot.errors import nearest_names
 from sweetspot.units.usual_units import TEMPERATURES, WRITTEN
 
+FIELD = re.compile(r"(\w+)(?= was given as | belongs to )")
+"""The name that a function's parameter has, which people typed as an option."""
 BARE = re.compile(r"[-+]?[\d.,]+")
 """A number that waits for its unit."""
 NUMBERS: dict[type | None, str] = {int: "a whole number", float: "a number"}
@@ -44,7 +47,10 @@ def one_line(error: Exception, given: Sequence[str]) -> str:
         return _missing(error)
     if isinstance(error, CoercionError) and error.token is not None and error.target_type in NUMBERS:
         return f"{error.token.keyword} was given as {error.token.value!r}; allowed is {NUMBERS[error.target_type]}"
-    return _as_it_is(error)
+    words = _as_it_is(error)
+    field = FIELD.match(words)
+    asked = field and option(field[1])
+    return f"{asked}{words[field.end() :]}" if field and asked in {word.split("=")[0] for word in given} else words
 
 
 def _as_it_is(error: Exception) -> str:

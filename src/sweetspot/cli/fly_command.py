@@ -2,33 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.ranges import spread
+from sweetspot.cli.options.reading import option, read
 from sweetspot.cli.options.uncertainty import Uncertainty
 from sweetspot.cli.options.unused import refuse_unused
-from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions, check_wind, park_of, pressure_of
-from sweetspot.cli.options.written_errors import error_of, without_error
+from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.flight.aerodynamics import Aerodynamics
-    from sweetspot.flight.sweep import BattedBall, Varied
+    from sweetspot.answers.flight_setups import LaunchSetup, Weather
+    from sweetspot.flight.sweep import Varied
     from sweetspot.report.document import Document
-    from sweetspot.uncertainty.sources import Sources
-    from sweetspot.units import Kind
-
-KINDS: dict[str, Kind] = {
-    "exit_speed": "speed", "launch_angle": "angle", "spray": "angle", "bearing": "angle", "backspin": "angular speed",
-    "sidespin": "angular speed", "gyrospin": "angular speed", "height": "length", "forward": "length",
-    "temperature": "temperature", "humidity": "ratio", "pressure": "pressure", "elevation": "length",
-    "wind_speed": "speed", "wind_direction": "wind direction", "wind_exponent": "ratio", "calm_below": "length",
-}  # fmt: skip
-"""Every number of a hit and its weather, and the kind of quantity."""
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -64,8 +54,7 @@ class LaunchOptions:
 
 DEFAULT_LAUNCH = LaunchOptions()
 CELL: Literal["carry"] = "carry"
-WITH_ERRORS = ("exit_speed", "launch_angle")
-"""What may be written with an error, 100mph±1mph."""
+Options = TypeVar("Options", LaunchOptions, AirOptions)
 
 
 def fly(
@@ -80,32 +69,22 @@ def fly(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Say how far a hit ball carries. Any one or two options may be ranges (from:to:count); the answer is a table."""
+    from sweetspot.answers.ask_flight import fly as asked
+    from sweetspot.answers.flight_setups import LaunchSetup
     from sweetspot.catalog import ball_sport
-    from sweetspot.catalog.aerodynamic_laws import DEFAULT_AERODYNAMICS, usual_spin_line
+    from sweetspot.cli.options.weather import setup_of
     from sweetspot.cli.output import present
-    from sweetspot.flight.sweep import VARIATIONS, BattedBall
     from sweetspot.plausibility import check
 
+    if launch.spray is not None and launch.bearing is not None:
+        raise InputError(
+            "--spray and --bearing were both given; give --spray, the direction off the bat, or --bearing, that of the "
+            "place where the ball comes down"
+        )
     game = ball_sport(launch.ball)
-    values: dict[str, Any] = {}
-    ranges: list[Varied] = []
-    for name, text in _texts(launch, air).items():
-        varied = next((known for known in VARIATIONS if known == name), None)
-        if ":" in text and varied is not None:
-            ranges.append((varied, spread(text, KINDS[name], _option(name), sport=game)))
-        else:
-            values[name] = (
-                pressure_of(air)
-                if name == "pressure" and ":" not in (air.elevation or "")
-                else _number(name, text, game)
-            )
-    for name, values_of in ranges:
-        values[name] = values_of[0]
-    for height in [values["height"], *(at for name, row in ranges if name == "height" for at in row)]:
-        check(height, "--height", launch.height, quantity="launch_height")
-    hit = BattedBall(**values, bats=launch.bats, line=usual_spin_line(launch.law or DEFAULT_AERODYNAMICS))
+    ranges = [*_ranges(launch, game), *_ranges(air, game)]
     if len(ranges) > 2:
-        named = " and ".join(_option(name) for name, _ in ranges)
+        named = " and ".join(option(name) for name, _ in ranges)
         raise InputError(
             f"{named} were given as ranges; a table has rows and columns, so at most two options can be ranges"
         )
@@ -113,90 +92,49 @@ def fly(
         refuse_unused(["--cell"], "a table", "give a range, for example --launch-angle 10deg:40deg:7")
     if uncertainty and ranges:
         raise InputError("--uncertainty is told of one flight; leave it out, or leave out the ranges")
-    document = _table(hit, ranges, cell, launch, air) if ranges else _single(hit, air, launch, sure=uncertainty)
-    return present(document, output)
+    asked_of = read(LaunchSetup, _without(ranges, launch), sport=game, errors=uncertainty)
+    for height in [asked_of.height, *(value for name, values in ranges if name == "height" for value in values)]:
+        check(height, "--height", launch.height, quantity="launch_height")
+    weather = setup_of(_without(ranges, air))
+    if not ranges:
+        return present(asked(launch=asked_of, weather=weather, uncertainty=uncertainty), output)
+    return present(_table(asked_of, weather, ranges, cell), output)
 
 
-def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
-    """Return every option that was given or has a default, by the name that a `BattedBall` has for it."""
-    from sweetspot.catalog import ball_sport
+def _ranges(options: LaunchOptions | AirOptions, sport: str) -> list[Varied]:
+    """Return the options of a group that are ranges, with their values."""
+    from sweetspot.flight.sweep import VARIATIONS
+    from sweetspot.units.quantities import KIND_OF
 
-    options: dict[str, str | None] = {
-        name: getattr(launch, name)
-        for name in ("exit_speed", "launch_angle", "spray", "bearing", "backspin", "sidespin", "gyrospin", "height",
-                     "forward")
-    }  # fmt: skip
-    if launch.spray is not None and launch.bearing is not None:
-        raise InputError(
-            "--spray and --bearing were both given; give --spray, the direction off the bat, or --bearing, that of the "
-            "place where the ball comes down"
-        )
-    if ball_sport(launch.ball) != "baseball":  # the usual spin is that of batted baseballs
-        options |= {name: options[name] or "0rpm" for name in ("backspin", "sidespin")}
-    for name in ("temperature", "humidity", "pressure", "wind_speed", "wind_direction", "calm_below"):
-        options[name] = getattr(air, name)
-    check_wind(air)
-    park = park_of(air)
-    options["wind_exponent"] = air.wind_profile
-    options["elevation"] = air.elevation or f"{0.0 if park is None else park.elevation!r} m"
-    return {name: text for name, text in options.items() if text is not None}
+    ranges: list[Varied] = []
+    for name in VARIATIONS:
+        text = getattr(options, name, None)
+        if text is not None and ":" in text:
+            values = spread(text, KIND_OF[name], option(name), sport=sport)
+            ranges.append((name, values))
+    return ranges
 
 
-def _option(name: str) -> str:
-    return "--wind-profile" if name == "wind_exponent" else f"--{name.replace('_', '-')}"
+def _without(ranges: list[Varied], options: Options) -> Options:
+    """Return a group with the options that are ranges as they are by default."""
+    default = type(options)()
+    usual = {name: getattr(default, name) for name, _ in ranges if hasattr(default, name)}
+    return replace(options, **usual)
 
 
-def _number(name: str, text: str, sport: str) -> float:
-    from sweetspot.plausibility import parse
-
-    return parse(without_error(text) if name in WITH_ERRORS else text, KINDS[name], _option(name), sport=sport)
-
-
-def _law(launch: LaunchOptions) -> Aerodynamics:
-    from sweetspot import catalog
-
-    return catalog.aerodynamics(launch.law) if launch.law else catalog.aerodynamics_of_ball(launch.ball)
-
-
-def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions, *, sure: bool) -> Document:
-    from sweetspot import catalog
-    from sweetspot.answers.fly import FlyQuestion, fly_answer
-    from sweetspot.report.flight.document import fly_document
-
-    question = FlyQuestion(
-        hit,
-        ball=catalog.ball(launch.ball),
-        sport=catalog.sport(catalog.ball_sport(launch.ball)),
-        aerodynamics=_law(launch),
-        park=park_of(air),
-        own_elevation=air.elevation is None,
-        sources=_sources(launch, air) if sure else None,
-    )
-    return fly_document(fly_answer(question))
-
-
-def _sources(launch: LaunchOptions, air: AirOptions) -> Sources:
-    """Return what is not known of the flight: its drag, and what was written with an error."""
-    from sweetspot import catalog
-    from sweetspot.answers.flight_draws import flight_sources
-
-    speed, angle = (
-        error_of(None if text == getattr(DEFAULT_LAUNCH, name) else text, KINDS[name], _option(name))
-        for name, text in ((name, getattr(launch, name)) for name in WITH_ERRORS)
-    )
-    law = catalog.aerodynamics_in(park_of(air), _law(launch))
-    return flight_sources(law, speed_error=speed, angle_error=angle)
-
-
-def _table(hit: BattedBall, ranges: list[Varied], cell: str, launch: LaunchOptions, air: AirOptions) -> Document:
+def _table(launch: LaunchSetup, weather: Weather, ranges: list[Varied], cell: str) -> Document:
     from sweetspot import catalog
     from sweetspot.cli.output import patience
     from sweetspot.flight.sweep import flight_table
     from sweetspot.report.flight.sweep import sweep_document
 
+    first: dict[str, Any] = {name: values[0] for name, values in ranges}
     with patience():
         table = flight_table(
-            hit, rows=ranges[0], columns=ranges[1] if len(ranges) > 1 else None, ball=catalog.ball(launch.ball),
-            aerodynamics=catalog.aerodynamics_in(park_of(air), _law(launch)),
-        )  # fmt: skip
+            replace(launch.hit(weather), **first),
+            rows=ranges[0],
+            columns=ranges[1] if len(ranges) > 1 else None,
+            ball=catalog.ball(launch.ball),
+            aerodynamics=catalog.aerodynamics_in(weather.field, launch.aerodynamics),
+        )
     return sweep_document(table, cell.replace("-", "_"))

@@ -2,55 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Annotated, Literal
+from dataclasses import dataclass, fields
+from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.swing import BallCor, BallHumidity, BallTemperature, HandsAt, SameSpeed, SwingOptions
-from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
+from sweetspot.cli.options.reading import read
+from sweetspot.cli.options.swing import StrokeOptions
+from sweetspot.cli.options.uncertainty import Uncertainty
 from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
-from sweetspot.errors import InputError
-
-if TYPE_CHECKING:
-    from sweetspot.answers.optimum import LaunchSearch, ParkSearch, SwingSearch
-    from sweetspot.equipment.bat import Bat
-    from sweetspot.motion.swing import Conditions
-
-ALL = "all"
-SPEEDS, SLOWER = ("90mph", "100mph", "110mph"), ("60mph", "70mph", "80mph")
-"""Exit speeds that are asked for: where bats are swung at 65 mph and more, and where slower."""
-FAST_SWING = 29.0
-"""m/s."""
 
 
 @Parameter(name="*")
 @dataclass(frozen=True)
-class ContactOptions:
+class ContactOptions(StrokeOptions):
     """The bat's motion and what of the contact is not searched."""
 
-    bat_speed: Annotated[
-        str | None, Parameter(help="Speed of the bat before impact at --bat-speed-at; default: its sport's.")
-    ] = None
-    bat_speed_at: Annotated[str | None, Parameter(help="Where the bat speed is measured; default: 6in-from-tip.")] = (
-        None
-    )
-    pivot: Annotated[
-        str | None, Parameter(help="Axis the bat turns about, from the knob end; default: the bottom of the grip.")
-    ] = None
-    hands: HandsAt = None
     at: Annotated[str | None, Parameter(help="Hit with this place of the bat; default: the best one is searched.")] = (
         None
     )
     attack_angle: Annotated[str | None, Parameter(help="Swing this steeply; default: the best is searched.")] = None
     tilt: Annotated[str, Parameter(help="Of the plane of the swing; 0deg keeps the bat level.")] = "32deg"
-    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
-    ball_cor: BallCor = None
-    ball_humidity: BallHumidity = None
-    ball_temperature: BallTemperature = None
-    same_speed: SameSpeed = False
     uncertainty: Uncertainty = False
 
 
@@ -97,42 +71,32 @@ def optimum(
 ) -> int:
     """Find the swing and the launch angle that carry farthest, and with --park (or --park all) the slowest home run."""
     from sweetspot import catalog
-    from sweetspot.answers.flight_draws import drag_source
-    from sweetspot.answers.optimum import OptimumQuestion, optimum_answer
-    from sweetspot.cli.options.swing import swung_bat
-    from sweetspot.cli.options.weather import through
+    from sweetspot.answers.ask_flight import Searched
+    from sweetspot.answers.ask_flight import optimum as asked
+    from sweetspot.answers.flight_setups import SearchSetup, SentSetup
+    from sweetspot.catalog.implements import loaded_bat
+    from sweetspot.cli.options.weather import setup_of
     from sweetspot.cli.output import patience, present
-    from sweetspot.report.optimum.document import optimum_document
-    from sweetspot.uncertainty.sources import NOTHING
 
     _check_shown(show, pitch, contact, sent)
-    everywhere = air.park == ALL or (show == "parks" and air.park is None)
-    weather = replace(air, park=None) if everywhere else air
-    asked: tuple[str, ...] = ("swing", "launch", "parks") if show == "all" else (show,)
+    searched: tuple[Searched, ...] = ("swing", "launch", "parks") if show == "all" else (show,)
+    if show == "all" and air.park is None:
+        searched = searched[:2]
     if output.format == "csv":
-        asked = asked[:1]
-    described, parks = catalog.load_bat(bat), everywhere or air.park is not None
-    its = catalog.sport(described.sport)
-    ball = contact.ball or its.balls[0]
-    contact, pitch = replace(contact, ball=ball), replace(pitch, pitch=pitch.pitch or its.pitches)
-    sent = replace(
-        sent, exit_speed=sent.exit_speed or (SPEEDS if its.stroke.swing_speed.value > FAST_SWING else SLOWER)
-    )
-    stroke = _stroke(contact)
-    player = swung_bat(described, stroke) if "swing" in asked else None
+        searched = searched[:1]
+    loaded = loaded_bat(bat)
+    implement, ball = loaded.implement, contact.ball or catalog.sport(loaded.implement.sport).balls[0]
     with patience():
-        question = OptimumQuestion(
-            described,
-            swing=None if player is None else _swing_search(described, pitch, contact, weather, player.conditions),
-            launch=_launch_search(sent, ball, weather) if "launch" in asked else None,
-            park=_park_search(sent.backspin, ball, weather, everywhere) if "parks" in asked and parks else None,
+        answer = asked(
+            loaded,
+            search=read(SearchSetup, contact, pitch, implement=implement),
+            sent=read(SentSetup, sent, sport=catalog.ball_sport(ball)),
+            setup=contact.setup(implement, errors=contact.uncertainty),
+            weather=setup_of(air),
+            show=searched,
+            uncertainty=contact.uncertainty,
         )
-        if contact.uncertainty:
-            of_hit = NOTHING if player is None else sources_for(bat, described, player.conditions, stroke)
-            drag = drag_source(through(weather, ball).aerodynamics)
-            question = replace(question, sources=of_hit.with_source(drag))
-        document = optimum_document(optimum_answer(question))
-    return present(document if player is None else player.told(document), output)
+    return present(answer, output)
 
 
 def _check_shown(show: str, pitch: PitchOptions, contact: ContactOptions, sent: SentOptions) -> None:
@@ -144,68 +108,3 @@ def _check_shown(show: str, pitch: PitchOptions, contact: ContactOptions, sent: 
         refuse_unused(given(sent, "exit_speed"), "the best launch", "leave --show out")
     if show == "swing":
         refuse_unused(given(sent, "backspin"), "the best launch", "leave --show out")
-
-
-def _stroke(contact: ContactOptions) -> SwingOptions:
-    """Return the options of the contact that other commands have too."""
-    return SwingOptions(
-        **{one.name: getattr(contact, one.name) for one in fields(SwingOptions) if hasattr(contact, one.name)}
-    )
-
-
-def _swing_search(
-    bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: AirOptions, conditions: Conditions
-) -> SwingSearch:
-    from sweetspot.analysis.optimum.swing import Held
-    from sweetspot.answers.optimum import SwingSearch
-    from sweetspot.cli.options.pitching import pitched
-    from sweetspot.cli.options.weather import through
-    from sweetspot.dynamics.reduction import reduced_bat
-    from sweetspot.equipment.implement import check_position
-    from sweetspot.plausibility import parse, parse_position
-
-    flying = replace(through(weather, str(contact.ball)), ball=conditions.ball)
-    position = None if contact.at is None else parse_position(contact.at, length=bat.length, what="--at")
-    if position is not None:
-        check_position(bat, position, "--at")
-    steep = None if contact.attack_angle is None else parse(contact.attack_angle, "angle", "--attack-angle")
-    return SwingSearch(
-        reduced_bat(bat, ball=conditions.ball).held(conditions.hands),
-        conditions,
-        flying,
-        pitches=tuple(pitched(name, pitch.release_speed, flying) for name in pitch.pitch),
-        tilt=parse(contact.tilt, "angle", "--tilt"),
-        held=Held(position=position, attack_angle=steep),
-    )
-
-
-def _launch_search(sent: SentOptions, ball: str, weather: AirOptions) -> LaunchSearch:
-    from sweetspot.answers.optimum import LaunchSearch
-    from sweetspot.catalog.balls import ball_sport
-    from sweetspot.cli.options.weather import through
-    from sweetspot.plausibility import parse
-
-    speeds = tuple(parse(text, "speed", "--exit-speed", sport=ball_sport(ball)) for text in sent.exit_speed)
-    return LaunchSearch(through(weather, ball), speeds, parse(sent.backspin, "angular speed", "--backspin"))
-
-
-def _park_search(backspin: str, ball: str, weather: AirOptions, everywhere: bool) -> ParkSearch:
-    """Return every park that was asked for, and what is flown through there."""
-    from sweetspot import catalog
-    from sweetspot.answers.optimum import ParkSearch
-    from sweetspot.cli.options.weather import park_of, through
-    from sweetspot.plausibility import parse
-
-    flying = through(weather, ball)
-    if flying.one_wind.speed > 0:
-        raise InputError(
-            "--park was given with a wind; the slowest home run is found in still air only, so leave out --wind-speed "
-            "or ask with --show swing or --show launch"
-        )
-    named = park_of(weather)
-    parks = list(catalog.parks()) if everywhere or named is None else [named]
-    own = everywhere and weather.elevation is None
-    return ParkSearch(
-        tuple((park, catalog.conditions_in(park, flying, own_elevation=own)) for park in parks),
-        parse(backspin, "angular speed", "--backspin"),
-    )

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 from sweetspot.numerics.text_files import harmless
 
 if TYPE_CHECKING:
+    from sweetspot.answers.answer import Answer
     from sweetspot.cli.options.output import OutputOptions
     from sweetspot.report.document import Document
     from sweetspot.report.quantities import Reader
@@ -76,14 +77,17 @@ def _width_of_pipe() -> int:
     return WIDE
 
 
-def present(document: Document, options: OutputOptions, *, long: bool = False) -> int:
+def present(answer: Answer | Document, options: OutputOptions, *, long: bool = False) -> int:
     """Print an answer as it was asked for, its files written first, and return the exit code.
 
     Parameters
     ----------
     long : whether a printed page goes on after its first sheet.
     """
+    from sweetspot.report.notebook import document_of
+
     written: list[Path] = []
+    document = document_of(answer)
     document = replace(document, title=options.title or document.title, made_for=options.made_for, made=_made())
     if options.out is not None:
         from sweetspot.report.files import write_document

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal
+from dataclasses import dataclass, replace
+from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.reading import read
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-
-if TYPE_CHECKING:
-    from sweetspot.paper.choices import Choices
 
 
 @Parameter(name="*")
@@ -40,25 +38,6 @@ class PaperOptions:
 
 
 DEFAULT_OPTIONS = PaperOptions()
-LENGTHS = ("rod_hands", "hands_moved", "bore_diameter", "bore_depth", "drop_height", "block_thickness")
-
-
-def choices_for(options: PaperOptions) -> Choices:
-    """Return the choices that the options describe."""
-    from sweetspot.catalog.materials import material
-    from sweetspot.paper.choices import RATIOS, Choices
-    from sweetspot.plausibility import parse
-
-    def read(name: str, kind: Literal["length", "ratio", "angle"]) -> float:
-        return parse(getattr(options, name), kind, f"--{name.replace('_', '-')}")
-
-    return Choices(
-        entry_angle=read("entry_angle", "angle"),
-        fill=material(options.fill),
-        block_support=options.block_support,
-        **{name: read(name, "length") for name in LENGTHS},
-        **{name: read(name, "ratio") for name in RATIOS},
-    )
 
 
 def paper(
@@ -71,15 +50,13 @@ def paper(
 ) -> int:
     """Work through the implemented paper: its claims, its formulas evaluated, and the full model's answer."""
     from sweetspot import catalog
-    from sweetspot.analysis.bat_analysis import analyse
-    from sweetspot.cli.options.swing import swung_bat
+    from sweetspot.answers.ask_bat import paper as asked
+    from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.output import patience, present
-    from sweetspot.paper.chain import paper_rows
-    from sweetspot.report.paper.document import paper_document
+    from sweetspot.paper.choices import Choices
 
-    described = catalog.load_bat(bat)
-    choices = choices_for(options)
-    swung = swung_bat(described, swing)
+    loaded = loaded_bat(bat)
+    choices = replace(read(Choices, options), fill=catalog.material(options.fill))
     with patience():
-        rows = paper_rows(analyse(described, swung.conditions), choices)
-    return present(swung.told(paper_document(rows)), output)
+        answer = asked(loaded, choices=choices, setup=swing.setup(loaded.implement, errors=False))
+    return present(answer, output)

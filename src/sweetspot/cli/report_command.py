@@ -8,7 +8,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
+from sweetspot.cli.options.uncertainty import Uncertainty
 
 
 def report(
@@ -23,28 +23,17 @@ def report(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
-    from sweetspot import catalog
-    from sweetspot.analysis.bat_analysis import analyse_reduced, check_swing, outweighed
-    from sweetspot.answers.report import report_of
-    from sweetspot.cli.options.swing import swung_bat
+    from sweetspot.answers.ask_bat import report as asked
+    from sweetspot.answers.unhit import unhit_answer
+    from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import patience, present
-    from sweetspot.dynamics.reduction import reduced_bat
-    from sweetspot.report.bat.document import report_document
-    from sweetspot.report.bat.unhit import unhit_document
 
     if output.out is not None:
         from sweetspot.report.file_set import check_folder, files_of
 
         check_folder(output.out, files_of("report"))
-    implement = catalog.load_implement(bat)
-    swung = swung_bat(implement, swing)
-    conditions = swung.conditions
+    loaded = loaded_implement(bat)
+    setup = swing.setup(loaded.implement)
     with patience():
-        reduced = reduced_bat(implement, ball=conditions.ball)
-        if outweighed(reduced.body, conditions.ball):
-            check_swing(implement, conditions)
-            return present(unhit_document(reduced, conditions), output, long=appendix)
-        analysis = analyse_reduced(reduced, conditions)
-        sources = sources_for(bat, implement, analysis.conditions, swing)
-        document = report_document(report_of(analysis, sources, drawn=uncertainty))
-    return present(swung.told(document), output, long=appendix)
+        answer = unhit_answer(loaded.implement, setup) or asked(loaded, setup=setup, uncertainty=uncertainty)
+    return present(answer, output, long=appendix)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from sweetspot.errors import InputError
 from sweetspot.report.document import Document
 from sweetspot.report.html import notebook_cell
+from sweetspot.report.swung_with import with_effort
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,7 +46,7 @@ def document_of(answer: Any) -> Document:
         return answer
     for kind, make in _makers():
         if isinstance(answer, kind):
-            return make(answer)
+            return with_effort(make(answer), getattr(answer, "swung_with", None))
     raise TypeError(f"a {type(answer).__name__} has no document; use its own fields")
 
 
@@ -63,11 +64,13 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.fly import FlyAnswer
     from sweetspot.answers.hit import HitAnswer
     from sweetspot.answers.optimum import OptimumAnswer
+    from sweetspot.answers.paper import PaperAnswer
     from sweetspot.answers.pendulum import PendulumAnswer
     from sweetspot.answers.play import PlayAnswer
     from sweetspot.answers.rank import RankAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
     from sweetspot.answers.season import SeasonAnswer, SeasonPlayer
+    from sweetspot.answers.unhit import UnhitAnswer
     from sweetspot.collision.hit_in_space import Strike, Strikes
     from sweetspot.collision.impact import Impact, Impacts
     from sweetspot.dynamics.modes import Modes
@@ -75,6 +78,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.flight.kernel import Flights
     from sweetspot.flight.trajectory import Flight
     from sweetspot.report.bat.document import described_document, report_document
+    from sweetspot.report.bat.unhit import unhit_document
     from sweetspot.report.calibration.document import calibration_document
     from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.report.certification.document import certificate_document, certification_document
@@ -86,6 +90,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.hit.many_hits import impacts_document
     from sweetspot.report.modes.document import modes_document
     from sweetspot.report.optimum.document import optimum_document
+    from sweetspot.report.paper.document import paper_document
     from sweetspot.report.pendulum.document import pendulum_document
     from sweetspot.report.play.bare_play import bare_play_document, strike_document
     from sweetspot.report.play.document import play_document
@@ -109,6 +114,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),
         (ReportAnswer, report_document),
+        (UnhitAnswer, unhit_document),
+        (PaperAnswer, paper_document),
         (CertifyAnswer, certificate_document),
         (CompareAnswer, compare_document),
         (HitAnswer, hit_document),

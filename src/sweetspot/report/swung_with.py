@@ -3,53 +3,45 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
-from sweetspot.analysis.same_effort import Changed
-from sweetspot.motion.swing import Conditions
+from sweetspot.answers.setups import SwungWith
 from sweetspot.numerics.confidence import NO_SPEED
 from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.sentences import Sentence, Slot, say
 
 
-def effort_words(changed: Changed, conditions: Conditions, *, same_speed: bool) -> Sentence:
-    """Return in a sentence how a changed bat is swung, and what its speed became.
-
-    Parameters
-    ----------
-    conditions : as it is swung.
-    same_speed : whether as fast as the bat that it was.
-    """
-    name, speed = changed.bat.name, conditions.swing.bat_speed
-    if same_speed:
-        other = changed.with_same_effort(conditions).swing.bat_speed
+def effort_words(swung: SwungWith) -> Sentence:
+    """Say how a changed bat is swung, and what its speed became."""
+    name, speed = swung.changed.bat.name, float(swung.bat_speed)
+    if swung.same == "speed":
+        other = swung.changed.with_same_effort(swung.conditions).swing.bat_speed
         return say(
             "{name}: swung at the same speed as before the change, {speed}; with the same effort it would move at "
             "{other}.",
-            name=name, speed=Slot(speed, "speed"), other=Slot(other, "speed"),
-        )  # fmt: skip
-    before = changed.speed_before(conditions)
+            name=name,
+            speed=Slot(speed, "speed"),
+            other=Slot(other, "speed"),
+        )
+    before = float(swung.bat_speed_before)
     if abs(speed - before) < NO_SPEED:
         return say(
             "{name}: swung with the same effort as before the change, which leaves its speed at {speed}.",
-            name=name, speed=Slot(speed, "speed"),
-        )  # fmt: skip
+            name=name,
+            speed=Slot(speed, "speed"),
+        )
     return say(
         "{name}: swung with the same effort as before the change, at {speed} in place of {before}.",
-        name=name, speed=Slot(speed, "speed"), before=Slot(before, "speed"),
-    )  # fmt: skip
+        name=name,
+        speed=Slot(speed, "speed"),
+        before=Slot(before, "speed"),
+    )
 
 
-def with_effort(document: Document, changed: Changed | None, conditions: Conditions, *, same_speed: bool) -> Document:
-    """Return an answer of a changed bat with the sentence that says how it is swung; of another as it is."""
-    if changed is None:
+def with_effort(document: Document, swung: SwungWith | None) -> Document:
+    """Return an answer about a changed bat with the sentence that says how it is swung; of another as it is."""
+    if swung is None:
         return document
-    words = Paragraph(effort_words(changed, conditions, same_speed=same_speed))
-    data: dict[str, Any] = {
-        "same": "speed" if same_speed else "effort",
-        "bat_speed_m_s": conditions.swing.bat_speed,
-        "bat_speed_before_m_s": conditions.swing.bat_speed if same_speed else changed.speed_before(conditions),
-    }
     blocks = [*document.blocks]
-    blocks.insert(next((at for at, one in enumerate(blocks[:2], start=1) if isinstance(one, Paragraph)), 0), words)
-    return replace(document, blocks=blocks, data={**document.data, "swung_with": data})
+    place = next((at for at, block in enumerate(blocks[:2], start=1) if isinstance(block, Paragraph)), 0)
+    blocks.insert(place, Paragraph(effort_words(swung)))
+    return replace(document, blocks=blocks)

@@ -9,27 +9,31 @@ from typing import Any
 from sweetspot.errors import InputError
 from sweetspot.units.text import SI, Kind, to_si
 
-KIND_OF: Mapping[str, Kind] = {
-    **dict.fromkeys(("speed", "bat_speed", "pitch_speed", "closing_speed", "velocity", "reference_speed"), "speed"),
-    **dict.fromkeys(("launch_angle", "spray", "attack_angle", "attack_direction", "tilt", "direction"), "angle"),
-    **dict.fromkeys(("backspin", "sidespin", "gyrospin", "spin"), "angular speed"),
-    **dict.fromkeys(
-        (
-            *("position", "lateral", "offset", "pivot", "measured_at", "spacing", "length", "diameter", "depth"),
-            *("choke", "moi_axis", "balance_point", "radius", "plug", "elevation", "reference_height", "calm_below"),
-        ),
-        "length",
+KINDS: Mapping[Kind, str] = {
+    "speed": (
+        "speed bat_speed pitch_speed release_speed exit_speed closing_speed velocity reference_speed wind wind_speed"
     ),
-    **dict.fromkeys(
-        ("longitudinal_modulus", "shear_modulus", "transverse_modulus", "pressure", "strength"), "pressure"
+    "angle": ("launch_angle spray bearing attack_angle attack_direction tilt direction approach_angle entry_angle"),
+    "wind direction": "wind_direction",
+    "angular speed": "backspin sidespin gyrospin spin pitch_backspin pitch_sidespin",
+    "length": (
+        "position lateral at beside offset pivot hands measured_at bat_speed_at spacing length diameter depth "
+        "choke moi_axis balance_point radius plug bore_diameter bore_depth rod_hands hands_moved elevation "
+        "reference_height calm_below height forward drop_height thickness block_thickness size"
     ),
-    **dict.fromkeys(("density", "air"), "density"),
+    "pressure": "longitudinal_modulus shear_modulus transverse_modulus pressure strength",
+    "density": "density air",
     "mass": "mass",
     "moi": "moi",
-    "step": "time",
-    "temperature": "temperature",
-    "wind": "speed",
+    "time": "step period",
+    "temperature": "temperature ball_temperature",
+    "ratio": (
+        "humidity wind_profile ball_cor ball_humidity standard_ball_cor ball_restitution wood_restitution "
+        "metal_restitution wood_share metal_share"
+    ),
 }
+"""Names of parameters and fields by what they are."""
+KIND_OF: Mapping[str, Kind] = {name: kind for kind, names in KINDS.items() for name in names.split()}
 """What a parameter or field of this name is."""
 PLAIN = {float, int, bool, type(None)}
 """Types of values that need no look, and no time."""

@@ -11,6 +11,7 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import Length, Mass, MomentOfInertia, Ratio
+from sweetspot.answers.setups import SwungWith
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
@@ -133,7 +134,8 @@ def _how_swung(state: SwungState, bat: Bat) -> dict[System, str] | None:
     changed = changed_bat(state)
     if changed is None:
         return None
-    words = effort_words(changed, conditions_of(state, bat), same_speed=state.same == "speed")
+    swung_with = SwungWith.of(changed, conditions_of(state, bat), same_speed=state.same == "speed")
+    words = effort_words(swung_with)
     return {system: sentence for system, [sentence] in in_both_systems([words]).items()}
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 
 from sweetspot import catalog
-from sweetspot.calibration.calibrated_file import deviations_of
+from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.catalog.files.read import implement_from_table
+from sweetspot.catalog.implements import loaded_implement
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
@@ -155,7 +156,7 @@ def test_a_calibration_comes_along(tmp_path: Path) -> None:
     read(tmp_path, f'like = "r161-ash"\nmass = "31.2 oz"\n{calibration}', "own.toml")
     taped = read(tmp_path, f'like = "own.toml"\n{KNOB}')
     assert taped.calibrated and body(taped).mass == pytest.approx(35.2 * OUNCE)
-    known = deviations_of(str(tmp_path / "mine.toml"))
+    known = known_deviations(loaded_implement(str(tmp_path / "mine.toml")).table)
     assert known is not None and [one.name for one in known[0]] == ["modulus"]
     maple = read(tmp_path, 'like = "own.toml"\nmaterial = "sugar maple"\n')
-    assert not maple.calibrated and deviations_of(str(tmp_path / "mine.toml")) is None
+    assert not maple.calibrated and known_deviations(loaded_implement(str(tmp_path / "mine.toml")).table) is None

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.cli.options.reading import read
 from sweetspot.cli.options.unused import given, refuse_unused
 
 if TYPE_CHECKING:
-    from sweetspot.flight.air import Air, Wind
-    from sweetspot.flight.conditions import FlightConditions
-    from sweetspot.flight.park import Park
+    from sweetspot.answers.flight_setups import Weather
+    from sweetspot.flight.air import Air
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -64,70 +64,28 @@ class GamesAirOptions(WeatherOptions):
 DEFAULT_AIR, DEFAULT_GAMES_AIR = AirOptions(), GamesAirOptions()
 
 
-def park_of(options: AirOptions) -> Park | None:
-    """Return the park that the options name, if any."""
-    from sweetspot import catalog
+def setup_of(options: WeatherOptions) -> Weather:
+    """Return the weather and the field that the options describe; refuse a wind that has no speed."""
+    from sweetspot.answers.flight_setups import Weather
+    from sweetspot.plausibility import insisted, insisting, parse
 
-    return None if options.park is None else catalog.park(options.park)
+    if isinstance(options, AirOptions) and not given(options, "wind_speed"):
+        described = given(options, "wind_direction", "wind_profile", "calm_below")
+        refuse_unused(described, "a wind", "say how fast it blows, as in --wind-speed 10mph")
+    # a barometer that was read at a high field is allowed where its elevation is said to be 0
+    at_the_field = options.elevation is not None and parse(options.elevation, "length", "--elevation") == 0
+    with insisting(insisted() or at_the_field):
+        return read(Weather, options)
+
+
+def weather_of(options: WeatherOptions) -> Air:
+    """Return the air that the options describe."""
+    from sweetspot.plausibility import parse
+
+    weather = setup_of(options)
+    return replace(weather, temperature=parse(options.temperature, "temperature", "--temperature")).air
 
 
 def air_of(options: AirOptions) -> Air:
-    """Return the air that the options describe."""
-    park = park_of(options)
-    return weather_of(options, above_sea=0.0 if park is None else park.elevation)
-
-
-def weather_of(options: WeatherOptions, *, above_sea: float = 0.0) -> Air:
-    """Return the air that the options describe, at an elevation (m) where they name none."""
-    from sweetspot.flight.air import Air
-    from sweetspot.plausibility import parse
-
-    return Air(
-        temperature=parse(options.temperature, "temperature", "--temperature"),
-        pressure=pressure_of(options),
-        humidity=parse(options.humidity, "ratio", "--humidity"),
-        elevation=above_sea if options.elevation is None else parse(options.elevation, "length", "--elevation"),
-    )
-
-
-def pressure_of(options: WeatherOptions) -> float:
-    """Return the barometer in Pa; where the elevation is said to be 0, one that was read at a high field is allowed."""
-    from sweetspot.plausibility import insisted, insisting, parse
-
-    at_the_field = options.elevation is not None and parse(options.elevation, "length", "--elevation") == 0
-    with insisting(insisted() or at_the_field):
-        return parse(options.pressure, "pressure", "--pressure")
-
-
-def wind_of(options: AirOptions) -> Wind:
-    """Return the wind that the options describe."""
-    from sweetspot.flight.air import Wind
-    from sweetspot.plausibility import parse
-
-    check_wind(options)
-    return Wind(
-        speed=parse(options.wind_speed, "speed", "--wind-speed"),
-        direction=parse(options.wind_direction, "wind direction", "--wind-direction"),
-        exponent=parse(options.wind_profile, "ratio", "--wind-profile"),
-        calm_below=parse(options.calm_below, "length", "--calm-below"),
-    )
-
-
-def check_wind(options: AirOptions) -> None:
-    """Refuse a wind that is described and has no speed."""
-    if not given(options, "wind_speed"):
-        described = given(options, "wind_direction", "wind_profile", "calm_below")
-        refuse_unused(described, "a wind", "say how fast it blows, as in --wind-speed 10mph")
-
-
-def through(options: AirOptions, ball: str) -> FlightConditions:
-    """Return what a ball of the catalogue flies through: its drag law, the air and the wind."""
-    from sweetspot import catalog
-    from sweetspot.flight.conditions import FlightConditions
-
-    return FlightConditions(
-        ball=catalog.ball(ball),
-        aerodynamics=catalog.aerodynamics_in(park_of(options), catalog.aerodynamics_of_ball(ball)),
-        air=air_of(options),
-        wind=wind_of(options),
-    )
+    """Return the air that the options describe, over their park."""
+    return setup_of(options).air

@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
-from typing import Any
 
+from sweetspot.answers.paper import PaperAnswer
 from sweetspot.paper.formulas import Row, Value
 from sweetspot.report.document import Cell, Column, Document, Table
-from sweetspot.report.json_shapes import as_columns, cleaned
+from sweetspot.report.json_shapes import as_columns
 from sweetspot.units.text import GROUPED_FROM, grouped
 
 
-def paper_document(rows: Sequence[Row]) -> Document:
+def paper_document(answer: PaperAnswer) -> Document:
     """Return the paper's chain as a document."""
-    data = paper_json(rows)
+    data = answer.to_dict()
     return Document(
-        name="paper", title="The paper's chain", kind="Paper", blocks=[paper_table(rows)], data=data,
+        name="paper",
+        title="The paper's chain",
+        kind="Paper",
+        blocks=[paper_table(answer.rows)],
+        data=data,
         rows=as_columns(data["rows"]),
-    )  # fmt: skip
-
-
-def paper_json(rows: Sequence[Row]) -> dict[str, Any]:
-    """Return the paper's chain for other programs."""
-    return cleaned({"rows": [asdict(row) for row in rows]})
+    )
 
 
 def paper_table(rows: Sequence[Row], title: str = "") -> Table:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.paper.formulas import Row
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.report.json_shapes import as_columns
-from sweetspot.report.paper.document import paper_json, paper_table
+from sweetspot.report.paper.document import paper_table
 from sweetspot.report.quantities import SI, reader
 from sweetspot.report.sentences import Sentence, Slot, say
 
@@ -59,7 +60,7 @@ def sport_document(described: Sport, rows: Sequence[Row]) -> Document:
     missing = Bullets(described.not_covered)
     known = [_record(one) for one in described.numbers()]
     data = _summary(described) | {
-        "words": described.words.model_dump(), "numbers": known, "formulas": paper_json(rows)["rows"],
+        "words": described.words.model_dump(), "numbers": known, "formulas": [to_dict(row) for row in rows],
         "terms": dict(described.terms), "not_covered": list(described.not_covered),
     }  # fmt: skip
     return Document(

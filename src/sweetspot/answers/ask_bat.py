@@ -1,0 +1,215 @@
+"""Questions about a bat as plain functions: what differs from the sport's usual in, a typed answer out.
+
+The command line and the public functions of the same names (`sweetspot.hit`, ...) both ask here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from sweetspot import catalog
+from sweetspot.answers.setups import AS_USUAL, CorkSetup, HitSetup, Place, check_beyond_hands, round_bat
+from sweetspot.catalog.implements import Loaded
+from sweetspot.equipment.implement import check_on_face, check_position
+from sweetspot.errors import InputError
+from sweetspot.paper.choices import Choices
+
+if TYPE_CHECKING:
+    from sweetspot.analysis.certification.shots import Shots
+    from sweetspot.answers.certify import CertifyAnswer
+    from sweetspot.answers.compare import CompareAnswer
+    from sweetspot.answers.hit import HitAnswer
+    from sweetspot.answers.paper import PaperAnswer
+    from sweetspot.answers.report import ReportAnswer
+
+
+def report(implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool = False) -> ReportAnswer:
+    """Return where an implement hits best, and why: sweet spots, curves along it, its best hit, what misses cost.
+
+    Parameters
+    ----------
+    implement : a bat or another implement, its name in the catalogue, or its file.
+    uncertainty : whether every number gets its interval, with what that comes from.
+
+    Raises
+    ------
+    InputError
+        when swing or hands do not go with it, or the ball outweighs it.
+
+    >>> import sweetspot
+    >>> best = sweetspot.report("r161-ash", pitch_speed="85 mph").best_hit
+    >>> f"{best.position.value:.2f} m, {best.exit_speed:.1f} m/s"
+    """
+    from sweetspot.analysis.bat_analysis import analyse_reduced
+    from sweetspot.answers.report import report_of
+    from sweetspot.dynamics.reduction import reduced_bat
+
+    conditions, swung_with = setup.swung(implement.implement)
+    analysis = analyse_reduced(reduced_bat(implement.implement, ball=conditions.ball), conditions)
+    return replace(report_of(analysis, setup.sources(implement, conditions), drawn=uncertainty), swung_with=swung_with)
+
+
+def hit(
+    implement: Loaded, *, at: Place, beside: float = 0.0, setup: HitSetup = AS_USUAL, uncertainty: bool = False
+) -> HitAnswer:
+    """Return one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes.
+
+    Parameters
+    ----------
+    implement : a bat or another implement, its name in the catalogue, or its file.
+    at : m from the knob end; as a text also from the tip, "6in-from-tip".
+    beside : m beside the middle line of a face; not for bats.
+    uncertainty : whether every number gets its interval, with what that comes from.
+
+    Raises
+    ------
+    InputError
+        for a place that is not on the implement, or is where the hands are, or a swing that does not go with it.
+
+    >>> import sweetspot
+    >>> round(sweetspot.hit("r161-ash", at="6in-from-tip").exit_speed, 1)  # m/s
+    45.2
+    """
+    from sweetspot.answers.hit import HitQuestion, hit_answer
+
+    conditions, swung_with = setup.swung(implement.implement)
+    check_position(implement.implement, at, "at")
+    check_on_face(implement.implement, at, "at")
+    check_beyond_hands(at, conditions.hands.position)
+    sources = setup.sources(implement, conditions) if uncertainty else None
+    answer = hit_answer(HitQuestion(implement.implement, conditions, at, beside, sources))
+    return replace(answer, swung_with=swung_with)
+
+
+def compare(
+    *implements: Loaded,
+    swing_law: str | None = None,
+    setup: HitSetup = AS_USUAL,
+    uncertainty: bool = False,
+) -> CompareAnswer:
+    """Put implements side by side for one player's swing: what each gains or loses, how surely, whether rules allow it.
+
+    Parameters
+    ----------
+    implements : each a bat or another implement, its name in the catalogue, or its file; the first is the reference.
+    swing_law : name of the law by which speed depends on the bat; None: the sport's.
+    uncertainty : whether the intervals come from draws, with what they come from.
+
+    Raises
+    ------
+    InputError
+        without one, of different sports, or when one of them or its swing is refused.
+
+    >>> import sweetspot
+    >>> [bat.label for bat in sweetspot.compare("r161-ash", "corked-r161").bats]
+    ['R161, white ash', 'R161 corked']
+    """
+    if not implements:
+        raise InputError("no bat was given; name one or more, for example r161-ash and youth-30")
+    law = None if setup.same_speed else swing_law or catalog.sport(implements[0].implement.sport).swing_law
+    return _compared(implements, law, setup, drawn=uncertainty)
+
+
+def compare_corked(
+    bat: Loaded,
+    *,
+    corking: CorkSetup = CorkSetup(),
+    swing_law: str | None = None,
+    setup: HitSetup = AS_USUAL,
+    uncertainty: bool = False,
+) -> CompareAnswer:
+    """Put a bat beside itself drilled, corked, and filled with rubber or foam; see `compare`."""
+    from sweetspot.catalog.corking import LABELS
+
+    law = None if setup.same_speed else swing_law or catalog.sport(bat.implement.sport).swing_law
+    variants = [Loaded(variant) for variant in corking.variants(round_bat(bat))]
+    return _compared(variants, law, setup, drawn=uncertainty, labels=LABELS)
+
+
+def _compared(
+    implements: Sequence[Loaded], law: str | None, setup: HitSetup, *, drawn: bool, labels: Sequence[str] | None = None
+) -> CompareAnswer:
+    from sweetspot.answers.compare import CompareQuestion, compare_answer
+
+    conditions = setup.conditions(implements[0].implement)
+    asked = [setup, *[AS_USUAL] * (len(implements) - 1)]  # the speeds as they were written are the first one's
+    question = CompareQuestion(
+        [loaded.implement for loaded in implements],
+        conditions,
+        None if law is None else catalog.swing_law(law),
+        labels=labels,
+        sources=[each.sources(loaded, conditions) for each, loaded in zip(asked, implements, strict=True)],
+        drawn=drawn,
+        rules=True,
+    )
+    return compare_answer(question)
+
+
+def certify(
+    bat: Loaded,
+    *,
+    league: str | None = None,
+    ball: str | None = None,
+    shots: Shots | None = None,
+    standard_ball_cor: float | None = None,
+    wall_that_passes: bool = False,
+    uncertainty: bool = False,
+) -> CertifyAnswer:
+    """Test a bat: BBCOR, BESR, BPF and the rules of leagues, each with its margin.
+
+    Parameters
+    ----------
+    bat : a round bat, its name in the catalogue, or its file.
+    league : of the catalogue, or "all" that use the ball; None: that of the bat's sport.
+    ball : its name in the catalogue; None: the league's.
+    shots : measured ones in place of a computed test, as `read_shots` returns them.
+    standard_ball_cor : restitution that shots are normalized to; None: the ball's at 60 mph.
+    wall_that_passes : whether to say which barrel wall of a hollow bat would just pass.
+    uncertainty : whether to say how probable it is that each rule is kept, with intervals.
+
+    Raises
+    ------
+    InputError
+        for a bat that cannot be clamped, or a league or ball that is not known or do not go together.
+
+    >>> import sweetspot
+    >>> sweetspot.certify("r161-ash").verdict.value
+    'pass'
+    """
+    from sweetspot.answers.certify import CertifyQuestion, certify_answer
+    from sweetspot.catalog.rules import DEFAULT_LEAGUE, leagues_and_ball
+    from sweetspot.catalog.standard_hit import standard_conditions
+
+    described = round_bat(bat)
+    leagues, fired = leagues_and_ball(league or catalog.sport(described.sport).rules or DEFAULT_LEAGUE, ball)
+    conditions = standard_conditions(described).replaced(ball=fired)
+    question = CertifyQuestion(
+        described,
+        leagues,
+        fired,
+        shots=shots,
+        standard_restitution=standard_ball_cor,
+        passing_wall=wall_that_passes,
+        sources=AS_USUAL.sources(bat, conditions) if uncertainty else None,
+    )
+    return certify_answer(question)
+
+
+def paper(bat: Loaded, *, choices: Choices = Choices(), setup: HitSetup = AS_USUAL) -> PaperAnswer:
+    """Work through the implemented paper: its claims, its formulas evaluated, and the full model's answer.
+
+    Parameters
+    ----------
+    bat : a round bat, its name in the catalogue, or its file.
+
+    >>> import sweetspot
+    >>> sweetspot.paper("r161-ash").rows[0].equation
+    '1'
+    """
+    from sweetspot.analysis.bat_analysis import analyse
+    from sweetspot.answers.paper import paper_answer
+
+    conditions, swung_with = setup.swung(round_bat(bat))
+    return replace(paper_answer(analyse(round_bat(bat), conditions), choices), swung_with=swung_with)

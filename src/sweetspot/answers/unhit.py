@@ -1,0 +1,62 @@
+"""An implement that the ball outweighs: what can be said of it without a hit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from sweetspot.analysis.bat_analysis import check_swing, outweighed
+from sweetspot.analysis.sweet_spot import barrel_node
+from sweetspot.answers.answer import Answer
+from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.records import INTERNAL, Length
+from sweetspot.answers.report import VibrationMode, vibration_modes
+from sweetspot.answers.setups import HitSetup
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.dynamics.rigid import centre_of_percussion, rigid_body
+from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing import Conditions
+
+
+@dataclass(frozen=True, kw_only=True)
+class QuietPlaces:
+    """Places that need no ball, from the knob end; None: a short implement has none."""
+
+    node_1: Length | None = None
+    node_2: Length | None = None
+    center_of_percussion: Length | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnhitAnswer(Answer):
+    """Weight, balance, tones and nodes of an implement that is no heavier than the ball."""
+
+    bat: MassProperties
+    modes: tuple[VibrationMode, ...]
+    sweet_spots: QuietPlaces
+    outcome: str = "the ball is no lighter than what would hit it"
+    reduced: Annotated[ReducedBat[Implement], INTERNAL]
+    conditions: Annotated[Conditions, INTERNAL]
+
+
+def unhit_answer(implement: Implement, setup: HitSetup) -> UnhitAnswer | None:
+    """Return what is known of an implement without a hit; None where the ball does not outweigh it."""
+    conditions, _ = setup.swung(implement)
+    body = rigid_body(beam_model(implement))
+    if not outweighed(body, conditions.ball):
+        return None
+    check_swing(implement, conditions)
+    reduced = reduced_bat(implement, ball=conditions.ball)
+    places = {
+        "node_1": barrel_node(reduced.modes, harmonic=1),
+        "node_2": barrel_node(reduced.modes, harmonic=2),
+        "center_of_percussion": centre_of_percussion(reduced.body, pivot=conditions.hands.position),
+    }
+    return UnhitAnswer(
+        bat=mass_properties(implement, reduced.body),
+        modes=vibration_modes(reduced.modes),
+        sweet_spots=QuietPlaces(**{name: place for name, place in places.items() if place <= implement.length}),
+        reduced=reduced,
+        conditions=conditions,
+    )
