@@ -9,6 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from sweetspot.report.player.goals import pitch_words
+from sweetspot.report.player.numbers import option_rows, player_json
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import compare
@@ -35,8 +37,6 @@ from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.player.swings import Swings, read_swings
 from sweetspot.player.swung_pairs import Pair
-from sweetspot.report.player.goals import pitch_words
-from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.team import best_option
 from sweetspot.report.player.words import answers, findings, notes
 from sweetspot.report.quantities import US

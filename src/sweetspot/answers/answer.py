@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -66,3 +66,10 @@ class Answer(ShownInNotebooks):
 
         table = self.to_dict(units)
         return polars.DataFrame({key: [value] for key, value in table.items() if not isinstance(value, (dict, list))})
+
+
+def frame_of(rows: Sequence[object], units: System) -> polars.DataFrame:
+    """Return records as a frame of a row each."""
+    import polars
+
+    return polars.DataFrame([to_dict(row, units) for row in rows], infer_schema_length=None)

@@ -50,6 +50,8 @@ GAPS: Final = "gaps"
 
 OF_RECORD: Final = "dimension of the record"
 """Mark of a number whose dimension its record says, in a property ``dimension``."""
+PLAIN_ENDS: Final = "plain ends"
+"""Mark of a number the ends of whose interval are called just ``low`` and ``high``."""
 
 Speed = Annotated[Number, SPEED]
 Length = Annotated[Number, LENGTH]
@@ -111,7 +113,7 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
             continue
         marks = list(_marks(hint))
         counted_in = record.dimension if OF_RECORD in marks else dimension
-        table |= _entries(field.name, value, counted_in, system, nested=NESTED in marks)
+        table |= _entries(field.name, value, counted_in, system, marks=marks)
     return table
 
 
@@ -120,16 +122,17 @@ def plain_data(value: Any, system: System = "si") -> Any:
     return _plain(value, RATIO, system)
 
 
-def _entries(name: str, value: Any, dimension: Dimension, system: System, *, nested: bool) -> dict[str, Any]:
+def _entries(name: str, value: Any, dimension: Dimension, system: System, *, marks: Sequence[Any]) -> dict[str, Any]:
     """Return one field's keys and values."""
-    if nested:
+    if NESTED in marks and value is not None:
         number = interval_of(value)
         sides = {"value": number.value, "low": number.low, "high": number.high}
         return {dimension.key(name, system): _plain(sides, dimension, system)}
     if isinstance(value, CalibratedValue):
-        return {name: {"kind": value.kind, **_entries(name, value.value, dimension, system, nested=False)}}
+        return {name: {"kind": value.kind, **_entries(name, value.value, dimension, system, marks=marks)}}
     if isinstance(value, (Interval, Band, Measured)):
-        ends = {name: value.value, f"{name}_low": value.low, f"{name}_high": value.high}
+        low, high = ("low", "high") if PLAIN_ENDS in marks else (f"{name}_low", f"{name}_high")
+        ends = {name: value.value, low: value.low, high: value.high}
         if isinstance(value, Measured):
             ends[f"{name}_error"] = value.error
         return {dimension.key(key, system): _plain(end, dimension, system) for key, end in ends.items()}

@@ -13,6 +13,8 @@ from sweetspot.catalog.records import quantity, read_table
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.motion.swing_law import GREATEST_EXPONENT
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import Interval
 from sweetspot.units import Kind
 
 FILE = "player_priors.toml"
@@ -136,6 +138,12 @@ class Population:
 
 ANYBODY = Population(np.zeros(len(NAMES)), np.ones(len(NAMES)))
 """A player of whom nothing is known, not even the league: the prior itself."""
+
+
+def population_range(population: Population) -> dict[str, Interval]:
+    """Return by parameter the middle of a population and what 90 % of its players lie within, SI."""
+    ends = np.array([natural(population.mean + side * population.spread) for side in (0.0, -REACH, REACH)])
+    return {name: Interval(*part) for name, part in zip(NAMES, ends.T.tolist(), strict=True)}
 
 
 def log_prior(standard: Array, population: Population = ANYBODY) -> Array:

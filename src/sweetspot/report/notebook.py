@@ -67,9 +67,11 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.paper import PaperAnswer
     from sweetspot.answers.pendulum import PendulumAnswer
     from sweetspot.answers.play import PlayAnswer
+    from sweetspot.answers.player import FitPlayerAnswer
     from sweetspot.answers.rank import RankAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
     from sweetspot.answers.season import SeasonAnswer, SeasonPlayer
+    from sweetspot.answers.team import FitTeamAnswer
     from sweetspot.answers.unhit import UnhitAnswer
     from sweetspot.collision.hit_in_space import Strike, Strikes
     from sweetspot.collision.impact import Impact, Impacts
@@ -94,6 +96,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.pendulum.document import pendulum_document
     from sweetspot.report.play.bare_play import bare_play_document, strike_document
     from sweetspot.report.play.document import play_document
+    from sweetspot.report.player.document import player_document
+    from sweetspot.report.player.team import team_document
     from sweetspot.report.season.document import season_document
     from sweetspot.report.season.one_player import player_page
     from sweetspot.uncertainty.sources import sources_of
@@ -110,6 +114,8 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (PendulumAnswer, pendulum_document),
         (RankAnswer, ranking_document),
         (CalibrateAnswer, calibration_document),
+        (FitPlayerAnswer, player_document),
+        (FitTeamAnswer, team_document),
         (Comparison, comparison_document),
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),

@@ -87,4 +87,4 @@ def test_a_player_s_picture() -> None:
     advice = advise(fitted, goal=Goal("exit-speed"), aerodynamics=catalog.aerodynamics(), air=Air())
     for reader, paper in itertools.product(SYSTEMS.values(), (ALONE, ON_A_SHEET)):
         named = "A player with a long name, of a club"
-        check_labels(player_figure(fitted, advice, player=named, day="30 September 2026", reading=reader, paper=paper))
+        check_labels(player_figure(advice, player=named, day="30 September 2026", reading=reader, paper=paper))

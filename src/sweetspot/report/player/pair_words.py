@@ -5,7 +5,7 @@ from __future__ import annotations
 from sweetspot.player.advice import Advice
 from sweetspot.player.swung_pairs import Pair
 from sweetspot.report.document import Cell, Column, Table
-from sweetspot.report.player.goals import goal_shown
+from sweetspot.report.player.phrases import goal_shown
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
 
 PAIRS_TOLD = 6

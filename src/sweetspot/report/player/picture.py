@@ -12,7 +12,6 @@ from matplotlib.figure import Figure
 from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import PLACES, Advice
-from sweetspot.player.posterior import Posterior
 from sweetspot.player.prior import NAMES
 from sweetspot.report.pictures.style import (
     HUGE,
@@ -27,8 +26,7 @@ from sweetspot.report.pictures.style import (
     light_grid,
     styled,
 )
-from sweetspot.report.player.goals import GOALS, goal_words, pitch_words
-from sweetspot.report.player.tried_bats import option_words
+from sweetspot.report.player.phrases import GOALS, goal_words, option_words, pitch_words
 from sweetspot.report.player.words import changes
 from sweetspot.report.quantities import BLUE, GREEN, RED, SKY, US, Reader, Unit
 from sweetspot.report.sentences import say, within
@@ -66,7 +64,6 @@ LIGHTER = 1.06
 
 @styled
 def player_figure(
-    posterior: Posterior,
     advice: Advice,
     *,
     player: str = "",
@@ -89,9 +86,9 @@ def player_figure(
     height = max(below + deep[0], top + deep[1]) + paper.footer
     figure = Figure(figsize=(paper.width, height))
     if paper is ALONE:
-        _header(figure, posterior, advice, height, reading, player=player, day=day)
+        _header(figure, advice, height, reading, player=player, day=day)
     axes = axes_in_inches(figure, left=side, top=top, width=column, height=paper.curve)
-    _contact(axes, posterior, advice, reading, note="by where the ball is met on average" if paper is ALONE else "")
+    _contact(axes, advice, reading, note="by where the ball is met on average" if paper is ALONE else "")
     unit = _unit(advice, reading)
     for rows, left, start, size, words in (
         (worth, side, below, deep[0], "What a change of the player is worth"),
@@ -113,26 +110,24 @@ def _unit(advice: Advice, reading: Reader) -> Unit:
     return replace(unit, digits=unit.digits if digits is None else digits)
 
 
-def _header(
-    figure: Figure, posterior: Posterior, advice: Advice, height: float, reading: Reader, *, player: str, day: str
-) -> None:
-    left, room, learned = ALONE.side / ALONE.width, ALONE.width - 2 * ALONE.side, posterior.learned
+def _header(figure: Figure, advice: Advice, height: float, reading: Reader, *, player: str, day: str) -> None:
+    left, room, posterior = ALONE.side / ALONE.width, ALONE.width - 2 * ALONE.side, advice.posterior
     title = f"Training report: {player}" if player else "Training report"
     words, size = fitted(title, width=room, size=HUGE)
     figure.text(left, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
     line = say(
         "{day}{count} swings, {bat}: bat speed {speed}, {pitch}",
         day=f"{day}: " if day else "", count=len(posterior.model.swings),
-        bat=posterior.model.bats[0].bat.name, speed=within(learned["bat_speed"].interval, "speed"),
+        bat=posterior.model.bats[0].bat.name, speed=within(posterior.learned["bat_speed"].interval, "speed"),
         pitch=pitch_words(advice.pitch_speed),
     )  # fmt: skip
     words, size = fitted(line.read(reading), width=room, size=NORMAL, smallest=6.0)
     figure.text(left, 1 - 0.66 / height, words, color=MUTED, size=size, parse_math=False)
 
 
-def _contact(axes: Axes, posterior: Posterior, advice: Advice, reading: Reader, *, note: str) -> None:
+def _contact(axes: Axes, advice: Advice, reading: Reader, *, note: str) -> None:
     """Draw the expected goal against the mean contact point, and where the player meets the ball now."""
-    unit, inch = _unit(advice, reading), reading.units["place"].size
+    unit, inch, posterior = _unit(advice, reading), reading.units["place"].size, advice.posterior
     heading(axes, f"Expected {goal_words(advice.goal).read(reading)}, {unit.name}", note)
     axes.plot(PLACES / inch, advice.contact_curve / unit.size, color=BLUE)
     now, best = posterior.learned["position"].interval, advice.contact_point

@@ -1,20 +1,17 @@
-"""A team on one sheet: a row for every batter of a file."""
+"""A team on one sheet: a row for every batter of a file, and what each leans on the league."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from sweetspot.player.advice import Advice, Option
+from sweetspot.answers.records import to_dict
+from sweetspot.answers.team import FitTeamAnswer, TeamBatter
 from sweetspot.player.goal import Goal
-from sweetspot.player.prior import Population
-from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Table
-from sweetspot.report.json_shapes import as_columns, cleaned
-from sweetspot.report.player.goals import GOALS, goal_words
-from sweetspot.report.player.pooled import league_json, league_sections, pooled_parameters
-from sweetspot.report.player.teammate import Teammate
-from sweetspot.report.player.tried_bats import option_words
-from sweetspot.report.player.words import taken_for
+from sweetspot.player.prior import ANYBODY, NAMES, Population, population_range
+from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
+from sweetspot.report.json_shapes import as_columns
+from sweetspot.report.player.phrases import GOALS, goal_words, option_words
+from sweetspot.report.player.words import PARAMETERS, parameter_shown, taken_for
 from sweetspot.report.sentences import Sentence, Slot, Words, say
 from sweetspot.units import INCH
 
@@ -22,101 +19,117 @@ MEANS = say(
     "Bat speed and scatter: most likely values. Expected: the mean over the batter's swings with the bat now. Best "
     "place: mean contact from the tip. Less scatter: what {inch} less of it along the bat brings. A bat is named only "
     "where the 90 % interval of its gain leaves zero out; (law) stands behind it where the average player's swing law "
-    "says so and not these swings.", inch=Slot(INCH, "place", round=True),
-)  # fmt: skip
+    "says so and not these swings.",
+    inch=Slot(INCH, "place", round=True),
+)
 NO_LEAGUE = "With fewer than five batters nothing is known of how they differ; each is fitted alone."
+POOLED = {"bat_speed": "speed", "position_spread": "along", "offset_spread": "across"}
+"""Parameters whose lean stands in the table, by heading; the JSON has all."""
+LEANS = (
+    "Mean bat speed, and scatter of contact along and across the bat: first from the batter's own swings and what is "
+    "usual for players, then pooled, knowing how the batters of this file differ; the sheet rests on these. Own: how "
+    "much of the pooled scatter along the bat is the batter's own word, the rest is the league's; few swings lean on "
+    "the league, many hardly move."
+)
 
 
-def team_document(
-    members: Sequence[Teammate], left_out: Sequence[str], goal: Goal, league: Population | None = None
-) -> Document:
-    """Return a team as a document of one sheet, the batter with the most to gain from less scatter first.
-
-    Parameters
-    ----------
-    left_out : batters of whom nothing can be told, and why.
-    league : how the batters differ; None: too few to know, and each is fitted alone.
-    """
-    ordered = sorted(members, key=lambda member: -member.advice.worth["position_spread"].gain.value)
-    blocks: list[Block] = [_table(ordered, goal), Paragraph(MEANS, "note")]
-    taken = dict.fromkeys(words for one in ordered for words in taken_for(one.posterior.model))
+def team_document(answer: FitTeamAnswer) -> Document:
+    """Return a team as a document of one sheet, the batter with the most to gain from less scatter first."""
+    batters, goal, population = answer.batters, answer.question.goal, answer.population
+    blocks: list[Block] = [_table(batters, goal), Paragraph(MEANS, "note")]
+    taken = dict.fromkeys(words for batter in batters for words in taken_for(batter.posterior.model))
     blocks += [Paragraph(words, "note") for words in taken]
-    if left_out:
-        blocks += [Paragraph("Left out:"), Bullets(list(left_out))]
-    rows = [_row(member) for member in ordered]
-    if league is None:
+    if answer.left_out:
+        blocks += [Paragraph("Left out:"), Bullets(list(answer.left_out))]
+    details: list[Block] = []
+    if population is None:
         blocks.append(Paragraph(NO_LEAGUE, "note"))
-    noun = "batter" if len(members) == 1 else "batters"
+    else:
+        details = [
+            Section("pooled", "Alone and pooled", [_lean(batters), Paragraph(LEANS, "note")]),
+            Section("league", "How the batters differ", [_league(population)]),
+        ]
     return Document(
-        name="team", title="Team sheet",
-        subtitle=say("{count} {noun}, for {goal}; {bat}", count=len(members), noun=noun, goal=goal_words(goal),
-                     bat=", ".join(_bats(members))),
-        kind="Training report", blocks=blocks, details=[] if league is None else league_sections(ordered, league),
-        data={
-            "batters": [row | {"parameters": pooled_parameters(member, league)}
-                        for row, member in zip(rows, ordered, strict=True)],
-            "league": league and league_json(league, len(members)), "left_out": list(left_out),
-        },
-        rows=as_columns(rows),
-    )  # fmt: skip
+        name="team",
+        title="Team sheet",
+        subtitle=say(
+            "{count} {noun}, for {goal}; {bat}",
+            count=len(batters),
+            noun="batter" if len(batters) == 1 else "batters",
+            goal=goal_words(goal),
+            bat=", ".join(_bats(batters)),
+        ),
+        kind="Training report",
+        blocks=blocks,
+        details=details,
+        data=answer.to_dict(),
+        rows=as_columns([to_dict(row) for row in answer.rows]),
+    )
 
 
-def _bat(member: Teammate) -> str:
-    return member.posterior.model.bats[0].bat.name
+def _bats(batters: Sequence[TeamBatter]) -> list[str]:
+    return sorted({batter.bat for batter in batters})
 
 
-def _bats(members: Sequence[Teammate]) -> list[str]:
-    return sorted({_bat(member) for member in members})
-
-
-def _table(members: Sequence[Teammate], goal: Goal) -> Table:
+def _table(batters: Sequence[TeamBatter], goal: Goal) -> Table:
     scale, digits = GOALS[goal.name]
-    several = len(_bats(members)) > 1
+    several = len(_bats(batters)) > 1
     columns = [
-        Column("batter"), Column("swings", right=True), *([Column("bat now")] if several else []),
-        Column("bat speed", "speed"), Column("scatter", "place"), Column("expected", scale, digits=digits),
-        Column("best at", "place"), Column("less scatter", scale, digits=digits, sign=True), Column("a better bat"),
-    ]  # fmt: skip
-    rows: list[list[Cell]] = []
-    for member in members:
-        learned, advice = member.posterior.learned, member.advice
-        rows.append([
-            member.name, f"{len(member.posterior.model.swings)}", *([_bat(member)] if several else []),
-            learned["bat_speed"].interval.value, learned["position_spread"].interval.value, advice.now.value,
-            advice.contact_point.value, advice.worth["position_spread"].gain.value, _better(advice, scale, digits),
-        ])  # fmt: skip
+        Column("batter"),
+        Column("swings", right=True),
+        *([Column("bat now")] if several else []),
+        Column("bat speed", "speed"),
+        Column("scatter", "place"),
+        Column("expected", scale, digits=digits),
+        Column("best at", "place"),
+        Column("less scatter", scale, digits=digits, sign=True),
+        Column("a better bat"),
+    ]
+    rows: list[list[Cell]] = [
+        [
+            batter.batter,
+            f"{batter.swings}",
+            *([batter.bat] if several else []),
+            float(batter.bat_speed),
+            float(batter.position_spread),
+            float(batter.expected),
+            float(batter.contact_point_from_tip),
+            float(batter.one_inch_less_scatter),
+            _better(batter, scale, digits),
+        ]
+        for batter in batters
+    ]
     return Table("", columns, rows)
 
 
-def _better(advice: Advice, scale: str, digits: int | None) -> Words:
-    best = best_option(advice)
+def _better(batter: TeamBatter, scale: str, digits: int | None) -> Words:
+    best = batter.best
     if best is None:
         return "none surely"
-    law = "" if advice.posterior.learned["exponent"].told else " (law)"
+    law = "" if batter.posterior.learned["exponent"].told else " (law)"
     gain = Sentence((Slot(best.change.value, scale, digits, sign=True),))
     return say("{label} {gain}{law}", label=option_words(best.candidate), gain=gain, law=law)
 
 
-def best_option(advice: Advice) -> Option | None:
-    """Return the bat that is surely better by most, None where there is none."""
-    return next((option for option in advice.options if advice.sign_of(option) > 0), None)
+def _lean(batters: Sequence[TeamBatter]) -> Table:
+    columns = [Column("batter"), Column("swings", right=True)]
+    for name, heading in POOLED.items():
+        _, scale, digits = PARAMETERS[name]
+        columns += [Column(heading, scale, digits=digits), Column("pooled", scale, digits=digits)]
+    rows: list[list[Cell]] = []
+    for batter in batters:
+        cells: list[Cell] = [batter.batter, f"{batter.swings}"]
+        for name in POOLED:
+            cells += [fit.learned[name].interval.value for fit in (batter.alone, batter.posterior)]
+        rows.append([*cells, batter.parameters["position_spread"].own_share])
+    return Table("", [*columns, Column("own", "share")], rows)
 
 
-def _row(member: Teammate) -> dict[str, Any]:
-    learned, advice = member.posterior.learned, member.advice
-    best = best_option(advice)
-    return cleaned({
-        "batter": member.name,
-        "swings": len(member.posterior.model.swings),
-        "bat": member.posterior.model.bats[0].bat.name,
-        "bat_speed_m_s": learned["bat_speed"].interval.value,
-        "bat_speed_alone_m_s": member.alone.learned["bat_speed"].interval.value,
-        "position_spread_m": learned["position_spread"].interval.value,
-        "position_spread_alone_m": member.alone.learned["position_spread"].interval.value,
-        "goal": advice.goal.name,
-        "expected": advice.now.value,
-        "contact_point_from_tip_m": advice.contact_point.value,
-        "one_inch_less_scatter": advice.worth["position_spread"].gain.value,
-        "better_bat": None if best is None else best.candidate.label,
-        "better_by": None if best is None else best.change.value,
-    })  # fmt: skip
+def _league(population: Population) -> Table:
+    """Return every parameter: the league's middle and what 90 % of its batters lie within, and what is usual."""
+    columns = [Column("parameter"), Column("this league (90 % of its batters)"), Column("players as is usual")]
+    ranges = [population_range(players) for players in (population, ANYBODY)]
+    rows: list[list[Cell]] = [
+        [PARAMETERS[name][0], *(parameter_shown(name, by_name[name]) for by_name in ranges)] for name in NAMES
+    ]
+    return Table("", columns, rows)

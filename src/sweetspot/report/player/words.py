@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from textwrap import shorten
 
+from sweetspot.answers.player import FitPlayerAnswer
 from sweetspot.catalog.bats import bat_names
 from sweetspot.errors import maybe_meant
 from sweetspot.numerics.confidence import sure_sign
@@ -17,9 +18,8 @@ from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.swings import Swings
 from sweetspot.player.swung import swung_bats
-from sweetspot.report.player.goals import goal_shown, goal_words
 from sweetspot.report.player.pair_words import of_those_swung
-from sweetspot.report.player.tried_bats import option_words
+from sweetspot.report.player.phrases import goal_shown, goal_words, option_words
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import INCH, MPH, OUNCE
@@ -57,8 +57,9 @@ def parameter_shown(name: str, interval: Interval) -> Sentence:
     return within(interval, scale, digits=digits)
 
 
-def findings(posterior: Posterior, swings: Swings) -> list[Words]:
+def findings(answer: FitPlayerAnswer) -> list[Words]:
     """Return what the swings say about the player, and what they cannot tell."""
+    posterior, swings = answer.posterior, answer.file
     learned = posterior.learned
     words: list[Words] = [_data(posterior, swings), *taken_for(posterior.model)]
     if side_by_side := measured(posterior):

@@ -14,21 +14,23 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
-from sweetspot import catalog
 from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.player import player_answer
+from sweetspot.answers.player_question import (
+    FitPlayerQuestion,
+    PlayerSwings,
+    player_advice,
+    player_posterior,
+    read_player,
+)
 from sweetspot.answers.records import to_dict
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import SweetspotError, nearest_names
-from sweetspot.flight.air import Air
-from sweetspot.motion.swing import SPEED_FROM_TIP
-from sweetspot.player.advice import advise
 from sweetspot.player.goal import Goal
-from sweetspot.player.model import bats_of, player_model
 from sweetspot.player.narrow_table import narrow_csv
-from sweetspot.player.player_swing import check_enough
-from sweetspot.player.posterior import Posterior, fit_player
-from sweetspot.player.swings import MOST_SWINGS, Swings, batters, evenly, read_swings
+from sweetspot.player.posterior import Posterior
+from sweetspot.player.swings import batters
 from sweetspot.report.player.document import player_document
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.units import MPH
@@ -72,9 +74,9 @@ class PlayerState(BatState):
 
 def answer(state: PlayerState) -> dict[str, Any]:
     """Return the swings as they were read: speeds of bat and ball, rows that could not be used and why."""
-    swings = _swings(state)
+    swings = _swings(state).file
     good, names = swings.swings, batters_of(state.swings_csv)
-    bad = [f"row {one.row}: {one.reason}" for one in swings.bad_rows[:20]]
+    bad = [f"row {row.row}: {row.reason}" for row in swings.bad_rows[:20]]
     notes = [*swings.notes, *bad]
     own = described(state)
     return {
@@ -84,12 +86,12 @@ def answer(state: PlayerState) -> dict[str, Any]:
             "bounds": bounds(state, own),
         },
         "example": state.swings_csv is None,
-        "bat_speed_m_s": [one.bat_speed for one in good],
-        "exit_speed_m_s": [one.exit_speed for one in good],
+        "bat_speed_m_s": [swing.bat_speed for swing in good],
+        "exit_speed_m_s": [swing.exit_speed for swing in good],
         "count": len(good),
         "batters": names,
         "batter": state.swings_of or (names[0] if len(names) > 1 else None),
-        "notes": {system: [in_one_system(one)[system] for one in notes] for system in SYSTEMS},
+        "notes": {system: [in_one_system(note)[system] for note in notes] for system in SYSTEMS},
         "bad_rows": len(swings.bad_rows),
         "csv": _example() if state.swings_csv is None else None,
     }
@@ -118,23 +120,16 @@ def fit(state: PlayerState) -> ReadDocument:
 
 @lru_cache(maxsize=16)
 def _fitted(state: PlayerState) -> ReadDocument:
-    own, posterior = described(state), learned(state)
-    law = catalog.aerodynamics_of_ball(catalog.sport(own.sport).balls[0])
-    advice = advise(posterior, goal=Goal(state.goal, None), aerodynamics=law, air=Air(), others=[])
-    return told(player_document(posterior, advice, _swings(state)))
+    swings = _swings(state)
+    return told(player_document(player_answer(swings, player_advice(swings.question, learned(state)))))
 
 
 @lru_cache(maxsize=16)
 def learned(state: PlayerState) -> Posterior:
     """Return what the swings of a state say about the player; a second or so."""
-    swings, own = _swings(state), described(state)
+    swings = _swings(state)
     with about("swings_csv"):
-        model = player_model(
-            swings.swings, bat=own, ball=catalog.ball(catalog.sport(own.sport).balls[0]), others=bats_of(
-                swings.swings, load=listed_bat
-            )[1], speed_from_tip=SPEED_FROM_TIP,
-        )  # fmt: skip
-        return fit_player(model, method="draws", seed=1)
+        return player_posterior(swings)
 
 
 @contextmanager
@@ -157,26 +152,27 @@ def batters_of(text: str | None) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=16)
-def _swings(state: PlayerState) -> Swings:
-    own, names = described(state), batters_of(state.swings_csv)
+def _swings(state: PlayerState) -> PlayerSwings:
+    names = batters_of(state.swings_csv)
     if state.swings_of is not None and state.swings_of not in names:
-        known = nearest_names(state.swings_of, names) if names else "It names no batter; leave this empty."
-        raise FieldError("swings_of", f"the table has no swings of {state.swings_of!r}. {known}")
-    with _file(state.swings_csv) as path, about("swings_csv"):
-        batter = state.swings_of or (names[0] if len(names) > 1 else None)
+        near = nearest_names(state.swings_of, names) if names else "It names no batter; leave this empty."
+        raise FieldError("swings_of", f"the table has no swings of {state.swings_of!r}. {near}")
+    with _file(state.swings_csv) as path:
+        question = FitPlayerQuestion(
+            path,
+            bat=described(state),
+            load_bat=listed_bat,
+            stand_ins=False,
+            batter=state.swings_of or (names[0] if len(names) > 1 else None),
+            pitch_speed=state.given_pitch_mph * MPH,
+            goal=Goal(state.goal),
+        )
         try:
-            swings = read_swings(
-                path, length=own.length, pitch_speed=state.given_pitch_mph * MPH, batter=batter, sport=own.sport
-            )
-            good, _, bad, notes = bats_of(swings.swings, load=listed_bat)
-            check_enough(good, path, (*swings.bad_rows, *bad))
+            swings = read_player(question)
         except SweetspotError as error:
             words = BY_FORCE.sub("", str(error)).replace(str(path), "the table")
             raise FieldError("swings_csv", words) from None
-    good, thinned = evenly(good, MOST_SWINGS)
-    rows = tuple(sorted((*swings.bad_rows, *bad), key=lambda row: row.row))
-    system = "made-up" if state.swings_csv is None else swings.system
-    return replace(swings, swings=good, bad_rows=rows, notes=(*swings.notes, *notes, *thinned), system=system)
+    return swings if state.swings_csv else replace(swings, file=replace(swings.file, system="made-up"))
 
 
 @lru_cache(maxsize=1)
@@ -186,7 +182,7 @@ def _example() -> str:
     bat = 62 + 2.2 * random.standard_normal(EXAMPLE_ROWS)
     miss = 1.4 * random.standard_normal(EXAMPLE_ROWS)
     ball = 1.21 * bat + 0.2 * 55 - 0.9 * miss**2 + 0.6 * random.standard_normal(EXAMPLE_ROWS)
-    rows = [f"{one:.1f},{other:.1f},55" for one, other in zip(bat, ball, strict=True)]
+    rows = [f"{swung:.1f},{hit:.1f},55" for swung, hit in zip(bat, ball, strict=True)]
     return "\n".join(["bat_speed_mph,exit_speed_mph,pitch_speed_mph", *rows]) + "\n"
 
 

@@ -1,0 +1,67 @@
+"""A fitted player and a fitted team as answers: their fields, frames and notebook cells."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.answers.player import FitPlayerAnswer, fit_player_answer
+from sweetspot.answers.player_question import FitPlayerQuestion
+from sweetspot.answers.team import fit_team_answer
+from sweetspot.numerics.interval import Interval
+from sweetspot.player.goal import Goal
+from sweetspot.player.prior import natural
+from sweetspot.player.simulate import simulated_swings
+from sweetspot.units import FOOT, MPH
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two batters who swing the same bat alike."""
+    lines = ["player,bat_speed_mph,exit_speed_mph,pitch_speed_mph"]
+    for batter in ("Ann", "Bea"):
+        swings = simulated_swings(
+            natural(np.zeros(10)), bats=[catalog.bat("r161-ash")], ball=catalog.ball(), count=8,
+            pitch_speed=60 * MPH, seed=len(lines),
+        )  # fmt: skip
+        speeds = [(swing.bat_speed or 0.0, swing.exit_speed or 0.0) for swing in swings]
+        lines += [f"{batter},{bat / MPH:.2f},{ball / MPH:.2f},60" for bat, ball in speeds]
+    path = tmp_path_factory.mktemp("swings") / "swings.csv"
+    path.write_text("\n".join(lines), encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def answer(file: Path) -> FitPlayerAnswer:
+    return fit_player_answer(FitPlayerQuestion(file, batter="Ann", goal=Goal("carry")))
+
+
+def test_every_number_has_its_interval_and_its_unit(answer: FitPlayerAnswer) -> None:
+    assert isinstance(answer.now, Interval) and answer.now.low < answer.now.value < answer.now.high
+    metric, customary = answer.to_dict(), answer.to_dict(units="us")
+    assert customary["now_ft"]["low"] == pytest.approx(metric["now_m"]["low"] / FOOT)
+    speed = customary["parameters"]["bat_speed"]
+    assert speed["value_mph"] == pytest.approx(metric["parameters"]["bat_speed"]["value_m_s"] / MPH)
+    assert speed["prior"]["low_mph"] < speed["low_mph"] < speed["high_mph"]
+    assert metric["worth"]["towards_tip"]["change"] == {"position_m": pytest.approx(-0.0254)}
+
+
+def test_a_frame_has_a_row_for_every_bat(answer: FitPlayerAnswer) -> None:
+    frame = answer.to_frame(units="us")
+    assert len(frame) == len(answer.options) > 10
+    assert frame["change_ft"].is_sorted(descending=True) and frame["length_in"].is_between(31, 36).all()
+
+
+def test_a_notebook_shows_the_training_report(answer: FitPlayerAnswer) -> None:
+    assert "Which bat?" in answer._repr_html_() and answer.plot().axes
+
+
+def test_a_team_is_a_row_a_batter(file: Path) -> None:
+    team = fit_team_answer(FitPlayerQuestion(file))
+    assert {batter.batter for batter in team.batters} == {"Ann", "Bea"} and team.league is None
+    assert team.to_frame()["expected_m_s"].is_between(30, 50).all()
+    assert team.to_dict()["batters"][0]["parameters"]["bat_speed"]["own_share"] == 1.0
+    assert "Team sheet" in team._repr_html_()
