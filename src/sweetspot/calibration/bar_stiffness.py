@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from sweetspot.calibration.naming import Expected, ModeName, NamedTone
 from sweetspot.calibration.ring import Tone
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.units.dimensions import DENSITY, MODULUS
 
 FORMULA_ERROR = 0.005
 """One sigma of ln E that a higher tone deserves beside its frequency's error: Goens' formula and an even section."""
@@ -27,16 +29,15 @@ class BarModulus:
 
     Parameters
     ----------
-    density : kg/m^3.
-    modulus : Young's modulus E along the bar, Pa.
+    modulus : Young's modulus E along the bar.
     modulus_ratio : E / G; hardly known from the first tone of a thin bar.
     budget : part of the variance of E that each source causes, adding up to 1.
     """
 
-    density: Measured
-    modulus: Measured
+    density: Annotated[Measured, DENSITY]
+    modulus: Annotated[Measured, MODULUS]
     modulus_ratio: Measured
-    budget: dict[str, float]
+    budget: Mapping[str, float]
 
 
 def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:

@@ -114,6 +114,7 @@ def tap_test(
     bar: Bar | None = None,
     band: Band = BAT_BAND,
     held: float = HELD,
+    taps: Sequence[Tap] | None = None,
 ) -> TapTest:
     """Find the taps, average the good ones and name their tones.
 
@@ -125,6 +126,7 @@ def tap_test(
     bar : what was tapped, when it is a uniform bar.
     band : frequencies looked at.
     held : damping ratio from which on the implement counts as held.
+    taps : of all recordings, good and bad, where they were found already; ``band`` and ``held`` then say nothing.
 
     Raises
     ------
@@ -133,24 +135,8 @@ def tap_test(
     """
     if bar is not None and modes is not None:
         raise InputError("give either a bar or a bat, and only one of them")
-    taps = [tap for recording in recordings for tap in find_taps(recording, band=band, held=held)]
-    return told_taps(recordings, taps, modes=modes, positions=positions, bar=bar)
-
-
-def told_taps(
-    recordings: Sequence[Recording],
-    taps: Sequence[Tap],
-    *,
-    modes: Modes | None = None,
-    positions: Sequence[float] = (),
-    bar: Bar | None = None,
-) -> TapTest:
-    """Average taps that were found already and name their tones; see `tap_test`.
-
-    Parameters
-    ----------
-    taps : of all recordings, good and bad.
-    """
+    if taps is None:
+        taps = [tap for recording in recordings for tap in find_taps(recording, band=band, held=held)]
     heard = tones_of(taps)
     if bar is not None:
         tones = named_bar(bar, heard)

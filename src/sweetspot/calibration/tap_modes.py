@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import ModeName
@@ -24,6 +25,7 @@ FREEST, GRIP_TAPE = 0.015, 0.006
 Hands on made-up bats of metal leave it at 0.008 to 0.02, and lower its second and third tones by 3 and 5 %."""
 
 
+@lru_cache(maxsize=32)
 def modes_to_name(implement: Implement) -> Modes:
     """Return the modes that tones may be, with the ball of the implement's sport."""
     return all_modes(beam_model(implement), standard_conditions(implement).ball)

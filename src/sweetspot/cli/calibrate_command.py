@@ -157,13 +157,10 @@ def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
     return measurements
 
 
-def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list[Measurement], Measured | None]:
+def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tuple[list[Measurement], Measured | None]:
     """Return the tones that recordings hold, and the damping of the bending modes."""
-    from sweetspot.calibration.measured import pooled
-    from sweetspot.calibration.measurements import of_tones
+    from sweetspot.answers.tap import TapQuestion, tap_answer
     from sweetspot.calibration.recording import read_recording
-    from sweetspot.calibration.tap_analysis import tap_test
-    from sweetspot.calibration.tap_modes import modes_to_name, telling, usual_band, usual_held
     from sweetspot.cli.tap_command import tap_places
     from sweetspot.report.tap.document import touched_words, unlike_words
 
@@ -172,20 +169,20 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
             raise InputError("--at was given without --tap; name the recordings")
         return [], None
     sounds = [read_recording(path) for path in recordings]
-    modes = modes_to_name(own)
-    test = tap_test(sounds, modes=modes, positions=tap_places(own, at), band=usual_band(modes), held=usual_held(modes))
-    if test.unheard:
-        raise InputError(f"{unlike_words(test)} Give the bat that was tapped, or name tones yourself with --tone")
-    if test.unlike:
-        print(f"sweetspot: {unlike_words(test)}", file=sys.stderr)
-    if test.touched:
-        print(f"sweetspot: {touched_words(test, test.touched)}", file=sys.stderr)
-    bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
-    if not bending:
+    tapped = tap_answer(TapQuestion(sounds, described, tap_places(described, at)))
+    if tapped.test.unheard:
+        raise InputError(
+            f"{unlike_words(tapped.test)} Give the bat that was tapped, or name tones yourself with --tone"
+        )
+    if tapped.test.unlike:
+        print(f"sweetspot: {unlike_words(tapped.test)}", file=sys.stderr)
+    if tapped.test.touched:
+        print(f"sweetspot: {touched_words(tapped.test, tapped.test.touched)}", file=sys.stderr)
+    if tapped.damping is None:
         raise InputError(
             "no tone of the recordings is a bending mode of this bat; hang it freely, tap it 1 in from the tip"
         )
-    return telling(of_tones(test.tones), own), pooled(bending)
+    return tapped.measurements, tapped.damping
 
 
 def _shots(described: Implement, given: ShotOptions) -> tuple[list[Shot], Ball | None]:

@@ -89,9 +89,8 @@ def tap(
 ) -> int:
     """Find the taps in sound recordings, reject the bad ones, and name the tones of the good ones."""
     from sweetspot import catalog
+    from sweetspot.answers.tap import TapQuestion, tap_answer
     from sweetspot.calibration.recording import read_recording
-    from sweetspot.calibration.tap_analysis import tap_test
-    from sweetspot.calibration.tap_modes import modes_to_name, usual_band, usual_held
     from sweetspot.cli.output import present
     from sweetspot.report.tap.document import tap_document
 
@@ -101,27 +100,22 @@ def tap(
         if unread := [name for name, value in read.items() if value]:
             raise InputError(f"--synthesise makes a sound and reads none; leave out {', '.join(unread)}")
         return _synthesise(synthesis.synthesise, synthesis, tapped.at or [PLACE], out)
-    made = given(synthesis, "listen_at", "noise", "seed")
-    refuse_unused(made, "a sound that is made", "add --synthesise BAT")
+    refuse_unused(given(synthesis, "listen_at", "noise", "seed"), "a sound that is made", "add --synthesise BAT")
     if not recordings:
         raise InputError("no recording was given; name at least one sound file, or use --synthesise BAT")
     described = None if tapped.bat is None else catalog.load_implement(tapped.bat).as_drawn()
     if tapped.at and described is None:
         raise InputError("--at was given without --bat; say what was tapped")
-    modes = None if described is None else modes_to_name(described)
-    output, bar = answer.into(out), _bar(tapped.bar, tapped.mass)
-    band = _band(listening.band) if listening.band is not None else usual_band(modes) if bar is None else bar.band
-    held = usual_held(modes) if listening.most_damping is None else _most_damping(listening.most_damping)
-    test = tap_test(
-        [read_recording(path) for path in recordings],
-        modes=modes,
+    output = answer.into(out)
+    question = TapQuestion(
+        implement=described,
         positions=[] if described is None else tap_places(described, tapped.at or []),
-        bar=bar,
-        band=band,
-        held=held,
+        bar=_bar(tapped.bar, tapped.mass),
+        band=None if listening.band is None else _band(listening.band),
+        most_damping=None if listening.most_damping is None else _most_damping(listening.most_damping),
+        recordings=[read_recording(path) for path in recordings],
     )
-    title = "A tapped bar" if bar else described.name if described else "A tap"
-    return present(tap_document(test, title), output)
+    return present(tap_document(tap_answer(question)), output)
 
 
 def tap_places(described: Implement, texts: list[str], what: str = "--at") -> list[float]:

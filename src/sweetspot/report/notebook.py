@@ -71,6 +71,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.rank import RankAnswer
     from sweetspot.answers.report import ReportAnswer, report_of
     from sweetspot.answers.season import SeasonAnswer, SeasonPlayer
+    from sweetspot.answers.tap import TapAnswer
     from sweetspot.answers.team import FitTeamAnswer
     from sweetspot.answers.unhit import UnhitAnswer
     from sweetspot.collision.hit_in_space import Strike, Strikes
@@ -100,6 +101,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.player.team import team_document
     from sweetspot.report.season.document import season_document
     from sweetspot.report.season.one_player import player_page
+    from sweetspot.report.tap.document import tap_document
     from sweetspot.uncertainty.sources import sources_of
 
     return (
@@ -116,6 +118,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (CalibrateAnswer, calibration_document),
         (FitPlayerAnswer, player_document),
         (FitTeamAnswer, team_document),
+        (TapAnswer, tap_document),
         (Comparison, comparison_document),
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from sweetspot.answers.tap import TapAnswer
 from sweetspot.calibration.bar_stiffness import BarModulus
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.ring import Tone
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap
-from sweetspot.numerics.confidence import LEVEL
-from sweetspot.report.calibration.intervals import measured_json, measured_words
+from sweetspot.report.calibration.intervals import measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.report.json_shapes import as_columns, cleaned
+from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.quantities import NOTHING, SI
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
@@ -42,8 +42,10 @@ PLATE = (
 )
 
 
-def tap_document(test: TapTest, title: str) -> Document:
-    """Return a tap test as an answer: the taps that were not used and why, the tones, the bar."""
+def tap_document(answer: TapAnswer) -> Document:
+    """Return a tap test as a document: the taps that were not used and why, the tones, the bar."""
+    test, implement = answer.test, answer.question.implement
+    title = "A tapped bar" if answer.question.bar is not None else "A tap" if implement is None else implement.name
     blocks: list[Block] = [Paragraph(f"{len(test.good)} of {len(test.taps)} taps used.")]
     blocks += [Paragraph(_fault(test, number), "warning") for number, tap in enumerate(test.taps) if not tap.good]
     blocks += [Paragraph(_heard_to(tap, tap.heard_to), "note") for tap in test.good if tap.heard_to]
@@ -65,7 +67,8 @@ def tap_document(test: TapTest, title: str) -> Document:
     if test.moduli_along is not None:
         blocks += [Paragraph(PLATE, "warning"), _along(test.moduli_along)]
     level = say(
-        "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.", level=Slot(LEVEL, "share")
+        "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.",
+        level=Slot(answer.interval_level, "share"),
     )
     notes = [Paragraph(level, "note")]
     if not all(one.tone.own for one in test.tones):
@@ -73,10 +76,17 @@ def tap_document(test: TapTest, title: str) -> Document:
     if test.by_ratios and any(one.name and one.name.harmonic == HOOP_MAY_BE for one in test.tones):
         notes.append(Paragraph(BY_RATIOS, "note"))
     picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
+    data = answer.to_dict()
     return Document(
-        name="tap", title=title, kind="Tap test", blocks=[*blocks, *notes, picture], reader=SI,
-        data=_data(test), rows=as_columns([cleaned(_tone_data(one)) for one in test.tones]), drawing=picture,
-    )  # fmt: skip
+        name="tap",
+        title=title,
+        kind="Tap test",
+        blocks=[*blocks, *notes, picture],
+        reader=SI,
+        data=data,
+        rows=as_columns(data["tones"]),
+        drawing=picture,
+    )
 
 
 def _fault(test: TapTest, number: int) -> Sentence:
@@ -186,56 +196,3 @@ def _drawn(test: TapTest, title: str) -> Any:
     from sweetspot.report.tap.picture import tap_figure
 
     return tap_figure(test, title)
-
-
-def _data(test: TapTest) -> dict[str, Any]:
-    """Return everything that `sweetspot tap` knows, SI."""
-    return cleaned(
-        {
-            "interval_level": LEVEL,
-            "taps": [
-                {
-                    "recording": tap.recording,
-                    "time_s": tap.start,
-                    "used": tap.good,
-                    "fault": tap.fault,
-                    "heard_to_hz": tap.heard_to,
-                }
-                for tap in test.taps
-            ],
-            "tones": [_tone_data(one) for one in test.tones],
-            "bar": None if test.bar is None else _bar_data(test.bar),
-            "plate": None if test.moduli_along is None else [_along_data(*one) for one in test.moduli_along],
-        }
-    )
-
-
-def _tone_data(one: NamedTone) -> dict[str, Any]:
-    tone = one.tone
-    return {
-        "family": one.name.family if one.name else None,
-        "harmonic": one.name.harmonic if one.name else None,
-        **measured_json(tone.frequency, "frequency", "_hz"),
-        **measured_json(tone.damping_ratio, "damping_ratio", ""),
-        "q_factor": tone.quality,
-        "level": tone.level,
-        "taps": tone.taps,
-        "own": tone.own,
-        "may_be": list(dict.fromkeys(str(name) for name in one.rivals)),
-        "expected_hz": one.expected,
-    }
-
-
-def _along_data(tone: Tone, modulus: Measured) -> dict[str, Any]:
-    return {
-        "frequency_hz": tone.frequency.value, **measured_json(modulus, "modulus_if_first_along", "_pa"),
-    }  # fmt: skip
-
-
-def _bar_data(bar: BarModulus) -> dict[str, Any]:
-    return {
-        **measured_json(bar.modulus, "modulus", "_pa"),
-        **measured_json(bar.density, "density", "_kg_m3"),
-        **measured_json(bar.modulus_ratio, "modulus_ratio", ""),
-        "budget": bar.budget,
-    }

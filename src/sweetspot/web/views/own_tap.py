@@ -8,19 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.calibration.measured import pooled
-from sweetspot.calibration.measurements import of_tones
+from sweetspot.answers.tap import TapQuestion, tap_answer
 from sweetspot.calibration.naming import expected_of
 from sweetspot.calibration.recording import Band, Recording, read_recording
-from sweetspot.calibration.tap_analysis import FAMILIES, TapTest, told_taps
+from sweetspot.calibration.tap_analysis import FAMILIES, TapTest
 from sweetspot.calibration.tap_curves import spectrum, waveform
-from sweetspot.calibration.tap_modes import modes_to_name, telling, usual_band, usual_held
+from sweetspot.calibration.tap_modes import modes_to_name, usual_band, usual_held
 from sweetspot.calibration.taps import Tap, find_taps
-from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import REACH
 from sweetspot.report.tap.document import touched_words, unlike_words
 from sweetspot.units import INCH
 from sweetspot.web.errors import FieldError
@@ -40,7 +37,7 @@ HIGHEST = 1.3
 def expected_tones(state: OwnState) -> list[dict[str, Any]]:
     """Return the tones that a free bat as described would have, and how strongly the tap excites each."""
     own, _ = unknown_of(state)
-    modes, place = _modes(own), _place(state, own)
+    modes, place = modes_to_name(own), _place(state, own)
     tones, highest = [], usual_band(modes).high
     for family in FAMILIES:
         if modes.of_family(family):
@@ -71,7 +68,7 @@ def tap(state: OwnState) -> dict[str, Any]:
     if not sounds:
         return nothing
     own, _ = unknown_of(state)
-    modes = _modes(own)
+    modes = modes_to_name(own)
     band, held = usual_band(modes), usual_held(modes)
     taps = [one for sound in sounds for one in _taps(sound, band, held)]
     head = nothing | {"taps": [_told(one) for one in taps], "waveform": _wave(sounds[-1])}
@@ -79,28 +76,27 @@ def tap(state: OwnState) -> dict[str, Any]:
     if not good:
         return head | {"fault": "no tap can be used: the list says what is wrong with each" if taps else
                                 "there is no tap in it"}  # fmt: skip
+    question = TapQuestion([sound.recording for sound in sounds], own, [_place(state, own)])
     try:
-        test = told_taps([sound.recording for sound in sounds], taps, modes=modes, positions=[_place(state, own)])
+        found = tap_answer(question, taps=taps)
     except InputError as error:
         return head | {"fault": str(error)}
-    named = telling(of_tones(test.tones), own)
-    bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
-    damping = pooled(bending) if bending and not test.unheard else None
+    test, damping = found.test, found.damping
     unlike = test.unlike and isinstance(own, Bat)  # higher tones of other implements are known less well
     assert good[-1].fit is not None
     frequency, level = spectrum(good[-1].fit)
-    shown = frequency < HIGHEST * max(one.tone.frequency.value for one in test.tones)
+    drawn = frequency < HIGHEST * max(tone.frequency.value for tone in found.tones)
     return head | {
         "tones": [
-            {"name": None if one.name is None else str(one.name), "frequency_hz": one.tone.frequency.value,
-             "half_hz": REACH * one.tone.frequency.error, "damping_ratio": one.tone.damping_ratio.value,
-             "expected_hz": one.expected, "taps": one.tone.taps, "own": one.tone.own}
-            for one in test.tones
+            {"name": None if named.name is None else str(named.name), "frequency_hz": tone.frequency.value,
+             "half_hz": tone.frequency.half_width, "damping_ratio": tone.damping_ratio.value,
+             "expected_hz": tone.expected, "taps": tone.taps, "own": tone.own}
+            for named, tone in zip(test.tones, found.tones, strict=True)
         ],
-        "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in named if one.mode is not None],
-        "damping": None if damping is None else [damping.value, damping.error],
-        "fault": _fault(test, bool(bending)), "unlike": unlike, "doubts": _doubts(test, unlike),
-        "spectrum": {"frequency_hz": np.round(frequency[shown], 2), "level_db": np.round(level[shown], 2)},
+        "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in found.measurements if one.mode],
+        "damping": None if damping is None or test.unheard else [damping.value, damping.error],
+        "fault": _fault(test, damping is not None), "unlike": unlike, "doubts": _doubts(test, unlike),
+        "spectrum": {"frequency_hz": np.round(frequency[drawn], 2), "level_db": np.round(level[drawn], 2)},
     }  # fmt: skip
 
 
@@ -148,11 +144,6 @@ def _wave(sound: _Sound) -> dict[str, Any]:
     time, low, high = waveform(sound.recording, points=DRAWN)
     return {"name": sound.recording.name, "time_s": np.round(time, 5), "low": np.round(low, 4),
             "high": np.round(high, 4)}  # fmt: skip
-
-
-@lru_cache(maxsize=32)
-def _modes(own: Implement) -> Modes:
-    return modes_to_name(own)
 
 
 def _place(state: OwnState, own: Implement) -> float:
