@@ -36,6 +36,7 @@ html_static_path = ["_static"]
 html_css_files = ["sweetspot.css"]
 html_show_sourcelink = False
 html_copy_source = False
+toc_object_entries = False  # thousands of functions in the contents beside every page: 50 s of the build
 
 napoleon_google_docstring = False
 napoleon_use_rtype = False
