@@ -14,7 +14,7 @@ from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.calibration.outline.measured_outline import Outline
+    from sweetspot.answers.outline import OutlineQuestion
     from sweetspot.equipment.bat import Bat
     from sweetspot.report.quantities import Reader
 
@@ -41,7 +41,7 @@ class SizeOptions:
         """Return the sizes that were given, in m by name."""
         from sweetspot.plausibility import parse
 
-        texts = {one.name: getattr(self, one.name) for one in fields(self)}
+        texts = {field.name: getattr(self, field.name) for field in fields(self)}
         return {
             name: parse(text, "length", f"--{name.replace('_', '-')}")
             for name, text in texts.items()
@@ -76,14 +76,13 @@ def outline(
     answer: AnswerOptions = DEFAULT_ANSWER,
 ) -> int:
     """Turn a table of diameters, a drawing or a photograph into a bat file, and bats into drawings."""
+    from sweetspot.answers.outline import outline_answer
     from sweetspot.cli.output import present
-    from sweetspot.dynamics.beam import beam_model
-    from sweetspot.dynamics.rigid import rigid_body
     from sweetspot.report.calibration.outline_report import outline_document
 
-    measured, bat = _measured(source, sizes, columns, material=material, name=name)
-    document = outline_document(measured, bat, rigid_body(beam_model(bat)))
-    contents = {path: _content(path, bat, document.reader_of(answer.units)) for path in out or []}
+    found = outline_answer(_question(source, sizes, columns, material=material, name=name))
+    document = outline_document(found)
+    contents = {path: _content(path, found.bat, document.reader_of(answer.units)) for path in out or []}
     if contents:
         from sweetspot.report.file_set import write_all
 
@@ -93,31 +92,29 @@ def outline(
     return present(document, answer.into(None))
 
 
-def _measured(
+def _question(
     source: str, sizes: SizeOptions, columns: ColumnOptions, *, material: str, name: str | None
-) -> tuple[Outline, Bat]:
+) -> OutlineQuestion:
     """Return the outline and its bat: of a table, drawing or photograph, of a bat file, or of the catalogue."""
     from sweetspot import catalog
+    from sweetspot.answers.outline import OutlineQuestion, bat_of_outline
     from sweetspot.calibration.outline.measured_outline import Outline
     from sweetspot.calibration.outline.outline_file import ENDINGS, read_outline
-    from sweetspot.catalog.files.bat import checked_drawing
-    from sweetspot.equipment.bat import Bat
 
     ending = Path(source).suffix.lower()
     if ending in ENDINGS or (ending not in ("", BAT_FILE) and Path(source).exists()):
         measured = read_outline(Path(source), **sizes.given(), given=columns.given())
-        bat = Bat(
-            name=name or Path(source).stem, length=measured.profile[-1][0], material=catalog.material(material),
-            profile=measured.profile,
-        )  # fmt: skip
-        return measured, checked_drawing(bat)
+        made_of = catalog.material(material)
+        bat = bat_of_outline(measured, material=made_of, name=name or Path(source).stem)
+        return OutlineQuestion(measured, bat)
     if sizes.given():
         raise InputError(f"--length or --ruler was given, but {source} is a bat and has its own; leave it out")
     from sweetspot.report.drawing.contour import outline_stations
 
     bat = catalog.load_bat(source)
     bat = bat if name is None else bat.replaced(name=name)
-    return Outline(tuple((float(place), float(size)) for place, size in outline_stations(bat))), bat
+    stations = tuple((float(place), float(size)) for place, size in outline_stations(bat))
+    return OutlineQuestion(Outline(stations), bat)
 
 
 def _content(path: Path, bat: Bat, reading: Reader) -> bytes:

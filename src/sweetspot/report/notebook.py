@@ -64,6 +64,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.fly import FlyAnswer
     from sweetspot.answers.hit import HitAnswer
     from sweetspot.answers.optimum import OptimumAnswer
+    from sweetspot.answers.outline import OutlineAnswer
     from sweetspot.answers.paper import PaperAnswer
     from sweetspot.answers.pendulum import PendulumAnswer
     from sweetspot.answers.play import PlayAnswer
@@ -83,6 +84,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.bat.document import described_document, report_document
     from sweetspot.report.bat.unhit import unhit_document
     from sweetspot.report.calibration.document import calibration_document
+    from sweetspot.report.calibration.outline_report import outline_document
     from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.report.certification.document import certificate_document, certification_document
     from sweetspot.report.comparison.document import compare_document, comparison_document
@@ -119,6 +121,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (FitPlayerAnswer, player_document),
         (FitTeamAnswer, team_document),
         (TapAnswer, tap_document),
+        (OutlineAnswer, outline_document),
         (Comparison, comparison_document),
         (Certification, certification_document),
         (Analysis, lambda found: report_document(report_of(found, sources_of(found.bat, found.conditions)))),
