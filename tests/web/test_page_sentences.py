@@ -52,7 +52,7 @@ def shown(value: float, scale: str, digits: int | None = None) -> str:
 
 
 @pytest.mark.parametrize("name", BATS)
-def test_explorer_and_hit_say_what_they_show(name: str, said: Said) -> None:
+def test_explorer_and_hit_say_what_they_show(name: str) -> None:
     found = explorer.answer(explorer.ExplorerState(bat=name, impact_from_tip_in=3.0))
     bat, [fastest, *_, here] = found.bat, found.headline["us"]
     best = shown(float(bat.length) - float(found.sweet_spots.max_exit_speed), "place", 1)
@@ -60,13 +60,12 @@ def test_explorer_and_hit_say_what_they_show(name: str, said: Said) -> None:
     assert found.hit.exit_speed is not None
     assert here == f"Here, 3.0 in from the tip: {shown(float(found.hit.exit_speed), 'speed')}."
     pressed = hit.answer(hit.HitFilmState(bat=name))
-    words, hands = said("hit", "say", pressed), pressed["hands"]
-    contact = pressed["hit"]["contact_time_s"]
-    assert f"the push is over {1e3 * contact:.2f} ms after first touch" in words
-    if hands["arrival_s"] is None:
-        assert "No wave to speak of" in words
-    else:
-        assert ("too late" in words) == (2 * hands["arrival_s"] > contact)
+    contact, arrival = float(pressed.hit.contact_time), pressed.top_hand.arrival
+    push, wave, back = pressed.words["us"][:3]
+    assert arrival is not None
+    assert f"the push is over {1e3 * contact:.2f} ms after first touch" in push
+    assert f"reaches the top hand {1e3 * float(arrival):.2f} ms" in wave
+    assert back.endswith("too late.") == (2 * float(arrival) > contact)
 
 
 @pytest.mark.parametrize(
@@ -114,25 +113,27 @@ def test_best_swing_and_other_sports_say_what_they_show(said: Said) -> None:
         f"A ball at {shown(launch['exit_speed_m_s'], 'speed')} carries farthest at "
         f"{shown(launch['launch_angle_rad'], 'angle')}: {shown(launch['carry_m'], 'distance')}."
     )
-    for name in catalog.implement_names():
-        played = sports.answer(sports.SportsState(implement=name))
-        words, length, own = said("sports", "update", played), played["tool"]["length_m"], played["words"]
-        best = shown(length - played["sweet_spots"]["max_exit_speed_m"], "place", 1)
-        assert f"hits best {best} from the {own['tip']}" in words and f"the {own['ball']} leaves at" in words
-        if math.isfinite(played["hit"]["exit_speed_m_s"] or math.nan):
-            assert shown(played["hit"]["exit_speed_m_s"], "speed") in words
+
+
+@pytest.mark.parametrize("name", catalog.implement_names())
+def test_every_sport_says_where_its_implement_hits_best(name: str) -> None:
+    played = sports.answer(sports.SportsState(implement=name))
+    [fastest, here], terms = played.headline["us"], played.words
+    best = shown(float(played.tool.length) - float(played.sweet_spots.max_exit_speed), "place", 1)
+    assert f"{played.tool.name} hits fastest {best} from the {terms.tip}" in fastest
+    speed = float(played.hit.exit_speed)
+    assert here.endswith(f": {shown(speed, 'speed') if math.isfinite(speed) else '-'}.")
 
 
 @pytest.mark.parametrize("name", BATS)
-def test_modes_say_where_each_motion_stands_still(name: str, said: Said) -> None:
-    found = plain_data(modes.answer(modes.ModesState(bat=name)))
-    for motion in found["modes"]:
-        words = said("modes", "say", {**found, "said": motion})
-        assert ("stands still nowhere" in words) == (not motion["nodes_m"])
-        if not motion["nodes_m"]:
-            continue
-        told = [float(number) for number in re.findall(r"\d+\.\d+", words.partition("still ")[2].partition(" from")[0])]
-        still = sorted((found["bat"]["length_m"] - node) / INCH for node in motion["nodes_m"])
-        assert told == pytest.approx(still, abs=0.006)
-        if motion["frequency_hz"]:
-            assert shown(motion["frequency_hz"], "frequency") in words
+def test_modes_say_where_each_motion_stands_still(name: str) -> None:
+    first = modes.answer(modes.ModesState(bat=name))
+    for shown_motion in first.modes:
+        state = modes.ModesState(bat=name, family=shown_motion.family, number=shown_motion.number)
+        found = modes.answer(state)
+        motion, words = found.modes[found.shown], found.words["us"]
+        assert (motion.family, motion.number) == (shown_motion.family, shown_motion.number)
+        still = sorted((float(found.bat.length) - node) / INCH for node in motion.nodes)
+        assert [float(number) for number in re.findall(r"\d+\.\d+", words[1])] == pytest.approx(still, abs=0.006)
+        assert still or words[1] == "It stands still nowhere along the bat."
+        assert not motion.frequency or shown(float(motion.frequency), "frequency") in words[0]

@@ -29,12 +29,12 @@ def test_they_are_the_reports(run_json: Callable[..., dict[str, Any]]) -> None:
     reported = run_json(*arguments)["modes"]
     reported = [row for row in reported if row["frequency_hz"] < modes.HIGHEST]
     reported.sort(key=lambda row: row["frequency_hz"])
-    shown = [row for row in modes.answer(state)["modes"] if row["family"] != "rigid"]
+    shown = [row for row in modes.answer(state).modes if row.family != "rigid"]
     for mine, theirs in zip(shown, reported, strict=True):
-        assert mine["frequency_hz"] == pytest.approx(theirs["frequency_hz"], rel=1e-9)
-        assert (mine["family"], mine["harmonic"]) == (theirs["family"], theirs["harmonic"])
-        if mine["family"] == "bending":
-            assert mine["nodes_m"] == pytest.approx(theirs["nodes_m"], abs=1e-9)
+        assert mine.frequency == pytest.approx(theirs["frequency_hz"], rel=1e-9)
+        assert (mine.family, mine.harmonic) == (theirs["family"], theirs["harmonic"])
+        bending = mine.family == "bending"  # the ends of a ringing barrel are nodes in the report alone
+        assert not bending or mine.nodes == pytest.approx(theirs["nodes_m"], abs=1e-9)
 
 
 @pytest.mark.parametrize("held", [False, True])
@@ -92,5 +92,5 @@ def test_the_recipe_gives_the_same_motions(held: bool) -> None:
     names: dict[str, Any] = {}
     exec(modes.recipe(state)["python"], names)
     lowest = np.sort(names["modes"].frequency)[2:8]
-    shown = [row["frequency_hz"] for row in modes.answer(state)["modes"] if row["family"] != "rigid"]
+    shown = [row.frequency for row in modes.answer(state).modes if row.family != "rigid"]
     assert shown[:6] == pytest.approx(lowest, rel=1e-6)

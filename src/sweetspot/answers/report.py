@@ -16,7 +16,18 @@ from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
 from sweetspot.answers.conditions import HitConditions, hit_conditions
 from sweetspot.answers.hit import Hit, hit_of
 from sweetspot.answers.implement import MassProperties, mass_properties
-from sweetspot.answers.records import INTERNAL, Frequency, Length, Mass, MomentOfInertia, Ratio, Speed, with_intervals
+from sweetspot.answers.records import (
+    GAPS,
+    GRID,
+    INTERNAL,
+    Frequency,
+    Length,
+    Mass,
+    MomentOfInertia,
+    Ratio,
+    Speed,
+    with_intervals,
+)
 from sweetspot.answers.report_draws import drawn_report
 from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
@@ -146,9 +157,9 @@ class HitsOnFace:
 
     position: Annotated[Array, LENGTH]
     lateral: Annotated[Array, LENGTH]
-    collision_efficiency: Array
-    exit_speed: Annotated[Array, SPEED]
-    sting: Array
+    collision_efficiency: Annotated[Array, GRID, GAPS]
+    exit_speed: Annotated[Array, SPEED, GRID, GAPS]
+    sting: Annotated[Array, GRID, GAPS]
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,15 +11,11 @@ from sweetspot.dynamics.rigid import RigidBody, effective_mass
 from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import Number
-from sweetspot.report.hit.ledger import ENERGY_NAMES
-from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.report.sentences import Sentence, Slot, joined
 from sweetspot.report.sport_words import in_words, weight
 
 NEAR = 0.006
 """m from the best place within which a hit counts as the best one."""
-LEAST_SHARE = 0.004
-"""Part of the energy below which it would be told as 0 %."""
 LITTLE = 0.05
 """m/s below which a part of the difference is not worth a word."""
 
@@ -105,40 +100,6 @@ def why_here(
         )  # fmt: skip
     total = in_words("together {whole}.", words, whole=Slot(difference.whole, "speed", sign=True))
     return joined([joined([*parts[:-1], "and"], ", ") + " " + parts[-1] + ":", total])
-
-
-def hits_fastest(name: str, from_tip: float, exit_speed: float, *, words: Terms) -> Sentence:
-    """Return where an implement hits fastest, m from its tip, and how fast, m/s."""
-    return in_words(
-        "{name} hits fastest {place} from the {tip}: {speed}.",
-        words,
-        name=name,
-        place=Slot(from_tip, "place"),
-        speed=Slot(exit_speed, "speed"),
-    )
-
-
-def leaves_here(
-    from_tip: float, exit_speed: Number | None, *, ends: str, backwards: bool = False, words: Terms
-) -> Sentence:
-    """Return how fast a ball leaves a place, m from the tip; ``ends`` says what happens where it does not."""
-    speed = say("{speed}", speed=ends if exit_speed is None else Slot(exit_speed, "speed"))
-    return in_words(
-        "Here, {place} from the {tip}: {speed}" + (", fouled back." if backwards else "."),
-        words,
-        place=Slot(from_tip, "place"),
-        speed=speed,
-    )
-
-
-def energy_words(shares: Mapping[str, float], words: Terms) -> list[Sentence]:
-    """Return in a sentence where the energy of a hit goes, by part of `ENERGY_NAMES`; none where nothing is known."""
-    parts = [
-        in_words(ENERGY_NAMES[name][0] + " {share}", words, share=Slot(share, "share"))
-        for name, share in shares.items()
-        if share > LEAST_SHARE
-    ]
-    return [say("Of the energy of the meeting: {parts}.", parts=joined(parts, ", "))] if parts else []
 
 
 def why_off_axis(offset: float, cost: float, *, words: Terms) -> Sentence:

@@ -19,8 +19,8 @@ export interface States {
 /** What every view answers. */
 export interface Answers {
   explorer: ExplorerAnswer;
-  hit: Record<string, any>;
-  modes: Record<string, any>;
+  hit: FilmAnswer;
+  modes: ModesAnswer;
   compare: Record<string, any>;
   flight: Record<string, any>;
   optimum: Record<string, any>;
@@ -28,7 +28,7 @@ export interface Answers {
   own: Record<string, any>;
   design: Record<string, any>;
   season: Record<string, any>;
-  sports: Record<string, any>;
+  sports: SportsAnswer;
   paper: Record<string, any>;
 }
 
@@ -44,7 +44,7 @@ export interface Asides {
   own: { tap: Record<string, any>; file: Record<string, string>; };
   design: { gain: Record<string, any>; files: Record<string, any>; batter: Record<string, any>; };
   season: { summary: Record<string, any>; maps: Record<string, any>; player: ReadDocument | Record<string, any>; contacts: Record<string, any>; };
-  sports: { face: Record<string, any>; sentences: Record<string, any>; };
+  sports: { face: SportsFace; sentences: SportsWords; };
   paper: {  };
 }
 
@@ -71,6 +71,12 @@ export interface BallPicture {
   cor: number; cor_low?: number; cor_high?: number;
   humidity: number; humidity_low?: number; humidity_high?: number;
   temperature_degf: number;
+}
+
+/** Nodes of the first two bending modes nearest to the tip. */
+export interface BarrelNodes {
+  node_1_m: number; node_1_low_m?: number; node_1_high_m?: number;
+  node_2_m: number; node_2_low_m?: number; node_2_high_m?: number;
 }
 
 /** A bat: its facts, its shape, how far its controls may go, and what is usual in its sport. */
@@ -146,6 +152,15 @@ export interface CompareState {
   hole_depth_in: number;
   wall_times: number;
   league: string | null;
+}
+
+/** Hits along an implement, shape (n,). */
+export interface CurvesAlongTool {
+  position_m: number[];
+  exit_speed_m_s: (number | null)[];
+  rigid_exit_speed_m_s: (number | null)[];
+  collision_efficiency: (number | null)[];
+  sting_m_s: (number | null)[];
 }
 
 /** Hits at every place along a bat, shape (n,), of a ball met so far off its axis; nan where nothing is known. */
@@ -296,6 +311,49 @@ export interface ExplorerState {
   offset_in: number;
 }
 
+/** Hits all over a face, and the best of them. */
+export interface FaceMapPicture {
+  position_m: number[];
+  lateral_m: number[];
+  collision_efficiency: (number | null)[][];
+  exit_speed_m_s: (number | null)[][];
+  sting: (number | null)[][];
+  best_m: number; best_low_m?: number; best_high_m?: number;
+  best_lateral_m: number; best_lateral_low_m?: number; best_lateral_high_m?: number;
+}
+
+/** The hit and its film; ``energy`` holds the parts that there are, ``words`` what the hands could still do. */
+export interface FilmAnswer {
+  bat: BatPicture;
+  ball: BallPicture;
+  hands_m: number[];
+  hit: FilmHit;
+  film: HitFilm;
+  energy_j: Record<string, number[]>;
+  top_hand: HandMotion;
+  hoop: WallMotion | null;
+  words: Record<"us" | "si", string[]>;
+  conditions: HitConditions;
+}
+
+/** The hit that is shown; ``release_time`` is when the ball is free. */
+export interface FilmHit {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  lateral_m: number; lateral_low_m?: number; lateral_high_m?: number;
+  outcome: string;
+  outcome_text: string;
+  closing_speed_m_s: number; closing_speed_low_m_s?: number; closing_speed_high_m_s?: number;
+  collision_efficiency: number; collision_efficiency_low?: number; collision_efficiency_high?: number;
+  contact_time_s: number; contact_time_low_s?: number; contact_time_high_s?: number;
+  peak_force_n: number; peak_force_low_n?: number; peak_force_high_n?: number;
+  peak_compression_m: number; peak_compression_low_m?: number; peak_compression_high_m?: number;
+  release_time_s: number; release_time_low_s?: number; release_time_high_s?: number;
+  touched_again: Record<"us" | "si", string[]>;
+  bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
+  exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
+  incoming_energy_j: number; incoming_energy_low_j?: number; incoming_energy_high_j?: number;
+}
+
 /** How the ball leaves, from numbers or from a swing; the park, the air and the wind. */
 export interface FlightState {
   bat: string;
@@ -345,6 +403,14 @@ export interface FlightState {
   own_elevation: boolean;
 }
 
+/** How the place of the top hand moves, and when the wave gets there; None: it does not. */
+export interface HandMotion {
+  displacement_m: number[];
+  velocity_m_s: number[];
+  arrival_s: number | null; arrival_low_s?: number; arrival_high_s?: number;
+  impulse_given: number | null; impulse_given_low?: number; impulse_given_high?: number;
+}
+
 /** Pitch, swing, hands and ball; places from the knob end. See `Conditions`. */
 export interface HitConditions {
   pitch_speed_m_s: number; pitch_speed_low_m_s?: number; pitch_speed_high_m_s?: number;
@@ -357,6 +423,20 @@ export interface HitConditions {
   ball_restitution: number; ball_restitution_low?: number; ball_restitution_high?: number;
   ball_restitution_speed_m_s: number; ball_restitution_speed_low_m_s?: number; ball_restitution_speed_high_m_s?: number;
   ball_restitution_slope_s_m: number; ball_restitution_slope_low_s_m?: number; ball_restitution_slope_high_s_m?: number;
+}
+
+/** Ball and bat at a row of moments, shape (m,). */
+export interface HitFilm {
+  time_s: number[];
+  ball_travel_m: number[];
+  force_n: number[];
+  compression_m: number[];
+  gap_m: number[];
+  place_m: number[];
+  shape_per_sqrt_kg: number[][];
+  motion_sqrt_kg_m: number[][];
+  push_m: number[];
+  turn_rad: number[];
 }
 
 /** The bat, the swing, where they meet, and how the film is shown. */
@@ -391,6 +471,19 @@ export interface HitFilmState {
   slowness: number;
 }
 
+/** Every motion of the bat, lowest first, and what the tap leaves in it. */
+export interface ModesAnswer {
+  bat: BatPicture;
+  hands_m: number[];
+  nodes: BarrelNodes;
+  place_m: number[];
+  hoop_start_m: number | null; hoop_start_low_m?: number; hoop_start_high_m?: number;
+  tap: Tap;
+  modes: Motion[];
+  shown: number;
+  words: Record<"us" | "si", string[]>;
+}
+
 /** The bat, who holds it, which motion is shown, and where it is tapped. */
 export interface ModesState {
   held: boolean;
@@ -420,6 +513,21 @@ export interface ModesState {
   tap_from_tip_in: number;
   tap_ms: number;
   exaggeration: number;
+}
+
+/** One motion of the bat. */
+export interface Motion {
+  family: string;
+  name: string;
+  number: number;
+  harmonic: number;
+  axial: number | null;
+  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
+  damping_ratio: number | null; damping_ratio_low?: number; damping_ratio_high?: number;
+  decay_s: number | null; decay_low_s?: number; decay_high_s?: number;
+  nodes_m: number[];
+  shape: number[];
+  tap: Tapped;
 }
 
 /** The bat, how fast it is swung, and the pitch it meets. */
@@ -626,6 +734,51 @@ export interface SpeedSpan {
   high_m_s: number; high_low_m_s?: number; high_high_m_s?: number;
 }
 
+/** An implement's sweet spots, curves along it, and the hit at the chosen place, in its sport's words. */
+export interface SportsAnswer {
+  implement: string;
+  has_face: boolean;
+  sport: string;
+  words: Terms;
+  tool: ToolFacts;
+  ball: SportsBall;
+  swing_mph: number;
+  incoming_mph: number;
+  sweet_spots: SweetSpotPlaces;
+  scan: CurvesAlongTool;
+  hit: SportsHit;
+  headline: Record<"us" | "si", string[]>;
+  touched_again: Record<"us" | "si", string[]>;
+}
+
+/** The ball of the sport. */
+export interface SportsBall {
+  name: string;
+  radius_m: number; radius_low_m?: number; radius_high_m?: number;
+}
+
+/** Hits all over the face; None: there is none. */
+export interface SportsFace {
+  face: FaceMapPicture | null;
+}
+
+/** The hit at the chosen place; ``exit_speed`` None: the ball does not leave. */
+export interface SportsHit {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  lateral_m: number; lateral_low_m?: number; lateral_high_m?: number;
+  outcome: string;
+  outcome_text: string;
+  closing_speed_m_s: number; closing_speed_low_m_s?: number; closing_speed_high_m_s?: number;
+  collision_efficiency: number; collision_efficiency_low?: number; collision_efficiency_high?: number;
+  contact_time_s: number; contact_time_low_s?: number; contact_time_high_s?: number;
+  peak_force_n: number; peak_force_low_n?: number; peak_force_high_n?: number;
+  peak_compression_m: number; peak_compression_low_m?: number; peak_compression_high_m?: number;
+  touched_again: Record<"us" | "si", string[]>;
+  bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
+  exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
+  sting_m_s: number;
+}
+
 /** What one hits with, how fast, and where the ball meets it; empty: as is usual in its sport. */
 export interface SportsState {
   implement: string;
@@ -634,6 +787,11 @@ export interface SportsState {
   incoming_mph: number | null;
   met_from_tip_in: number | null;
   aside_in: number;
+}
+
+/** Where it hits best and why. */
+export interface SportsWords {
+  sentences: Record<"us" | "si", string[]>;
 }
 
 /** One diameter of a bat that is drawn by stations. */
@@ -653,6 +811,51 @@ export interface SweetSpotPlaces {
   zone_m: number[] | null; zone_low_m?: number[]; zone_high_m?: number[];
 }
 
+/** Where the bat is tapped, from the knob end, and for how long. */
+export interface Tap {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  duration_s: number; duration_low_s?: number; duration_high_s?: number;
+}
+
+/** What the tap leaves in a motion: part of the vibration's energy, None of what is none, and speed at the hand. */
+export interface Tapped {
+  energy_share: number | null; energy_share_low?: number; energy_share_high?: number;
+  hand_speed_m_s_per_n_s: number;
+}
+
+/** What people of a sport call things; the defaults are baseball's. */
+export interface Terms {
+  implement: string;
+  tip: string;
+  butt: string;
+  efficiency: string;
+  ball: string;
+  incoming: string;
+  exit_speed: string;
+  zone: string;
+  hands: string;
+  smash_factor: string;
+  strongest: string;
+  deadest: string;
+  speed_unit: "mph" | "m/s";
+  place_unit: "in" | "cm";
+  distance_unit: "ft" | "yd" | "m";
+  mass_unit: "oz" | "g" | "";
+}
+
+/** An implement, and what it is made of. */
+export interface ToolFacts {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  made_of: string;
+}
+
 /** What a bat is usually met with: what the controls stand at that nobody has moved. */
 export interface UsualHit {
   pitch_speed_mph: number;
@@ -662,4 +865,12 @@ export interface UsualHit {
   swing_law: string;
   league: string;
   park: string;
+}
+
+/** How far each harmonic dents a hollow barrel's wall under the ball: inwards by dent_n(t) cos(n theta). */
+export interface WallMotion {
+  harmonics: number[];
+  dent_m: number[][];
+  radius_m: number; radius_low_m?: number; radius_high_m?: number;
+  wall_m: number; wall_low_m?: number; wall_high_m?: number;
 }

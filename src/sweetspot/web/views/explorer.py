@@ -20,17 +20,10 @@ from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, values_of
-from sweetspot.report.bat.place_words import (
-    energy_words,
-    hits_fastest,
-    leaves_here,
-    speed_difference,
-    why_backwards,
-    why_here,
-    why_off_axis,
-)
+from sweetspot.report.bat.place_words import speed_difference, why_backwards, why_here, why_off_axis
 from sweetspot.report.bat.words import answer_words
 from sweetspot.report.hit.second_touch import touched_again_at
+from sweetspot.report.page_words import energy_words, hits_fastest, leaves_here
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
@@ -163,12 +156,11 @@ def answer(state: ExplorerState) -> ExplorerAnswer:
         ]
         if lost is not None and state.offset_in != 0:
             why.append(why_off_axis(state.offset_in * INCH, -lost - difference.whole, words=words))
+    speed = None if hit.exit_speed is None else float(hit.exit_speed)
     headline = [
         hits_fastest(bat.name, bat.length - spots.max_exit_speed, fastest, words=words),
         *met.doubts,
-        leaves_here(
-            bat.length - float(hit.position), hit.exit_speed, ends=hit.outcome_text, backwards=backwards, words=words
-        ),
+        leaves_here(bat.length - float(hit.position), speed, ends=hit.outcome_text, backwards=backwards, words=words),
     ]
     return ExplorerAnswer(
         bat=bat_picture(state, met.reduced),

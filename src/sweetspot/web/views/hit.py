@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
 
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of
-from sweetspot.answers.conditions import hit_conditions
-from sweetspot.answers.records import to_dict
-from sweetspot.collision.impact import Impact
+from sweetspot.answers.conditions import HitConditions, hit_conditions
+from sweetspot.answers.hit import CollisionNumbers, collision_numbers
+from sweetspot.answers.records import GRID, Energy, Length, Ratio, Speed, Time
 from sweetspot.collision.one_hit import quick_hit
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
 from sweetspot.dynamics.hands import gripped
@@ -19,18 +21,16 @@ from sweetspot.dynamics.hoop import HARMONICS, ring_felt
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.hit.second_touch import touched_again
+from sweetspot.report.page_words import wave_words
 from sweetspot.report.sport_words import words_of
-from sweetspot.units import INCH
-from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.documents import ReadDocument, in_both_systems, told
-from sweetspot.web.drawings import ball_picture, bat_picture
-from sweetspot.web.errors import FieldError
+from sweetspot.units.dimensions import ANGLE, ENERGY, FORCE, LENGTH, SPEED, TIME
+from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
 from sweetspot.web.states import HeldState, PlacedState
 from sweetspot.web.view import View
@@ -53,14 +53,81 @@ FILM_FIELDS = ("moment_ms", "exaggeration", "recoil", "slowness")
 """Controls of the drawing alone."""
 
 
-def answer(state: HitFilmState) -> dict[str, Any]:
+@dataclass(frozen=True, kw_only=True)
+class FilmHit(CollisionNumbers):
+    """The hit that is shown; ``release_time`` is when the ball is free."""
+
+    release_time: Time
+    touched_again: Sentences
+    bat_speed: Speed
+    exit_speed: Speed
+    incoming_energy: Energy
+
+
+@dataclass(frozen=True)
+class HitFilm:
+    """Ball and bat at a row of moments, shape (m,).
+
+    How the bat's line moves is y(x, t) = sum_i shape_i(x) motion_i(t), in the direction of the push, places from the
+    knob end; ``push`` and ``turn`` are the part of it that an unbending bat would show: push + turn (x - balance).
+    """
+
+    time: Annotated[Array, TIME]
+    ball_travel: Annotated[Array, LENGTH]
+    force: Annotated[Array, FORCE]
+    compression: Annotated[Array, LENGTH]
+    gap: Annotated[Array, LENGTH]
+    place: Annotated[Array, LENGTH]
+    shape_per_sqrt_kg: Annotated[Array, GRID]
+    motion_sqrt_kg: Annotated[Array, LENGTH, GRID]
+    push: Annotated[Array, LENGTH]
+    turn: Annotated[Array, ANGLE]
+
+
+@dataclass(frozen=True)
+class HandMotion:
+    """How the place of the top hand moves, and when the wave gets there; None: it does not."""
+
+    displacement: Annotated[Array, LENGTH]
+    velocity: Annotated[Array, SPEED]
+    arrival: Time | None
+    impulse_given: Ratio | None
+
+
+@dataclass(frozen=True)
+class WallMotion:
+    """How far each harmonic dents a hollow barrel's wall under the ball: inwards by dent_n(t) cos(n theta)."""
+
+    harmonics: tuple[int, ...]
+    dent: Annotated[tuple[Array, ...], LENGTH]
+    radius: Length
+    wall: Length
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmAnswer:
+    """The hit and its film; ``energy`` holds the parts that there are, ``words`` what the hands could still do."""
+
+    bat: BatPicture
+    ball: BallPicture
+    hands: Annotated[tuple[float, ...], LENGTH]
+    hit: FilmHit
+    film: HitFilm
+    energy: Annotated[Mapping[str, Array], ENERGY]
+    top_hand: HandMotion
+    hoop: WallMotion | None
+    words: Sentences
+    conditions: HitConditions
+
+
+def answer(state: HitFilmState) -> FilmAnswer:
     """Return the hit and its film; how it is drawn makes no difference."""
     drawn = {name: HitFilmState.model_fields[name].default for name in FILM_FIELDS}
     return _answer(state.model_copy(update=drawn))
 
 
 @lru_cache(maxsize=64)
-def _answer(state: HitFilmState) -> dict[str, Any]:
+def _answer(state: HitFilmState) -> FilmAnswer:
     reduced_bat, conditions, place = _asked(state)
     modes = reduced_bat.modes
     if state.held:
@@ -68,26 +135,33 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
         modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
     impact = quick_hit(modes, ball=conditions.ball, position=place, closing_speed=closing)
-    struck = modes.shape_at(place, closing_speed=impact.closing_speed)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
-    return {
-        "bat": bat_picture(state, reduced_bat),
-        "ball": ball_picture(state, conditions.ball),
-        "hands_m": conditions.hands.places,
-        "hit": _hit(impact, conditions, words_of(reduced_bat.bat)),
-        "film": {
-            "time_s": _short(scene.times, 9),
-            "ball_travel_m": _short(scene.travel, 6),
-            "force_n": _short(scene.force, 1),
-            "compression_m": _short(scene.compression, 7),
-            "gap_m": _short(np.maximum(scene.displacement @ struck - scene.travel, 0.0), 6),
-            **_bat_motion(scene, modes, reduced_bat.body, reduced_bat.bat.length),
-        },
-        "energy_j": {name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
-        "hands": _hands(scene, modes, conditions.hands.position),
-        "hoop": _hoop(scene, modes, reduced_bat, conditions),
-        "conditions": to_dict(hit_conditions(conditions)),
-    }
+    again, moved = touched_again(impact, words_of(reduced_bat.bat)), _hands(scene, modes, conditions.hands.position)
+    words = wave_words(
+        reduced_bat.bat.name,
+        contact_time=impact.contact_time,
+        arrival=None if moved.arrival is None else float(moved.arrival),
+        given=None if moved.impulse_given is None else float(moved.impulse_given),
+    )
+    return FilmAnswer(
+        bat=bat_picture(state, reduced_bat),
+        ball=ball_picture(state, conditions.ball),
+        hands=conditions.hands.places,
+        hit=FilmHit(
+            **vars(collision_numbers(impact)),
+            release_time=impact.release_time,
+            touched_again=in_both_systems(again),
+            bat_speed=conditions.swing.speed_at(impact.position),
+            exit_speed=exit_speed_of(impact, conditions),
+            incoming_energy=impact.energy.incoming,
+        ),
+        film=_film(scene, modes, reduced_bat),
+        energy={name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
+        top_hand=moved,
+        hoop=_hoop(scene, modes, reduced_bat, conditions),
+        words=in_both_systems([*words, *again]),
+        conditions=hit_conditions(conditions),
+    )
 
 
 def sure(state: HitFilmState) -> ReadDocument:
@@ -107,63 +181,38 @@ def _asked(state: HitFilmState) -> tuple[ReducedBat[Bat], Conditions, float]:
     reduced_bat = reduced(state, ball_of(state))
     conditions = conditions_of(state, reduced_bat.bat)
     check_conditions(reduced_bat.bat, conditions, body=reduced_bat.body)
-    place = reduced_bat.bat.length - state.impact_from_tip_in * INCH
-    if place < conditions.hands.position:
-        most = (reduced_bat.bat.length - conditions.hands.position) / INCH
-        raise FieldError(
-            "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
-        )
-    return reduced_bat, conditions, place
+    return reduced_bat, conditions, place_of(state, reduced_bat.bat, conditions)
 
 
-def _hit(impact: Impact, conditions: Conditions, words: Terms) -> dict[str, Any]:
-    return {
-        "position_m": impact.position,
-        "outcome_text": impact.outcome.sentence,
-        "touched_again": in_both_systems(touched_again(impact, words)),
-        "closing_speed_m_s": impact.closing_speed,
-        "bat_speed_m_s": conditions.swing.speed_at(impact.position),
-        "exit_speed_m_s": exit_speed_of(impact, conditions),
-        "collision_efficiency": impact.collision_efficiency,
-        "contact_time_s": impact.contact_time,
-        "release_time_s": impact.release_time,
-        "peak_force_n": impact.peak_force,
-        "peak_compression_m": impact.peak_compression,
-        "incoming_energy_j": impact.energy.incoming,
-    }
-
-
-def _bat_motion(scene: TimeHistory, modes: Modes, body: RigidBody, length: float) -> dict[str, Any]:
-    """Return how the bat's line moves, as modes: y(x, t) = sum_i shape_i(x) q_i(t), in the direction of the push.
-
-    ``push_m`` and ``turn_rad`` are the part of it that an unbending bat would show: y = push + turn (x - balance).
-    """
-    places = np.linspace(0, length, PLACES)
+def _film(scene: TimeHistory, modes: Modes, reduced_bat: ReducedBat) -> HitFilm:
+    """Return ball and bat at every moment, rounded to what a drawing can show."""
+    impact, body = scene.impact, reduced_bat.body
+    struck = modes.shape_at(impact.position, closing_speed=impact.closing_speed)
+    places = np.linspace(0, reduced_bat.bat.length, PLACES)
     line = [index for index, family in enumerate(modes.families) if family != "hoop"]
     push, turn = (scene.displacement @ modes.rigid_part[:2].T).T
-    return {
-        "place_m": _short(places, 5),
-        "shape_per_sqrt_kg": _short(modes.shape_at(places)[:, line].T, 4),
-        "motion_sqrt_kg_m": _short(scene.displacement[:, line].T, 6),
-        "push_m": _short(push / np.sqrt(body.mass), 6),
-        "turn_rad": _short(turn / np.sqrt(body.moi_cm), 6),
-    }
+    return HitFilm(
+        time=_short(scene.times, 9),
+        ball_travel=_short(scene.travel, 6),
+        force=_short(scene.force, 1),
+        compression=_short(scene.compression, 7),
+        gap=_short(np.maximum(scene.displacement @ struck - scene.travel, 0.0), 6),
+        place=_short(places, 5),
+        shape_per_sqrt_kg=_short(modes.shape_at(places)[:, line].T, 4),
+        motion_sqrt_kg=_short(scene.displacement[:, line].T, 6),
+        push=_short(push / np.sqrt(body.mass), 6),
+        turn=_short(turn / np.sqrt(body.moi_cm), 6),
+    )
 
 
-def _hands(scene: TimeHistory, modes: Modes, position: float) -> dict[str, Any]:
-    """Return how the place of the top hand moves, and when the wave gets there."""
+def _hands(scene: TimeHistory, modes: Modes, position: float) -> HandMotion:
     shape = modes.shape_at(position)
     arrival = arrival_time(scene, modes=modes, position=position)
-    return {
-        "displacement_m": _short(scene.displacement @ shape, 6),
-        "velocity_m_s": _short(scene.velocity @ shape, 3),
-        "arrival_s": arrival,
-        "impulse_given": None if arrival is None else impulse_given(scene.impact, arrival),
-    }
+    given = None if arrival is None else impulse_given(scene.impact, arrival)
+    return HandMotion(_short(scene.displacement @ shape, 6), _short(scene.velocity @ shape, 3), arrival, given)
 
 
-def _hoop(scene: TimeHistory, modes: Modes, reduced_bat: ReducedBat, conditions: Conditions) -> dict[str, Any] | None:
-    """Return how far each harmonic dents a hollow barrel's wall under the ball: inwards by a_n(t) cos(n theta)."""
+def _hoop(scene: TimeHistory, modes: Modes, reduced_bat: ReducedBat, conditions: Conditions) -> WallMotion | None:
     hoop = modes.of_family("hoop")
     if not hoop or reduced_bat.bat.shell is None:
         return None
@@ -175,12 +224,8 @@ def _hoop(scene: TimeHistory, modes: Modes, reduced_bat: ReducedBat, conditions:
         felt = scene.displacement[:, same] @ shape[same]
         part = ring_felt(reduced_bat.beam, harmonic=harmonic, patch=contact_patch(conditions.ball, closing_speed))
         dents.append(_short(felt / part, 7))
-    return {
-        "harmonics": HARMONICS,
-        "dent_m": dents,
-        "radius_m": float(reduced_bat.bat.diameter_at(position)) / 2,
-        "wall_m": float(reduced_bat.bat.wall_at(position)),
-    }
+    bat = reduced_bat.bat
+    return WallMotion(HARMONICS, tuple(dents), float(bat.diameter_at(position)) / 2, float(bat.wall_at(position)))
 
 
 def _short(values: Array, digits: int) -> Array:

@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, Literal, NamedTuple
+from typing import Annotated, Literal, NamedTuple
 
 import numpy as np
 from pydantic import Field
 
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions
 from sweetspot.analysis.sweet_spot import barrel_node
+from sweetspot.answers.records import Frequency, Length, Ratio, Time
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.hoop import barrel_range
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.tap import tapped
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
+from sweetspot.report.page_words import motion_words
 from sweetspot.units import INCH
+from sweetspot.units.dimensions import LENGTH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.drawings import bat_picture
+from sweetspot.web.documents import Sentences, in_both_systems
+from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
 from sweetspot.web.states import HeldState, SwungState
@@ -43,29 +48,133 @@ class ModesState(SwungState, HeldState):
     exaggeration: float = Field(1.0, ge=0.2, le=3, description="size of the drawn motion against the usual one")
 
 
-def answer(state: ModesState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class Tapped:
+    """What the tap leaves in a motion: part of the vibration's energy, None of what is none, and speed at the hand."""
+
+    energy_share: Ratio | None
+    hand_speed_m_s_per_n_s: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Motion:
+    """One motion of the bat.
+
+    Parameters
+    ----------
+    number : among its family, from the lowest.
+    axial : of a hoop mode: half waves along the barrel.
+    decay : time in which it dies away to 1 / e.
+    shape : one high, and positive at the tip.
+    """
+
+    family: str
+    name: str
+    number: int
+    harmonic: int
+    axial: int | None
+    frequency: Frequency
+    damping_ratio: Ratio | None
+    decay: Time | None
+    nodes: Annotated[tuple[float, ...], LENGTH]
+    shape: Array
+    tap: Tapped
+
+
+@dataclass(frozen=True)
+class BarrelNodes:
+    """Nodes of the first two bending modes nearest to the tip."""
+
+    node_1: Length
+    node_2: Length
+
+
+@dataclass(frozen=True)
+class Tap:
+    """Where the bat is tapped, from the knob end, and for how long."""
+
+    position: Length
+    duration: Time
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModesAnswer:
+    """Every motion of the bat, lowest first, and what the tap leaves in it.
+
+    Parameters
+    ----------
+    place : from the knob end, of the shapes.
+    hoop_start : where a hollow barrel begins to ring; None: it is solid.
+    shown, words : which of the motions is asked about, and what it is.
+    """
+
+    bat: BatPicture
+    hands: Annotated[tuple[float, ...], LENGTH]
+    nodes: BarrelNodes
+    place: Annotated[Array, LENGTH]
+    hoop_start: Length | None
+    tap: Tap
+    modes: tuple[Motion, ...]
+    shown: int
+    words: Sentences
+
+
+UNTAPPED = Tapped(None, 0.0)
+
+
+def answer(state: ModesState) -> ModesAnswer:
     """Return every motion of the bat and what the tap leaves in it."""
     still = {name: ModesState.model_fields[name].default for name in ("family", "number", "exaggeration", *TAP_FIELDS)}
     held = _held(state.model_copy(update=still))
-    length = held.answer["bat"].length
+    length = float(held.bat.length)
     place, duration = length - state.tap_from_tip_in * INCH, state.tap_ms * 1e-3
     if place < 0:
         raise FieldError("tap_from_tip_in", f"the bat is {length / INCH:.4g} in long; tap it no further from its tip")
     taps = _taps(held, place, duration)
-    return {
-        **held.answer,
-        "tap": {"position_m": place, "duration_s": duration},
-        "modes": [{**row, "tap": tap} for row, tap in zip(held.answer["modes"], taps, strict=True)],
-    }
+    motions = tuple(replace(motion, tap=tap) for motion, tap in zip(held.motions, taps, strict=True))
+    shown = _shown(motions, state)
+    chosen = motions[shown]
+    words = motion_words(
+        chosen.name,
+        chosen.family,
+        frequency=float(chosen.frequency),
+        waves=(chosen.harmonic, chosen.axial),
+        nodes=[length - node for node in reversed(chosen.nodes)],
+        tap=(length - place, None if chosen.tap.energy_share is None else float(chosen.tap.energy_share)),
+    )
+    return ModesAnswer(
+        bat=held.bat,
+        hands=held.hands,
+        nodes=BarrelNodes(*held.nodes),
+        place=held.place,
+        hoop_start=held.hoop_start,
+        tap=Tap(place, duration),
+        modes=motions,
+        shown=shown,
+        words=in_both_systems(words),
+    )
+
+
+def _shown(motions: tuple[Motion, ...], state: ModesState) -> int:
+    """Return which motion is asked about, or the one like it on another bat."""
+    alike = [index for index, motion in enumerate(motions) if motion.family == state.family]
+    if alike:
+        return alike[min(state.number, len(alike)) - 1]
+    return next(index for index, motion in enumerate(motions) if motion.family == "bending")
 
 
 class _Held(NamedTuple):
-    """What does not depend on the tap: the motions, which of them are listed, the top hand's place, and their rows."""
+    """What does not depend on the tap; the motions have no tap yet."""
 
     modes: Modes
     listed: list[int]
+    bat: BatPicture
+    hands: tuple[float, ...]
     hand: float
-    answer: dict[str, Any]
+    nodes: tuple[float, float]
+    place: Array
+    hoop_start: float | None
+    motions: list[Motion]
 
 
 @lru_cache(maxsize=64)
@@ -79,55 +188,59 @@ def _held(state: ModesState) -> _Held:
     places = np.linspace(0, bat.length, PLACES)
     order = np.argsort(modes.frequency, kind="stable")
     listed = [int(index) for index in order if modes.frequency[index] < HIGHEST]
-    table = {
-        "bat": bat_picture(state, model),
-        "hands_m": hands.places,
-        "nodes": {f"node_{n}_m": barrel_node(model.modes, harmonic=n) for n in (1, 2)},
-        "place_m": np.round(places, 5),
-        "hoop_start_m": barrel_range(model.beam)[0] if bat.shell is not None else None,
-        "modes": _rows(modes, listed, places),
-    }
-    return _Held(modes, listed, hands.position, table)
+    return _Held(
+        modes,
+        listed,
+        bat_picture(state, model),
+        hands.places,
+        hands.position,
+        (barrel_node(model.modes, harmonic=1), barrel_node(model.modes, harmonic=2)),
+        np.round(places, 5),
+        barrel_range(model.beam)[0] if bat.shell is not None else None,
+        _motions(modes, listed, places),
+    )
 
 
-def _rows(modes: Modes, listed: list[int], places: Array) -> list[dict[str, Any]]:
-    """Return the motions, lowest first, with shapes one high and positive at the tip."""
+def _motions(modes: Modes, listed: list[int], places: Array) -> list[Motion]:
     shapes = modes.shape_at(places)
     damping = modes.damping_rate + np.sum(modes.dashpots**2, axis=0)
     nodes = _nodes(modes, listed, float(places[-1]))
     counts: Counter[str] = Counter()
-    rows = []
+    motions = []
     for index in listed:
         family, harmonic = modes.families[index], modes.harmonics[index]
         counts.update([family, f"{family} {harmonic}"])
         omega = 0.0 if family == "rigid" else float(modes.angular_frequency[index])
-        rows.append(
-            {
-                "family": family,
-                "number": counts[family],
-                "harmonic": harmonic,
-                "axial": counts[f"{family} {harmonic}"] if family == "hoop" else None,
-                "frequency_hz": omega / (2 * np.pi),
-                "damping_ratio": damping[index] / (2 * omega) if omega > 0 else None,
-                "decay_s": 2 / damping[index] if damping[index] * omega > 0 else None,
-                "nodes_m": nodes[index],
-                "shape": np.round(shapes[:, index] / _signed_largest(shapes[:, index]), 4) + 0.0,
-            }
+        axial = counts[f"{family} {harmonic}"] if family == "hoop" else None
+        names = {"hoop": f"Hoop {harmonic}.{axial}", "rigid": "Turn" if nodes[index] else "Push"}
+        motions.append(
+            Motion(
+                family=family,
+                name=names.get(family, f"{'Hands' if family == 'hand' else 'Bending'} {counts[family]}"),
+                number=counts[family],
+                harmonic=harmonic,
+                axial=axial,
+                frequency=omega / (2 * np.pi),
+                damping_ratio=float(damping[index]) / (2 * omega) if omega > 0 else None,
+                decay=2 / float(damping[index]) if damping[index] * omega > 0 else None,
+                nodes=tuple(nodes[index]),
+                shape=np.round(shapes[:, index] / _signed_largest(shapes[:, index]), 4) + 0.0,
+                tap=UNTAPPED,
+            )
         )
-    return rows
+    return motions
 
 
-def _taps(held: _Held, place: float, duration: float) -> list[dict[str, float | None]]:
-    """Return what the tap leaves in each motion: its part of the vibration's energy, and the speed at the top hand."""
+def _taps(held: _Held, place: float, duration: float) -> list[Tapped]:
     modes, listed = held.modes, held.listed
     speeds, at_hand = tapped(modes, position=place, duration=duration), modes.shape_at(held.hand)
     rings = [index for index in listed if modes.families[index] != "rigid"]
     total = float(np.sum(speeds[rings] ** 2))
     return [
-        {
-            "energy_share": float(speeds[index] ** 2 / total) if index in rings and total > 0 else None,
-            "hand_speed_m_s_per_n_s": float(abs(speeds[index] * at_hand[index])),
-        }
+        Tapped(
+            float(speeds[index] ** 2 / total) if index in rings and total > 0 else None,
+            float(abs(speeds[index] * at_hand[index])),
+        )
         for index in listed
     ]
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, replace
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from shlex import quote
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
@@ -14,22 +14,26 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.face_maps import face_map
 from sweetspot.analysis.position_scan import sting
-from sweetspot.answers.implement import mass_properties
-from sweetspot.answers.records import to_dict
-from sweetspot.answers.report import report_of
+from sweetspot.answers.hit import CollisionNumbers, numbers_in_batch
+from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.records import GAPS, Length, Speed
+from sweetspot.answers.report import HitsOnFace, SweetSpotPlaces, report_of, sweet_spot_places
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.closed_form import exit_speed
-from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions, Pitch
+from sweetspot.numerics.arrays import Array
 from sweetspot.report.bat.words import answer_words
 from sweetspot.report.hit.second_touch import touched_again_at, touched_again_between
+from sweetspot.report.page_words import hits_fastest, leaves_here
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, MPH
+from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import implement_of
-from sweetspot.web.documents import in_both_systems
+from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.states import Name, Toml, ViewState, within
 from sweetspot.web.view import View
@@ -55,47 +59,126 @@ class SportsState(ViewState):
     aside_in: float = Field(0.0, ge=-6, le=6, description="across the face, from its line")
 
 
-def answer(state: SportsState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class ToolFacts(MassProperties):
+    """An implement, and what it is made of."""
+
+    made_of: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class SportsHit(CollisionNumbers):
+    """The hit at the chosen place; ``exit_speed`` None: the ball does not leave."""
+
+    touched_again: Sentences
+    bat_speed: Speed
+    exit_speed: Speed
+    sting: Annotated[float, VIBRATION]
+
+
+@dataclass(frozen=True)
+class CurvesAlongTool:
+    """Hits along an implement, shape (n,)."""
+
+    position: Annotated[Array, LENGTH]
+    exit_speed: Annotated[Array, SPEED, GAPS]
+    rigid_exit_speed: Annotated[Array, SPEED, GAPS]
+    collision_efficiency: Annotated[Array, GAPS]
+    sting: Annotated[Array, VIBRATION, GAPS]
+
+
+@dataclass(frozen=True)
+class SportsBall:
+    """The ball of the sport."""
+
+    name: str
+    radius: Length
+
+
+@dataclass(frozen=True, kw_only=True)
+class SportsAnswer:
+    """An implement's sweet spots, curves along it, and the hit at the chosen place, in its sport's words."""
+
+    implement: str
+    has_face: bool
+    sport: str
+    words: Terms
+    tool: ToolFacts
+    ball: SportsBall
+    swing_mph: float
+    incoming_mph: float
+    sweet_spots: SweetSpotPlaces
+    scan: CurvesAlongTool
+    hit: SportsHit
+    headline: Sentences
+    touched_again: Sentences
+
+
+@dataclass(frozen=True)
+class FaceMapPicture(HitsOnFace):
+    """Hits all over a face, and the best of them."""
+
+    best: Length
+    best_lateral: Length
+
+
+@dataclass(frozen=True)
+class SportsFace:
+    """Hits all over the face; None: there is none."""
+
+    face: FaceMapPicture | None
+
+
+@dataclass(frozen=True)
+class SportsWords:
+    """Where it hits best and why."""
+
+    sentences: Sentences
+
+
+def answer(state: SportsState) -> SportsAnswer:
     """Return the implement's sweet spots, curves along it, and the hit at the chosen place."""
     analysis = _played(state)
-    tool, conditions, spots = analysis.bat, analysis.conditions, analysis.sweet_spots
-    sport = catalog.sport(tool.sport)
-    along = analysis.scan
-    curves = {
-        "position_m": along.position, "exit_speed_m_s": along.exit_speed,
-        "rigid_exit_speed_m_s": along.rigid_exit_speed, "collision_efficiency": along.collision_efficiency,
-        "sting_m_s": along.sting,
-    }  # fmt: skip
-    return {
-        "implement": state.implement,
-        "has_face": _has_face(tool),
-        "sport": sport.name,
-        "words": words_of(tool).model_dump(),
-        "tool": {**to_dict(mass_properties(tool, analysis.body)), "made_of": tool.made_of},
-        "ball": {"name": conditions.ball.name, "radius_m": conditions.ball.radius},
-        "swing_mph": conditions.swing.bat_speed / MPH,
-        "incoming_mph": conditions.pitch.speed / MPH,
-        "sweet_spots": {
-            **{f"{name}_m": place for name, place in asdict(spots).items() if name != "zone"},
-            "zone_m": spots.zone,
-        },
-        "scan": {name: np.round(values, 6) for name, values in curves.items()},
-        "hit": _hit(state, analysis),
-        "touched_again": in_both_systems(
-            touched_again_between(tool.length - along.position, along.touches, words_of(tool))
+    tool, conditions, along = analysis.bat, analysis.conditions, analysis.scan
+    words, hit = words_of(tool), _hit(state, analysis)
+    again = touched_again_between(tool.length - along.position, along.touches, words)
+    fastest = float(np.interp(analysis.sweet_spots.max_exit_speed, along.position, along.exit_speed))
+    headline = [
+        hits_fastest(tool.name, tool.length - analysis.sweet_spots.max_exit_speed, fastest, words=words),
+        leaves_here(
+            tool.length - float(hit.position),
+            float(hit.exit_speed),
+            ends=hit.outcome_text,
+            aside=float(hit.lateral),
+            words=words,
         ),
-    }
+    ]
+    return SportsAnswer(
+        implement=state.implement,
+        has_face=_has_face(tool),
+        sport=catalog.sport(tool.sport).name,
+        words=words,
+        tool=ToolFacts(**vars(mass_properties(tool, analysis.body)), made_of=tool.made_of),
+        ball=SportsBall(conditions.ball.name, conditions.ball.radius),
+        swing_mph=conditions.swing.bat_speed / MPH,
+        incoming_mph=conditions.pitch.speed / MPH,
+        sweet_spots=sweet_spot_places(analysis.sweet_spots),
+        scan=CurvesAlongTool(*(getattr(along, field.name).round(6) for field in fields(CurvesAlongTool))),
+        hit=hit,
+        headline=in_both_systems(headline),
+        touched_again=in_both_systems(again),
+    )
 
 
-def sentences(state: SportsState) -> dict[str, Any]:
+def sentences(state: SportsState) -> SportsWords:
     """Return where it hits best and why, in either system of units."""
     report = replace(report_of(_played(state)), misses=())  # they stand in the picture
-    return {"sentences": in_both_systems(answer_words(report))}
+    return SportsWords(in_both_systems(answer_words(report)))
 
 
-def face(state: SportsState) -> dict[str, Any]:
+def face(state: SportsState) -> SportsFace:
     """Return what a hit gives at every place of the face; nothing where an implement has none."""
-    return {"face": _face(_played(state))}
+    return SportsFace(_face(_played(state)))
 
 
 def _played(state: SportsState) -> Analysis[Implement]:
@@ -125,27 +208,25 @@ def _analysed(name: str, text: str | None, swing: float | None, incoming: float 
         return analyse_reduced(reduced, conditions)
 
 
-def _face(analysis: Analysis[Implement]) -> dict[str, Any] | None:
+def _face(analysis: Analysis[Implement]) -> FaceMapPicture | None:
     if not _has_face(analysis.bat):
         return None
     hits = face_map(analysis.reduced, analysis.conditions, columns=ALONG, rows=ACROSS)
-    place, across = hits.best()
-    return {
-        "position_m": np.round(hits.position, 5),
-        "lateral_m": np.round(hits.lateral, 5),
-        "exit_speed_m_s": np.round(hits.exit_speed, 3),
-        "collision_efficiency": np.round(hits.collision_efficiency, 4),
-        "sting_m_s": np.round(hits.sting, 4),
-        "best_m": place,
-        "best_lateral_m": across,
-    }
+    return FaceMapPicture(
+        np.round(hits.position, 5),
+        np.round(hits.lateral, 5),
+        np.round(hits.collision_efficiency, 4),
+        np.round(hits.exit_speed, 3),
+        np.round(hits.sting, 4),
+        *hits.best(),
+    )
 
 
 def _has_face(tool: Implement) -> bool:
     return tool.outline is not None and tool.face is not None
 
 
-def _hit(state: SportsState, analysis: Analysis[Implement]) -> dict[str, Any]:
+def _hit(state: SportsState, analysis: Analysis[Implement]) -> SportsHit:
     tool, conditions = analysis.bat, analysis.conditions
     start, end = float(analysis.scan.position[0]), float(analysis.scan.position[-1])
     wanted = analysis.sweet_spots.max_exit_speed
@@ -157,27 +238,20 @@ def _hit(state: SportsState, analysis: Analysis[Implement]) -> dict[str, Any]:
         raise FieldError("aside_in", f"{tool.name} has no face there; move the ball nearer to its line")
     bat_speed = conditions.swing.speed_at(place)
     closing = conditions.pitch.speed + bat_speed
-    done = hits_with_motion(
-        analysis.modes, ball=conditions.ball, position=place, lateral=aside, closing_speed=closing
-    )  # fmt: skip
-    efficiency = float(done.collision_efficiency[0])
-    again = touched_again_at(
-        bool(done.touches[0] > 1), words_of(tool), modes=analysis.modes, ball=conditions.ball, position=place,
-        closing_speed=closing, lateral=aside,
-    )  # fmt: skip
-    felt = sting(analysis.modes, hands=conditions.hands, displacement=done.displacement, velocity=done.velocity)
-    return {
-        "position_m": place,
-        "lateral_m": aside,
-        "outcome_text": Outcome(int(done.outcome[0])).sentence,
-        "touched_again": in_both_systems(again),
-        "tool_speed_m_s": bat_speed,
-        "exit_speed_m_s": exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed),
-        "collision_efficiency": efficiency,
-        "contact_time_s": done.contact_time[0],
-        "peak_force_n": done.peak_force[0],
-        "sting_m_s": float(felt[0]),
-    }
+    hit = hits_with_motion(analysis.modes, ball=conditions.ball, position=place, lateral=aside, closing_speed=closing)
+    where = {"position": place, "lateral": aside, "closing_speed": closing}
+    numbers = numbers_in_batch(hit, **where)
+    perhaps = bool(hit.touches[0] > 1)
+    again = touched_again_at(perhaps, words_of(tool), modes=analysis.modes, ball=conditions.ball, **where)
+    felt = sting(analysis.modes, hands=conditions.hands, displacement=hit.displacement, velocity=hit.velocity)
+    efficiency = float(numbers.collision_efficiency)
+    return SportsHit(
+        **vars(numbers),
+        touched_again=in_both_systems(again),
+        bat_speed=bat_speed,
+        exit_speed=exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed),
+        sting=float(felt[0]),
+    )
 
 
 def recipe(state: SportsState) -> dict[str, str]:

@@ -1,11 +1,11 @@
 // A hit's answer as a film: what ball, bat and wall do at any moment, straight between the moments of the answer.
 
-/** @import { Answer } from "../shell/main.js" */
+/** @import { FilmAnswer } from "../answers.js" */
 
 export const LEAD = 0.4e-3; // s before first touch at which the film begins
 
 export class Film {
-  /** @param {Answer} answer */
+  /** @param {FilmAnswer} answer */
   constructor(answer) {
     const { film, hit, bat, ball, energy_j: energy } = answer;
     this.answer = answer;
@@ -14,7 +14,7 @@ export class Film {
     this.ball = ball;
     this.energy = energy;
     this.times = film.time_s;
-    this.end = this.times.at(-1);
+    this.end = this.times[this.times.length - 1];
     this.shapes = film.shape_per_sqrt_kg;
     this.places = film.place_m;
     this.fastest = this.greatestSpeed();
@@ -54,7 +54,7 @@ export class Film {
     const at = (/** @type {number[]} */ series) => series[index] + part * (series[index + 1] - series[index]);
     const motion = film.motion_sqrt_kg_m.map(at);
     const [push, turn] = recoil ? [0, 0] : [at(film.push_m), at(film.turn_rad)];
-    return this.places.map((/** @type {number} */ place, /** @type {number} */ i) => {
+    return this.places.map((place, i) => {
       let moved = -push - turn * (place - this.bat.balance_point_m);
       for (let mode = 0; mode < motion.length; mode += 1) moved += motion[mode] * this.shapes[mode][i];
       return moved;
@@ -68,7 +68,7 @@ export class Film {
     if (moment < 0) return this.places.map(() => 0);
     const [after, before] = [this.line(moment + step), this.line(Math.max(0, moment - step))];
     const span = Math.min(this.end, moment + step) - Math.min(this.end - step, Math.max(0, moment - step));
-    return after.map((/** @type {number} */ value, /** @type {number} */ i) => (value - before[i]) / span);
+    return after.map((value, i) => (value - before[i]) / span);
   }
 
   greatestSpeed() {
@@ -99,12 +99,12 @@ export class Film {
   dent(moment, angle) {
     const { hoop } = this.answer;
     if (!hoop || moment <= 0) return 0;
-    return hoop.harmonics.reduce((/** @type {number} */ sum, /** @type {number} */ n, /** @type {number} */ i) => sum + this.value(hoop.dent_m[i], moment) * Math.cos(n * angle), 0);
+    return hoop.harmonics.reduce((sum, n, i) => sum + this.value(hoop.dent_m[i], moment) * Math.cos(n * angle), 0);
   }
   deepestDent() {
     const { hoop } = this.answer;
     if (!hoop) return 0;
-    return Math.max(...this.times.map((/** @type {number} */ _, /** @type {number} */ i) => Math.abs(hoop.dent_m.reduce((/** @type {number} */ sum, /** @type {number[]} */ series) => sum + series[i], 0))));
+    return Math.max(...this.times.map((_, i) => Math.abs(hoop.dent_m.reduce((sum, series) => sum + series[i], 0))));
   }
 
   // Series for charts, with the ball's way before first touch put in front.
@@ -114,7 +114,7 @@ export class Film {
     /** @type {Record<string, number[]>} */
     const lines = {
       force_n: before(answer.film.force_n, 0),
-      hand: before(answer.hands.velocity_m_s, 0),
+      hand: before(answer.top_hand.velocity_m_s, 0),
     };
     for (const [name, values] of Object.entries(this.energy)) lines[name] = before(values, name === "ball" ? hit.incoming_energy_j : 0);
     return { x: [-LEAD, -1e-9, ...this.times], lines };

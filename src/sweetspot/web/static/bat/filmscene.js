@@ -147,7 +147,7 @@ function paintSpeed(context, film, moment, { across, middle, drop, scale }, colo
  * @param {Colors} colors
  */
 function paintHands(context, film, moment, { across, middle, drop, scale }, colors) {
-  const { hands_m: hands, hands: felt } = film.answer;
+  const { hands_m: hands, top_hand: felt } = film.answer;
   const arrived = felt.arrival_s !== null && moment >= felt.arrival_s;
   context.lineWidth = 3;
   context.strokeStyle = arrived ? colors.purple : colors.muted;
@@ -161,7 +161,7 @@ function paintHands(context, film, moment, { across, middle, drop, scale }, colo
       context.stroke();
     }
   }
-  const top = Math.min(...hands.map((/** @type {any} */ hand) => drop(hand)));
+  const top = Math.min(...hands.map((hand) => drop(hand)));
   const [x, y] = [across((hands[0] + hands[1]) / 2), middle + top - radiusAt(film.bat, hands[0]) * scale - 14];
   context.font = `${arrived ? "600 " : ""}12px ${FONT}`;
   context.textAlign = "center";

@@ -2,15 +2,17 @@
 
 import { paintBat, radiusAt } from "./batview.js";
 import { FONT, haloText } from "../charts/surface.js";
-/** @import { Answer, App, Colors } from "../shell/main.js" */
+/** @import { ModesAnswer, Motion } from "../answers.js" */
+/** @import { App, Colors } from "../shell/main.js" */
 
 const PAD = 16, TOP = 34, SIDES = 120;
 const SWING = 0.085; // m of drawing for the largest place of a motion of size 1
 const ROUND = 0.3; // part of the barrel's radius, for a hoop motion of size 1
 
+/** @typedef {{ answer: ModesAnswer, motion: Motion, phase: number, size: number, both: boolean, colors: Colors, text: (name: string, value: number, digits?: number) => string }} Shown */
 export class Stage {
   /**
-   * @param {Answer} answer
+   * @param {ModesAnswer} answer
    * @param {number} width
    */
   constructor(answer, width) {
@@ -36,7 +38,7 @@ export class Stage {
  * @param {CanvasRenderingContext2D} context
  * @param {number} width
  * @param {number} height
- * @param {Answer} shown
+ * @param {Shown} shown
  */
 export function paintMotion(context, width, height, shown) {
   const stage = new Stage(shown.answer, width);
@@ -61,7 +63,7 @@ export function paintMotion(context, width, height, shown) {
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ answer: Answer, motion: Answer, colors: Colors }} given
+ * @param {{ answer: ModesAnswer, motion: Motion, colors: Colors }} given
  */
 function paintZone(context, stage, { answer, motion, colors }) {
   if (motion.family !== "bending" || motion.number > 2) return;
@@ -73,7 +75,7 @@ function paintZone(context, stage, { answer, motion, colors }) {
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ answer: Answer, colors: Colors }} given
+ * @param {{ answer: ModesAnswer, colors: Colors }} given
  */
 function paintMarks(context, stage, { answer, colors }) {
   context.strokeStyle = colors.muted;
@@ -111,7 +113,7 @@ function paintMarks(context, stage, { answer, colors }) {
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Answer, answer: Answer, phase: number, size: number, both: boolean, colors: Colors }} given
+ * @param {{ motion: Motion, answer: ModesAnswer, phase: number, size: number, both: boolean, colors: Colors }} given
  */
 function paintBent(context, stage, { motion, answer, phase, size, both, colors }) {
   const draw = (/** @type {number} */ part, /** @type {number} */ strength) => {
@@ -138,13 +140,13 @@ function paintBent(context, stage, { motion, answer, phase, size, both, colors }
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Answer, answer: Answer, phase: number, size: number, both: boolean, colors: Colors }} given
+ * @param {{ motion: Motion, answer: ModesAnswer, phase: number, size: number, both: boolean, colors: Colors }} given
  */
 function paintHoop(context, stage, { motion, answer, phase, size, both, colors }) {
   const { harmonic } = motion;
   const largest = stage.widest * ROUND * size;
   const opposite = harmonic % 2 ? -1 : 1; // cos(n pi): how the side away from the ball moves
-  const places = answer.place_m.filter((/** @type {number} */ x) => x >= answer.hoop_start_m - 0.03);
+  const places = answer.place_m.filter((/** @type {number} */ x) => x >= (answer.hoop_start_m ?? 0) - 0.03);
   const draw = (/** @type {number} */ part, /** @type {boolean} */ filled) => {
     const move = (/** @type {number} */ x) => part * largest * between(answer.place_m, motion.shape, x);
     context.beginPath();
@@ -167,7 +169,7 @@ function paintHoop(context, stage, { motion, answer, phase, size, both, colors }
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Answer, answer: Answer, phase: number, largest: number, both: boolean, colors: Colors }} given
+ * @param {{ motion: Motion, answer: ModesAnswer, phase: number, largest: number, both: boolean, colors: Colors }} given
  */
 function paintCut(context, stage, { motion, answer, phase, largest, both, colors }) {
   const top = motion.shape.reduce((/** @type {number} */ best, /** @type {number} */ value, /** @type {number} */ i) => (Math.abs(value) > Math.abs(motion.shape[best]) ? i : best), 0);
@@ -219,7 +221,7 @@ function paintCut(context, stage, { motion, answer, phase, largest, both, colors
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Answer, answer: Answer, colors: Colors, text: App["text"] }} given
+ * @param {{ motion: Motion, answer: ModesAnswer, colors: Colors, text: App["text"] }} given
  */
 function paintNodes(context, stage, { motion, answer, colors, text }) {
   const few = motion.nodes_m.length <= 4;

@@ -98,7 +98,7 @@ export class Ledger {
   set(film, series) {
     this.film = film;
     this.series = series;
-    const last = this.all.filter(({ key }) => film.energy[key]).map(({ key, name }) => `${name} ${this.app.text("energy_j", film.energy[key].at(-1))}`).join(", ");
+    const last = this.all.filter(({ key }) => film.energy[key]).map(({ key, name }) => `${name} ${this.app.text("energy_j", film.energy[key].at(-1) ?? null)}`).join(", ");
     this.chart.label(`Where the ${this.app.text("energy_j", film.hit.incoming_energy_j)} of incoming energy are over time. At the end: ${last}.`);
     return this.name();
   }

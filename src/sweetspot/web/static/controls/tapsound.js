@@ -1,12 +1,10 @@
 // The tap as a sound: every motion at its frequency, dying away as it does, as strong as the tap excites it.
+/** @import { ModesAnswer } from "../answers.js" */
 
 const LASTS = 1.2; // s
 const AUDIBLE = 60; // Hz
 
-/**
- * @typedef {{ frequency_hz: number, decay_s: number | null, tap: { energy_share: number | null } }} Motion
- * @param {{ modes: Motion[] } | null} answer
- */
+/** @param {ModesAnswer | null} answer */
 export function strike(answer) {
   if (!answer) return;
   const audio = new AudioContext();

@@ -10,7 +10,7 @@ import { Ledger } from "../charts/ledger.js";
 import { factList, tell } from "../controls/parts.js";
 import { Surface } from "../charts/surface.js";
 import { Transport } from "../controls/transport.js";
-/** @import { Answer, View } from "../shell/main.js" */
+/** @import { View } from "../shell/main.js" */
 /** @import { Answers } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 
@@ -26,8 +26,8 @@ const FACTS = [
   ["Ball free", (a) => ["release_time_s", a.hit.release_time_s]],
   ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
   ["Ball pressed in by", (a) => ["pressed", a.hit.peak_compression_m]],
-  ["Wave reaches the top hand", (a) => ["arrival_s", a.hands.arrival_s]],
-  ["Push given by then", (a) => ["given_pct", a.hands.impulse_given === null ? null : 100 * a.hands.impulse_given]],
+  ["Wave reaches the top hand", (a) => ["arrival_s", a.top_hand.arrival_s]],
+  ["Push given by then", (a) => ["given_pct", a.top_hand.impulse_given === null ? null : 100 * a.top_hand.impulse_given]],
 ];
 
 /** @type {View<"hit">} */
@@ -104,7 +104,7 @@ export const view = {
       this.film = new Film(answer);
       this.series = this.film.series();
     }
-    this.state = state;
+    Object.assign(this, { answer, state });
     this.facts.fill(answer);
     this.sure.update();
     const renamed = this.ledger.set(this.film, this.series);
@@ -139,7 +139,7 @@ export const view = {
     const moment = this.transport.moment;
     this.side.draw();
     this.end.draw();
-    const { arrival_s: arrival } = film.answer.hands;
+    const { arrival_s: arrival } = film.answer.top_hand;
     const marks = [{ at: film.hit.contact_time_s, color: "muted", label: "push over" }, { at: film.hit.release_time_s, color: "muted", label: "ball free" }];
     if (arrival !== null) marks.push({ at: arrival, color: "purple", label: "wave at the top hand" });
     marks.sort((a, b) => b.at - a.at);
@@ -166,19 +166,14 @@ export const view = {
     const ball = moment < 0 ? "the ball is on its way"
       : moment < release ? `the ball is pressed in by ${app.text("pressed_m", film.pressed(moment))} with ${app.text("force_n", film.force(moment))}`
         : "the ball has left";
-    const { arrival_s: arrival } = film.answer.hands;
+    const { arrival_s: arrival } = film.answer.top_hand;
     const hands = arrival !== null && moment >= arrival ? "the wave has reached the hands" : "the hands feel nothing yet";
     return { short, long: `${short} after first touch: ${ball}; ${hands}` };
   },
 
-  /** @param {{ bat: Answer, hit: Answer, hands: Answer }} given */
-  say({ bat, hit, hands }) {
-    const time = (/** @type {number} */ seconds) => this.app.text("time_s", seconds, 2);
-    const back = `What the hands do about it could be back at the ball after ${time(2 * hands.arrival_s)}, `;
-    const wave = hands.arrival_s === null ? "No wave to speak of reaches the top hand in this film."
-      : `The wave reaches the top hand ${time(hands.arrival_s)} after first touch, when the ball has had ${this.app.text("given_pct", 100 * hands.impulse_given, 0)} of its push. ` +
-        back + (2 * hands.arrival_s > hit.contact_time_s ? "too late." : "while ball and bat still push each other.");
-    const words = [`${bat.name}: the push is over ${time(hit.contact_time_s)} after first touch.`, wave, ...hit.touched_again[this.app.units]].join(" ");
+  /** @param {Answers["hit"]} given */
+  say({ hit, words: told }) {
+    const words = told[this.app.units].join(" ");
     if (tell(this.words, words)) this.app.announce(words);
     this.side.label(`Ball and bat from the side, ${this.state.exaggeration} times its motion. ${words}`);
     this.chart.label(`Force on the ball, at most ${this.app.text("force_n", hit.peak_force_n)}, and speed of the bat under the top hand, in time.`);
@@ -194,11 +189,11 @@ export const view = {
   },
 
   table() {
-    const { film, hands, hoop, energy_j: energy } = this.film.answer;
-    const dents = Object.fromEntries((hoop?.harmonics ?? []).map((/** @type {number} */ n, /** @type {number} */ i) => [`wall_dent_harmonic_${n}_m`, hoop.dent_m[i]]));
+    const { film, top_hand: hand, hoop, energy_j: energy } = this.answer;
+    const dents = Object.fromEntries((hoop?.harmonics ?? []).map((n, i) => [`wall_dent_harmonic_${n}_m`, hoop?.dent_m[i]]));
     return {
       time_s: film.time_s, force_n: film.force_n, compression_m: film.compression_m, ball_travel_m: film.ball_travel_m,
-      hand_displacement_m: hands.displacement_m, hand_velocity_m_s: hands.velocity_m_s,
+      hand_displacement_m: hand.displacement_m, hand_velocity_m_s: hand.velocity_m_s,
       ...Object.fromEntries(Object.entries(energy).map(([name, values]) => [`energy_${name}_j`, values])), ...dents,
     };
   },

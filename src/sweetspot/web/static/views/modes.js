@@ -9,7 +9,8 @@ import { Surface } from "../charts/surface.js";
 import { unbroken } from "../controls/tables.js";
 import { strike } from "../controls/tapsound.js";
 import { INCH, kindOf, toShown } from "../controls/units.js";
-/** @import { Answer, View } from "../shell/main.js" */
+/** @import { Motion } from "../answers.js" */
+/** @import { View } from "../shell/main.js" */
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
 const MOST_ROWS = 14;
@@ -40,7 +41,7 @@ export const view = {
     this.toggle.id = "play";
     this.speed = Object.assign(document.createElement("span"), { className: "note" });
     const row = Object.assign(document.createElement("div"), { className: "transport" });
-    row.append(this.toggle, button("Listen to the tap", () => strike(/** @type {any} */ (this.answer)), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
+    row.append(this.toggle, button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
     this.rowsBox = Object.assign(document.createElement("div"), { className: "scroll" });
     const picture = Object.assign(document.createElement("section"), { className: "picture" });
     picture.setAttribute("aria-label", "Motions of the bat");
@@ -94,12 +95,8 @@ export const view = {
     this.app.setState({ tap_from_tip_in: Math.round(20 * inches) / 20 }, { commit: last });
   },
 
-  // The chosen motion, or the one like it on another bat.
-  motion() {
-    const { family, number } = this.state;
-    const same = this.answer.modes.filter((/** @type {Answer} */ one) => one.family === family);
-    return same[Math.min(number, same.length) - 1] ?? this.answer.modes.find((/** @type {Answer} */ one) => one.family === "bending");
-  },
+  // The motion that is shown.
+  motion() { return this.answer.modes[this.answer.shown]; },
 
   update(answer, state) {
     Object.assign(this, { answer, state });
@@ -144,20 +141,20 @@ export const view = {
 
   list() {
     const rows = this.answer.modes.slice(0, MOST_ROWS);
-    const shape = JSON.stringify(rows.map((/** @type {Answer} */ row) => [row.family, row.number, row.shape]));
+    const shape = JSON.stringify(rows.map((row) => [row.family, row.number, row.shape]));
     if (shape !== this.listed) {
       this.listed = shape;
       this.rows(rows);
     }
     const chosen = this.motion();
-    const most = Math.max(...rows.map((/** @type {Answer} */ row) => row.tap.hand_speed_m_s_per_n_s));
-    rows.forEach((/** @type {Answer} */ row, /** @type {number} */ i) => {
+    const most = Math.max(...rows.map((row) => row.tap.hand_speed_m_s_per_n_s));
+    rows.forEach((row, i) => {
       const cells = this.cells[i];
       if (worthShowing(row) || row === chosen) this.woken.add(i);
       cells.line.hidden = !this.all && !this.woken.has(i);
       cells.input.checked = row.family === chosen.family && row.number === chosen.number;
       const share = row.tap.energy_share;
-      bar(cells.share, share, share === null ? "–" : percent(share));
+      bar(cells.share, share ?? 0, share === null ? "–" : percent(share));
       const felt = row.tap.hand_speed_m_s_per_n_s;
       bar(cells.felt, felt / (most || 1), this.app.text("sting", felt));
     });
@@ -166,7 +163,7 @@ export const view = {
     this.more.textContent = this.all ? "Leave out what is hardly woken" : `Show ${quiet} more, which are hardly woken`;
   },
 
-  /** @param {Answer[]} rows */
+  /** @param {Motion[]} rows */
   rows(rows) {
     const held = document.activeElement?.matches("[name=motion]") ?? false;
     const heads = ["Motion", "Frequency", "Damping", "Dies away in", "Share of the tap's energy", "Felt at the hands after 1 N s"];
@@ -181,7 +178,7 @@ export const view = {
       const label = document.createElement("label");
       const input = Object.assign(document.createElement("input"), { type: "radio", name: "motion", value: `${row.family} ${row.number}` });
       input.addEventListener("change", () => this.app.setState({ family: row.family, number: row.number }));
-      label.append(input, thumbnail(row), nameOf(row));
+      label.append(input, thumbnail(row), row.name);
       cells[0].append(label);
       cells[1].textContent = row.frequency_hz ? this.app.text("f_hz", row.frequency_hz) : "–";
       cells[2].textContent = row.damping_ratio === null ? "–" : `${(100 * row.damping_ratio).toFixed(row.damping_ratio < 0.1 ? 2 : 0)} %`;
@@ -199,20 +196,7 @@ export const view = {
   say() {
     const { answer, app } = this;
     const motion = this.motion();
-    const place = (/** @type {number} */ node) => app.text("node_m", answer.bat.length_m - node);
-    const hertz = app.text("f_hz", motion.frequency_hz);
-    const still = motion.nodes_m.map(place).reverse();
-    const where = still.length ? `It stands still ${listed(still)} from the tip.` : "It stands still nowhere along the bat.";
-    const share = motion.tap.energy_share;
-    const tap = share === null ? "" : ` The tap ${place(answer.tap.position_m)} from the tip gives it ${percent(share)} of the vibration's energy.`;
-    /** @type {Record<string, string>} */
-    const told = {
-      rigid: `${nameOf(motion)}: the bat moves without bending.`,
-      hoop: `${nameOf(motion)}, ${hertz}: the barrel goes out of round with ${motion.harmonic} waves around it and ${motion.axial} half ${motion.axial === 1 ? "wave" : "waves"} along it.`,
-      hand: `${nameOf(motion)}, ${hertz}: hands and bat against each other, on the hands' flesh.`,
-    };
-    const words = told[motion.family] ?? `${nameOf(motion)}, ${hertz}.`;
-    tell(this.words, `${words} ${where}${tap}`);
+    tell(this.words, answer.words[app.units].join(" "));
     this.speed.textContent = motion.frequency_hz ? `slowed down ${Math.round((motion.frequency_hz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
     this.stage.label(`${answer.bat.name}. ${this.words.textContent}`);
     if (this.stage.element.ariaLabel !== this.spoken) app.announce(this.words.textContent);
@@ -225,7 +209,7 @@ export const view = {
     const { shape, ...motion } = this.motion();
     const { digits, unit } = kindOf("node_m")[units];
     return {
-      caption: `${nameOf(motion)}: how far each place moves, as a part of the most`, columns: [`${unit} from the tip`, "Moves by"],
+      caption: `${motion.name}: how far each place moves, as a part of the most`, columns: [`${unit} from the tip`, "Moves by"],
       rows: evenly([...places.keys()], 18).map((i) => [toShown("node_m", bat.length_m - places[i], units).toFixed(digits), shape[i].toFixed(2).replace(/^-(0\.00)$/, "$1").replace("-", "−")]),
     };
   },
@@ -242,22 +226,14 @@ export const view = {
 
   table() {
     const { modes } = this.answer;
-    const shapes = Object.fromEntries(modes.map((/** @type {Answer} */ row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape]));
+    const shapes = Object.fromEntries(modes.map((row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape]));
     return { position_m: this.answer.place_m, ...shapes };
   },
 };
 
-/** @param {{ family: string, number: number, harmonic: number, axial: number, nodes_m: number[] }} given */
-function nameOf({ family, number, harmonic, axial, nodes_m: nodes }) {
-  if (family === "hoop") return `Hoop ${harmonic}.${axial}`;
-  if (family === "rigid") return nodes.length ? "Turn" : "Push";
-  return `${family === "hand" ? "Hands" : "Bending"} ${number}`;
-}
-
 // Whether a tap wakes a motion so that a number shows it; rigid motions have no share of the vibration.
-const worthShowing = (/** @type {{ tap: { energy_share: number, hand_speed_m_s_per_n_s: number } }} */ { tap: { energy_share: share, hand_speed_m_s_per_n_s: felt } }) => share === null || share >= 1e-3 || felt >= 0.05;
+const worthShowing = (/** @type {Motion} */ { tap: { energy_share: share, hand_speed_m_s_per_n_s: felt } }) => share === null || share >= 1e-3 || felt >= 0.05;
 const percent = (/** @type {number} */ share) => (share > 0 && share < 1e-4 ? "< 0.01 %" : `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`);
-const listed = (/** @type {string[]} */ words) => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`);
 
 /**
  * @param {HTMLElement} cell
@@ -266,7 +242,7 @@ const listed = (/** @type {string[]} */ words) => (words.length < 2 ? words.join
  */
 function bar(cell, part, words) {
   if (!cell.firstElementChild) cell.append(make("span", { className: "bar" }), "");
-  partOf(cell, ".bar", HTMLElement).style.width = `calc(${Math.min(1, Math.max(0, part ?? 0)).toFixed(3)} * var(--bar))`;
+  partOf(cell, ".bar", HTMLElement).style.width = `calc(${Math.min(1, Math.max(0, part)).toFixed(3)} * var(--bar))`;
   /** @type {ChildNode} */ (cell.lastChild).textContent = words;
 }
 

@@ -20,7 +20,7 @@ const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it change
 const FACTS = [
   ["Leaves at", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Efficiency", (a) => ["ratio", a.hit.collision_efficiency]],
-  ["Moves at", (a) => ["tool_speed_m_s", a.hit.tool_speed_m_s]],
+  ["Moves at", (a) => ["bat_speed_m_s", a.hit.bat_speed_m_s]],
   ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
   ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
   ["Vibration at the handle", (a) => ["sting", a.hit.sting_m_s]],
@@ -41,7 +41,7 @@ export const view = {
   mount(root, app) {
     Object.assign(this, { app, answer: null });
     const tools = app.lists("implements").then(({ implements: all }) => all.map(({ key, name, sport }) => [key, name, sport]));
-    const usual = (/** @type {string} */ name) => () => app.answer?.[name] ?? null;
+    const usual = (/** @type {"swing_mph" | "incoming_mph"} */ name) => () => app.answer?.[name] ?? null;
     const side = make("div", { className: "side" },
       group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
         shown: (state) => (state.implement_toml === null ? state.implement : OWN),
@@ -117,16 +117,13 @@ export const view = {
 
   update(answer) {
     this.answer = answer;
-    const { tool, hit, scan, sweet_spots: spots, words } = answer;
+    const { hit, scan, sweet_spots: spots, words } = answer;
     this.axis.label = `from the ${words.tip}`;
     this.chart.panels[0].title = `Speed of the ${words.ball}`;
     this.map.title = `Speed of the ${words.ball} over the face`;
-    const show = this.app.text.bind(this.app);
-    const length = tool.length_m;
-    tell(this.words, `${tool.name} hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
-      `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.` +
-      hit.touched_again[this.app.units].map((/** @type {string} */ doubt) => ` ${doubt}`).join(""));
-    tell(this.again, hit.touched_again[this.app.units].length ? "" : answer.touched_again[this.app.units].join(" "));
+    const { units } = this.app;
+    tell(this.words, [...answer.headline[units], ...hit.touched_again[units]].join(" "));
+    tell(this.again, hit.touched_again[units].length ? "" : answer.touched_again[units].join(" "));
     this.app.announce(this.words.textContent ?? "");
     this.facts.fill(answer);
     const shown = this.app.state.implement_toml ?? answer.implement;
