@@ -20,7 +20,7 @@ import pytest
 
 from benchmarks.cases import QUICK
 from studies import season_rows
-from sweetspot.season.answers import SeasonSetting
+from sweetspot.season.ball_columns import SeasonSetting
 from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.standings import all_standings
 

@@ -22,8 +22,7 @@ from scipy.optimize import brentq
 from sweetspot.flight.air import Air
 from sweetspot.flight.carry_scatter import SPIN_SCATTER, TRACKED, CarryErrors, LaunchErrors, carry_errors
 from sweetspot.flight.home_runs import USUAL
-from sweetspot.season.balls import balls_of
-from sweetspot.season.fields import fields_of
+from sweetspot.season.balls import balls_of, fields_of
 from sweetspot.season.flight_columns import GLOVE, FlightSetting, flown_balls
 from sweetspot.season.measured_hang import hang_check
 from sweetspot.season.pooling import REACHES

@@ -25,7 +25,7 @@ from sweetspot.catalog.bats import load_bat
 from sweetspot.design.batter_files import contacts_of_file
 from sweetspot.errors import InputError
 from sweetspot.player.swings import read_swings
-from sweetspot.season.bat_table import read_bats
+from sweetspot.season.batters import read_bats
 from sweetspot.season.table_file import open_table
 
 Reader = Callable[[Path], object]

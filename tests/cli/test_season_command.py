@@ -18,8 +18,7 @@ from sweetspot.report import html
 from sweetspot.report.quantities import US
 from sweetspot.report.season.one_player import player_page
 from sweetspot.report.season.tables import write_tables
-from sweetspot.season.bat_table import read_bats
-from sweetspot.season.batters import require_batter
+from sweetspot.season.batters import read_bats, require_batter
 from sweetspot.season.standings import GROUPS, Standing
 from tests.report.season.test_picture import CASES
 from tests.season.conftest import made_up

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from sweetspot.errors import InputError
-from sweetspot.numerics.text_files import check_ordinary, harmless, read_text, table_rows
+from sweetspot.numerics.text_files import check_ordinary, harmless, read_text
+from sweetspot.tables.text_encoding import table_rows
 
 MEGABYTE = 1_000_000
 

@@ -19,8 +19,7 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.quantities import US
 from sweetspot.report.season.left_over import left_over_words
-from sweetspot.season.balls import balls_of
-from sweetspot.season.fields import fields_of
+from sweetspot.season.balls import balls_of, fields_of
 from sweetspot.season.flight_columns import CLOSE, STEP, flown_balls
 from sweetspot.season.headings import headings_of
 from sweetspot.season.rows import rows_of

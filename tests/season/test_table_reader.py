@@ -10,8 +10,8 @@ import polars as pl
 import pytest
 
 from sweetspot.errors import UnwritableError
-from sweetspot.season import row_groups, table_file, table_reader
-from sweetspot.season.parquet_footer import footer_of
+from sweetspot.season import parquet_pieces, table_file, table_reader
+from sweetspot.season.parquet_pieces import footer_of
 from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.survey import survey_tables
 from sweetspot.season.table_file import TableFile, open_table
@@ -102,7 +102,7 @@ def test_wide_tables_are_worked_on_by_fewer_rows_with_the_same_answers(name: str
     frame.write_csv(tmp_path / name) if name.endswith("csv") else frame.write_parquet(tmp_path / name)
     setting = season_setting(contact=False)
     usual = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "usual")
-    with patch.object(row_groups, "MOST_CELLS", 40 * frame.width):
+    with patch.object(parquet_pieces, "MOST_CELLS", 40 * frame.width):
         wide = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "wide")
     assert len(files_of(tmp_path / "usual" / "balls")) == 1 and len(files_of(tmp_path / "wide" / "balls")) == 8
     assert wide.balls().collect().equals(usual.balls().collect())
@@ -119,7 +119,7 @@ def test_tables_in_large_row_groups_are_laid_out_anew_with_the_same_answers(tmp_
     setting = season_setting(contact=False)
     usual = analyse_season([tmp_path / "table.parquet"], setting=setting, folder=tmp_path / "usual")
     read = []
-    whole = row_groups.joined
+    whole = parquet_pieces.joined
 
     def counted(strips: Sequence[Path], start: int, count: int, **asked: list[str] | None) -> pl.DataFrame:
         read.append(len(strips))
@@ -127,8 +127,8 @@ def test_tables_in_large_row_groups_are_laid_out_anew_with_the_same_answers(tmp_
 
     sizes = footer_of(tmp_path / "table.parquet").sizes
     with (
-        patch.object(row_groups, "MOST_PACKED", max(sizes) - 1),
-        patch.object(row_groups, "MOST_CELLS", 40 * frame.width),
+        patch.object(parquet_pieces, "MOST_PACKED", max(sizes) - 1),
+        patch.object(parquet_pieces, "MOST_CELLS", 40 * frame.width),
         patch.object(table_file, "joined", counted),
     ):
         strips = analyse_season([tmp_path / "table.parquet"], setting=setting, folder=tmp_path / "strips")
@@ -143,7 +143,7 @@ def test_no_room_to_lay_a_table_out_anew_is_not_the_table_s_fault(tmp_path: Path
     table = tmp_path / "table.parquet"
     made_up(300).write_parquet(table)
     with (
-        patch.object(row_groups, "MOST_PACKED", 1),
+        patch.object(parquet_pieces, "MOST_PACKED", 1),
         no_file_beyond(1000),
         pytest.raises(
             UnwritableError, match=r"written: file too large; make room .* row groups of a few thousand rows"

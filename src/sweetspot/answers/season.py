@@ -21,20 +21,25 @@ from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.flight.air import Air
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
-from sweetspot.season.answers import SeasonSetting
-from sweetspot.season.batters import require_batter, strangers, unknown_batter
-from sweetspot.season.gains import OtherBatGain, bat_gains
-from sweetspot.season.maps import is_home_run, known_sum
-from sweetspot.season.own_tables import tables_of_balls
+from sweetspot.season.ball_columns import SeasonSetting
+from sweetspot.season.ball_maps import is_home_run, known_sum
+from sweetspot.season.batters import require_batter, strangers, tables_of_balls, unknown_batter
 from sweetspot.season.place_relation import SCALE, PlaceRelation
 from sweetspot.season.plan import Plan, Progress
 from sweetspot.season.pooling import Spread
 from sweetspot.season.rows import USED
 from sweetspot.season.season_drag import EDGES, DragOfMonth, LeftOver, drag_by_month, home_runs_with, left_over_by
 from sweetspot.season.season_table import Season, analyse_season, season_setting
-from sweetspot.season.standings import Standing, above_expected_parts, all_standings, rare_shares
+from sweetspot.season.standings import (
+    OtherBatGain,
+    Standing,
+    above_expected_parts,
+    all_standings,
+    bat_gains,
+    rare_shares,
+)
 from sweetspot.season.survey import Survey, TrackingBias, tracking_bias
-from sweetspot.season.swing_speeds import SwingSpeeds
+from sweetspot.season.swings import SwingSpeeds
 from sweetspot.season.table_warnings import cannot_tell
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 from sweetspot.units import FOOT

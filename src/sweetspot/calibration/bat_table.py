@@ -30,7 +30,7 @@ from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import check
 from sweetspot.tables.cells import require_units
 from sweetspot.tables.headings import (
@@ -42,6 +42,7 @@ from sweetspot.tables.headings import (
     read_headings,
     refuse_faults,
 )
+from sweetspot.tables.text_encoding import table_rows
 from sweetspot.tables.vocabulary import quantities_of, simplified
 from sweetspot.units import CLAMPED, Kind
 

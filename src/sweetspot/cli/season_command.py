@@ -36,7 +36,7 @@ class SwungOptions:
 
     def named(self) -> dict[str, str] | None:
         """Return the bat of each batter, under "" that of all others; None: nothing was said."""
-        from sweetspot.season.bat_table import read_bats
+        from sweetspot.season.batters import read_bats
 
         if self.bat is not None and self.bats is not None:
             raise InputError(

@@ -13,8 +13,9 @@ import numpy as np
 
 from sweetspot.design.contacts import ContactPlaces, contacts_at
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.numerics.text_files import read_text, table_rows
+from sweetspot.numerics.text_files import read_text
 from sweetspot.plausibility import parse
+from sweetspot.tables.text_encoding import table_rows
 from sweetspot.units import INCH, format_length
 
 MOST_BYTES = 5_000_000

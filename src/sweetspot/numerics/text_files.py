@@ -1,17 +1,13 @@
-"""Text and tables that people hand in as files: never more than is allowed, whatever the file is or claims to be.
+"""Text that people hand in as files: never more than is allowed, whatever the file is or claims to be.
 
-And tables that they are given: whatever a name in them says, a spreadsheet shows it.
+And cells of tables that they are given: whatever a name in them says, a spreadsheet shows it.
 """
 
 from __future__ import annotations
 
 import codecs
-import csv
 import gzip
-import io
-import re
 import zlib
-from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
@@ -151,46 +147,6 @@ def _check_size(path: Path, size: int, *, most: int, advice: str) -> None:
         raise InputError(f"{path} is larger than {most / 1e6:g} MB; {advice}")
 
 
-SEPARATORS = ",;\t"
-"""Between the cells of a table, as programs of different countries write them."""
-FIRST_LINES = 25
-"""Lines in which the headings of a table stand."""
-DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d+\s*")
-
-
-def table_rows(
-    text: str, path: Path, *, is_heading: Callable[[Sequence[str]], bool]
-) -> Iterator[tuple[int, list[str]]]:
-    r"""Yield (line, cells) of every line of a CSV text that is not blank.
-
-    Cells are separated as the line of headings is: by commas, semicolons or tabs. Where commas do not separate them, a
-    number may have a decimal comma.
-
-    Parameters
-    ----------
-    is_heading : whether a line is that of the headings.
-
-    Raises
-    ------
-    InputError
-        where the text is no CSV.
-
-    >>> heading = lambda cells: "speed" in cells
-    >>> list(table_rows("speed;angle\n66,5;3", Path("a.csv"), is_heading=heading))
-    [(1, ['speed', 'angle']), (2, ['66.5', '3'])]
-    """
-    beginning = "\n".join(text.splitlines()[:FIRST_LINES])
-    try:
-        headed = (one for one in SEPARATORS if any(map(is_heading, _cells(beginning, one))))
-        separator = next(headed, None) or _likely_separator(beginning)
-        reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
-        for cells in reader:
-            if any(cell.strip() for cell in cells):
-                yield reader.line_num, cells if separator == "," else [pointed(cell) for cell in cells]
-    except csv.Error as error:
-        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
-
-
 def harmless(cell: Any) -> Any:
     """Return a cell of a CSV file so that a spreadsheet shows it: text that it would take as a formula is quoted.
 
@@ -204,27 +160,3 @@ def harmless(cell: Any) -> Any:
     except ValueError:
         return f"'{cell}"
     return cell
-
-
-def _likely_separator(text: str) -> str:
-    """Return what parts the first line of a table into most cells, where none of its lines has headings that we know.
-
-    >>> _likely_separator("Schläger;Tempo (km/h)"), _likely_separator("nothing")
-    (';', ',')
-    """
-    first = next((line for line in text.splitlines() if line.strip()), "")
-    return max(SEPARATORS, key=first.count)
-
-
-def _cells(text: str, separator: str) -> list[list[str]]:
-    return list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
-
-
-def pointed(cell: str) -> str:
-    """Return a cell with a number's decimals after a point, and those of its error behind ±.
-
-    >>> pointed("66,5"), pointed("1,454 ± 0,003"), pointed("a,b")
-    ('66.5', '1.454 ± 0.003', 'a,b')
-    """
-    parts = cell.split("±")
-    return "±".join(part.replace(",", ".") if DECIMAL_COMMA.fullmatch(part) else part for part in parts)

@@ -6,7 +6,6 @@ are scanned by polars: only the columns that mean something are read, and only t
 
 from __future__ import annotations
 
-import gzip
 import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -16,10 +15,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sweetspot.errors import InputError, first_line
-from sweetspot.numerics.text_files import MOST_TABLE_BYTES, SEPARATORS, is_larger, pointed, read_text, table_rows
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, is_larger, read_text
 from sweetspot.numerics.whole_parquet import reading_parquet
 from sweetspot.player.columns import is_heading_line
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
+from sweetspot.tables.text_encoding import opened, pointed, separator_of, table_rows
 
 if TYPE_CHECKING:
     import polars as pl
@@ -290,13 +290,13 @@ def _scanned_csv(path: Path, told: frozenset[str]) -> SwingTable:
 def _separator(path: Path, told: frozenset[str]) -> str:
     """Return what stands between the cells of a large CSV file, which begins with its headings."""
     try:
-        with gzip.open(path) if path.suffix == ".gz" else path.open("rb") as file:
+        with opened(path) as file:
             first = file.readline(MOST_TABLE_BYTES).decode("utf-8-sig", "replace").strip()
     except (OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} is damaged: {error}") from None
-    for separator in SEPARATORS:
-        if is_heading_line(first.split(separator), told):
-            return separator
+    separator = separator_of(first)
+    if is_heading_line(first.split(separator), told):
+        return separator
     raise InputError(
         f"{path} is larger than {MOST_TABLE_BYTES / 1e6:g} MB and its first line names no column for bat speed or exit "
         "speed; begin it with its column names, for example bat_speed_mph,exit_speed_mph"

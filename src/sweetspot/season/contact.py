@@ -24,8 +24,7 @@ from sweetspot.season.balls import Balls, taken
 from sweetspot.season.bat_surface import BatSurface
 from sweetspot.season.place_learning import learn_places
 from sweetspot.season.place_relation import UNLEARNT, Circumstances, PlaceRelation, circumstances, turn_term
-from sweetspot.season.swing_speeds import likeliest_speeds
-from sweetspot.season.swings import OUTCOMES, USUAL_ERRORS, Errors, InPlane, ceilings, in_plane
+from sweetspot.season.swings import OUTCOMES, USUAL_ERRORS, Errors, InPlane, ceilings, in_plane, likeliest_speeds
 from sweetspot.units import MPH
 
 LEAGUE_BAT, LEAGUE_PITCH = 1.23, 0.23

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from sweetspot.numerics.whole_files import written_whole
 from sweetspot.season.headings import headings_of
-from sweetspot.season.row_groups import rows_together
+from sweetspot.season.parquet_pieces import rows_together
 from sweetspot.season.rows import ABSENT
-from sweetspot.season.text_ends import TextEnds, require_no_more_cells, separator_of
 from sweetspot.tables.headings import GivenColumns, Headings
+from sweetspot.tables.text_encoding import TextEnds, require_no_more_cells, separator_of
 from sweetspot.tables.unit_words import KNOWN_UNITS
 
 SUMMARIES = {"total", "totals", "grand total", "average", "averages", "avg", "mean", "median"}

@@ -1,19 +1,128 @@
-"""Pitches that stand in tables more than once."""
+"""Pitches that stand in tables more than once, found by their numbers or all that was measured of them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.numerics.threads import in_order
-from sweetspot.season.same_pitch import pitch_keys, shared, tells_pitches
+from sweetspot.season.rows import Texts, rows_of
 from sweetspot.season.table_file import TableFile
-from sweetspot.season.table_parts import PART
-from sweetspot.season.table_reader import TableReader
+from sweetspot.season.table_reader import PART, TableReader
 from sweetspot.tables.headings import Headings
+
+KEYS = (("game", "at_bat", "pitch"), ("pitch_id",))
+"""What tells pitches apart, the first that a table has."""
+WHEN, WHO = ("game", "date"), ("batter", "batter_name")
+"""One of each must be known; a batter goes by his number, or by his name."""
+MEASURED = ("exit_speed", "launch_angle", "map_x", "map_y", "release_speed", "velocity_x", "velocity_z", "plate_side")
+MIXED = (0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB)
+"""Constants of splitmix64, a mixing of 64 bits in which no number gets lost."""
+NAMED = 1 << 63
+"""Bit of the keys of what is no whole number."""
+ENOUGH = 5
+"""Measurements and batter, how many of them must agree before two rows without a number are the same pitch."""
+
+
+def tells_pitches(headings: Headings) -> bool:
+    """Return whether a table has what tells pitches apart."""
+    return _numbered(headings) is not None or bool(_measured(headings))
+
+
+def shared(tables: Sequence[Headings]) -> list[Headings]:
+    """Return the columns of tables by which pitches are found that stand in several of them: those that all have.
+
+    Where these do not tell pitches apart, each table keeps its own.
+
+    >>> from sweetspot.season.headings import headings_of
+    >>> first, second = headings_of(["ExitSpeed", "Angle", "PitchUID"]), headings_of(["launch_speed", "play_id"])
+    >>> [list(one.columns) for one in shared([first, second])]
+    [['exit_speed', 'pitch_id'], ['exit_speed', 'pitch_id']]
+    """
+    telling = [set(one.columns) for one in tables if tells_pitches(one)]
+    common = set.intersection(*telling) if telling else set[str]()
+    together = [one.only(*(name for name in one.columns if name in common)) for one in tables]
+    return [new if tells_pitches(new) else old for new, old in zip(together, tables, strict=True)]
+
+
+def pitch_keys(
+    part: Callable[[Sequence[str]], pl.DataFrame], headings: Headings
+) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
+    """Return 64-bit keys that are the same for the same pitch in any table, and for which rows they are known.
+
+    Where pitches are not numbered, rows are the same pitch that agree in everything that is measured.
+
+    Parameters
+    ----------
+    part : returns columns of the rows, by their headings.
+
+    >>> frame = pl.DataFrame({"launch_speed": [90.0] * 3, "game_pk": [7, 7, 8], "at_bat_number": [1.0, 1.0, None],
+    ...                       "pitch_number": ["2", "2.0", "2"]})
+    >>> from sweetspot.season.headings import headings_of
+    >>> key, known = pitch_keys(frame.select, headings_of(frame.columns))
+    >>> bool(key[0] == key[1]), known.tolist()
+    (True, [True, True, False])
+    """
+    names, measured = _numbered(headings) or (), _measured(headings)
+    key, known = np.zeros(1, np.uint64), np.full(1, bool(names))
+    if names:
+        frame = part([headings.columns[name].heading for name in names])
+        for name in names:
+            told, there = _whole(frame[headings.columns[name].heading])
+            key, known = _mixed(key ^ told), known & there
+    if measured and not known.all():
+        asked = headings.only("exit_speed", *measured)
+        rows = rows_of(part([column.heading for column in asked.columns.values()]), asked)
+        parts = [pl.col(name).cast(pl.String).fill_null("") for name in measured]
+        enough = pl.sum_horizontal(pl.col(_told(measured)).is_not_null()) >= ENOUGH
+        dated = pl.any_horizontal(pl.col([name for name in WHEN if name in measured]).is_not_null())
+        alike = rows.select(key=pl.concat_str(parts, separator="|").hash(seed=1), known=enough & dated)
+        key = np.where(known, key, alike["key"].to_numpy())
+        known = known | alike["known"].to_numpy()
+    return key, known
+
+
+def _numbered(headings: Headings) -> tuple[str, ...] | None:
+    return next((names for names in KEYS if headings.has(*names)), None)
+
+
+def _measured(headings: Headings) -> tuple[str, ...]:
+    """Return who and what must agree for two rows to be the same pitch; nothing where that is too little."""
+    when, who = ([name for name in names if headings.has(name)] for names in (WHEN, WHO))
+    measured = [name for name in MEASURED if headings.has(name)]
+    agreeing = (*when, *who[:1], *(name for name in ("pitcher",) if headings.has(name)), *measured)
+    return agreeing if when and len(_told(agreeing)) >= ENOUGH else ()
+
+
+def _told(names: Sequence[str]) -> list[str]:
+    """Return those of some quantities of which `ENOUGH` must be known: what was measured, and who batted."""
+    return [name for name in names if name in MEASURED or name in WHO]
+
+
+def _whole(column: pl.Series) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
+    """Return the whole numbers of a column, a key where a text is none, and where there is anything."""
+    if not column.dtype.is_integer():
+        column = Texts(column).turned(_whole_or_key)
+    elif column.dtype != pl.UInt64:
+        column = column.cast(pl.Int64).reinterpret(signed=False)
+    return column.fill_null(0).to_numpy(), column.is_not_null().to_numpy()
+
+
+def _whole_or_key(text: pl.Expr) -> pl.Expr:
+    number = pl.when(text.str.contains(r"^(0|[1-9]\d{0,17})$")).then(text).cast(pl.UInt64, strict=False)
+    return pl.when(text.is_not_null()).then(pl.coalesce(number, text.hash(seed=1) | NAMED))
+
+
+def _mixed(key: NDArray[np.uint64]) -> NDArray[np.uint64]:
+    add, first, second = (np.uint64(value) for value in MIXED)
+    key = key + add
+    key = (key ^ (key >> np.uint64(30))) * first
+    key = (key ^ (key >> np.uint64(27))) * second
+    return key ^ (key >> np.uint64(31))
+
 
 Keys = tuple[NDArray[np.uint64], NDArray[np.bool_]]
 MOST_KEYS = 10_000_000

@@ -30,8 +30,7 @@ from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.threads import in_parts
-from sweetspot.season.balls import Balls, taken
-from sweetspot.season.fields import Fields, nearest_fences, thirty_parks
+from sweetspot.season.balls import Balls, Fields, nearest_fences, taken, thirty_parks
 from sweetspot.season.launch_table import Expected, expected_of
 from sweetspot.season.swings import USUAL_ERRORS, Errors
 from sweetspot.units import DEGREE, FOOT

@@ -1,9 +1,11 @@
-"""What the columns of a table of batted balls mean: what such a table needs, and what it is not."""
+"""What the columns of a table of batted balls mean: what such a table needs, and what only its rows tell of them."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+
+import polars as pl
 
 from sweetspot.errors import InputError
 from sweetspot.tables.headings import (
@@ -91,3 +93,62 @@ def _require_exit_speed(names: Sequence[str], columns: Mapping[str, TableColumn]
         f"{file_name}: no column for exit speed; launch_speed (Statcast), ExitSpeed (Trackman) or exit_speed_mph would "
         f"do, or --column exit_speed=HEADING:mph. The table has: {closest(names, BALLS)}"
     )
+
+
+SLASHED = r"^\s*(\d{1,2})[/-](\d{1,2})[/-]\d{2,4}\b"
+PEEK = 1000
+"""Rows in which a date is looked for that may begin with the day."""
+
+
+def with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[str]]:
+    """Return headings that know whether dates begin with the day, and what to say of dates that do not tell.
+
+    One order holds for a whole table: 25/04/2024 anywhere in it says that 05/04/2024 is in April too.
+    """
+    column = headings.columns.get("date")
+    if column is None or frame.collect_schema()[column.heading] not in (pl.String, pl.Categorical, pl.Enum):
+        return headings, []
+    text = pl.col(column.heading).cast(pl.String)
+    if not frame.head(PEEK).select(text.str.contains(SLASHED).any()).collect().item():
+        return headings, []
+    numbers = [text.str.extract(SLASHED, group).cast(pl.Int32) for group in (1, 2)]
+    ahead, behind = frame.select(text).unique().select(first=numbers[0].max(), second=numbers[1].max()).collect().row(0)
+    if ahead > 12 >= behind:
+        columns = {**headings.columns, "date": replace(column, unit=DAY_FIRST)}
+        return replace(headings, columns=columns), []
+    if behind > 12 >= ahead:
+        return headings, []
+    what = "may begin with month or day" if behind <= 12 else "begin with the month in some rows and the day in others"
+    return headings, [f"dates in {column.heading} {what}; they are read as month, day, year"]
+
+
+SEEN = 20_000
+"""Rows in which a player's name is held against the numbers beside it."""
+
+
+def told_by_rows(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[str]]:
+    """Return headings that know what only the rows of a table tell, and what to say of it."""
+    return with_days(with_player_name(headings, frame), frame)
+
+
+def with_player_name(headings: Headings, frame: pl.LazyFrame) -> Headings:
+    """Return headings in which ``player_name`` is the batter's where it goes with the batter's number.
+
+    A search for pitchers exports their names, a search for batters theirs, under the same heading.
+
+    >>> from sweetspot.season.headings import headings_of
+    >>> table = pl.DataFrame({"launch_speed": [90, 91], "player_name": ["A", "A"], "batter": [1, 1], "pitcher": [2, 3]})
+    >>> with_player_name(headings_of(table.columns), table.lazy()).has("batter_name")
+    True
+    """
+    if not headings.has("player_name", "batter", "pitcher") or headings.has("batter_name"):
+        return headings
+    columns = headings.columns
+    name, batter, pitcher = (pl.col(columns[one].heading) for one in ("player_name", "batter", "pitcher"))
+    seen = frame.select(name, batter, pitcher).head(SEEN).filter(name.is_not_null())
+    batters, pitchers = seen.select(pl.struct(name, batter).n_unique().alias("batters"),
+                                    pl.struct(name, pitcher).n_unique().alias("pitchers")).collect().row(0)  # fmt: skip
+    if batters >= pitchers:
+        return headings
+    others = {quantity: column for quantity, column in columns.items() if quantity != "player_name"}
+    return replace(headings, columns=others | {"batter_name": replace(columns["player_name"], quantity="batter_name")})

@@ -18,8 +18,7 @@ from sweetspot.flight.carry_scatter import usual_launch
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.numerics.arrays import Array
-from sweetspot.season.balls import Balls, balls_of
-from sweetspot.season.fields import fields_of
+from sweetspot.season.balls import Balls, balls_of, fields_of
 from sweetspot.season.flight_columns import GLOVE, FlightSetting, flown_balls
 from sweetspot.units import DEGREE, FOOT, MPH
 

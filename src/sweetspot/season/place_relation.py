@@ -25,8 +25,7 @@ from numpy.typing import NDArray
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
 from sweetspot.season.place_kernel import fill_variances
-from sweetspot.season.swing_speeds import USUAL_SPEEDS, SwingSpeeds
-from sweetspot.season.swings import ATTACK_SPREAD, USUAL_ATTACK, USUAL_TILT
+from sweetspot.season.swings import ATTACK_SPREAD, USUAL_ATTACK, USUAL_SPEEDS, USUAL_TILT, SwingSpeeds
 from sweetspot.units import DEGREE, INCH, MPH
 
 SIX = ("outside", "height", "faster", "lost", "attack", "tilt")

@@ -23,11 +23,11 @@ from numpy.typing import NDArray
 from sweetspot.errors import InputError
 from sweetspot.numerics.digests import file_digest
 from sweetspot.numerics.whole_files import refusal, sweep, written_whole
-from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
-from sweetspot.season.counted import counted_rows
+from sweetspot.season.ball_columns import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.duplicates import with_duplicates
-from sweetspot.season.row_groups import MOST_CELLS, rows_together
+from sweetspot.season.parquet_pieces import MOST_CELLS, rows_together
 from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.stat_rows import counted_rows
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_reader import TableReader
 

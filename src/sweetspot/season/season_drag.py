@@ -14,7 +14,7 @@ from sweetspot.flight.home_runs import USUAL
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH, ROBUST_SCALE
 from sweetspot.numerics.interval import Interval
-from sweetspot.season.maps import is_home_run
+from sweetspot.season.ball_maps import is_home_run
 from sweetspot.units import DEGREE, MPH
 
 FEWEST = 20

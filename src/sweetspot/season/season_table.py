@@ -22,10 +22,11 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.flight.air import USUAL_AIR, Air
-from sweetspot.season.answers import (
+from sweetspot.season.ball_columns import (
     UNKNOWN_BAT,
     WHOSE_BAT,
     SeasonSetting,
+    System,
     answer_columns,
     answer_headings,
     answers_of,
@@ -35,10 +36,8 @@ from sweetspot.season.balls import balls_of
 from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
 from sweetspot.season.csv_copy import LEFT_OUT
-from sweetspot.season.doubts import ENOUGH
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.flight_columns import FlightSetting
-from sweetspot.season.output_columns import System
 from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.plan import (
     BALLS,
@@ -56,7 +55,8 @@ from sweetspot.season.plan import (
 from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
 from sweetspot.season.table_file import frame_headings
-from sweetspot.season.table_parts import PART, parts
+from sweetspot.season.table_look import ENOUGH
+from sweetspot.season.table_reader import PART, parts
 from sweetspot.season.table_warnings import TableWarning
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 

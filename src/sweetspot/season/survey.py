@@ -16,12 +16,11 @@ from sweetspot.errors import InputError
 from sweetspot.flight.bearing import HOME_X, HOME_Y
 from sweetspot.numerics.threads import in_order
 from sweetspot.season.duplicates import duplicate_rows
-from sweetspot.season.row_groups import strips_of
+from sweetspot.season.parquet_pieces import strips_of
 from sweetspot.season.rows import USED
 from sweetspot.season.table_file import TableFile, open_table
 from sweetspot.season.table_look import TableLook
-from sweetspot.season.table_parts import PART, part_of
-from sweetspot.season.table_reader import TableReader
+from sweetspot.season.table_reader import PART, TableReader, part_of
 from sweetspot.season.table_warnings import TableWarning
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 from sweetspot.units.dimensions import SPEED

@@ -17,15 +17,12 @@ from numpy.typing import ArrayLike, NDArray
 from sweetspot.errors import InputError, first_line
 from sweetspot.numerics.text_files import near_file
 from sweetspot.numerics.whole_parquet import reading_parquet, unpack_all
-from sweetspot.season.columns_by_rows import told_by_rows, with_player_name
 from sweetspot.season.csv_copy import BESIDE, copied_csv
-from sweetspot.season.headings import headings_of
-from sweetspot.season.parquet_footer import Footer, footer_of
-from sweetspot.season.row_groups import joined
+from sweetspot.season.headings import headings_of, names_balls, told_by_rows, with_player_name
+from sweetspot.season.parquet_pieces import Footer, copying, footer_of, joined
 from sweetspot.season.rows import ABSENT
-from sweetspot.season.table_copy import copying
-from sweetspot.season.text_ends import cells_of, in_utf8, is_number, separator_of
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings
+from sweetspot.tables.text_encoding import cells_of, in_utf8, is_number, separator_of
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
@@ -222,7 +219,7 @@ def text_columns(
 
 def _text_frame(path: Path, staging: Path) -> pl.LazyFrame:
     """Return a CSV file of which every cell is text."""
-    source, ends = in_utf8(path, staging)
+    source, ends = in_utf8(path, staging, is_heading=names_balls)
     above = ends.above
     return pl.scan_csv(
         source,
@@ -253,7 +250,7 @@ def _parquet(path: Path, given: GivenColumns) -> TableFile:
 def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
     staging.mkdir(parents=True, exist_ok=True)
     with copying(path, staging):
-        source, ends = in_utf8(path, staging)
+        source, ends = in_utf8(path, staging, is_heading=names_balls)
         above, last = ends.above, ends.last
         first = above[-1]
         separator = separator_of(first)

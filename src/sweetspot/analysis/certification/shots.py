@@ -14,7 +14,7 @@ from pathlib import Path
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import objection
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.tables.cells import cell_in_si, place_in_si, require_units
@@ -28,6 +28,7 @@ from sweetspot.tables.headings import (
     read_headings,
     refuse_faults,
 )
+from sweetspot.tables.text_encoding import table_rows
 from sweetspot.tables.unit_words import UNITS
 from sweetspot.tables.vocabulary import quantities
 from sweetspot.units import format_length

@@ -13,9 +13,10 @@ import numpy as np
 
 from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
-from sweetspot.numerics.text_files import FIRST_LINES, MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import insisted, parse, verdict
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, heading_and_unit
+from sweetspot.tables.text_encoding import FIRST_LINES, table_rows
 from sweetspot.tables.unit_words import FILE_UNITS
 from sweetspot.units import FOOT, INCH, NUMBER, format_length
 

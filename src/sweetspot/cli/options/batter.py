@@ -117,7 +117,7 @@ def _contacts(path: Path, batter: str | None) -> ContactPlaces:
 
     if not path.is_dir():
         return contacts_of_file(path, batter=batter)
-    from sweetspot.season.places_met import contact_places
+    from sweetspot.season.ball_maps import contact_places
 
     if batter is None:
         raise InputError(f"{path} is a season's folder; name the batter by --batter, a number of its players.csv")

@@ -16,11 +16,11 @@ from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Pa
 from sweetspot.report.quantities import Reader
 from sweetspot.report.season.left_over import left_over_words, own_drag_words
 from sweetspot.report.sentences import Sentence, Slot, say, within
-from sweetspot.season.counted import WITH
 from sweetspot.season.csv_copy import LEFT_OUT
 from sweetspot.season.rows import REASONS
 from sweetspot.season.season_drag import DragOfMonth
 from sweetspot.season.standings import MEASURES, Standing
+from sweetspot.season.stat_rows import WITH
 from sweetspot.season.table_file import is_parquet
 from sweetspot.season.table_warnings import WARNINGS
 from sweetspot.units import grouped

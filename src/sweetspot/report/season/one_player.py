@@ -14,8 +14,8 @@ from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.season.document import few_of_a_kind
 from sweetspot.report.sentences import Slot, joined, say
-from sweetspot.season.counted import WITH
 from sweetspot.season.standings import MEASURES
+from sweetspot.season.stat_rows import WITH
 from sweetspot.season.table_warnings import NO_FOULS
 from sweetspot.units import grouped
 

@@ -10,7 +10,7 @@ import polars as pl
 from sweetspot.answers.season import SeasonAnswer
 from sweetspot.numerics.text_files import harmless
 from sweetspot.report.file_set import write_all
-from sweetspot.season.own_tables import table_stem
+from sweetspot.season.batters import table_stem
 
 
 def write_tables(answer: SeasonAnswer, folder: Path) -> list[str]:

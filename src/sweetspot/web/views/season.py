@@ -35,7 +35,7 @@ from sweetspot.web.views.season_work import Handed, kept_answer, kept_summary, r
 
 if TYPE_CHECKING:  # tables load slowly, and no other view needs them
     from sweetspot.answers.season import SeasonAnswer
-    from sweetspot.season.maps import BallMap
+    from sweetspot.season.ball_maps import BallMap
 
 MOST_TABLES = 60
 PLACES_DOUBT, LEAST_SPREAD = 1.0 * INCH, 0.2 * INCH
@@ -128,17 +128,17 @@ def summary(state: SeasonState) -> dict[str, Any]:
 
 def maps(state: SeasonState) -> dict[str, Any]:
     """Return of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
-    from sweetspot.season import maps as counted_balls
+    from sweetspot.season import ball_maps
     from sweetspot.season.season_table import counted_in
 
     folder = _folder(state)
     if folder is None:
         return {}
-    chosen = {name: value for name in ("batter", *counted_balls.CHOICES) if (value := getattr(state, name)) is not None}
-    counted = counted_balls.chosen_balls(counted_in(folder), chosen)
+    chosen = {name: value for name in ("batter", *ball_maps.CHOICES) if (value := getattr(state, name)) is not None}
+    counted = ball_maps.chosen_balls(counted_in(folder), chosen)
     return {
-        "means": counted_balls.ball_means(counted), "ceilings": counted_balls.ceiling_counts(counted),
-        "barrel": _map(counted_balls.barrel_counts(counted)), "field": _map(counted_balls.field_counts(counted)),
+        "means": ball_maps.ball_means(counted), "ceilings": ball_maps.ceiling_counts(counted),
+        "barrel": _map(ball_maps.barrel_counts(counted)), "field": _map(ball_maps.field_counts(counted)),
     }  # fmt: skip
 
 
@@ -163,7 +163,7 @@ def player(state: SeasonState) -> ReadDocument | dict[str, Any]:
 def contacts(state: SeasonState) -> dict[str, Any]:
     """Return where the chosen player meets the ball and how fast the swing is, as controls of the view Design."""
     from sweetspot.design.contacts import contacts_at
-    from sweetspot.season.places_met import contact_places
+    from sweetspot.season.ball_maps import contact_places
 
     folder = _folder(state)
     if folder is None or state.batter is None:

@@ -122,7 +122,7 @@ def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     """Write what the view tells of a season, the tables that can be taken away, and the summary last of all."""
     from sweetspot.report.season.document import season_document, unread_of
     from sweetspot.report.season.tables import write_tables
-    from sweetspot.season.maps import choices_of
+    from sweetspot.season.ball_maps import choices_of
 
     tables = folder / TAKEN_AWAY
     tables.mkdir(exist_ok=True)

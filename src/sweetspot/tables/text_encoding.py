@@ -1,4 +1,8 @@
-"""A text file's lines down to its headings and its last one, in whatever encoding; and the same text in UTF-8."""
+"""Tables of text as the world writes them: their encoding, what separates their cells, and where their headings stand.
+
+Small ones are read whole (`table_rows`). Of large ones only the ends are looked at (`in_utf8`), in whatever encoding
+and packed or not, and the same text in UTF-8 is handed on to who reads it column by column.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +10,9 @@ import codecs
 import csv
 import gzip
 import io
+import re
 import zlib
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
@@ -14,7 +20,6 @@ from typing import IO
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.whole_files import written_whole
-from sweetspot.season.headings import names_balls
 
 TAIL = 1 << 20
 """Bytes of the end of a file in which its last line is looked for."""
@@ -29,6 +34,11 @@ DISGUISED = {
     b"PK\x03\x04": "is a spreadsheet or an archive; save the sheet as CSV",
 }  # fmt: skip
 """First bytes of files that are no text, whatever their names say."""
+SEPARATORS = ",;\t|"
+"""Between the cells of a table, as programs of different countries write them."""
+FIRST_LINES = 25
+"""Lines in which the headings of a table stand."""
+DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d+\s*")
 WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
 
@@ -46,9 +56,24 @@ class TextEnds:
     quoting: bool
 
 
-def in_utf8(path: Path, staging: Path) -> tuple[Path, TextEnds]:
-    """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding."""
-    ends = _ends(path)
+IsHeading = Callable[[Sequence[str]], bool]
+"""Whether the cells of a line are headings."""
+
+
+def in_utf8(path: Path, staging: Path, *, is_heading: IsHeading) -> tuple[Path, TextEnds]:
+    """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding.
+
+    Parameters
+    ----------
+    staging : folder where a copy goes.
+    is_heading : whether a line is that of the headings; without any it is the first one.
+
+    Raises
+    ------
+    InputError
+        when the file is damaged, or no text.
+    """
+    ends = _ends(path, is_heading)
     if ends.encoding == "utf-8" and ends.lines and not ends.quoting:
         return path, ends
     copy = staging / f"{path.name}.utf-8"
@@ -58,7 +83,7 @@ def in_utf8(path: Path, staging: Path) -> tuple[Path, TextEnds]:
     ):  # fmt: skip
         while block := text.read(TAIL):
             plain.write(block.encode())
-    copied = _ends(copy)
+    copied = _ends(copy, is_heading)
     if copied.quoting:  # a file that was cut; what stands before the cut is read
         with copy.open("ab") as plain:
             plain.write(b'"\n')
@@ -72,11 +97,8 @@ def opened(path: Path) -> IO[bytes]:
     return gzip.open(path) if packed and path.name.lower().endswith(".gz") else path.open("rb")  # type: ignore[return-value]
 
 
-def _ends(path: Path) -> TextEnds:
-    """Return the lines down to the headings, and the last line, of a file that may be packed.
-
-    Headings stand in the first line, or in the first one that names balls or swings where others stand above.
-    """
+def _ends(path: Path, is_heading: IsHeading) -> TextEnds:
+    """Return the lines down to the headings, and the last line, of a file that may be packed."""
     encoding, told = "utf-8", codecs.getincrementaldecoder("utf-8")()
     try:
         with opened(path) as file:
@@ -84,7 +106,7 @@ def _ends(path: Path) -> TextEnds:
             wide = lines[0].startswith(WIDE)
             if len(lines[0]) == TAIL and b"\r" not in lines[0]:
                 raise InputError(f"{path} begins with a line of more than {TAIL / 1e6:.0f} MB; give a table")
-            while len(lines) <= MOST_ABOVE and not _names_balls(lines[-1]) and (line := file.readline(TAIL)):
+            while len(lines) <= MOST_ABOVE and not _is_heading(lines[-1], is_heading) and (line := file.readline(TAIL)):
                 lines.append(line)
             first = b"".join(lines)
             tail, unpacked, quotes = lines[-1], 0, 0
@@ -104,7 +126,7 @@ def _ends(path: Path) -> TextEnds:
         raise InputError(f"{path} {disguise}")
     if not wide and (b"\0" in first or b"\0" in tail):
         raise InputError(f"{path} is no text in UTF-8; save it as CSV UTF-8, or give Parquet")
-    above = lines if _names_balls(lines[-1]) else lines[:1]
+    above = lines if _is_heading(lines[-1], is_heading) else lines[:1]
     cut = quotes % 2 == 1 and not tail.endswith((b"\n", b"\r"))
     old = b"\r" in first.replace(b"\r\n", b"")
     return TextEnds([_text(line) for line in above], _text(_last_row(tail.splitlines(), cut=cut)),
@@ -137,17 +159,17 @@ def _text(line: bytes) -> str:
     return line.decode("utf-8-sig", "replace")
 
 
-def _names_balls(line: bytes) -> bool:
+def _is_heading(line: bytes, is_heading: IsHeading) -> bool:
     text = _text(line)
     try:
-        return names_balls(cells_of(text, separator_of(text)))
+        return is_heading(cells_of(text, separator_of(text)))
     except csv.Error:  # no text at all
         return False
 
 
 def separator_of(line: str) -> str:
     """Return what separates the cells of a line."""
-    return max(",;\t|", key=line.count)
+    return max(SEPARATORS, key=line.count)
 
 
 def cells_of(line: str, separator: str) -> list[str]:
@@ -183,3 +205,48 @@ def require_no_more_cells(source: Path, ends: TextEnds, *, named: Path) -> None:
                     f"{named}: line {above + rows.line_num} has {len(cells)} cells under {width} headings; give each "
                     f"a heading, and put numbers and texts that hold a {separator!r} into quotes"
                 )
+
+
+def table_rows(text: str, path: Path, *, is_heading: IsHeading) -> Iterator[tuple[int, list[str]]]:
+    r"""Yield (line, cells) of every line of a CSV text that is not blank.
+
+    Cells are separated as the line of headings is: by commas, semicolons or tabs. Where commas do not separate them, a
+    number may have a decimal comma.
+
+    Parameters
+    ----------
+    is_heading : whether a line is that of the headings.
+
+    Raises
+    ------
+    InputError
+        where the text is no CSV.
+
+    >>> heading = lambda cells: "speed" in cells
+    >>> list(table_rows("speed;angle\n66,5;3", Path("a.csv"), is_heading=heading))
+    [(1, ['speed', 'angle']), (2, ['66.5', '3'])]
+    """
+    beginning = "\n".join(text.splitlines()[:FIRST_LINES])
+    try:
+        headed = (one for one in SEPARATORS if any(map(is_heading, _cells(beginning, one))))
+        separator = next(headed, None) or separator_of(next(filter(str.strip, beginning.splitlines()), ""))
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+        for cells in reader:
+            if any(cell.strip() for cell in cells):
+                yield reader.line_num, cells if separator == "," else [pointed(cell) for cell in cells]
+    except csv.Error as error:
+        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
+
+
+def _cells(text: str, separator: str) -> list[list[str]]:
+    return list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
+
+
+def pointed(cell: str) -> str:
+    """Return a cell with a number's decimals after a point, and those of its error behind ±.
+
+    >>> pointed("66,5"), pointed("1,454 ± 0,003"), pointed("a,b")
+    ('66.5', '1.454 ± 0.003', 'a,b')
+    """
+    parts = cell.split("±")
+    return "±".join(part.replace(",", ".") if DECIMAL_COMMA.fullmatch(part) else part for part in parts)

@@ -7,7 +7,7 @@ import polars as pl
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.season import contact_kernel as kernel
-from sweetspot.season.answers import Answers
+from sweetspot.season.ball_columns import Answers
 from sweetspot.season.contact import measures
 from sweetspot.season.rows import by_number
 from sweetspot.tables.headings import Headings

@@ -8,7 +8,7 @@ import polars as pl
 import pytest
 
 from sweetspot.errors import InputError
-from sweetspot.season.places_met import contact_places
+from sweetspot.season.ball_maps import contact_places
 from sweetspot.units import INCH
 
 
