@@ -34,7 +34,7 @@ def test_a_design_with_its_files(run: Run, tmp_path: Path, monkeypatch: pytest.M
     answer = json.loads((out / "design.json").read_text(encoding="utf-8"))
     bat = read_bat(out / "designed-bat.toml")
     assert bat.mass == pytest.approx(answer["measures"]["mass_kg"], rel=1e-9)
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)  # it goes on from what was found
+    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 3)  # it goes on from what was found
     code, again, _ = run(
         "design", "mlb-a", "--contact", "8in", "--contact-spread", "1.2in", *QUICK, "--format", "csv", "--resume",
         str(out / "search.json"),
@@ -46,9 +46,9 @@ def test_a_design_with_its_files(run: Run, tmp_path: Path, monkeypatch: pytest.M
 @pytest.fixture
 def short_polish(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search that begins with a start hardly polished: every hollow bat costs a tenth of a second."""
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 2)
-    monkeypatch.setattr("sweetspot.design.polish.WAYS", 1)
-    monkeypatch.setattr("sweetspot.design.polish.POINTS", 5)
+    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 2)
+    monkeypatch.setattr("sweetspot.design.local_search.WAYS", 1)
+    monkeypatch.setattr("sweetspot.design.local_search.POINTS", 5)
 
 
 @pytest.mark.usefixtures("short_polish")
@@ -119,7 +119,7 @@ def test_other_sports_by_the_same_command(run: Run, tmp_path: Path, name: str) -
         (("two-piece", "--want", "durability"), "bears is not known"),
         (("--contacts", "nowhere.csv"), "nowhere.csv"),
         (("--contact", "8in", "--player", "x.json"), "both say where the ball is met"),
-        (("--swing-law", "none", "--exponent", "0.2"), "--exponent goes with a law"),
+        (("--swing-law", "none", "--exponent", "0.2"), "--exponent belongs to a law"),
         (("--pick", "0"), "--pick was given as 0"),
         (("--seed", "-1"), "--seed was given as -1"),
         (("--cup", "20in"), "--cup was given as 20in"),

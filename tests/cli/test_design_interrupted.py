@@ -51,7 +51,7 @@ def interrupted(words: tuple[str, ...], *, number: int) -> tuple[int, str, str]:
 @pytest.fixture
 def short_polish(monkeypatch: pytest.MonkeyPatch) -> None:
     for name, value in (("LOOKS", 2), ("WAYS", 1), ("POINTS", 5)):
-        monkeypatch.setattr(f"sweetspot.design.polish.{name}", value)
+        monkeypatch.setattr(f"sweetspot.design.local_search.{name}", value)
 
 
 @pytest.mark.usefixtures("short_polish")

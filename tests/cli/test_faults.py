@@ -147,7 +147,7 @@ def test_every_command_under_every_fault(
     monkeypatch.setattr(files, "png_bytes", lambda _: b"a picture, which would take long and is not what fails")
     monkeypatch.setattr(files, "svg_bytes", lambda _: b'<svg xmlns="http://www.w3.org/2000/svg"/>')
     monkeypatch.setattr(validation, "results", some_cases)
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)  # a bat found sooner is written like any other
+    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 3)  # a bat found sooner is written like any other
     monkeypatch.setattr(threading.Thread, "start", refused)
     monkeypatch.setattr(os, "fork", refused)
     before, met = sorted(tmp_path.rglob("*")), list[str]()

@@ -10,13 +10,13 @@ from sweetspot import catalog
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.design.answer import starts_of
 from sweetspot.design.batter import Batter
+from sweetspot.design.constraints import Limit, band, lathe_limits, league_limits
 from sweetspot.design.contacts import normal_contact
-from sweetspot.design.fronts import Question
 from sweetspot.design.gain import present_measured
-from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
+from sweetspot.design.local_search import starts_of
 from sweetspot.design.measures import Bench, bench_of
+from sweetspot.design.pareto import DesignSearch
 from sweetspot.design.turned import turned_space
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
@@ -46,7 +46,7 @@ def limits(bench: Bench) -> tuple[Limit, ...]:
 @pytest.fixture(scope="session")
 def inside_starts(bench: Bench, limits: tuple[Limit, ...]) -> Array:
     """Bats that a search begins with for who meets the ball 8 in from the tip: one that may be, and the fastest."""
-    return starts_of(met_at(bench, 8.0), Question(("exit_speed",), limits))
+    return starts_of(met_at(bench, 8.0), DesignSearch(("exit_speed",), limits))
 
 
 def met_at(bench: Bench, inches: float) -> Bench:

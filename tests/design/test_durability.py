@@ -11,15 +11,14 @@ from sweetspot import catalog
 from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, linear_limit, material_at
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.design.breaking import usual_strains
+from sweetspot.design.constraints import Limit
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import borne_strain, breaking_of
-from sweetspot.design.fronts import Question, excesses
 from sweetspot.design.gain import present_measured
-from sweetspot.design.hollow import hollow_space
-from sweetspot.design.limits import Limit
+from sweetspot.design.local_search import polished
 from sweetspot.design.measures import Bench, bench_of
-from sweetspot.design.other_sports import racket_space
-from sweetspot.design.polish import polished
+from sweetspot.design.pareto import DesignSearch, excesses
+from sweetspot.design.spaces import hollow_space, racket_space
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError
@@ -73,8 +72,8 @@ def test_the_walls_margin_is_that_of_single_hits(bench: Bench) -> None:
 def test_a_thicker_grip_is_what_durability_wants(
     bench: Bench, limits: tuple[Limit, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 20)
-    own, question = durable(bench), Question(("durability",), limits)
+    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 20)
+    own, question = durable(bench), DesignSearch(("durability",), limits)
     numbers, measured = polished(own, question, own.space.start)
     now = own.measured(own.space.start)
     assert measured.values["durability"][0] > 1.03 * now.values["durability"][0]

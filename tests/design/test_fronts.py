@@ -9,14 +9,13 @@ import numpy as np
 import pytest
 from pymoo.indicators.hv import HV
 
-from sweetspot.design import answer
-from sweetspot.design.answer import designed, starts_of
+from sweetspot.design import local_search
+from sweetspot.design.constraints import Limit
 from sweetspot.design.contacts import FROM_TIP
-from sweetspot.design.fronts import Question, excesses, resumed, saved, search, wanted
-from sweetspot.design.limits import Limit
+from sweetspot.design.local_search import designed, gradient, polished, starts_of
 from sweetspot.design.measures import Bench
 from sweetspot.design.outline_curve import HANDLES
-from sweetspot.design.polish import gradient, polished
+from sweetspot.design.pareto import DesignSearch, excesses, resumed, saved, search, wanted
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, MPH
 from tests.design.conftest import met_at
@@ -37,7 +36,7 @@ def test_who_meets_the_ball_inside_gets_a_torpedo(
     shapes = []
     for inches in (5.5, 8.0):
         there = met_at(bench, inches)
-        question = Question(("exit_speed",), limits)
+        question = DesignSearch(("exit_speed",), limits)
         starts = inside_starts if inches == 8.0 else starts_of(there, question)
         found = max(starts, key=lambda row: float(there.measured(row).values["exit_speed"][0]))
         measured = there.measured(found)
@@ -59,7 +58,7 @@ def test_another_way_of_looking_finds_no_better_bat(
     bench: Bench, limits: tuple[Limit, ...], starts: np.ndarray
 ) -> None:
     """CMA-ES within 0.1 m/s of the polished bat, under the same limits."""
-    question = Question(("exit_speed",), limits)
+    question = DesignSearch(("exit_speed",), limits)
     ours = starts[1]
     best = float(bench.measured(ours).values["exit_speed"][0])
     low, high = (np.array([getattr(one, end) for one in bench.space.variables]) for end in ("low", "high"))
@@ -78,14 +77,14 @@ def test_another_way_of_looking_finds_no_better_bat(
     assert -strategy.result.fbest < best + 0.1
 
 
-def small(limits: tuple[Limit, ...], seed: int = 1, generations: int = 4) -> Question:
-    return Question(WANTS, limits, seed=seed, population=16, generations=generations)
+def small(limits: tuple[Limit, ...], seed: int = 1, generations: int = 4) -> DesignSearch:
+    return DesignSearch(WANTS, limits, seed=seed, population=16, generations=generations)
 
 
 @pytest.fixture(scope="module")
 def starts(bench: Bench, limits: tuple[Limit, ...]) -> np.ndarray:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(answer, "BETWEEN", 3)
+        patch.setattr(local_search, "BETWEEN", 3)
         heard: list[tuple[int, int]] = []
         found = starts_of(bench, small(limits), progress=lambda done, front: heard.append((done, len(front))))
         assert [done for done, _ in heard] == [0] * 5  # two ends and three between
@@ -110,8 +109,8 @@ def test_the_best_is_the_same_whatever_the_seed(
     bench: Bench, limits: tuple[Limit, ...], starts: np.ndarray, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The ends of the front are polished, so that chance moves them by no more than 0.1 mph."""
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 15)  # it begins near the end
-    monkeypatch.setattr(answer, "starts_of", lambda *_, **__: starts)  # which no seed changes
+    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 15)  # it begins near the end
+    monkeypatch.setattr(local_search, "starts_of", lambda *_, **__: starts)  # which no seed changes
     ends = [designed(bench, small(limits, seed, 2)).measured.values["exit_speed"][0] for seed in (1, 2)]
     assert ends[0] == pytest.approx(ends[1], abs=0.1 * MPH)
 
@@ -150,8 +149,8 @@ def test_a_stopped_search_goes_on_as_if_it_had_not_been(
 def test_polish_never_makes_worse(
     bench: Bench, limits: tuple[Limit, ...], starts: np.ndarray, looks: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", looks)
-    question = Question(("sting",), limits)
+    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", looks)
+    question = DesignSearch(("sting",), limits)
     _, measured = polished(bench, question, starts[0])
     assert measured.values["sting"][0] <= bench.measured(starts[0]).values["sting"][0]
     assert (excesses(question, measured) <= 0).all()
@@ -159,11 +158,11 @@ def test_polish_never_makes_worse(
 
 def test_questions_that_make_no_sense_are_refused(limits: tuple[Limit, ...]) -> None:
     with pytest.raises(InputError, match="one to three different"):
-        Question((), limits)
+        DesignSearch((), limits)
     with pytest.raises(InputError, match="cannot be made better in 'mass'"):
-        Question(("mass",), limits)
+        DesignSearch(("mass",), limits)
     with pytest.raises(InputError, match="generations of"):
-        Question(WANTS, limits, population=1)
+        DesignSearch(WANTS, limits, population=1)
 
 
 def test_batters_who_differ_have_other_fingerprints(bench: Bench, limits: tuple[Limit, ...]) -> None:

@@ -11,13 +11,14 @@ from scipy.special import ndtri
 
 from sweetspot.analysis.certification.rules import Verdict
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.answers.design import answer_of
+from sweetspot.answers.design_question import Designed, designed_bat
 from sweetspot.catalog.rules import league
-from sweetspot.design.answer import Designed, told
+from sweetspot.design.constraints import Limit
 from sweetspot.design.contacts import FROM_TIP, contacts_at
-from sweetspot.design.fronts import Front, Question, search
 from sweetspot.design.gain import CLEARLY, PAIR, GainVerdict, gain_of, present_measured
-from sweetspot.design.limits import Limit
 from sweetspot.design.measures import Bench
+from sweetspot.design.pareto import DesignSearch, Front, search
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -33,8 +34,9 @@ from tests.report.told import LEFT_OVER, text_of, unknown_numbers
 @pytest.fixture(scope="module")
 def design(bench: Bench, limits: tuple[Limit, ...], inside_starts: Array) -> Designed:
     there = met_at(bench, 8.0)
-    question = Question(("exit_speed", "zone"), limits, population=12, generations=1)
-    return told(there, question, search(there, question, starts=inside_starts), pick=1, league=league("mlb"))
+    question = DesignSearch(("exit_speed", "zone"), limits, population=12, generations=1)
+    front = search(there, question, starts=inside_starts)
+    return designed_bat(there, question, front, league=league("mlb"))
 
 
 def test_the_present_bat_gains_nothing_over_itself(bench: Bench) -> None:
@@ -73,7 +75,7 @@ def test_few_balls_are_no_gain_that_you_could_see(design: Designed, balls: int, 
     gain = gain_of(few, design.numbers, measured, present_measured(few))
     assert (gain.verdict is GainVerdict.SEEN) == seen == (gain.balls_needed is None)
     front = Front(design.numbers[None], measured, 0, design.numbers[None])
-    text = read(worth_words(told(few, design.question, front, pick=1, league=None)), US)
+    text = read(worth_words(designed_bat(few, design.question, front)), US)
     assert f"{balls} balls tell of the contacts" in text
     assert ("met as these the gain would be seen" in text) == (not seen)
     if not seen:
@@ -101,7 +103,7 @@ def test_a_torpedo_for_who_meets_the_ball_inside(design: Designed) -> None:
 
 
 def test_shift_and_width_come_before_the_maximum(design: Designed) -> None:
-    document = design_document(design)
+    document = design_document(answer_of(design))
     text = read(document.blocks[0].words, US)  # type: ignore[union-attr]
     assert text.index("best place moves") < text.index("zone") < text.index("greatest exit speed")
     warning = read(document.blocks[2].words, US)  # type: ignore[union-attr]
@@ -122,12 +124,12 @@ def test_shift_and_width_come_before_the_maximum(design: Designed) -> None:
 
 def test_a_bat_that_is_not_on_the_front_is_refused(design: Designed) -> None:
     with pytest.raises(InputError, match="bat 999 of the front"):
-        told(design.bench, design.question, design.front, pick=999, league=None)
+        designed_bat(design.bench, design.question, design.front, pick=999)
 
 
 def test_sentences_are_the_numbers_beside_them(design: Designed) -> None:
     """Directions against signs; a number that stands nowhere else belongs to what was asked or to a tolerance."""
-    document, gain = design_document(design), design.gain
+    document, gain = design_document(answer_of(design)), design.gain
     others = ("For contacts around", "Contacts ", "Tolerance: ", "Time to contact")
     assert not [words for _, words in unknown_numbers(document, [ZONE_LOSS]) if not words.startswith(others)]
     text = text_of(document, US)

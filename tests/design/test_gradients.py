@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from sweetspot.design.local_search import STEP, gradient
 from sweetspot.design.measures import Bench
 from sweetspot.design.outline_curve import _ROUND, HANDLES, SAMPLES, STATIONS
-from sweetspot.design.polish import STEP, gradient
 from sweetspot.design.turned import TurnedSpace, knob_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat

@@ -8,12 +8,11 @@ from sweetspot import catalog
 from sweetspot.analysis.certification.simulated_test import certify
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.design.constraints import Limit, band, check_limits, drawn_values, kept_limits, league_limits
 from sweetspot.design.gain import present_measured
-from sweetspot.design.hollow import hollow_space
-from sweetspot.design.limits import Limit, band, check_limits, drawn_values, league_limits
 from sweetspot.design.measures import Bench, bench_of
+from sweetspot.design.spaces import hollow_space
 from sweetspot.design.turned import turned_space
-from sweetspot.design.usual_limits import kept_limits
 from sweetspot.errors import InputError
 
 

@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 
 from sweetspot.catalog.rules import league
-from sweetspot.design.limits import Limit, drawn_values
-from sweetspot.design.locks import locked
+from sweetspot.design.constraints import KEPT, Limit, drawn_values, kept_limits, locked
 from sweetspot.design.measures import Bench
-from sweetspot.design.usual_limits import KEPT, kept_limits
 
 BARREL = 7
 

@@ -11,9 +11,9 @@ from sweetspot import analyse, catalog
 from sweetspot.analysis.two_way import varied
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.gain import present_measured
-from sweetspot.design.hollow import hollow_space
 from sweetspot.design.measures import Bench
 from sweetspot.design.outline_curve import HANDLES, STATIONS, stations, waist
+from sweetspot.design.spaces import hollow_space
 from sweetspot.design.turned import TurnedSpace, turned_space
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body

@@ -9,13 +9,12 @@ from sweetspot import catalog
 from sweetspot.analysis.certification.rules import Verdict, check_rules
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.design.answer import findings_of
 from sweetspot.design.batter import Batter
+from sweetspot.design.constraints import findings_of, league_limits
 from sweetspot.design.contacts import FROM_TIP, normal_contact
 from sweetspot.design.gain import GainVerdict, gain_of, present_measured
-from sweetspot.design.limits import league_limits
 from sweetspot.design.measures import Bench, bench_of
-from sweetspot.design.other_sports import club_space, cricket_space, racket_space
+from sweetspot.design.spaces import club_space, cricket_space, racket_space
 from sweetspot.design.variables import Space
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub

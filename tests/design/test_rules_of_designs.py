@@ -10,7 +10,7 @@ import pytest
 from sweetspot import catalog, certify
 from sweetspot.analysis.certification.rules import check_rules
 from sweetspot.catalog.rules import league
-from sweetspot.design.answer import findings_of
+from sweetspot.design.constraints import findings_of
 from sweetspot.design.measures import MeasuredDesigns
 
 

@@ -71,7 +71,9 @@ def test_a_page_is_one_sheet(
     least: float,
     command: tuple[str, ...],
 ) -> None:
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)  # a design's sheet is as long when it is hardly polished
+    monkeypatch.setattr(
+        "sweetspot.design.local_search.LOOKS", 3
+    )  # a design's sheet is as long when it is hardly polished
     given = {"FILE": str(swings), "SEASON": str(season)}
     words = [given.get(word, word) for word in command]
     code, _, said = run(*words, "--title", "Spring <2026>", "--for", "Ann Example", "--out", str(tmp_path))

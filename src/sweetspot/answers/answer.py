@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,9 @@ from sweetspot.units.dimensions import System
 
 if TYPE_CHECKING:
     import polars
+
+Progress = Callable[[str], AbstractContextManager[Callable[..., None] | None]]
+"""Begins a piece of work with a name; what it yields is called with (done, all)."""
 
 
 @dataclass(frozen=True)

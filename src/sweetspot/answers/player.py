@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Annotated
 
-from sweetspot.answers.answer import Answer, frame_of
+from sweetspot.answers.answer import Answer, Progress, frame_of
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.player_question import (
     FitPlayerQuestion,
@@ -49,8 +49,6 @@ if TYPE_CHECKING:
 PART_OF_HITS = Dimension("_ratio", "_ratio")
 GOAL_DIMENSIONS: Mapping[GoalName, Dimension] = {"exit-speed": SPEED, "carry": DISTANCE, "line": PART_OF_HITS}
 DIMENSIONS: Mapping[Kind, Dimension] = {"speed": SPEED, "length": LENGTH, "angle": ANGLE, "ratio": RATIO}
-Progress = Callable[[str], AbstractContextManager[Callable[..., None] | None]]
-"""Begins a piece of work with a name; what it yields is called with (done, all)."""
 
 
 @dataclass(frozen=True)

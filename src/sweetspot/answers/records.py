@@ -52,6 +52,8 @@ OF_RECORD: Final = "dimension of the record"
 """Mark of a number whose dimension its record says, in a property ``dimension``."""
 PLAIN_ENDS: Final = "plain ends"
 """Mark of a number the ends of whose interval are called just ``low`` and ``high``."""
+INLINE: Final = "inline"
+"""Mark of a record or mapping whose entries stand among those of the record that has it."""
 
 Speed = Annotated[Number, SPEED]
 Length = Annotated[Number, LENGTH]
@@ -112,6 +114,9 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
         if value is None and field.default is None:
             continue
         marks = list(_marks(hint))
+        if INLINE in marks:
+            table |= _plain(value, dimension, system)
+            continue
         counted_in = record.dimension if OF_RECORD in marks else dimension
         table |= _entries(field.name, value, counted_in, system, marks=marks)
     return table

@@ -7,11 +7,10 @@ from contextlib import nullcontext
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Annotated
 
-from sweetspot.answers.answer import Answer, frame_of
+from sweetspot.answers.answer import Answer, Progress, frame_of
 from sweetspot.answers.player import (
     GOAL_DIMENSIONS,
     ParameterRange,
-    Progress,
     parameter_dimension,
     parameter_range,
 )

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import breaking_of
 from sweetspot.design.measures import Bench, MeasuredDesigns
-from sweetspot.design.other_sports import willows
+from sweetspot.design.spaces import willows
 from sweetspot.design.turned import TurnedSpace, knob_of
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, sizes_of
 from sweetspot.dynamics.batch.beams import BeamRow

@@ -59,6 +59,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.answers.calibrate import CalibrateAnswer
     from sweetspot.answers.certify import CertifyAnswer
     from sweetspot.answers.compare import CompareAnswer
+    from sweetspot.answers.design import DesignAnswer
     from sweetspot.answers.drop import DropAnswer
     from sweetspot.answers.flight import FlightAnswer, flight_of
     from sweetspot.answers.fly import FlyAnswer
@@ -88,6 +89,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.report.certification.document import certificate_document, certification_document
     from sweetspot.report.comparison.document import compare_document, comparison_document
+    from sweetspot.report.design.document import design_document
     from sweetspot.report.drop.document import drop_document
     from sweetspot.report.flight.document import flight_document, fly_document
     from sweetspot.report.flight.many_flights import flights_document
@@ -113,6 +115,7 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
         (PlayAnswer, play_document),
         (OptimumAnswer, optimum_document),
         (DropAnswer, drop_document),
+        (DesignAnswer, design_document),
         (SeasonAnswer, season_document),
         (SeasonPlayer, player_page),
         (PendulumAnswer, pendulum_document),

@@ -11,9 +11,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.certification.rules import League
-    from sweetspot.design.limits import Limit
-    from sweetspot.design.measures import Bench
-    from sweetspot.design.variables import Space
+    from sweetspot.design.constraints import Limit
     from sweetspot.equipment.implement import Implement
     from sweetspot.equipment.material import Material
     from sweetspot.units import Kind
@@ -21,10 +19,16 @@ if TYPE_CHECKING:
 Kept = Literal["mass", "moi", "wood", "balance", "grip", "nothing"]
 KINDS: dict[str, Kind] = {"mass": "mass", "moi": "moi", "balance_point": "length", "durability": "ratio"}
 
+BANDS = {"mass": "mass", "moi": "moi", "balance_point": "balance", "durability": "durability"}
+"""Options that give a band, by what they limit."""
+MEASURED = {"balance": "balance_point", "grip": "handle", "wood": "density"}
+"""What people call a measure otherwise."""
 EXAMPLES: dict[str, str] = {
-    "mass": "30oz:31.5oz", "moi": "10500oz*in^2:11000oz*in^2", "length": "22in:23in", "ratio": "1.1:",
-}  # fmt: skip
-
+    "mass": "30oz:31.5oz",
+    "moi": "10500oz*in^2:11000oz*in^2",
+    "length": "22in:23in",
+    "ratio": "1.1:",
+}
 RANGES = {"cup_diameter": "1in:2in", "knob": "1.7in:2.2in", "length": "33in:34.5in"}
 
 
@@ -84,24 +88,27 @@ class LimitOptions:
 DEFAULT_LIMITS = LimitOptions()
 
 
-def materials_of(options: LimitOptions) -> list[Material | None]:
-    """Return the materials that are looked at, each once; None: the present bat's."""
+def materials_of(options: LimitOptions) -> tuple[Material, ...]:
+    """Return the materials that are looked at, each once; none: the present bat's."""
     from sweetspot import catalog
 
-    return [catalog.material(name) for name in dict.fromkeys(options.wood or ())] or [None]
+    return tuple(catalog.material(name) for name in dict.fromkeys(options.wood or ()))
 
 
-def space_of(bat: Implement, options: LimitOptions, material: Material | None) -> Space:
-    """Return what may change of a bat, built of this material."""
-    from sweetspot.design.usual_limits import space_of as space_around
+def deepest_cup_of(options: LimitOptions, bat: Implement) -> float:
+    """Return how deep a cup in m may be turned."""
     from sweetspot.plausibility import parse
 
     deepest = parse(options.cup, "length", "--cup")
     if not 0 <= deepest < bat.length / 4:
         raise InputError(f"--cup was given as {options.cup}; allowed is 0in to a quarter of the bat")
+    return deepest
+
+
+def ranges_of(options: LimitOptions) -> dict[str, tuple[float, float]]:
+    """Return least and most of what may change besides the outline, m."""
     given = {"cup_diameter": options.cup_diameter, "knob": options.knob, "length": options.length}
-    ranges = {name: _range_of(name, text) for name, text in given.items() if text is not None}
-    return space_around(bat, deepest_cup=deepest, material=material, ranges=ranges)
+    return {name: _range_of(name, text) for name, text in given.items() if text is not None}
 
 
 def _range_of(name: str, text: str) -> tuple[float, float]:
@@ -118,40 +125,36 @@ def league_of(bat: Implement, options: LimitOptions) -> League | None:
     """Return the league whose rules are kept, if any."""
     from sweetspot.catalog.rules import league, usual_league
 
-    if options.league == "nobody":
-        return None
-    usual = usual_league(bat)
-    chosen = options.league or usual
+    chosen = None if options.league == "nobody" else options.league or usual_league(bat)
     return None if chosen is None else league(chosen)
 
 
-def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tuple[Limit, ...]:
-    """Return every limit of the question."""
-    from sweetspot.design.usual_limits import kept_limits
-    from sweetspot.plausibility import parse
-
-    bands = {"mass": options.mass, "moi": options.moi, "balance_point": options.balance,
-             "durability": options.durability}  # fmt: skip
-    given = {name: text for name, text in bands.items() if text is not None}
+def kept_measures(options: LimitOptions) -> tuple[str, ...]:
+    """Return the measures that stay as the present bat has them."""
     keep = ("mass", "moi", "wood") if options.keep is None else options.keep
-    names = [
-        {"balance": "balance_point", "grip": "handle", "wood": "density"}.get(name, name)
-        for name in keep
-        if name != "nothing"
-    ]
-    kept = [name for name in names if name not in given]
-    limits = [_band_of(name, text, KINDS[name]) for name, text in given.items()]
-    handle = None if options.handle is None else parse(options.handle, "length", "--handle")
-    return kept_limits(bench, kept, bands=limits, league=rules, handle=handle)
+    names = (MEASURED.get(name, name) for name in keep if name != "nothing")
+    return tuple(name for name in names if getattr(options, BANDS.get(name, ""), None) is None)
 
 
-def _band_of(name: str, text: str, kind: Kind) -> Limit:
-    from sweetspot.design.limits import Limit
+def bands_of(options: LimitOptions) -> tuple[Limit, ...]:
+    """Return the bands that were given."""
+    given = {measure: getattr(options, name) for measure, name in BANDS.items()}
+    return tuple(_band_of(measure, text, KINDS[measure]) for measure, text in given.items() if text is not None)
+
+
+def handle_of(options: LimitOptions) -> float | None:
+    """Return the smallest diameter in m that the grip may have; None: the present one's."""
     from sweetspot.plausibility import parse
 
-    option = f"--{'balance' if name == 'balance_point' else name}"
-    parts = text.split(":")
+    return None if options.handle is None else parse(options.handle, "length", "--handle")
+
+
+def _band_of(measure: str, text: str, kind: Kind) -> Limit:
+    from sweetspot.design.constraints import Limit
+    from sweetspot.plausibility import parse
+
+    option, parts = f"--{BANDS[measure]}", text.split(":")
     if len(parts) != 2 or not any(part.strip() for part in parts):
         raise InputError(f"{option} was given as {text!r}; give a band LOW:HIGH, such as {EXAMPLES[kind]}")
     low, high = (parse(part, kind, option) if part.strip() else None for part in parts)
-    return Limit(name, low, high, "as given")
+    return Limit(measure, low, high, "as given")

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from sweetspot.answers.design import DesignAnswer
+from sweetspot.answers.design_question import Designed
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.files.write_implement import implement_toml
 from sweetspot.catalog.sports import sport
-from sweetspot.design.answer import Designed
-from sweetspot.design.contacts import FROM_TIP
-from sweetspot.design.fronts import saved
-from sweetspot.design.gain import GainVerdict
 from sweetspot.design.measures import MEASURES, MeasuredDesigns
+from sweetspot.design.pareto import saved
 from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
@@ -30,8 +30,7 @@ from sweetspot.report.design.words import (
     worth_words,
 )
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
-from sweetspot.report.json_shapes import cleaned
-from sweetspot.report.quantities import SCALES, Reader, reader
+from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Slot, Words, read, say
 
 BESIDE = ("exit_speed", "best", "best_from_tip", "zone", "sting", "bat_speed", "swing_time", "mass", "balance_point",
@@ -45,41 +44,54 @@ FILES = "designed-bat"
 """How the files for the maker begin."""
 
 
-def design_document(design: Designed, *, complete: bool = True) -> Document:
-    """Return a design as a document, with the bat's file and drawings going along.
-
-    Parameters
-    ----------
-    complete : whether the search ran to its end.
-    """
-    present = design.bench.space.present
-    words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
-    words += [*wall_words(design), effort_words(design), *breaking_words(design), *rules_words(design)]
-    reading = reader(None, sport(present.sport).words)
+def design_document(answer: DesignAnswer) -> Document:
+    """Return a design as a document, with the bat's file and drawings going along."""
+    design = answer.designed
+    bat, sport_words = design.bat, sport(design.bench.space.present.sport).words
+    reading = reader(None, sport_words)
+    words = [
+        *unbounded_words(design),
+        moved_words(design),
+        worth_words(design),
+        warning_words(design),
+        *wall_words(design),
+        effort_words(design),
+        *breaking_words(design),
+        *rules_words(design),
+    ]
     picture = Picture(
-        "design", partial(_drawn, design),
+        "design",
+        partial(_drawn, design),
         label="The design's outline, its difference from the present bat, and the front.",
         caption="Band: two of one shape, 90 %. Grey: where the ball is met.",
-    )  # fmt: skip
+    )
     notes: list[Words] = [_assumed(design)]
-    if not complete:
+    if not answer.complete:
         notes.append(
-            f"Stopped after {design.front.generation} of {design.question.generations} generations; the front is that "
+            f"Stopped after {answer.generations} of {design.question.generations} generations; the front is that "
             "found by then."
         )
-    bat = design.bat
-    details: list[Block] = [
-        *_materials(design), _front(design), *([_rules(design)] if design.checks else []), *_limits(design),
-        *([sizes_table(bat)] if isinstance(bat, Bat) and bat.shell is None else []), *tolerance_paragraph(design),
-    ]  # fmt: skip
+    turned = isinstance(bat, Bat) and bat.shell is None
     return Document(
-        name="design", title=bat.name, kind="Design", subtitle=_subtitle(design),
-        blocks=[
-            *map(Paragraph, words), picture, _beside(design), *(Paragraph(note, "note") for note in notes),
+        name="design",
+        title=bat.name,
+        kind="Design",
+        subtitle=_subtitle(design),
+        blocks=[*map(Paragraph, words), picture, _beside(design), *(Paragraph(note, "note") for note in notes)],
+        data={**answer.to_dict(), "words": [read(sentence, reading) for sentence in words]},
+        rows=to_dict(answer.front),
+        reader=reading,
+        drawing=picture,
+        details=[
+            *_materials(answer),
+            _front(design),
+            *([_rules(design)] if design.checks else []),
+            *_limits(design),
+            *([sizes_table(bat)] if isinstance(bat, Bat) and turned else []),
+            *tolerance_paragraph(design),
         ],
-        data=design_json(design, [read(sentence, reading) for sentence in words]), rows=design_rows(design),
-        reader=reading, drawing=picture, details=details, attachments=_files(design),
-    )  # fmt: skip
+        attachments=_files(design),
+    )
 
 
 def _files(design: Designed) -> dict[str, Any]:
@@ -162,10 +174,12 @@ def _front(design: Designed) -> Table:
     )
 
 
-def _materials(design: Designed) -> list[Block]:
+def _materials(answer: DesignAnswer) -> list[Block]:
     """Return the best in every want of each material, where several were looked at; none: it keeps no limit."""
-    wants = design.question.wants
-    rows: list[list[Cell]] = [[name, *(values or [None] * len(wants))] for name, values in design.materials]
+    wants = answer.wants
+    rows: list[list[Cell]] = [
+        [material.name, *(getattr(material.best, want) for want in wants)] for material in answer.materials
+    ]
     columns = [Column("material")] + [Column(_short(name), MEASURES[name].scale) for name in wants]
     return [Table("Materials: the best of each front", columns, rows)] if rows else []
 
@@ -203,57 +217,3 @@ def _drawn(design: Designed, reading: Reader) -> Any:
     from sweetspot.report.design.picture import design_figure
 
     return design_figure(design, reading)
-
-
-def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
-    """Return everything about a design; SI, places from the tip where their names say so."""
-    gain, space, wants = design.gain, design.bench.space, design.question.wants
-    return cleaned({
-        "bat": design.bat.name,
-        "present": space.present.name,
-        "wants": design.question.wants,
-        "limits": [{"measure": one.measure, "least": one.least, "most": one.most, "why": one.why}
-                   for one in design.question.limits],
-        "seed": design.question.seed,
-        "generations": design.front.generation,
-        "picked": design.picked + 1,
-        "variables": {one.name: {"value": value, "present": one.start, "low": one.low, "high": one.high}
-                      for one, value in zip(space.variables, design.numbers.tolist(), strict=True)},
-        "materials": [{"name": name, **{_key(want): value for want, value in zip(wants, values, strict=False)}}
-                      for name, values in design.materials],
-        "measures": {_key(name): values[design.picked] for name, values in design.front.measured.values.items()},
-        "present_measures": {_key(name): values[0] for name, values in design.now.values.items()},
-        "gain": {
-            "shift_towards_hands_m": gain.shift, "zone_wider_m": gain.wider, "greatest_exit_speed_m_s": gain.greatest,
-            "expected_exit_speed_m_s": gain.expected, "half_interval_m_s": gain.doubt, "verdict": gain.verdict.value,
-            "probability": gain.odds, "seen": gain.verdict is GainVerdict.SEEN,
-            "between_two_of_a_dozen_m_s": gain.pieces,
-            "from_wood_m_s": gain.wood, "from_wood_chosen_by_weight_m_s": gain.by_weight, "from_swing_m_s": gain.law,
-            "from_contact_m_s": gain.contact, "from_few_balls_m_s": gain.sample, "balls": gain.balls,
-            "balls_needed": gain.balls_needed, "time_to_contact_s": gain.time,
-            "present_is_better_within_from_tip_m": gain.turning_place,
-        },
-        "difference": {"from_tip_m": FROM_TIP, "exit_speed_m_s": gain.curve, "wood_m_s": gain.noise},
-        "front": design_rows(design),
-        "handle_bending": None if design.bent is None else {
-            name: {"strain": one.strain, "from_tip_m": one.from_tip, "linear_limit": one.limit}
-            for name, one in zip(("present", "design"), design.bent, strict=True)
-        },
-        "rules": [
-            {"quantity": one.rule.quantity, "verdict": one.verdict.value, "sure": one.sure, "value": one.value}
-            for one in design.checks
-        ],
-        "words": words,
-    })  # fmt: skip
-
-
-def design_rows(design: Designed) -> dict[str, Any]:
-    """Return the front as columns: every variable and every measure."""
-    names = [one.name for one in design.bench.space.variables]
-    columns: dict[str, Any] = {"bat": list(range(1, len(design.front) + 1))}
-    columns |= {_key(name): values.tolist() for name, values in design.front.measured.values.items()}
-    return columns | {name: design.front.numbers[:, index].tolist() for index, name in enumerate(names)}
-
-
-def _key(name: str) -> str:
-    return f"{name}{SCALES[MEASURES[name].scale].ending}"

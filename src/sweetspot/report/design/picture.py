@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from sweetspot.answers.design_question import Designed
 from sweetspot.catalog.sports import sport
-from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sweetspot.design.answer import Designed
+from sweetspot.answers.design_question import Designed
 from sweetspot.design.outline_curve import HANDLES
 from sweetspot.design.turned import TurnedSpace
 from sweetspot.equipment.bat import Bat

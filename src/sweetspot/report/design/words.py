@@ -6,8 +6,8 @@ import numpy as np
 
 from sweetspot.analysis.certification.rules import PERFORMANCE, Verdict, title
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.answers.design_question import Designed
 from sweetspot.catalog.sports import sport
-from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE, GainVerdict
 from sweetspot.design.measures import MEASURES

@@ -12,17 +12,17 @@ from typing import Any, TypeVar
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules
 from sweetspot.answers.certify import rule_check
+from sweetspot.answers.design_question import Designed
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.files.write import bat_toml, legible
-from sweetspot.design.answer import Designed, findings_of
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
+from sweetspot.design.constraints import Limit, findings_of
 from sweetspot.design.contacts import FROM_TIP
-from sweetspot.design.fronts import Front
 from sweetspot.design.gain import CLEARLY, LIKELY, GainVerdict, gain_of
-from sweetspot.design.limits import Limit
 from sweetspot.design.measures import MEASURES, MeasuredDesigns
 from sweetspot.design.outline_curve import HANDLES
+from sweetspot.design.pareto import Front
 from sweetspot.design.turned import TurnedSpace
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -53,8 +53,8 @@ from sweetspot.web.view import View
 from sweetspot.web.views.design_search import search
 from sweetspot.web.views.design_state import (
     USUAL_LEAGUE,
-    Asked,
     DesignState,
+    ShapedBat,
     asked,
     batter_controls,
     league_of,
@@ -104,7 +104,7 @@ def answer(state: DesignState) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _made(request: Asked, numbers: Array, *, own: bool) -> tuple[Bat, MeasuredDesigns]:
+def _made(request: ShapedBat, numbers: Array, *, own: bool) -> tuple[Bat, MeasuredDesigns]:
     """Return the bat of some numbers and what it is; while nothing was changed, the present bat to the last digit."""
     space, now = request.bench.space, request.now
     if not own:
@@ -115,13 +115,13 @@ def _made(request: Asked, numbers: Array, *, own: bool) -> tuple[Bat, MeasuredDe
     return bat, measured
 
 
-def _present(request: Asked) -> Bat:
+def _present(request: ShapedBat) -> Bat:
     present = request.bench.space.present
     assert isinstance(present, Bat)
     return present
 
 
-def _handles(request: Asked, numbers: Array) -> list[dict[str, float]]:
+def _handles(request: ShapedBat, numbers: Array) -> list[dict[str, float]]:
     """Return what can be pulled on the picture: the handles of an outline; hollow bats have none."""
     space = request.bench.space
     if not isinstance(space, TurnedSpace):
@@ -149,7 +149,7 @@ def _light(limit: Limit, measured: MeasuredDesigns) -> dict[str, Any]:
             "miss": max(0.0, miss) * measure.grain}  # fmt: skip
 
 
-def _checks(state: DesignState, request: Asked, bat: Bat, measured: MeasuredDesigns) -> list[tuple[League, Check]]:
+def _checks(state: DesignState, request: ShapedBat, bat: Bat, measured: MeasuredDesigns) -> list[tuple[League, Check]]:
     league = league_of(state, request)
     if league is None:
         return []
@@ -157,11 +157,11 @@ def _checks(state: DesignState, request: Asked, bat: Bat, measured: MeasuredDesi
     return [(league, check) for check in check_rules(league, bat=bat, findings=known)]
 
 
-def _rules(state: DesignState, request: Asked, bat: Bat, measured: MeasuredDesigns) -> list[dict[str, Any]]:
+def _rules(state: DesignState, request: ShapedBat, bat: Bat, measured: MeasuredDesigns) -> list[dict[str, Any]]:
     return [to_dict(rule_check(league, check)) for league, check in _checks(state, request, bat, measured)]
 
 
-def _curves(request: Asked, measured: MeasuredDesigns) -> dict[str, Any]:
+def _curves(request: ShapedBat, measured: MeasuredDesigns) -> dict[str, Any]:
     """Return curves along the bat, knob end first, at places counted from the tip."""
     design, now = measured.curve[0, ::-1], request.now.curve[0, ::-1]
     return {
@@ -194,7 +194,7 @@ def gain(state: DesignState) -> dict[str, Any]:
     }
 
 
-def _designed(state: DesignState, request: Asked) -> Designed:
+def _designed(state: DesignState, request: ShapedBat) -> Designed:
     """Return one bat as the only one of its front, with everything around it."""
     bench = request.bench
     numbers, own = numbers_of(state, request)

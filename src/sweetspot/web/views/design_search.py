@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.design.answer import designed
-from sweetspot.design.fronts import Front
+from sweetspot.design.local_search import designed
 from sweetspot.design.measures import Bench
+from sweetspot.design.pareto import Front
 from sweetspot.design.turned import TurnedSpace
 from sweetspot.web.jobs import Say
 from sweetspot.web.views.design_state import DesignState, asked, question_of

@@ -15,13 +15,12 @@ from sweetspot.analysis.certification.rules import League
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.design.batter import Batter
+from sweetspot.design.constraints import Limit, kept_limits, locked
 from sweetspot.design.contacts import normal_contact
-from sweetspot.design.fronts import Question
 from sweetspot.design.gain import present_measured
-from sweetspot.design.limits import Limit
-from sweetspot.design.locks import locked
 from sweetspot.design.measures import Bench, MeasuredDesigns, bench_of
-from sweetspot.design.usual_limits import kept_limits, space_of
+from sweetspot.design.pareto import DesignSearch
+from sweetspot.design.spaces import space_of
 from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
@@ -85,7 +84,7 @@ _FIRST = DesignState()
 
 
 @dataclass(frozen=True)
-class Asked:
+class ShapedBat:
     """A bench with the present bat on it, and the bat that is being shaped.
 
     Parameters
@@ -103,14 +102,14 @@ class Asked:
     left_out: tuple[str, ...]
 
 
-def asked(state: DesignState) -> Asked:
+def asked(state: DesignState) -> ShapedBat:
     """Return the bench of a state; only another bat, swing or batter makes it anew."""
     kept = {name: getattr(state, name) for name in _OF_BENCH}
     return _asked(_FIRST.model_copy(update=kept), "durability" in (state.want, state.also_want))
 
 
 @lru_cache(maxsize=64)
-def _asked(state: DesignState, durable: bool) -> Asked:
+def _asked(state: DesignState, durable: bool) -> ShapedBat:
     bat, left_out = _plain(described(state))
     conditions = conditions_of(state, bat)
     with about("bat"):
@@ -126,7 +125,7 @@ def _asked(state: DesignState, durable: bool) -> Asked:
     with about("bat"):
         bench = bench_of(space, batter, conditions, durable=durable)
     key = hashlib.blake2b(bat.model_dump_json().encode(), digest_size=9).hexdigest()
-    return Asked(bench, key, present_measured(bench), sizes, left_out)
+    return ShapedBat(bench, key, present_measured(bench), sizes, left_out)
 
 
 @lru_cache(maxsize=32)
@@ -167,7 +166,7 @@ def locks_of(state: DesignState) -> tuple[Limit, ...]:
     return tuple(one for one in limits_of(state) if one.measure in locks and one.why == "kept as it is")
 
 
-def numbers_of(state: DesignState, request: Asked) -> tuple[Array, bool]:
+def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
     """Return the numbers of the bat that is being shaped, and whether those of the state belong to it."""
     space = request.bench.space
     own = state.design_si is not None and len(state.design_si) == len(space.variables)
@@ -178,7 +177,7 @@ def numbers_of(state: DesignState, request: Asked) -> tuple[Array, bool]:
     return (locked(request.bench, numbers, locks, pulled=state.pulled) if own and locks else numbers), own
 
 
-def league_of(state: DesignState, request: Asked) -> League | None:
+def league_of(state: DesignState, request: ShapedBat) -> League | None:
     """Return the league whose rules hold; None: nobody's."""
     if state.league == NOBODY:
         return None
@@ -187,10 +186,10 @@ def league_of(state: DesignState, request: Asked) -> League | None:
         return None if chosen is None else league(chosen)
 
 
-def question_of(state: DesignState) -> Question:
+def question_of(state: DesignState) -> DesignSearch:
     """Return what is looked for."""
     wants = tuple(dict.fromkeys((state.want, state.also_want)))
-    return Question(wants, limits_of(state), seed=state.seed, generations=state.generations)
+    return DesignSearch(wants, limits_of(state), seed=state.seed, generations=state.generations)
 
 
 def batter_controls(values: Mapping[str, float]) -> dict[str, float]:

@@ -1,16 +1,16 @@
-"""One bat made as good as it can be in one want, from a good one: SLSQP with differences of many bats at once."""
+"""One bat made as good as it can be in one want, by SLSQP with differences of many bats; searches begin with such."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
-from sweetspot.design.fronts import Question
-from sweetspot.design.limits import Limit
+from sweetspot.design.constraints import Limit, check_limits
 from sweetspot.design.measures import MEASURES, Bench, MeasuredDesigns
+from sweetspot.design.pareto import DesignSearch, Front, front_of, search
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -20,12 +20,16 @@ ROUNDS, LOOKS = 40, 70
 NEARLY, WAYS, POINTS = 5.0, 6, 33
 """From how many of the best bats that miss limits by less than so many grains one goes back to the bat that keeps them,
 in how many steps: limits with corners, as the smallest diameter's, leave the solver just outside."""
+BETWEEN = 5
+"""Bats that are looked for between the best in the first want and the best in another."""
+BETWEEN_LOOKS, ON_THE_WAY = 25, 21
+"""How often each of them is changed at most, and among how many on the way to the other end its beginning is chosen."""
 INSIDE = 0.5
 """Grains by which a polished bat stays inside its limits, so that none is passed by rounding."""
 
 
 def polished(
-    bench: Bench, question: Question, numbers: Array, *, looks: int | None = None
+    bench: Bench, question: DesignSearch, numbers: Array, *, looks: int | None = None
 ) -> tuple[Array, MeasuredDesigns]:
     """Return the numbers of a bat near a given one that is best in the first want, and what it is and does.
 
@@ -141,3 +145,105 @@ def _margins(limits: Sequence[Limit], measured: MeasuredDesigns) -> Array:
 def _ends(bench: Bench) -> tuple[Array, Array]:
     variables = bench.space.variables
     return np.array([one.low for one in variables]), np.array([one.high for one in variables])
+
+
+def starts_of(bench: Bench, question: DesignSearch, *, progress: Callable[[int, Front], None] | None = None) -> Array:
+    """Return bats from which a search begins: one that keeps the limits, the best near it in every want, and between.
+
+    No seed changes them, so that fronts of different seeds have them in common.
+
+    Parameters
+    ----------
+    progress : called after each with 0 generations done and the front of those that were found.
+
+    Raises
+    ------
+    InputError
+        when limits quarrel; see `check_limits`.
+    """
+    first = check_limits(bench, question.limits)
+    starts = [first]
+
+    def found(numbers: Array) -> None:
+        starts.append(numbers)
+        if progress is not None:
+            progress(0, front_of(bench, question, np.array(starts)))
+
+    for number in range(len(question.wants)):
+        wants = question.wants[number:] + question.wants[:number]
+        found(polished(bench, DesignSearch(wants, question.limits, question.seed), first)[0])
+    for number in range(1, len(question.wants)):
+        for between in _between(bench, question, (starts[1], starts[1 + number]), question.wants[number]):
+            found(between)
+    return np.array(starts)
+
+
+def _between(bench: Bench, question: DesignSearch, ends: tuple[Array, Array], other: str) -> Iterator[Array]:
+    """Yield bats best in the first want of those that reach a part of the way in another, one after the other.
+
+    Parameters
+    ----------
+    ends : the best in the first want, and the best in the other.
+    """
+    measured = bench.measured(np.array(ends)).values[other]
+    if (measured[1] - measured[0]) * MEASURES[other].better < MEASURES[other].grain:
+        return
+    numbers = ends[0]
+    for part in np.linspace(0, 1, BETWEEN + 2)[1:-1]:
+        level = float(measured[0] + part * (measured[1] - measured[0]))
+        more = MEASURES[other].better > 0
+        reached = Limit(other, level if more else None, None if more else level, "between the ends")
+        asked = DesignSearch(question.wants[:1], (*question.limits, reached), question.seed)
+        way = numbers + np.linspace(0, 1, ON_THE_WAY)[:, None] * (ends[1] - numbers)
+        begin = way[int(np.argmax(reached.excess(bench.measured(way).values[other]) <= 0))]
+        numbers = polished(bench, asked, begin, looks=BETWEEN_LOOKS)[0]
+        yield numbers
+
+
+def designed(
+    bench: Bench,
+    question: DesignSearch,
+    *,
+    after: tuple[int, Array] | None = None,
+    progress: Callable[[int, Front], None] | None = None,
+) -> Front:
+    """Return the front of a question, its best in the first want polished.
+
+    Parameters
+    ----------
+    after : a search to go on from; see `search`.
+    progress : called with the generations done, 0 while first bats are looked for, and the front so far.
+    """
+    starts = (
+        np.zeros((0, len(bench.space.variables)))
+        if after is not None
+        else starts_of(bench, question, progress=progress)
+    )
+    front = search(bench, question, starts=starts, after=after, progress=progress)
+    numbers, measured = polished(bench, question, front.numbers[0])
+    return front if np.array_equal(numbers, front.numbers[0]) else _with_first(front, numbers, measured)
+
+
+def best_of(fronts: Sequence[Front], want: str) -> int:
+    """Return which of several fronts has the best bat in a want."""
+    return int(np.argmax([best_value(front, want) * MEASURES[want].better for front in fronts]))
+
+
+def best_value(front: Front, want: str) -> float:
+    """Return the best value of a want on a front."""
+    better = MEASURES[want].better
+    return float(better * np.max(better * front.measured.values[want]))
+
+
+def _with_first(front: Front, numbers: Array, measured: MeasuredDesigns) -> Front:
+    """Return a front with another first bat; those that it beats in everything are left out by the caller's eye."""
+    kept: Sequence[int] = range(1, len(front))
+    values = {
+        name: np.concatenate([value, front.measured.values[name][list(kept)]])
+        for name, value in measured.values.items()
+    }
+    both = MeasuredDesigns(
+        values, np.concatenate([measured.curve, front.measured.curve[1:]]),
+        np.concatenate([measured.worth, front.measured.worth[1:]]),
+    )  # fmt: skip
+    return Front(np.concatenate([numbers[None], front.numbers[1:]]), both, front.generation, front.population)

@@ -1,13 +1,21 @@
-"""Rackets, clubs and cricket bats by the same machinery as bats: their own few numbers."""
+"""What a present bat can become: other outlines of wood, other walls of a hollow one, a few numbers of the others."""
 
 from __future__ import annotations
 
-from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, Variable
+from collections.abc import Mapping
+
+import numpy as np
+
+from sweetspot.design.outline_curve import REFERENCE_LENGTH
+from sweetspot.design.turned import turned_space
+from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, Space, Variable
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.material import Material
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.shell import Stations, between
 from sweetspot.errors import InputError
@@ -131,3 +139,98 @@ def club_space(club: GolfClub) -> ImplementSpace:
         return implement.replaced(head=head.replaced(mass=float(numbers[0]), moi=float(numbers[1])))
 
     return ImplementSpace(club, variables, change)
+
+
+WALLS = ("metal", "laminate")
+"""Families of materials that walls are built of."""
+
+
+def hollow_space(bat: Bat, *, material: Material | None = None) -> ImplementSpace:
+    """Return the space of hollow bats like one: four thicknesses of the wall along the barrel, and the end cap.
+
+    Parameters
+    ----------
+    material : of the wall; None: as it is. A laminate of plies keeps to its own.
+
+    Raises
+    ------
+    InputError
+        when the bat has no wall, or nobody makes one of that material.
+    """
+    shell, built = bat.shell, bat.material if material is None else material
+    if shell is None:
+        raise InputError(f"{bat.name} has no wall; give a hollow bat")
+    if material is not None and (material.family not in WALLS or shell.laminate is not None):
+        raise InputError(
+            f"the wall of {bat.name} is not built of {material.name}; give a metal or a laminate of the catalogue, and "
+            "a bat whose wall is not laid of single plies"
+        )
+    places = bat.length - np.array([11.0, 8.0, 5.0, 2.0]) / REFERENCE_LENGTH * bat.length
+    now = shell.wall_at(places)
+    variables = [
+        Variable(f"wall_{index + 1}", "wall", "compression", 0.8 * thick, 1.3 * thick, thick,
+                 from_tip=bat.length - place)
+        for index, (place, thick) in enumerate(zip(places.tolist(), now.tolist(), strict=True))
+    ]  # fmt: skip
+    cap = shell.end_cap_mass
+    variables.append(Variable("end_cap_mass", "mass of the end cap", "mass", 0.3 * cap, max(2 * cap, 0.03), cap))
+
+    def change(implement: Implement, numbers: Array) -> Implement:
+        assert isinstance(implement, Bat) and implement.shell is not None
+        own = {place: thick for place, thick in implement.shell.wall if place < places[0] - 1e-9}
+        wall = {
+            **own,
+            **dict(zip(places.tolist(), numbers[:4].tolist(), strict=True)),
+            implement.length: float(numbers[3]),
+        }
+        changed = implement.shell.replaced(wall=tuple(sorted(wall.items())), end_cap_mass=float(numbers[4]))
+        return implement.replaced(
+            shell=changed, drawn_shell=None, material=built, mass=None, balance_point=None, moi=None
+        )
+
+    return ImplementSpace(bat, tuple(variables), change)
+
+
+def space_of(
+    bat: Implement,
+    *,
+    deepest_cup: float,
+    material: Material | None = None,
+    ranges: Mapping[str, tuple[float, float]] | None = None,
+) -> Space:
+    """Return what a present bat can become: other outlines of wood, other walls of a hollow one, a few numbers else.
+
+    Parameters
+    ----------
+    deepest_cup : m, of a turned bat; 0: no cup.
+    material : of a bat's wood or wall; None: the present one's.
+    ranges : least and most of what else may change of a turned bat, m; see `turned_space`.
+
+    Raises
+    ------
+    InputError
+        for an implement of which nothing is known that a designer could change, or not what was asked.
+    """
+    if ranges and not (isinstance(bat, Bat) and bat.shell is None):
+        raise InputError(
+            f"{bat.name} is not turned from one piece of wood; its length, knob and cup stay: leave their ranges out"
+        )
+    if isinstance(bat, Bat):
+        if bat.shell is not None:
+            return hollow_space(bat, material=material)
+        return turned_space(bat, deepest_cup=deepest_cup, wood=material, ranges=ranges)
+    if material is not None:
+        raise InputError(
+            f"{bat.name} is no bat turned from one piece or with one wall, so that it cannot be of {material.name}; "
+            "leave its material out"
+        )
+    if isinstance(bat, CricketBat):
+        return cricket_space(bat)
+    if isinstance(bat, Racket):
+        return racket_space(bat)
+    if isinstance(bat, GolfClub):
+        return club_space(bat)
+    raise InputError(
+        f"{bat.name} has nothing here that could be changed; designed are bats, cricket bats, strung rackets and golf "
+        "clubs"
+    )

@@ -1,16 +1,25 @@
-"""What a bat must keep: bands of weight and balance, a league's rules, what a lathe can turn; limits that quarrel."""
+"""What a bat must keep: bands of weight and balance, a league's rules, what a lathe can turn; how bats get there."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
 
-from sweetspot.analysis.certification.rules import League, applies
-from sweetspot.design.measures import MEASURES, Bench, weights_of
+from sweetspot.analysis.certification.rules import Finding, League, applies, construction_findings
+from sweetspot.analysis.certification.simulated_test import Certification, certify
+from sweetspot.design.gain import present_measured
+from sweetspot.design.measures import MEASURES, Bench, MeasuredDesigns, weights_of
+from sweetspot.design.turned import TurnedSpace
+from sweetspot.design.variables import sizes_of
 from sweetspot.dynamics.batch.bending import mass_properties
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -24,6 +33,17 @@ ROUNDING = 1e-6
 INSIDE = 1.0
 """Grains by which the bat that a search begins with stays inside its limits."""
 STARTS = 3
+ROUNDS = 6
+STEP = 1e-4
+"""Part of a variable's range by which it is moved for a slope."""
+PULLED = 1e-3
+"""How readily the pulled number itself gives way, beside 1 for the others."""
+WITHIN = 0.01
+"""Part of a value by which what is kept may still differ."""
+GRIP_WITHIN = 0.002
+"""The same for the grip, which hands know better."""
+KEPT = ("mass", "moi", "balance_point", "handle", "density")
+"""What can be kept as it is, the last of wood alone; the length always is."""
 
 
 @dataclass(frozen=True)
@@ -195,3 +215,127 @@ def _number(value: float, measure: str) -> str:
     if scale == "moi":
         return f"{grouped(value / OUNCE_INCH_SQUARED)} oz in² ({value:.4f} kg m²)"
     return f"{value:.4g}"
+
+
+def kept_limits(
+    bench: Bench,
+    kept: Sequence[str],
+    *,
+    bands: Sequence[Limit] = (),
+    league: League | None,
+    handle: float | None = None,
+    now: MeasuredDesigns | None = None,
+) -> tuple[Limit, ...]:
+    """Return the limits of a question about the bats of a bench.
+
+    Parameters
+    ----------
+    kept : some of `KEPT`, which stay as the present bat has them.
+    bands : other limits that somebody gave.
+    league : whose rules are kept; None: nobody's.
+    handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
+    now : the present bat, measured on this bench; None: it is measured here.
+    """
+    present = bench.space.present
+    values = (now or present_measured(bench)).values
+    limits = [band(name, float(values[name][0]), part=WITHIN) for name in kept if name != "handle" and name in values]
+    limits += bands
+    if league is not None:
+        left_out = set() if bench.tested else {"bbcor", "bpf"}
+        if "cup_diameter" not in {one.name for one in bench.space.variables}:
+            left_out.add("cup_diameter")  # the cup keeps its width
+        limits += [one for one in league_limits(league, present) if one.measure not in left_out]
+    if isinstance(bench.space, TurnedSpace):
+        if "handle" in kept:
+            limits.append(band("handle", float(values["handle"][0]), part=GRIP_WITHIN))
+        else:
+            least = float(values["handle"][0]) if handle is None else handle
+            limits.append(Limit("handle", 0.999 * least, None, "breaking"))
+        limits += lathe_limits()
+    return tuple(limits)
+
+
+def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int | None = None) -> Array:
+    """Return numbers near those of a bat that keep some limits, as far as the ranges let them.
+
+    Every round goes to the nearest ends of the limits' bands by the smallest change, counted in parts of the ranges,
+    that the slopes ask for (Newton's method with the least norm); numbers that meet the end of their range stay there.
+
+    Parameters
+    ----------
+    numbers : of the bat as it was pulled, shape (variables,).
+    limits : that a drawing decides, such as bands of mass and moment of inertia.
+    pulled : which number a hand holds: it gives way last; None: none is held.
+
+    Returns
+    -------
+    Array
+        numbers, shape (variables,); whether every limit is kept is for `Limit.excess` to say.
+    """
+    low, high = (np.array([getattr(one, end) for one in bench.space.variables]) for end in ("low", "high"))
+    width = high - low
+    parts = np.clip((np.asarray(numbers, float) - low) / width, 0.0, 1.0)
+    ready = np.ones(len(parts))
+    if pulled is not None:
+        ready[pulled] = PULLED
+    for _ in range(ROUNDS):
+        every = np.concatenate([parts[None], parts + STEP * np.eye(len(parts)), parts - STEP * np.eye(len(parts))])
+        values = drawn_values(bench, low + every * width)
+        broken = [limit for limit in limits if float(limit.excess(values[limit.measure][:1])[0]) > 0]
+        if not broken:
+            break
+        miss = np.array([_distance_inside(limit, float(values[limit.measure][0])) for limit in broken])
+        count = len(parts)
+        slopes = np.array([
+            (values[limit.measure][1 : count + 1] - values[limit.measure][count + 1 :]) / (2 * STEP)
+            / MEASURES[limit.measure].grain for limit in broken
+        ])  # fmt: skip
+        parts = _least_step(parts, slopes, miss, ready)
+    return np.asarray(low + parts * width)
+
+
+def _distance_inside(limit: Limit, value: float) -> float:
+    """Return how far a value is to go to be just inside its limit, in grains."""
+    grain = MEASURES[limit.measure].grain
+    if limit.least is not None and value < limit.least:
+        return (limit.least - value) / grain + 0.01
+    assert limit.most is not None
+    return (limit.most - value) / grain - 0.01
+
+
+def _least_step(parts: Array, slopes: Array, miss: Array, ready: Array) -> Array:
+    """Return parts of the ranges after a step that makes up for what is missed; those at an end are left out of it."""
+    free = np.ones(len(parts), bool)
+    for _ in range(len(parts)):
+        weight = np.where(free, ready, 0.0)
+        some = slopes * weight
+        step = weight * np.linalg.lstsq(some, miss, rcond=1e-9)[0] if free.any() else np.zeros(len(parts))
+        beyond = free & ((parts + step < 0) | (parts + step > 1))
+        if not beyond.any():
+            return np.asarray(parts + step)
+        parts = np.where(beyond, np.clip(parts + step, 0.0, 1.0), parts)
+        miss = miss - slopes @ np.where(beyond, np.clip(step, -parts, 1 - parts), 0.0)
+        free &= ~beyond
+    return parts
+
+
+def findings_of(bat: Implement, measured: MeasuredDesigns, *, like: Implement, ball: Ball) -> dict[str, Finding]:
+    """Return what a rule can be held against: the drawing's own values, and BBCOR and BPF where it was fired at.
+
+    Parameters
+    ----------
+    measured : the bat, one row.
+    like : whose test says how much the ball's patch and the moment of inertia leave open of BBCOR and BPF: the bat
+        itself, or one like it where there is no time for three tests of each.
+    """
+    if not isinstance(bat, Bat):
+        return {name: Finding(size) for name, size in sizes_of(bat).items()}
+    known = construction_findings(bat, body=rigid_body(beam_model(bat)))
+    values = {name: float(measured.values[name][0]) for name in ("bbcor", "bpf") if name in measured.values}
+    left_open = _tested(like, ball).findings() if values and isinstance(like, Bat) else {}
+    return {**known, **{name: left_open[name].moved_to(value) for name, value in values.items()}}
+
+
+@lru_cache(maxsize=32)
+def _tested(bat: Bat, ball: Ball) -> Certification:
+    return certify(bat, ball=ball)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.design.limits import Limit, near_words
+from sweetspot.design.constraints import Limit, near_words
 from sweetspot.design.measures import MEASURES, Bench, MeasuredDesigns
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -21,7 +21,7 @@ NEAR_START = 0.25
 
 
 @dataclass(frozen=True)
-class Question:
+class DesignSearch:
     """What is looked for.
 
     Parameters
@@ -77,7 +77,7 @@ class Front:
 
 def search(
     bench: Bench,
-    question: Question,
+    question: DesignSearch,
     *,
     starts: Array,
     after: tuple[int, Array] | None = None,
@@ -117,12 +117,12 @@ def search(
     return front
 
 
-def front_of(bench: Bench, question: Question, numbers: Array) -> Front:
+def front_of(bench: Bench, question: DesignSearch, numbers: Array) -> Front:
     """Return the front of some bats before any generation, shape (bats, variables)."""
     return _front(question, numbers, bench.measured(numbers), 0)
 
 
-def _nearest_words(question: Question, measured: MeasuredDesigns, generation: int) -> str:
+def _nearest_words(question: DesignSearch, measured: MeasuredDesigns, generation: int) -> str:
     """Return that no bat keeps all limits, and which one the nearest misses most, by how much."""
     missed = np.maximum(excesses(question, measured), 0.0)
     nearest = int(np.argmin(missed.sum(axis=1)))
@@ -135,19 +135,19 @@ def _nearest_words(question: Question, measured: MeasuredDesigns, generation: in
     )
 
 
-def wanted(question: Question, measured: MeasuredDesigns) -> Array:
+def wanted(question: DesignSearch, measured: MeasuredDesigns) -> Array:
     """Return what is to be made small, shape (n, wants)."""
     return np.array([-MEASURES[want].better * measured.values[want] for want in question.wants]).T
 
 
-def excesses(question: Question, measured: MeasuredDesigns) -> Array:
+def excesses(question: DesignSearch, measured: MeasuredDesigns) -> Array:
     """Return by how many grains every bat misses every limit, shape (n, limits); 0 or less: kept."""
     if not question.limits:
         return np.full((len(measured), 1), -1.0)
     return np.array([limit.excess(measured.values[limit.measure]) for limit in question.limits]).T
 
 
-def saved(bench: Bench, question: Question, front: Front) -> str:
+def saved(bench: Bench, question: DesignSearch, front: Front) -> str:
     """Return a search as text, from which it can go on."""
     return json.dumps(
         {"question": fingerprint(bench, question), "generation": front.generation,
@@ -156,7 +156,7 @@ def saved(bench: Bench, question: Question, front: Front) -> str:
     )  # fmt: skip
 
 
-def resumed(bench: Bench, question: Question, text: str) -> tuple[int, Array]:
+def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array]:
     """Return generations done and the last one's numbers from a saved search.
 
     Raises
@@ -179,7 +179,7 @@ def resumed(bench: Bench, question: Question, text: str) -> tuple[int, Array]:
     return generation, numbers
 
 
-def fingerprint(bench: Bench, question: Question) -> str:
+def fingerprint(bench: Bench, question: DesignSearch) -> str:
     """Return a hash of everything that a search depends on, but for how long it lasts."""
     batter = bench.batter
     parts = [
@@ -190,7 +190,7 @@ def fingerprint(bench: Bench, question: Question) -> str:
     return hashlib.blake2b("\n".join(parts).encode(), digest_size=16).hexdigest()
 
 
-def _first(question: Question, starts: Array, low: Array, high: Array) -> Array:
+def _first(question: DesignSearch, starts: Array, low: Array, high: Array) -> Array:
     """Return the first generation: the bats given, bats between two of them, and bats around them."""
     generator = np.random.default_rng([question.seed, 0])
     count = question.population
@@ -206,7 +206,11 @@ def _first(question: Question, starts: Array, low: Array, high: Array) -> Array:
 
 
 def _next_generation(
-    bench: Bench, question: Question, ends: tuple[Array, Array], parents: tuple[Array, MeasuredDesigns], generation: int
+    bench: Bench,
+    question: DesignSearch,
+    ends: tuple[Array, Array],
+    parents: tuple[Array, MeasuredDesigns],
+    generation: int,
 ) -> tuple[Array, MeasuredDesigns]:
     """Return the survivors of a generation and its children, by pymoo's NSGA-II."""
     from pymoo.algorithms.moo.nsga2 import NSGA2
@@ -247,7 +251,7 @@ def _evaluated(population: Any) -> None:
         one.evaluated.update({"F", "G", "H"})
 
 
-def _front(question: Question, numbers: Array, measured: MeasuredDesigns, generation: int) -> Front:
+def _front(question: DesignSearch, numbers: Array, measured: MeasuredDesigns, generation: int) -> Front:
     """Return those that keep the limits and that no other beats in everything."""
     kept = np.flatnonzero((excesses(question, measured) <= 0.0).all(axis=1))
     want = wanted(question, measured)[kept]
