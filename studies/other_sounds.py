@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from sweetspot import catalog
 from sweetspot.calibration.recording import Band, Recording
 from sweetspot.calibration.synthetic import tap_sound
-from sweetspot.calibration.tap_modes import frame_modes, usual_band, usual_held
+from sweetspot.calibration.tap_analysis import frame_modes, usual_band, usual_held
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.dynamics.modes import Modes
 

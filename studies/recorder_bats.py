@@ -27,8 +27,7 @@ from studies.struck_beams import FREE, GRIPS, Beam, Grip, free_shapes, ring_freq
 from sweetspot import catalog
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.recording import read_recording
-from sweetspot.calibration.tap_analysis import TapTest, tap_test
-from sweetspot.calibration.tap_modes import modes_to_name, usual_band, usual_held
+from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test, usual_band, usual_held
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 

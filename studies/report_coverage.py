@@ -23,8 +23,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.analysis.position_scan import scan
 from sweetspot.answers.hit import HitAnswer, HitQuestion, hit_answer
-from sweetspot.calibration.implement_unknowns import as_described
-from sweetspot.calibration.unknowns import deviated
+from sweetspot.calibration.unknowns import as_described, deviated
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import rigid_body

@@ -11,14 +11,12 @@ import tomli_w
 from sweetspot import catalog
 from sweetspot.analysis.certification.rules import construction_findings
 from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
-from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations
-from sweetspot.calibration.calibrated_values import properties
-from sweetspot.calibration.implement_unknowns import as_described
+from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations, properties
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
-from sweetspot.calibration.unknowns import described, unknowns_of
+from sweetspot.calibration.unknowns import as_described, described, unknowns_of
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.files.write_implement import implement_toml

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.calibration.deviation_batch import deviated_bodies
-from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.calibration.unknowns import described, deviated, deviated_bodies, unknowns_of
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.units import INCH
 

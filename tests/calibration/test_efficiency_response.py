@@ -9,11 +9,11 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.speed_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.standard_hit import standard_conditions

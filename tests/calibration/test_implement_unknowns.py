@@ -12,12 +12,11 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import calibrated_table
-from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
-from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.calibration.unknowns import as_described, described, deviated, unknowns_of
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.dynamics.beam import BeamModel, beam_model

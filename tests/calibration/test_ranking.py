@@ -11,10 +11,9 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.answers.rank import RankAnswer, greatest_scatter, rank_bats
-from sweetspot.calibration.bat_table import read_bats
+from sweetspot.calibration.bat_table import STIFFER, at_usual_moisture, read_bats
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.moisture import STIFFER, at_usual_moisture
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of

@@ -10,18 +10,15 @@ import scipy.signal
 
 from studies.recorder_taps import beam_frequencies, plate_frequencies
 from sweetspot import all_modes, beam_model, catalog
-from sweetspot.calibration.bar import ROOTS, SHEAR_SHAPE, Bar, frequency_factor
-from sweetspot.calibration.bar_naming import named_bar
-from sweetspot.calibration.bar_stiffness import bar_modulus, moduli_along
-from sweetspot.calibration.echoes import stands_out
+from sweetspot.calibration.bar import ROOTS, SHEAR_SHAPE, Bar, bar_modulus, frequency_factor, moduli_along, named_bar
+from sweetspot.calibration.combined_tones import REPEATABILITY, Tone, tones_of
 from sweetspot.calibration.hum import hum_taken_out
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording
-from sweetspot.calibration.ring import REPEATABILITY, Tone, tones_of
-from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
+from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, stands_out
 from sweetspot.calibration.synthetic import synthesised, tap_sound
-from sweetspot.calibration.tap_analysis import TapTest, tap_test
+from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test
 from sweetspot.calibration.tap_faults import (
     LOUDER,
     MOST_CANCELLED,
@@ -35,7 +32,6 @@ from sweetspot.calibration.tap_faults import (
     pitch_of,
     step_of,
 )
-from sweetspot.calibration.tap_modes import modes_to_name
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.calibration.written import parse_measured
 from sweetspot.dynamics.bending import bending_modes

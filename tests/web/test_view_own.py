@@ -15,7 +15,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.calibration.recording import recording_bytes
 from sweetspot.calibration.synthetic import synthesised
-from sweetspot.calibration.tap_modes import modes_to_name
+from sweetspot.calibration.tap_analysis import modes_to_name
 
 WEIGHED: dict[str, Any] = {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5}
 

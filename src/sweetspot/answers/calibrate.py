@@ -9,8 +9,7 @@ from typing import Annotated
 from sweetspot.analysis.certification.shots import Shot
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL, OF_RECORD
-from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table
-from sweetspot.calibration.calibrated_values import material_values, properties
+from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table, material_values, properties
 from sweetspot.calibration.contradictions import Meant, meant, suspects
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted

@@ -16,11 +16,11 @@ import numpy as np
 
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL
-from sweetspot.calibration.calibrated_values import properties
-from sweetspot.calibration.likeness import check_likeness
+from sweetspot.calibration.calibrated_file import properties
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.same_model_check import check_same_model
 from sweetspot.calibration.speed_response import SpeedResponse, response_of_speed
 from sweetspot.calibration.unknowns import DIAMETER_SPREAD, described, unknowns_of
 from sweetspot.equipment.bat import Bat
@@ -168,7 +168,7 @@ def rank_answer(question: RankQuestion, *, step: Callable[[int, int], None] | No
         above the first of rackets, clubs and sticks.
     """
     model = question.model
-    check_likeness(question.bats, model, axis=model.swing_axis if question.axis is None else question.axis)
+    check_same_model(question.bats, model, axis=model.swing_axis if question.axis is None else question.axis)
     if not isinstance(model, Bat):
         _check_tones(question)
     beam, unknowns = described(model), unknowns_of(model, diameter_spread=question.diameter_error)

@@ -8,14 +8,12 @@ from typing import Annotated
 
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL
-from sweetspot.calibration.bar import Bar
-from sweetspot.calibration.bar_stiffness import BarModulus
+from sweetspot.calibration.bar import Bar, BarModulus
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.measurements import Measurement, of_tones
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.recording import Band, Recording
-from sweetspot.calibration.tap_analysis import TapTest, tap_test
-from sweetspot.calibration.tap_modes import modes_to_name, telling, usual_band, usual_held
+from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test, telling, usual_band, usual_held
 from sweetspot.calibration.taps import Tap
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import LEVEL

@@ -9,11 +9,19 @@ E = 0.9465 (m f^2 / b) (L / t)^3 (1 + 6.585 (t / L)^2) [astm_e1876].
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
+import numpy as np
+
+from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.naming import Expected, ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Band
 from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+from sweetspot.units.dimensions import DENSITY, MODULUS
 
 ROOTS = (4.730040745, 7.853204624, 10.995607838, 14.137165491, 17.278759657)
 """m_n, of cos m cosh m = 1."""
@@ -154,3 +162,127 @@ def frequency_factor(mode: int, *, slenderness: float, modulus_ratio: float) -> 
     theta = ROOTS[mode] * abs(math.tan(ROOTS[mode] / 2))
     bending, shear = theta**2 + 6 * theta, theta**2 - 2 * theta
     return 1 + slenderness**2 / 12 * (bending + SHEAR_SHAPE * modulus_ratio * shear)
+
+
+def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
+    """Return a bar's tones with their modes; of a plate without names.
+
+    Twists are named anew once E is known, for G is then known better.
+    """
+    if bar.is_plate:
+        return tuple(NamedTone(tone, None, None) for tone in tones)
+    slowest, fastest = SPEEDS[0], FASTEST_WOOD if bar.is_wood else SPEEDS[1]
+    families = uniform_bar(
+        bar.usual_tones, sideways=bar.sideways_tones, twist=bar.twist_tones,
+        farthest=(math.log(slowest / SPEED), math.log(fastest / SPEED)),
+    )  # fmt: skip
+    first = named(tones, families, doubt=0.0)  # what is told is E, which another name of a twist does not change
+    usual = dict(zip(families[0].names, families[0].frequency, strict=True))
+    scales = [math.log(one.tone.frequency.value / usual[one.name]) for one in first if one.name in usual]
+    if not scales:
+        return first
+    scale = math.exp(sum(scales) / len(scales))
+    tied = replace(families[1], frequency=scale * families[1].frequency, spread=bar.usual_ratio.error / 2)
+    again = iter(named([one.tone for one in first if one.name not in usual], [tied], doubt=0.0))
+    return tuple(one if one.name in usual else replace(next(again), expected=None) for one in first)
+
+
+FORMULA_ERROR = 0.005
+"""One sigma of ln E that a higher tone deserves beside its frequency's error: Goens' formula and an even section."""
+STEP = 0.1
+"""Of a standard error, in the derivatives."""
+
+
+@dataclass(frozen=True)
+class BarModulus:
+    """Elastic constants of a bar.
+
+    Parameters
+    ----------
+    modulus : Young's modulus E along the bar.
+    modulus_ratio : E / G; hardly known from the first tone of a thin bar.
+    budget : part of the variance of E that each source causes, adding up to 1.
+    """
+
+    density: Annotated[Measured, DENSITY]
+    modulus: Annotated[Measured, MODULUS]
+    modulus_ratio: Measured
+    budget: Mapping[str, float]
+
+
+def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
+    """Return E of a bar from its bending tones, with the error that sizes, weight and tones leave.
+
+    Raises
+    ------
+    InputError
+        when no tone is a bending mode.
+    """
+    heard = [(one.name.harmonic - 1, one.tone.frequency) for one in tones if one.name and one.name.family == "bending"]
+    if not heard:
+        raise InputError("none of the tones is a bending mode of a bar; tap it in the middle, held at its nodes")
+    sizes = {"length": bar.length, "width": bar.width, "thickness": bar.thickness, "mass": bar.mass}
+    sources = {**sizes, **{f"bending {mode + 1}": tone for mode, tone in heard}, "E/G": bar.usual_ratio}
+    given = np.array([one.value for one in sources.values()])
+    ratio_error = bar.usual_ratio.error
+    centre = _log_moduli(given, heard, ratio_error)
+    errors = np.array([one.error for one in sources.values()])
+    steps = STEP * errors
+    moved = [(_log_moduli(given + step, heard, ratio_error) - centre) / STEP for step in np.diag(steps)]
+    effects = np.array(moved)  # of one sigma of every source on ln E and ln E/G
+    shares = effects[:, 0] ** 2
+    modulus, ratio = np.exp(centre)
+    deviations = np.sqrt(np.sum(effects**2, axis=0))
+    return BarModulus(
+        Measured(bar.density, bar.density * math.sqrt(sum(one.relative**2 for one in sizes.values()))),
+        Measured(float(modulus), float(modulus * deviations[0])),
+        Measured(float(ratio), float(ratio * deviations[1])),
+        {name: float(share / shares.sum()) for name, share in zip(sources, shares, strict=True)},
+    )
+
+
+def modelled_tones(bar: Bar, fit: BarModulus) -> Expected:
+    """Return the bending modes of a bar as its tones made it."""
+    tones = bar.tones_at(math.sqrt(fit.modulus.value / bar.density), fit.modulus_ratio.value)
+    names = tuple(ModeName("bending", number + 1) for number in range(len(tones)))
+    return Expected(names, np.array(tones), np.ones(len(tones)), fit.modulus.relative / 2)
+
+
+def moduli_along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Measured], ...]:
+    """Return E in Pa for each tone that a plate surely has, were it the first that bends the plate along.
+
+    Tones that would make sound run faster or slower than in solids are left out.
+    """
+    first = ModeName("bending", 1)
+    moduli = [(one.tone, bar_modulus(bar, [NamedTone(one.tone, first, None)]).modulus) for one in tones if one.tone.own]
+    slowest, fastest = SPEEDS
+    return tuple(
+        (tone, modulus) for tone, modulus in moduli
+        if slowest < math.sqrt(modulus.value / bar.density) < fastest
+    )  # fmt: skip
+
+
+def _log_moduli(given: Array, heard: Sequence[tuple[int, Measured]], ratio_error: float) -> Array:
+    """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order.
+
+    Parameters
+    ----------
+    ratio_error : one sigma of the expected ln E/G.
+    """
+    from scipy.optimize import least_squares
+
+    length, width, thickness, mass = given[:4]
+    tones, expected = given[4:-1], given[-1]
+    density = mass / (length * width * thickness)
+
+    def misses(unknowns: Array) -> Array:
+        misfits = []
+        for (mode, measured), tone in zip(heard, tones, strict=True):
+            factor = frequency_factor(mode, slenderness=thickness / length, modulus_ratio=math.exp(unknowns[1]))
+            modulus = 48 * math.pi**2 * density * length**4 * tone**2 / thickness**2 / ROOTS[mode] ** 4 * factor
+            misfits.append(
+                (math.log(modulus) - unknowns[0]) / math.hypot(2 * measured.relative, FORMULA_ERROR * (mode > 0))
+            )
+        return np.array([*misfits, (unknowns[1] - expected) / ratio_error])
+
+    return np.asarray(least_squares(misses, [math.log(1e10), expected], method="lm").x)

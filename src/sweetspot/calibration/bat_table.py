@@ -1,11 +1,11 @@
-"""A table of bats of one model: one row a bat, with what scale, string, tap and moisture meter say of it.
+"""Tables and folders of bats of one model: a row or file a bat, with what scale, string, tap and moisture meter say.
 
 ``name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, bending_2_hz, moisture_percent``: every column but the name
 may be missing, every cell may be blank, and may have its own error: ``31.20±0.05``; without it the last digit counts.
 Headings may be written as people do, ``Weight (oz)``.
 
-Where the moisture is given, what was measured is brought to 12 %; see `moisture`. A bat without one, among others that
-have it, is taken to be as wet as these on average, less surely.
+Where the moisture is given, what was measured is brought to 12 %; see `at_usual_moisture`. A bat without one, among
+others that have it, is taken to be as wet as these on average, less surely.
 """
 
 from __future__ import annotations
@@ -21,12 +21,14 @@ from typing import cast
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.moisture import MOISTURES, at_usual_moisture
+from sweetspot.calibration.measurements import MeasuredKind, Measurement
 from sweetspot.calibration.naming import ModeName
-from sweetspot.calibration.swing_weighed import of_swing_weight
-from sweetspot.calibration.written import parse_measured
+from sweetspot.calibration.written import of_swing_weight, parse_measured
+from sweetspot.catalog.files.bat import read_toml
+from sweetspot.catalog.files.calibration import CalibrationTable
+from sweetspot.catalog.implements import load_implement
 from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -45,6 +47,37 @@ from sweetspot.tables.headings import (
 from sweetspot.tables.text_encoding import table_rows
 from sweetspot.tables.vocabulary import quantities_of, simplified
 from sweetspot.units import CLAMPED, Kind
+
+USUAL_MOISTURE = 0.12
+"""At which tables give wood's properties [usda_wood_handbook]."""
+MOISTURES = (0.02, 0.3)
+"""Allowed: from wood just out of a kiln to the saturation of its fibres (both recalled); bats lie well within."""
+STIFFER = 1.5
+"""Logarithm of E lost per unit of moisture (assumed)."""
+POWERS: Mapping[MeasuredKind, tuple[float, float]] = {"mass": (1.0, 0.0), "moi": (1.0, 0.0), "frequency": (-0.5, 0.5)}
+"""p and r by kind of measurement."""
+
+
+def at_usual_moisture(measurement: Measurement, moisture: Measured) -> Measurement:
+    """Return a measurement as it would be at 12 % of moisture, with what the moisture's own error adds.
+
+    Wood that dries gets lighter and stiffer: m ~ 1 + u, and E falls by about 1.5 % for each per cent of moisture
+    (assumed, between those of ash and maple in [usda_wood_handbook]). What goes as m^p E^r is moved by
+    p d ln m + r d ln E: weight and moment of inertia with p = 1, frequencies with f ~ sqrt(E / m). A balance point and
+    a period hardly change.
+
+    Parameters
+    ----------
+    moisture : mass of water over that of the dry wood.
+    """
+    of_mass, of_modulus = POWERS.get(measurement.kind, (0.0, 0.0))
+    heavier = math.log((1 + moisture.value) / (1 + USUAL_MOISTURE))
+    limper = STIFFER * (moisture.value - USUAL_MOISTURE)
+    factor = math.exp(of_modulus * limper - of_mass * heavier)
+    value, slope = measurement.value, abs(of_mass - of_modulus * STIFFER)  # d ln m / du = 1 / (1 + u), nearly 1
+    moved = Measured(value.value * factor, value.error * factor).widened(slope * moisture.error * value.value)
+    return replace(measurement, value=moved)
+
 
 BATS = quantities_of("bats")
 """Columns that are understood."""
@@ -205,3 +238,80 @@ def _with_unit(cell: str, unit: str) -> str:
     if unit == "%":  # an error of a ratio has its own sign
         return f"{value.strip()}%" + (f"{sign}{error.strip()}%" if sign else "")
     return f"{value.strip()} {unit}{sign}{error.strip()}"
+
+
+TABLES, BAT_FILE = (".csv", ".tsv", ".txt"), ".toml"
+SAME_LENGTH = 0.005
+"""Part by which bats of one model may differ in length (our choice): a sixth of an inch."""
+
+
+def read_folder(
+    folder: Path, model: Implement, *, axis: float, given: GivenColumns = NOTHING_GIVEN
+) -> dict[str, list[Measurement]]:
+    """Return what was measured on each bat of a folder, by name; a bat file's bat is called like the file.
+
+    Parameters
+    ----------
+    model : that all are like.
+    axis : m from the knob end, of the tables' moments of inertia and pendulums.
+    given : what a person says of the tables' columns.
+
+    Raises
+    ------
+    InputError
+        when there is none, two have one name, or files cannot be read: each is named.
+    """
+    files = sorted(path for path in folder.iterdir() if path.suffix.lower() in (*TABLES, BAT_FILE))
+    if not files:
+        raise InputError(
+            f"{folder} holds no CSV file and no bat file; put one with the bats' measurements there, or the files that "
+            "`sweetspot calibrate --out` wrote"
+        )
+    bats: dict[str, list[Measurement]] = {}
+    faults = []
+    for path in files:
+        try:
+            if path.suffix.lower() == BAT_FILE:
+                found = {path.stem: measured_of(path, model)}
+            else:
+                found = read_bats(path, axis=axis, sport=model.sport, given=given)
+        except InputError as error:
+            faults.append(str(error))
+            continue
+        if twice := bats.keys() & found.keys():
+            raise InputError(f"{path}: there are two bats of the name {min(twice)!r}; give each its own")
+        bats |= found
+    if faults:
+        raise InputError("; ".join(faults))
+    return bats
+
+
+def measured_of(path: Path, model: Implement) -> list[Measurement]:
+    """Return what was measured on the bat of a file that `sweetspot calibrate` wrote; shots are not among it.
+
+    Parameters
+    ----------
+    model : that it must be as long as.
+
+    Raises
+    ------
+    InputError
+        where it wrote none, or not what was measured, or the bat is another one.
+    """
+    own = load_implement(str(path))
+    if own.sport != model.sport or abs(own.length / model.length - 1) > SAME_LENGTH:
+        raise InputError(
+            f"{path} is of {own.sport}, {own.length:.3f} m long, and {model.name} of {model.sport}, {model.length:.3f} "
+            "m; a ranking is of bats of one model"
+        )
+    table = read_toml(path).get("calibration")
+    values = () if table is None else CalibrationTable.model_validate(table).value
+    if not values:
+        raise InputError(f"{path} does not hold what was measured; write it by `sweetspot calibrate --out`")
+    return [
+        Measurement(
+            one.quantity, Measured(one.measured, one.error), axis=one.axis,
+            mode=None if one.family is None else ModeName(one.family, one.harmonic),
+        )
+        for one in values
+    ]  # fmt: skip

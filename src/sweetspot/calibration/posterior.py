@@ -14,10 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.calibration.deviation_batch import deviated_bodies
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import OF_BODY, Measurement, predicted, said_of_body
-from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
+from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, deviated_bodies
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array

@@ -11,8 +11,7 @@ import math
 
 import numpy as np
 
-from sweetspot.calibration.echoes import AUDIBLE, NEAR, WEIGHTY, stands_out
-from sweetspot.calibration.sinusoids import LOUD_PART, Fit
+from sweetspot.calibration.sinusoids import AUDIBLE, LOUD_PART, NEAR, WEIGHTY, Fit, stands_out
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import ROBUST_SCALE
 

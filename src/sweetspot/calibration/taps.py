@@ -10,10 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from sweetspot.calibration.echoes import in_their_room
 from sweetspot.calibration.hum import hum_taken_out, risen, without_hum
 from sweetspot.calibration.recording import Band, Recording, in_band
-from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
+from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, in_their_room
 from sweetspot.calibration.tap_faults import APART, CROWDED, HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
 from sweetspot.numerics.arrays import Array
 

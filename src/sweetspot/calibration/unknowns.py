@@ -4,27 +4,98 @@ Each unknown is the deviation of a logarithm (moduli, density, wall, diameters, 
 description, or of the density's gradient itself. Before any measurement it is normal with mean 0 and the spread that
 the catalogue gives for the material, or that is assumed here. The catalogue's spread is that of a mean; one billet
 scatters more, so it counts as one sigma. A solid bat carries a few grams of tape and paint at its knob.
+
+A racket, cricket bat, club or stick is known by what is measured on it: weight, balance point, radius of gyration about
+that point (from a swing weight or a pendulum) and the frequency of its first bending mode, to which its stiffness is
+scaled. A golf club is weighed by its parts: head and grip take the place of the first three.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
-from sweetspot.calibration.implement_unknowns import as_described, implement_deviated, implement_spreads
 from sweetspot.catalog.materials import material_spreads
-from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.beam import BeamModel, beam_model, density_scale
+from sweetspot.dynamics.bending import bending_frequencies
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat, PointMass
+from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.gauss_legendre import quadrature
+
+SPREADS = {"mass": 0.06, "balance_point": 0.04, "gyration": 0.06, "first_frequency": 0.2}
+"""One sigma of the logarithms before anything is measured: implements of one kind differ so (assumed)."""
+OF_CLUB = {"end_mass": 0.06, "knob_mass": 0.3, "first_frequency": 0.2}
+"""The same of a golf club's head, grip and frequency (assumed)."""
+
+
+def implement_spreads(implement: Implement) -> dict[str, float]:
+    """Return what is not known about an implement that is no bat, and one sigma of the logarithm of each.
+
+    Raises
+    ------
+    InputError
+        for a kind that is known by its plies.
+    """
+    if not isinstance(implement, (Racket, CricketBat, HockeyStick, GolfClub)):
+        raise InputError(
+            f"{implement.name} is known by its plies and rubbers; calibrate knows bats, rackets, cricket bats, hockey "
+            "sticks and golf clubs"
+        )
+    return dict(OF_CLUB if isinstance(implement, GolfClub) else SPREADS)
+
+
+def as_described(implement: Implement) -> BeamModel:
+    """Return an implement's beam with all that is measured on it written down, as far as the description says it."""
+    beam = beam_model(implement.replaced(added=()))
+    body = rigid_body(beam)
+    known: dict[str, float] = {}
+    if not isinstance(implement, Racket):
+        known["first_frequency"] = float(bending_frequencies(beam, count=1)[0])
+    if not isinstance(implement, (Racket, GolfClub)):
+        known |= {
+            "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(implement.moi_axis),
+        }  # fmt: skip
+    return beam_model(implement.replaced(calibrated=True, original=None, **known))
+
+
+def implement_deviated(beam: BeamModel, deviations: Mapping[str, float]) -> BeamModel:
+    """Return an implement's beam with these deviations of logarithms from what `as_described` returned."""
+    factor = {name: math.exp(off) for name, off in deviations.items()}
+    implement = beam.bat
+    changes: dict[str, object] = {}
+    frequency = implement.frequency
+    assert frequency is not None  # written by as_described
+    changes["first_frequency"] = frequency * factor.get("first_frequency", 1.0)
+    if isinstance(implement, GolfClub):
+        head = implement.head
+        changes["head"] = head.replaced(mass=head.mass * factor.get("end_mass", 1.0))
+        changes["grip_mass"] = implement.grip_mass * factor.get("knob_mass", 1.0)
+        return beam_model(implement.replaced(**changes))
+    mass, balance, moi, axis = implement.mass, implement.balance_point, implement.moi, implement.moi_axis
+    assert mass is not None
+    assert balance is not None
+    assert moi is not None
+    gyration = moi / mass - (balance - axis) ** 2
+    new_mass, new_balance = mass * factor.get("mass", 1.0), balance * factor.get("balance_point", 1.0)
+    new_gyration = gyration * factor.get("gyration", 1.0) ** 2
+    changes |= {
+        "mass": new_mass, "balance_point": new_balance, "moi": new_mass * (new_gyration + (new_balance - axis) ** 2),
+    }  # fmt: skip
+    return beam_model(implement.replaced(**changes))
+
 
 UnknownName = Literal[
     "modulus",
@@ -73,7 +144,7 @@ class Unknown:
 def described(bat: Implement) -> BeamModel:
     """Return a bat's beam as described, without what was measured, with tape and paint at a solid bat's knob.
 
-    A racket, club or stick is described by what was measured; see `implement_unknowns`.
+    A racket, club or stick is described by what was measured; see `as_described`.
     """
     if not isinstance(bat, Bat):
         return as_described(bat)
@@ -197,3 +268,44 @@ def barrel_parts(profile: Stations, length: float) -> Array:
     thin, thick = np.min(there), np.max(there)
     part = np.clip((diameters - thin) / (thick - thin), 0, 1) if thick > thin else np.zeros(len(places))
     return np.asarray(np.where(places < beyond_knob[0], 0.0, part))
+
+
+def deviated_bodies(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> list[RigidBody] | None:
+    """Return the rigid bodies of bats with these deviations from a bat's beam, shape (bats, n).
+
+    They are those of `deviated`, to rounding. None: the bat is hollow, or no bat with an outline of stations.
+    """
+    bat = beam.bat
+    if not isinstance(bat, Bat) or bat.shell is not None or bat.profile is None:
+        return None
+    by = {one.name: deviations[:, index] for index, one in enumerate(unknowns)}
+    nothing = np.zeros(len(deviations))
+    edges = bat.breakpoints()
+    places, weights = quadrature(edges)
+    widths = np.array([diameter for _, diameter in bat.profile])
+    if "handle" in by:
+        part = barrel_parts(bat.profile, bat.length)
+        widths = widths * np.exp(np.outer(by["handle"], 1 - part) + np.outer(by["barrel"], part))
+    outer = np.atleast_2d(widths) @ _between(tuple(place for place, _ in bat.profile), edges) / 2
+    drawn = density_scale(beam, places) / beam.density_factor
+    more = by.get("density_gradient", nothing)[:, None] * (2 * places / bat.length - 1)
+    scale = beam.density_factor * np.exp(by.get("density", nothing))[:, None] * (drawn + more)
+    at = bat.section_within(places, outer, scale)
+    first, second = at.mass * places, at.mass * places**2 + at.rotary_inertia
+    parts = at.mass, first, second, at.roll_inertia
+    mass, balance, turning, roll = (np.sum(weights * values, axis=1) for values in parts)
+    balance, turning = balance + beam.unplaced[0], turning + beam.unplaced[1]
+    own, knob = len(bat.lumps()), np.exp(by.get("knob_mass", nothing))
+    for index, lump in enumerate(beam.point_masses):
+        heavy = lump.mass * knob if index < own and lump.position == 0 else lump.mass + nothing
+        mass, balance, turning = mass + heavy, balance + heavy * lump.position, turning + heavy * lump.position**2
+        turning, roll = turning + lump.moi, roll + lump.roll_moi
+    rows = zip(mass.tolist(), balance.tolist(), turning.tolist(), roll.tolist(), strict=True)
+    return [RigidBody(one, first / one, second - first**2 / one, axial) for one, first, second, axial in rows]
+
+
+@lru_cache(maxsize=16)
+def _between(stations: tuple[float, ...], edges: tuple[float, ...]) -> Array:
+    """Return how much of every station's value each place of the integration has, shape (stations, places)."""
+    places, _ = quadrature(edges)
+    return np.array([np.interp(places, stations, unit) for unit in np.eye(len(stations))])

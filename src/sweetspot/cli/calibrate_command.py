@@ -132,8 +132,7 @@ def calibrate(
 def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
     """Return what scale, balance and pendulum say."""
     from sweetspot.calibration.measurements import Measurement
-    from sweetspot.calibration.swing_weighed import of_swing_weight
-    from sweetspot.calibration.written import parse_measured
+    from sweetspot.calibration.written import of_swing_weight, parse_measured
     from sweetspot.plausibility import parse_position
 
     pivot = weighed.pivot
@@ -206,7 +205,7 @@ def _tone(text: str, own: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.naming import MOST_BENDING, ModeName
-    from sweetspot.calibration.tap_modes import telling
+    from sweetspot.calibration.tap_analysis import telling
     from sweetspot.calibration.written import parse_measured
 
     names = {f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)}

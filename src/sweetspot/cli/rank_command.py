@@ -66,8 +66,7 @@ def rank(
 
 def _measured(table: Path, axis: float, model: Implement, given: GivenColumns) -> dict[str, list[Measurement]]:
     """Return what was measured on each bat: of a table, or of all that a folder holds."""
-    from sweetspot.calibration.bat_folder import read_folder
-    from sweetspot.calibration.bat_table import read_bats
+    from sweetspot.calibration.bat_table import read_bats, read_folder
 
     if table.is_dir():
         return read_folder(table, model, axis=axis, given=given)

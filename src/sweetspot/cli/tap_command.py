@@ -173,7 +173,7 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     from sweetspot import catalog
     from sweetspot.calibration.recording import recording_bytes
     from sweetspot.calibration.synthetic import synthesised
-    from sweetspot.calibration.tap_modes import frame_modes
+    from sweetspot.calibration.tap_analysis import frame_modes
     from sweetspot.plausibility import parse
     from sweetspot.report.file_set import write_all
 

@@ -14,8 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
-from sweetspot.calibration.implement_unknowns import as_described
-from sweetspot.calibration.unknowns import Unknown, deviated
+from sweetspot.calibration.unknowns import Unknown, as_described, deviated
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, joined_batches
 from sweetspot.dynamics.beam import BeamModel

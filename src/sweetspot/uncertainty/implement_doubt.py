@@ -14,12 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
+from sweetspot.calibration.unknowns import Unknown, as_described, described, deviated, unknowns_of
 from sweetspot.catalog.bats import other_files
 from sweetspot.catalog.implements import implement
 from sweetspot.dynamics.beam import beam_model

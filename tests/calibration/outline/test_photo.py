@@ -12,9 +12,9 @@ from scipy.ndimage import gaussian_filter
 
 from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.calibration.outline.photo.edges import Edges, smooth
+from sweetspot.calibration.outline.photo.ground import shadow_at_a_flank
 from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline, read_photo
 from sweetspot.calibration.outline.photo.picture import read_picture
-from sweetspot.calibration.outline.photo.shadow import shadow_at_a_flank
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from tests.photographs import ASH, BAT, BLACK, BLUE, GREEN, GREY, WALNUT, WHITE, rendered, saved

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import Expected, ModeName, NamedTone
 from sweetspot.calibration.recording import Recording
-from sweetspot.calibration.ring import Tone
 from sweetspot.calibration.sinusoids import Fit, Sinusoid
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap

@@ -6,11 +6,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from sweetspot.calibration.outline.curves import outline_of_curves
-from sweetspot.calibration.outline.dxf_file import dxf_curves
+from sweetspot.calibration.outline.drawing_file import dxf_curves, svg_curves
 from sweetspot.calibration.outline.measured_outline import Outline, unlike_bats
 from sweetspot.calibration.outline.photo.photo_outline import read_photo
 from sweetspot.calibration.outline.station_table import read_stations
-from sweetspot.calibration.outline.svg_file import svg_curves
 from sweetspot.errors import InputError
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 

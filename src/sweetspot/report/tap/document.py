@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from sweetspot.answers.tap import TapAnswer
-from sweetspot.calibration.bar_stiffness import BarModulus
+from sweetspot.calibration.bar import BarModulus
+from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import NamedTone
-from sweetspot.calibration.ring import Tone
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap
 from sweetspot.report.calibration.intervals import measured_words

@@ -10,8 +10,7 @@ from matplotlib.transforms import Bbox
 
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.sinusoids import Fit
-from sweetspot.calibration.tap_analysis import TapTest
-from sweetspot.calibration.tap_curves import spectrum, waveform
+from sweetspot.calibration.tap_analysis import TapTest, spectrum, waveform
 from sweetspot.report.pictures.style import HUGE, INK, MUTED, PAPER, SMALL, axes_in_inches, heading, light_grid, styled
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED
 from sweetspot.units import grouped

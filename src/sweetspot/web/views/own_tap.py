@@ -11,9 +11,15 @@ import numpy as np
 from sweetspot.answers.tap import TapQuestion, tap_answer
 from sweetspot.calibration.naming import expected_of
 from sweetspot.calibration.recording import Band, Recording, read_recording
-from sweetspot.calibration.tap_analysis import FAMILIES, TapTest
-from sweetspot.calibration.tap_curves import spectrum, waveform
-from sweetspot.calibration.tap_modes import modes_to_name, usual_band, usual_held
+from sweetspot.calibration.tap_analysis import (
+    FAMILIES,
+    TapTest,
+    modes_to_name,
+    spectrum,
+    usual_band,
+    usual_held,
+    waveform,
+)
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement

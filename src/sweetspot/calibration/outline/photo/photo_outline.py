@@ -10,9 +10,8 @@ import numpy as np
 
 from sweetspot.calibration.outline.measured_outline import Outline, knob_first, simplified
 from sweetspot.calibration.outline.photo.edges import Edges, find_edges, sharp_ends
-from sweetspot.calibration.outline.photo.ground import differences, tint_and_shade
+from sweetspot.calibration.outline.photo.ground import differences, shadow_at_a_flank, tint_and_shade
 from sweetspot.calibration.outline.photo.picture import Picture, read_picture
-from sweetspot.calibration.outline.photo.shadow import shadow_at_a_flank
 from sweetspot.calibration.outline.photo.silhouette import Shape, cut_off, find_bat, find_ruler, find_shapes
 from sweetspot.equipment.bat import DIAMETER_RANGE, LENGTH_RANGE
 from sweetspot.errors import InputError

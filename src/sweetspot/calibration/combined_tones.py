@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from sweetspot.calibration.echoes import stands_out
 from sweetspot.calibration.measured import Measured, pooled
-from sweetspot.calibration.sinusoids import Sinusoid
+from sweetspot.calibration.sinusoids import Sinusoid, stands_out
 from sweetspot.calibration.taps import WINDOW, Tap
 from sweetspot.errors import InputError
 
@@ -33,7 +32,7 @@ class Tone:
     damping_ratio : fraction of critical; the errors of both hold the repeatability.
     level : loudness over the loudest tone's, 0 to 1.
     taps : number of taps in which it was heard.
-    own : whether it stands out of what a room may add, in at least half of them; see `echoes.stands_out`.
+    own : whether it stands out of what a room may add, in at least half of them; see `stands_out`.
     """
 
     frequency: Measured

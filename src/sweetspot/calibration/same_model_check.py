@@ -15,7 +15,9 @@ from sweetspot.plausibility import insisted
 from sweetspot.plausibility.implements import SAME_MODEL
 
 
-def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Implement, *, axis: float = STANDARD_AXIS) -> None:
+def check_same_model(
+    bats: Mapping[str, Sequence[Measurement]], model: Implement, *, axis: float = STANDARD_AXIS
+) -> None:
     """Refuse measurements that no bat of a model comes near: in another unit, or in another column.
 
     Parameters
