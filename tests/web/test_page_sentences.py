@@ -80,39 +80,40 @@ def test_explorer_and_hit_say_what_they_show(name: str) -> None:
         ({"bat": "slow-pitch", "ball": "softball-12in", "sidespin_rpm": -400}, "", ""),
     ],
 )
-def test_flight_says_directions_as_signs_have_them(asked: dict[str, Any], begins: str, holds: str, said: Said) -> None:
+def test_flight_says_directions_as_signs_have_them(asked: dict[str, Any], begins: str, holds: str) -> None:
     found = flight.answer(FlightState(**asked))
-    words, clearance = said("flight", "headline", found), found["end"]["clearance_m"]
+    assert isinstance(found, flight.FlownBall)
+    words, chance, over = " ".join(found.headline["us"]), float(found.chance), found.end.outcome == "home run"
     assert words.startswith(begins) and holds in words
-    assert ("above its top" in words) == (found["end"]["outcome"] == "home run")
-    if "its top" in words:
-        assert shown(abs(clearance), "distance") in words and ("above" in words) == (clearance > 0)
-    unsure = 0.05 < found["chance"] < 0.95
+    assert ("above its top" in words) == over
+    clearance = float(found.end.clearance or 0.0)
+    assert shown(abs(clearance), "distance") in words or "its top" not in words
+    unsure = 0.05 < chance < 0.95
     assert unsure == words.startswith(("Probably ", "Perhaps "))
-    expected = (found["end"]["outcome"] == "home run") == (found["chance"] > 0.5)
-    assert not unsure or words.startswith("Probably ") == expected
-    assert (f"Of a hundred like it {100 * found['chance']:.0f} are home runs." in words) == unsure
-    assert f"Out in {found['out_in']} of {found['of']} park" in words
-    launch, words = found["launch"], said("flight", "start", found)
-    for value, scale, positive, negative in (
-        (launch["launch_angle_rad"], "angle", "up", "down"),
-        (launch["spray_rad"], "angle", "to right field", "to left field"),
-        (launch["backspin_rad_s"], "spin", "of backspin", "of topspin"),
-        (launch["sidespin_rad_s"], "spin", "that bend it left", "that bend it right"),
+    assert not unsure or words.startswith("Probably ") == (over == (chance > 0.5))
+    assert (f"Of a hundred like it {100 * chance:.0f} are home runs." in words) == unsure
+    assert f"Out in {found.out_in} of {found.of} park" in words
+    launch, [leaves] = found.launch, found.leaves["us"]
+    for side, scale, positive, negative in (
+        (launch.launch_angle, "angle", "up", "down"),
+        (launch.spray, "angle", "to right field", "to left field"),
+        (launch.backspin, "spin", "of backspin", "of topspin"),
+        (launch.sidespin, "spin", "that bend it left", "that bend it right"),
     ):
+        value = float(side)
         word, other = (positive, negative) if value > 0 else (negative, positive)
-        assert other not in words
-        assert (f"{shown(abs(value), scale)} {word}" in words) == (abs(value) > 0)
-    assert ("to centre field" in words) == (abs(launch["spray_rad"]) < DEGREE / 100)
+        assert other not in leaves
+        assert (f"{shown(abs(value), scale)} {word}" in leaves) == (abs(value) > 0)
+    assert ("to centre field" in leaves) == (abs(float(launch.spray)) < DEGREE / 100)
 
 
-def test_best_swing_and_other_sports_say_what_they_show(said: Said) -> None:
+def test_the_best_launch_is_said() -> None:
     found = optimum.answer(optimum.OptimumState())
-    launch, words = found["launch"], said("optimum", "update", found)
-    assert words == (
-        f"A ball at {shown(launch['exit_speed_m_s'], 'speed')} carries farthest at "
-        f"{shown(launch['launch_angle_rad'], 'angle')}: {shown(launch['carry_m'], 'distance')}."
-    )
+    launch = found.launch
+    assert found.words["us"] == [
+        f"A ball at {shown(float(launch.exit_speed), 'speed')} carries farthest at "
+        f"{shown(float(launch.launch_angle), 'angle')}: {shown(float(launch.carry), 'distance')}."
+    ]
 
 
 @pytest.mark.parametrize("name", catalog.implement_names())

@@ -8,8 +8,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
+from sweetspot.web.views.flight import FlownBall, fences
 from sweetspot.web.views.flight import answer as flight
-from sweetspot.web.views.flight import fences
 from sweetspot.web.views.flight_state import FlightState
 from sweetspot.web.views.optimum import OptimumState, recipe
 
@@ -21,12 +21,12 @@ def test_balls_fly_over_the_fields_of_the_bats_sport(bat: str, fields: int) -> N
     own = catalog.sport(catalog.bat(bat).sport).fields
     state = FlightState(bat=bat)
     found = flight(state)
-    assert found["of"] == len(found["parks"]) == len(fences(state)["parks"]) == fields
-    assert found["park"]["name"] == catalog.park(own[0] if own else "fenway-park").name
+    assert isinstance(found, FlownBall) and found.of == len(found.parks) == len(fences(state).parks) == fields
+    assert found.park.name == catalog.park(own[0] if own else "fenway-park").name
     lines = recipe(OptimumState(bat=bat))["command"].split("\n")
     assert [line.split("--park ")[1] for line in lines] == list(own or ("all",))
     chosen = flight(FlightState(bat=bat, park="coors-field"))
-    assert chosen["park"]["name"] == "Coors Field"  # who chooses gets it
+    assert chosen.park.name == "Coors Field"  # who chooses gets it
 
 
 def test_bats_of_the_sport_stand_beside_a_softball_bat(page: Page, server: str, answered: Callable[..., int]) -> None:

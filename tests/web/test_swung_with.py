@@ -94,7 +94,7 @@ def test_the_copied_commands_agree(
         assert row["exit_speed_m_s"]["value"] == pytest.approx(expected["exit_speed_m_s"]["value"], rel=1e-6)
     state = FlightState.model_validate({**change, "same": same, "start": "swing", "offset_in": 0.5})
     played = told(flight_lines(state))
-    assert played["flight"]["carry_m"] == pytest.approx(flight.answer(state)["flight"]["carry_m"], rel=1e-4)
+    assert played["flight"]["carry_m"] == pytest.approx(to_dict(flight.answer(state))["flight"]["carry_m"], rel=1e-4)
 
 
 def test_choking_up_says_what_it_costs(page: Page, server: str, answered: Callable[..., int]) -> None:

@@ -14,14 +14,19 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.units import FOOT, MPH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views import flight
-from sweetspot.web.views.flight import VIEW, answer
+from sweetspot.web.views.flight import VIEW
 from sweetspot.web.views.flight_state import FlightState
+
+
+def answer(state: FlightState) -> dict[str, Any]:
+    return to_dict(flight.answer(state))
 
 
 def asked(**controls: Any) -> dict[str, Any]:
@@ -173,8 +178,8 @@ def test_each_park_has_the_carry_and_the_fence_that_its_own_command_says(
 
 
 def test_no_slider_of_the_swing_goes_where_no_swing_is() -> None:
-    bounds = answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0}))["bat"].bounds
-    assert (bounds["attack_angle_deg"], bounds["tilt_deg"][0]) == ((-20.0, 20.0), 9.0)
+    bounds = answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0}))["bat"]["bounds"]
+    assert (bounds["attack_angle_deg"], bounds["tilt_deg"][0]) == ([-20.0, 20.0], 9.0)
     for ends in ({"attack_angle_deg": 20.0}, {"attack_angle_deg": -20.0}, {"tilt_deg": 9.0}):
         assert not answer(FlightState.model_validate({"start": "swing", "tilt_deg": 20.0, **ends}))["missed"]
 
@@ -204,9 +209,9 @@ def test_the_map_holds_the_flight_itself() -> None:
     """Exit speed and launch angle on a point of the map's grid: the same carry."""
     grid = flight.carry_map(FlightState())
     row, column = 11, 14
-    speed, angle = grid["exit_speed_m_s"][column], grid["launch_angle_rad"][row]
+    speed, angle = grid.exit_speed[column], grid.launch_angle[row]
     found = asked(exit_speed_mph=speed / MPH, launch_angle_deg=math.degrees(angle))
-    assert grid["carry_m"][row][column] == pytest.approx(found["flight"]["carry_m"], abs=0.01)
+    assert grid.carry[row][column] == pytest.approx(found["flight"]["carry_m"], abs=0.01)
 
 
 def test_a_direction_may_be_that_of_the_landing() -> None:

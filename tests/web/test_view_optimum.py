@@ -13,12 +13,12 @@ from sweetspot.web.views.optimum import OptimumState, answer, recipe, swing
 
 
 def test_chances_are_of_the_chosen_park_in_its_own_air() -> None:
-    fenway, coors = (answer(OptimumState(park=park))["map"] for park in ("fenway-park", "coors-field"))
-    np.testing.assert_array_equal(fenway["carry_m"], coors["carry_m"])
-    assert np.shape(fenway["chance"]) == np.shape(fenway["carry_m"])
-    assert np.min(fenway["carry_m"][fenway["chance"] > 0.5]) > 390 * FOOT  # to the centre of Fenway
+    fenway, coors = (answer(OptimumState(park=park)).map for park in ("fenway-park", "coors-field"))
+    np.testing.assert_array_equal(fenway.carry, coors.carry)
+    assert np.shape(fenway.chance) == np.shape(fenway.carry)
+    assert np.min(fenway.carry[fenway.chance > 0.5]) > 390 * FOOT  # to the centre of Fenway
     # 415 ft in Denver by the map at sea level; in its thin air balls that carry less there are out
-    assert np.min(coors["carry_m"][coors["chance"] > 0.5]) < 415 * FOOT
+    assert np.min(coors.carry[coors.chance > 0.5]) < 415 * FOOT
 
 
 def test_the_copied_command_finds_the_same_swing(run_json: Callable[..., Any]) -> None:

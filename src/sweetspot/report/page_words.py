@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from sweetspot.answers.flight import BallLeaving, FlightEnd
 from sweetspot.equipment.sport import Terms
 from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.sentences import Sentence, Slot, joined, say
@@ -11,6 +12,12 @@ from sweetspot.report.sport_words import in_words
 
 LEAST_SHARE = 0.004
 """Part of the energy below which it would be told as 0 %."""
+SURE = 0.05
+"""Chances nearer to none or to one are told as one outcome."""
+NEAR = 1.0
+"""m from a fence's top within which inches or centimetres are told."""
+STRAIGHT = 5e-4
+"""rad off centre field that nobody would call so."""
 FEW = 1e-4
 """Part of a tap's energy below which a motion's part is told as less than that."""
 
@@ -119,3 +126,82 @@ def motion_words(
             )
         )
     return words
+
+
+def missed_words() -> Sentence:
+    """Return what is said of a swing that sends no ball off."""
+    return say("The bat misses the ball, or the ball does not come off it. Move the ball nearer to the bat's axis.")
+
+
+def outcome_words(end: FlightEnd, *, carry: float, chance: float) -> Sentence:
+    """Return what becomes of a ball in a park: where it ends, and whether another like it would.
+
+    Parameters
+    ----------
+    carry : m to the ground.
+    chance : of a home run by balls that are hit like it.
+    """
+    out = end.outcome == "home run"
+    name = "home run" if out else "in play"
+    lead = f"{name.capitalize()}: "
+    if SURE < chance < 1 - SURE:
+        lead = ("Probably " if out == (chance > 0.5) else "Perhaps ") + f"{'a ' if out else ''}{name}: "
+    ways = {
+        "home run": lead + "over the fence of {park}, {clearance} above its top at {distance}.",
+        "off the wall": lead + "against the fence of {park}, {clearance} below its top at {distance}.",
+        "in play": lead + "comes down {carry} from the plate in {park}.",
+        "foul": "Foul.",
+    }
+    above = 0.0 if end.clearance is None else abs(float(end.clearance))
+    return say(
+        ways[end.outcome],
+        park=end.park,
+        clearance=Slot(above, "place" if above < NEAR else "distance"),
+        distance=Slot(end.distance, "distance"),
+        carry=Slot(carry, "distance"),
+    )
+
+
+def chance_words(chance: float) -> list[Sentence]:
+    """Return how many balls that are hit alike are home runs, where that is not all or none."""
+    if not SURE < chance < 1 - SURE:
+        return []
+    return [say("Of a hundred like it {count} are home runs.", count=Slot(100 * chance, "count"))]
+
+
+def parks_words(count: int, of: int) -> Sentence:
+    """Return in how many parks a ball is out."""
+    return say(f"Out in {count} of {of} {'park' if of == 1 else 'parks'}.")
+
+
+def leaving_words(ball: BallLeaving) -> Sentence:
+    """Return how a ball leaves the bat: how fast, where to and with which spin."""
+    up, spray, back, bend = (float(side) for side in (ball.launch_angle, ball.spray, ball.backspin, ball.sidespin))
+    side = say("to centre field")
+    if abs(spray) > STRAIGHT:
+        side = say("{spray} to " + ("left" if spray < 0 else "right") + " field", spray=Slot(abs(spray), "angle"))
+    bent = say(" and {spin} that bend it " + ("right" if bend < 0 else "left"), spin=Slot(abs(bend), "spin"))
+    return say(
+        f"The ball leaves at {{speed}}, {{angle}} {'down' if up < 0 else 'up'}, {{side}}, with {{spin}} of "
+        f"{'topspin' if back < 0 else 'backspin'}{{bent}}.",
+        speed=Slot(ball.exit_speed, "speed"),
+        angle=Slot(abs(up), "angle"),
+        side=side,
+        spin=Slot(abs(back), "spin"),
+        bent=bent if bend else "",
+    )
+
+
+def bat_speed_words(speed: float) -> Sentence:
+    """Return how fast the bat moves where it meets the ball."""
+    return say("The bat moves at {speed} where they meet.", speed=Slot(speed, "speed"))
+
+
+def carries_farthest(exit_speed: float, launch_angle: float, carry: float) -> Sentence:
+    """Return the launch angle at which a ball so fast carries farthest."""
+    return say(
+        "A ball at {speed} carries farthest at {angle}: {carry}.",
+        speed=Slot(exit_speed, "speed"),
+        angle=Slot(launch_angle, "angle"),
+        carry=Slot(carry, "distance"),
+    )

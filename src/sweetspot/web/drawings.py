@@ -33,7 +33,7 @@ POINTS = 120
 
 
 @dataclass(frozen=True)
-class Outline:
+class DrawnOutline:
     """Diameters along a bat, from the knob end, shape (n,)."""
 
     position: Annotated[Array, LENGTH]
@@ -78,7 +78,7 @@ class DrawnWeight:
 class BatShape:
     """What a drawing of a bat to scale needs; ``wall`` is of a hollow bat, where its outline has its places."""
 
-    outline: Outline
+    outline: DrawnOutline
     stations: tuple[Station, ...]
     hollow: bool
     wall: Annotated[Array | None, LENGTH]
@@ -156,7 +156,7 @@ def outline(bat: Bat) -> BatShape:
     edges = np.asarray(bat.breakpoints())
     places = edges if bat.profile is not None else np.union1d(edges, np.linspace(0, bat.length, POINTS))
     return BatShape(
-        outline=Outline(places, bat.diameter_at(places)),
+        outline=DrawnOutline(places, bat.diameter_at(places)),
         stations=tuple(Station(place, width) for place, width in bat.profile or ()),
         hollow=bat.shell is not None,
         wall=None if bat.shell is None else bat.wall_at(places),

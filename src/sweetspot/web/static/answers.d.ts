@@ -22,8 +22,8 @@ export interface Answers {
   hit: FilmAnswer;
   modes: ModesAnswer;
   compare: Record<string, any>;
-  flight: Record<string, any>;
-  optimum: Record<string, any>;
+  flight: FlownBall | MissedBall;
+  optimum: LaunchAnswer;
   player: Record<string, any>;
   own: Record<string, any>;
   design: Record<string, any>;
@@ -38,7 +38,7 @@ export interface Asides {
   hit: { sure: ReadDocument; };
   modes: {  };
   compare: { intervals: Record<string, any>; rules: Record<string, any>; sure: ReadDocument; rules_sure: ReadDocument; };
-  flight: { map: Record<string, any>; fences: Record<string, any>; sure: ReadDocument; };
+  flight: { map: CarryMap; fences: Fences; sure: ReadDocument; };
   optimum: { swing: ReadDocument; parks: ReadDocument; };
   player: { fit: ReadDocument; table: Record<string, string>; };
   own: { tap: Record<string, any>; file: Record<string, string>; };
@@ -64,6 +64,17 @@ export interface Jobs {
   paper: {  };
 }
 
+/** How a ball leaves the bat. */
+export interface BallLeaving {
+  exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
+  launch_angle_rad: number; launch_angle_low_rad?: number; launch_angle_high_rad?: number;
+  spray_rad: number; spray_low_rad?: number; spray_high_rad?: number;
+  backspin_rad_s: number; backspin_low_rad_s?: number; backspin_high_rad_s?: number;
+  sidespin_rad_s: number; sidespin_low_rad_s?: number; sidespin_high_rad_s?: number;
+  gyrospin_rad_s: number; gyrospin_low_rad_s?: number; gyrospin_high_rad_s?: number;
+  height_m: number; height_low_m?: number; height_high_m?: number;
+}
+
 /** A ball's size, and what its controls stand at where nobody has moved them. */
 export interface BallPicture {
   radius_m: number; radius_low_m?: number; radius_high_m?: number;
@@ -79,6 +90,21 @@ export interface BarrelNodes {
   node_2_m: number; node_2_low_m?: number; node_2_high_m?: number;
 }
 
+/** One motion of the bat. */
+export interface BatMotion {
+  family: string;
+  name: string;
+  number: number;
+  harmonic: number;
+  axial: number | null;
+  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
+  damping_ratio: number | null; damping_ratio_low?: number; damping_ratio_high?: number;
+  decay_s: number | null; decay_low_s?: number; decay_high_s?: number;
+  nodes_m: number[];
+  shape: number[];
+  tap: Tapped;
+}
+
 /** A bat: its facts, its shape, how far its controls may go, and what is usual in its sport. */
 export interface BatPicture {
   name: string;
@@ -89,7 +115,7 @@ export interface BatPicture {
   moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
   moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
   roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
-  outline: Outline;
+  outline: DrawnOutline;
   stations: Station[];
   hollow: boolean;
   wall_m: number[] | null;
@@ -120,6 +146,20 @@ export interface BatState {
   weight_oz: number;
   weight_from_tip_in: number;
   choke_up_in: number;
+}
+
+/** Where the bat is tapped, from the knob end, and for how long. */
+export interface BatTap {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  duration_s: number; duration_low_s?: number; duration_high_s?: number;
+}
+
+/** Carry, and chance of a home run, of balls hit harder and higher; rows by launch angle. */
+export interface CarryMap {
+  exit_speed_m_s: number[];
+  launch_angle_rad: number[];
+  carry_m: number[][];
+  chance: number[][];
 }
 
 /** The bat, its swing, the others beside it, and what is asked of them. */
@@ -236,6 +276,35 @@ export interface DrawnCup {
   depth_m: number; depth_low_m?: number; depth_high_m?: number;
 }
 
+/** Diameters along a bat, from the knob end, shape (n,). */
+export interface DrawnOutline {
+  position_m: number[];
+  diameter_m: number[];
+}
+
+/** A park and its fence, by direction from centre field. */
+export interface DrawnPark {
+  name: string;
+  right_m: number[];
+  out_m: number[];
+  team: string;
+  city: string;
+  roof: string;
+  elevation_m: number; elevation_low_m?: number; elevation_high_m?: number;
+  direction_rad: number[];
+  distance_m: number[];
+  height_m: number[];
+}
+
+/** Where the ball is, and how far over the ground from home plate. */
+export interface DrawnPath {
+  time_s: number[];
+  right_m: number[];
+  out_m: number[];
+  up_m: number[];
+  distance_m: number[];
+}
+
 /** A weight fixed to the bat. */
 export interface DrawnWeight {
   position_m: number; position_low_m?: number; position_high_m?: number;
@@ -322,6 +391,18 @@ export interface FaceMapPicture {
   best_lateral_m: number; best_lateral_low_m?: number; best_lateral_high_m?: number;
 }
 
+/** A park's fence from above, shape (n,): to the right of home plate, and towards centre field. */
+export interface FenceOutline {
+  name: string;
+  right_m: number[];
+  out_m: number[];
+}
+
+/** The fences of every park. */
+export interface Fences {
+  parks: FenceOutline[];
+}
+
 /** The hit and its film; ``energy`` holds the parts that there are, ``words`` what the hands could still do. */
 export interface FilmAnswer {
   bat: BatPicture;
@@ -352,6 +433,16 @@ export interface FilmHit {
   bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
   exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
   incoming_energy_j: number; incoming_energy_low_j?: number; incoming_energy_high_j?: number;
+}
+
+/** Where a flight ends in a park; see `sweetspot.flight.fence.Landing`. */
+export interface FlightEnd {
+  park: string;
+  outcome: string;
+  direction_rad: number; direction_low_rad?: number; direction_high_rad?: number;
+  distance_m: number; distance_low_m?: number; distance_high_m?: number;
+  height_m: number; height_low_m?: number; height_high_m?: number;
+  clearance_m: number | null; clearance_low_m?: number; clearance_high_m?: number;
 }
 
 /** How the ball leaves, from numbers or from a swing; the park, the air and the wind. */
@@ -401,6 +492,31 @@ export interface FlightState {
   wind_speed_mph: number;
   wind_direction_deg: number;
   own_elevation: boolean;
+}
+
+/** The path, its end at the fence of the chosen park, and the outcome in every park. */
+export interface FlownBall {
+  parks: OutcomeInPark[];
+  out_in: number;
+  of: number;
+  expected_out_in: number;
+  chance: number; chance_low?: number; chance_high?: number;
+  end: FlightEnd;
+  start: "ball" | "swing";
+  missed: false;
+  swing: SwungAt | null;
+  bat?: BatPicture;
+  launch: BallLeaving;
+  flight: ToTheGround;
+  without_air: ToTheGround;
+  path: DrawnPath;
+  path_without_air: DrawnPath;
+  park: DrawnPark;
+  usual_park: string;
+  air_density_kg_m3: number; air_density_low_kg_m3?: number; air_density_high_kg_m3?: number;
+  elevation_m: number; elevation_low_m?: number; elevation_high_m?: number;
+  headline: Record<"us" | "si", string[]>;
+  leaves: Record<"us" | "si", string[]>;
 }
 
 /** How the place of the top hand moves, and when the wave gets there; None: it does not. */
@@ -471,6 +587,34 @@ export interface HitFilmState {
   slowness: number;
 }
 
+/** The best launch angle of an exit speed, and carries around it. */
+export interface LaunchAnswer {
+  bat: BatPicture;
+  ball: BallPicture;
+  launch: LaunchThatCarries;
+  map: CarryMap;
+  park: string;
+  words: Record<"us" | "si", string[]>;
+}
+
+/** The launch angle at which a ball so fast carries farthest. */
+export interface LaunchThatCarries {
+  exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
+  launch_angle_rad: number; launch_angle_low_rad?: number; launch_angle_high_rad?: number;
+  carry_m: number; carry_low_m?: number; carry_high_m?: number;
+}
+
+/** A swing that misses the ball, or from which it does not come off. */
+export interface MissedBall {
+  start: "ball" | "swing";
+  missed: true;
+  swing: SwungAt | null;
+  bat?: BatPicture;
+  park: DrawnPark;
+  usual_park: string;
+  headline: Record<"us" | "si", string[]>;
+}
+
 /** Every motion of the bat, lowest first, and what the tap leaves in it. */
 export interface ModesAnswer {
   bat: BatPicture;
@@ -478,8 +622,8 @@ export interface ModesAnswer {
   nodes: BarrelNodes;
   place_m: number[];
   hoop_start_m: number | null; hoop_start_low_m?: number; hoop_start_high_m?: number;
-  tap: Tap;
-  modes: Motion[];
+  tap: BatTap;
+  modes: BatMotion[];
   shown: number;
   words: Record<"us" | "si", string[]>;
 }
@@ -515,21 +659,6 @@ export interface ModesState {
   exaggeration: number;
 }
 
-/** One motion of the bat. */
-export interface Motion {
-  family: string;
-  name: string;
-  number: number;
-  harmonic: number;
-  axial: number | null;
-  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
-  damping_ratio: number | null; damping_ratio_low?: number; damping_ratio_high?: number;
-  decay_s: number | null; decay_low_s?: number; decay_high_s?: number;
-  nodes_m: number[];
-  shape: number[];
-  tap: Tapped;
-}
-
 /** The bat, how fast it is swung, and the pitch it meets. */
 export interface OptimumState {
   bat: string;
@@ -560,10 +689,15 @@ export interface OptimumState {
   park: string | null;
 }
 
-/** Diameters along a bat, from the knob end, shape (n,). */
-export interface Outline {
-  position_m: number[];
-  diameter_m: number[];
+/** One ball in one park. */
+export interface OutcomeInPark {
+  park: string;
+  team: string;
+  outcome: "foul" | "home run" | "off the wall" | "in play";
+  clearance_m: number | null; clearance_low_m?: number; clearance_high_m?: number;
+  carry_m: number; carry_low_m?: number; carry_high_m?: number;
+  fence_m: number | null; fence_low_m?: number; fence_high_m?: number;
+  chance: number; chance_low?: number; chance_high?: number;
 }
 
 /** The bat as described, and what scale, balance, pendulum and tap say of it; what is empty was not measured. */
@@ -811,10 +945,11 @@ export interface SweetSpotPlaces {
   zone_m: number[] | null; zone_low_m?: number[]; zone_high_m?: number[];
 }
 
-/** Where the bat is tapped, from the knob end, and for how long. */
-export interface Tap {
+/** The swing where it meets the ball, from the knob end. */
+export interface SwungAt {
   position_m: number; position_low_m?: number; position_high_m?: number;
-  duration_s: number; duration_low_s?: number; duration_high_s?: number;
+  bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
+  collision_efficiency: number; collision_efficiency_low?: number; collision_efficiency_high?: number;
 }
 
 /** What the tap leaves in a motion: part of the vibration's energy, None of what is none, and speed at the hand. */
@@ -841,6 +976,16 @@ export interface Terms {
   place_unit: "in" | "cm";
   distance_unit: "ft" | "yd" | "m";
   mass_unit: "oz" | "g" | "";
+}
+
+/** A flight to the ground, as if there were no fence. */
+export interface ToTheGround {
+  carry_m: number; carry_low_m?: number; carry_high_m?: number;
+  hang_time_s: number; hang_time_low_s?: number; hang_time_high_s?: number;
+  apex_m: number; apex_low_m?: number; apex_high_m?: number;
+  landing_speed_m_s: number; landing_speed_low_m_s?: number; landing_speed_high_m_s?: number;
+  landing_angle_rad: number; landing_angle_low_rad?: number; landing_angle_high_rad?: number;
+  landing_direction_rad: number; landing_direction_low_rad?: number; landing_direction_high_rad?: number;
 }
 
 /** An implement, and what it is made of. */

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Annotated, Literal, NamedTuple
 
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.answers.flight import BallLeaving, FlightPath, ball_leaving
+from sweetspot.answers.records import Angle, Distance, Length, Ratio, Speed, Time
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.catalog.sports import aerodynamics_of_ball
 from sweetspot.collision.hit_in_space import Contact, strikes
@@ -24,13 +26,34 @@ from sweetspot.flight.park import Park
 from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Number
+from sweetspot.report.page_words import (
+    bat_speed_words,
+    chance_words,
+    leaving_words,
+    missed_words,
+    outcome_words,
+    parks_words,
+)
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
-from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung, usual
-from sweetspot.web.documents import ReadDocument, told
-from sweetspot.web.drawings import bat_picture
+from sweetspot.units.dimensions import DENSITY, DISTANCE
+from sweetspot.web.bats import ball_of, conditions_of, described, place_of, reduced, swung, usual
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
-from sweetspot.web.views.flight_parks import carries, in_parks, outlines, park_json, parks_of
+from sweetspot.web.views.flight_parks import (
+    CarryMap,
+    DrawnPark,
+    FenceOutline,
+    OutcomeInParks,
+    carries,
+    drawn_park,
+    in_parks,
+    outlines,
+    parks_of,
+)
 from sweetspot.web.views.flight_recipe import flight_lines
 from sweetspot.web.views.flight_state import FlightState
 
@@ -40,40 +63,131 @@ SHOWN = 2
 """Every how many points of a path are handed out."""
 
 
-def answer(state: FlightState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class SwungAt:
+    """The swing where it meets the ball, from the knob end."""
+
+    position: Length
+    bat_speed: Speed
+    collision_efficiency: Ratio
+
+
+@dataclass(frozen=True, kw_only=True)
+class ToTheGround:
+    """A flight to the ground, as if there were no fence."""
+
+    carry: Distance
+    hang_time: Time
+    apex: Distance
+    landing_speed: Speed
+    landing_angle: Angle
+    landing_direction: Angle
+
+
+@dataclass(frozen=True)
+class DrawnPath(FlightPath):
+    """Where the ball is, and how far over the ground from home plate."""
+
+    distance: Annotated[Array, DISTANCE]
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissedBall:
+    """A swing that misses the ball, or from which it does not come off."""
+
+    start: Literal["ball", "swing"]
+    missed: Literal[True] = True
+    swing: SwungAt | None
+    bat: BatPicture | None = None
+    park: DrawnPark
+    usual_park: str
+    headline: Sentences
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlownBall(OutcomeInParks):
+    """The path, its end at the fence of the chosen park, and the outcome in every park.
+
+    Parameters
+    ----------
+    swing, bat : of a ball that is hit.
+    headline, leaves : what becomes of it, and how it leaves, in sentences.
+    """
+
+    start: Literal["ball", "swing"]
+    missed: Literal[False] = False
+    swing: SwungAt | None
+    bat: BatPicture | None = None
+    launch: BallLeaving
+    flight: ToTheGround
+    without_air: ToTheGround
+    path: DrawnPath
+    path_without_air: DrawnPath
+    park: DrawnPark
+    usual_park: str
+    air_density: Annotated[Number, DENSITY]
+    elevation: Distance
+    headline: Sentences
+    leaves: Sentences
+
+
+@dataclass(frozen=True)
+class Fences:
+    """The fences of every park."""
+
+    parks: tuple[FenceOutline, ...]
+
+
+def answer(state: FlightState) -> FlownBall | MissedBall:
     """Return the path, its end at the fence of the chosen park, and the outcome in every park."""
     start = _start(state)
     park, conditions, usual_park = start.park, start.conditions, usual(described(state)).park
     if start.motion is None:
-        return {"start": state.start, "missed": True, **_swung(start.struck), "park": park_json(park), "parks": [],
-                "usual_park": usual_park}  # fmt: skip
+        return MissedBall(
+            start=state.start,
+            swing=start.swing,
+            bat=start.bat,
+            park=drawn_park(park),
+            usual_park=usual_park,
+            headline=in_both_systems([missed_words()]),
+        )
     flown = _flown(start.motion, conditions)
     own_elevation = state.own_elevation and state.elevation_ft is None  # a chosen elevation is that of every park
-    return {
-        "start": state.start,
-        "missed": False,
-        **_swung(start.struck),
-        "launch": _launch(start.motion),
-        "flight": _flight(flown, 0),
-        "without_air": _flight(flown, 1),
-        "path": _path(flown, 0),
-        "path_without_air": _path(flown, 1),
-        "park": park_json(park),
-        "usual_park": usual_park,
-        **in_parks(
-            start.motion,
-            flown.positions[0],
-            parks_of(described(state)),
-            conditions=conditions,
-            here=park,
-            own_elevation=own_elevation,
-        ),
-        "air_density_kg_m3": conditions.one_air.density,
-        "elevation_m": conditions.one_air.elevation,
-    }
+    outcome = in_parks(
+        start.motion,
+        flown.positions[0],
+        parks_of(described(state)),
+        conditions=conditions,
+        here=park,
+        own_elevation=own_elevation,
+    )
+    leaving = ball_leaving(start.motion)
+    words = [
+        outcome_words(outcome.end, carry=float(flown.carry[0]), chance=float(outcome.chance)),
+        *chance_words(float(outcome.chance)),
+        parks_words(outcome.out_in, outcome.of),
+    ]
+    swung_at = [] if start.swing is None else [bat_speed_words(float(start.swing.bat_speed))]
+    return FlownBall(
+        **vars(outcome),
+        start=state.start,
+        swing=start.swing,
+        bat=start.bat,
+        launch=leaving,
+        flight=_to_the_ground(flown, 0),
+        without_air=_to_the_ground(flown, 1),
+        path=_path(flown, 0),
+        path_without_air=_path(flown, 1),
+        park=drawn_park(park),
+        usual_park=usual_park,
+        air_density=conditions.one_air.density,
+        elevation=conditions.one_air.elevation,
+        headline=in_both_systems(words),
+        leaves=in_both_systems([leaving_words(leaving), *swung_at]),
+    )
 
 
-def carry_map(state: FlightState) -> dict[str, Any]:
+def carry_map(state: FlightState) -> CarryMap:
     """Return carries over exit speed and launch angle, for this ball's spin and direction in this park and weather."""
     start = _start(state)
     if start.motion is None:
@@ -106,9 +220,9 @@ def sure(state: FlightState) -> ReadDocument:
     return told(play_document(play_answer(asked)))
 
 
-def fences(state: FlightState) -> dict[str, Any]:
+def fences(state: FlightState) -> Fences:
     """Return the fences of every park."""
-    return {"parks": outlines(parks_of(described(state)))}
+    return Fences(outlines(parks_of(described(state))))
 
 
 class _Start(NamedTuple):
@@ -116,8 +230,9 @@ class _Start(NamedTuple):
 
     park: Park
     conditions: FlightConditions
-    struck: dict[str, Any] | None
     motion: BallMotion | None
+    swing: SwungAt | None = None
+    bat: BatPicture | None = None
 
 
 def _start(state: FlightState) -> _Start:
@@ -125,9 +240,9 @@ def _start(state: FlightState) -> _Start:
         park = catalog.park(swung(state).park or "")
     ball = ball_of(state)
     conditions = _conditions(state, park, ball)
-    struck = _struck(state, ball) if state.start == "swing" else None
-    motion = launched_by(state, conditions) if struck is None else struck["motion"]
-    return _Start(park, conditions, struck, motion)
+    if state.start == "swing":
+        return _Start(park, conditions, *_struck(state, ball))
+    return _Start(park, conditions, launched_by(state, conditions))
 
 
 def launched_by(state: FlightState, conditions: FlightConditions) -> BallMotion:
@@ -186,9 +301,7 @@ def _met(state: FlightState, ball: Ball) -> _Meeting:
             tilt=math.radians(state.tilt_deg),
             bats=state.batter,
         )
-    place = bat.length - state.impact_from_tip_in * INCH
-    if place < conditions.hands.position:
-        raise FieldError("impact_from_tip_in", "the ball would meet the hands; meet it nearer to the tip")
+    place = place_of(state, bat, conditions)
     pitch = launched(
         speed=conditions.pitch.speed,
         launch_angle=math.radians(state.pitch_angle_deg),
@@ -199,36 +312,26 @@ def _met(state: FlightState, ball: Ball) -> _Meeting:
     return _Meeting(free_bat, conditions, path, pitch, Contact(place, state.offset_in * INCH))
 
 
-def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
-    """Return the hit in space that the swing's controls describe, by the compiled collision."""
+def _struck(state: FlightState, ball: Ball) -> tuple[BallMotion | None, SwungAt, BatPicture]:
+    """Return the ball as the swing's controls send it off, by the compiled collision, with the swing and its bat."""
     free_bat, conditions, path, pitch, contact = _met(state, ball)
     place = float(np.asarray(contact.position))
     bat_speed = conditions.swing.speed_at(place)
-    done = strikes(
+    hits = strikes(
         free_bat.held(conditions.hands),
         ball=ball,
         swings=Swings(bat_speed, path.axes, conditions.swing.pivot),
         pitches=pitch,
         contact=contact,
     )
-    hit = bool(np.isfinite(done.velocity).all())
+    leaves = bool(np.isfinite(hits.velocity).all())
     picture, tilt = bat_picture(state, free_bat), state.tilt_deg
     plane = {"attack_angle_deg": (-tilt, tilt), "tilt_deg": (abs(state.attack_angle_deg), 90.0)}  # no path is steeper
-    return {
-        "motion": BallMotion(pitch.position, done.velocity[0], done.spin[0]) if hit else None,
-        "bat": replace(picture, bounds={**picture.bounds, **plane}),
-        "position_m": place,
-        "bat_speed_m_s": bat_speed,
-        "collision_efficiency": float(done.collision_efficiency[0]),
-    }
-
-
-def _swung(struck: dict[str, Any] | None) -> dict[str, Any]:
-    """Return the swing's part of the answer, and its bat; nothing for a ball that starts with its own numbers."""
-    if struck is None:
-        return {"swing": None}
-    swing = {name: value for name, value in struck.items() if name not in ("motion", "bat")}
-    return {"swing": swing, "bat": struck["bat"]}
+    return (
+        BallMotion(pitch.position, hits.velocity[0], hits.spin[0]) if leaves else None,
+        SwungAt(place, bat_speed, float(hits.collision_efficiency[0])),
+        replace(picture, bounds={**picture.bounds, **plane}),
+    )
 
 
 def _flown(motion: BallMotion, conditions: FlightConditions) -> Flights:
@@ -237,40 +340,22 @@ def _flown(motion: BallMotion, conditions: FlightConditions) -> Flights:
     return flights(motion, airs, path_points=PATH_POINTS)
 
 
-def _launch(motion: BallMotion) -> dict[str, float]:
-    return {
-        "exit_speed_m_s": motion.speed,
-        "launch_angle_rad": motion.launch_angle,
-        "spray_rad": motion.spray,
-        "backspin_rad_s": motion.backspin,
-        "sidespin_rad_s": motion.sidespin,
-        "gyrospin_rad_s": motion.gyrospin,
-    }
-
-
-def _flight(flown: Flights, row: int) -> dict[str, float]:
-    """Return a flight to the ground, as if there were no fence."""
+def _to_the_ground(flown: Flights, row: int) -> ToTheGround:
     place, velocity = flown.landing_position[row], flown.landing_velocity[row]
-    return {
-        "carry_m": float(flown.carry[row]),
-        "hang_time_s": float(flown.hang_time[row]),
-        "apex_m": float(flown.apex_height[row]),
-        "landing_speed_m_s": float(np.linalg.norm(velocity)),
-        "landing_angle_rad": float(flown.landing_angle[row]),
-        "landing_direction_rad": float(np.arctan2(place[0], place[1])),
-    }
+    return ToTheGround(
+        carry=float(flown.carry[row]),
+        hang_time=float(flown.hang_time[row]),
+        apex=float(flown.apex_height[row]),
+        landing_speed=float(np.linalg.norm(velocity)),
+        landing_angle=float(flown.landing_angle[row]),
+        landing_direction=float(np.arctan2(place[0], place[1])),
+    )
 
 
-def _path(flown: Flights, row: int) -> dict[str, Any]:
-    place = flown.positions[row, ::SHOWN]
-    columns = {
-        "time_s": flown.times[row, ::SHOWN],
-        "right_m": place[:, 0],
-        "out_m": place[:, 1],
-        "up_m": place[:, 2],
-        "distance_m": np.hypot(place[:, 0], place[:, 1]),
-    }
-    return {name: np.round(values, 4) for name, values in columns.items()}
+def _path(flown: Flights, row: int) -> DrawnPath:
+    right, out, up = flown.positions[row, ::SHOWN].T
+    columns = (flown.times[row, ::SHOWN], right, out, up, np.hypot(right, out))
+    return DrawnPath(*(np.round(values, 4) for values in columns))
 
 
 VIEW = View(

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import compress
-from typing import Any
+from typing import Annotated, Literal
 
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.answers.flight import FlightEnd
+from sweetspot.answers.records import GRID, Distance, Ratio
 from sweetspot.catalog.aerodynamic_laws import STILL_AIR
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.all_parks import PATH_POINTS
@@ -22,6 +24,7 @@ from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.motion.ball_motion import BallMotion, BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, MPH
+from sweetspot.units.dimensions import ANGLE, DISTANCE, SPEED
 
 FENCE_POINTS = 91
 FENCE_STEP = DEGREE / 4
@@ -38,27 +41,93 @@ def parks_of(bat: Bat) -> tuple[Park, ...]:
     return tuple(catalog.park(name) for name in fields) or catalog.parks()
 
 
-def park_json(park: Park) -> dict[str, Any]:
-    """Return a park with its fence."""
-    return _park_json(park)
+@dataclass(frozen=True)
+class FenceOutline:
+    """A park's fence from above, shape (n,): to the right of home plate, and towards centre field."""
+
+    name: str
+    right: Annotated[Array, DISTANCE]
+    out: Annotated[Array, DISTANCE]
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrawnPark(FenceOutline):
+    """A park and its fence, by direction from centre field."""
+
+    team: str
+    city: str
+    roof: str
+    elevation: Distance
+    direction: Annotated[Array, ANGLE]
+    distance: Annotated[Array, DISTANCE]
+    height: Annotated[Array, DISTANCE]
+
+
+@dataclass(frozen=True, kw_only=True)
+class OutcomeInPark:
+    """One ball in one park.
+
+    Parameters
+    ----------
+    clearance : above the fence's top; None: it does not reach it.
+    carry : to the ground, as if there were no fence.
+    fence : how far it is there; None: the ball is foul.
+    """
+
+    park: str
+    team: str
+    outcome: Literal["foul", "home run", "off the wall", "in play"]
+    clearance: Distance | None
+    carry: Distance
+    fence: Distance | None
+    chance: Ratio
+
+
+@dataclass(frozen=True, kw_only=True)
+class OutcomeInParks:
+    """One ball in every park, and where it ends in the chosen one.
+
+    Parameters
+    ----------
+    out_in, of, expected_out_in : how many parks it leaves, of how many, and how many on average with its scatter.
+    chance : of a home run in the chosen park.
+    """
+
+    parks: tuple[OutcomeInPark, ...]
+    out_in: int
+    of: int
+    expected_out_in: float
+    chance: Ratio
+    end: FlightEnd
+
+
+@dataclass(frozen=True)
+class CarryMap:
+    """Carry, and chance of a home run, of balls hit harder and higher; rows by launch angle."""
+
+    exit_speed: Annotated[Array, SPEED]
+    launch_angle: Annotated[Array, ANGLE]
+    carry: Annotated[Array, DISTANCE, GRID]
+    chance: Annotated[Array, GRID]
 
 
 @lru_cache(maxsize=64)
-def _park_json(park: Park) -> dict[str, Any]:
+def drawn_park(park: Park) -> DrawnPark:
+    """Return a park with its fence."""
     directions = np.linspace(-FOUL_LINE, FOUL_LINE, FENCE_POINTS)
     distance, height = fence_at(park, directions)
-    return {
-        "name": park.name,
-        "team": park.team,
-        "city": park.city,
-        "roof": park.roof,
-        "elevation_m": park.elevation,
-        "direction_rad": np.round(directions, 5),
-        "right_m": np.round(distance * np.sin(directions), 2),
-        "out_m": np.round(distance * np.cos(directions), 2),
-        "distance_m": np.round(distance, 2),
-        "height_m": np.round(height, 2),
-    }
+    return DrawnPark(
+        name=park.name,
+        right=np.round(distance * np.sin(directions), 2),
+        out=np.round(distance * np.cos(directions), 2),
+        team=park.team,
+        city=park.city,
+        roof=park.roof,
+        elevation=park.elevation,
+        direction=np.round(directions, 5),
+        distance=np.round(distance, 2),
+        height=np.round(height, 2),
+    )
 
 
 def in_parks(
@@ -69,7 +138,7 @@ def in_parks(
     conditions: FlightConditions,
     here: Park,
     own_elevation: bool,
-) -> dict[str, Any]:
+) -> OutcomeInParks:
     """Return one ball's outcome and carry in every park, in how many it is out, and chances with the flights' scatter.
 
     Parameters
@@ -85,35 +154,30 @@ def in_parks(
     end = landing(path, here)
     rows = []
     for index, (park, direction) in enumerate(zip(parks, _directions(paths, parks).tolist(), strict=True)):
-        distance, height = (float(one) for one in fence_at(park, direction))
+        distance, height = (float(side) for side in fence_at(park, direction))
         foul, above = abs(direction) > FOUL_LINE, float(clearance[index])
         over, reached = above > 0 and not foul, math.isfinite(above) and above > -height and not foul
+        # in its own air, not between those of all the parks
+        likely = own if park.name == here.name else float(chance[index])
         rows.append(
-            {
-                "park": park.name,
-                "team": park.team,
-                "outcome": "foul" if foul else "home run" if over else "off the wall" if reached else "in play",
-                "clearance_m": above if reached else None,
-                "carry_m": float(carry[index]),
-                "fence_m": None if foul else distance,
-                # in its own air, not between those of all the parks
-                "chance": 0.0 if foul else own if park.name == here.name else float(chance[index]),
-            }
+            OutcomeInPark(
+                park=park.name,
+                team=park.team,
+                outcome="foul" if foul else "home run" if over else "off the wall" if reached else "in play",
+                clearance=above if reached else None,
+                carry=float(carry[index]),
+                fence=None if foul else distance,
+                chance=0.0 if foul else likely,
+            )
         )
-    return {
-        "parks": rows,
-        "out_in": sum(row["outcome"] == "home run" for row in rows),
-        "of": len(rows),
-        "expected_out_in": sum(row["chance"] for row in rows),
-        "chance": 0.0 if end.outcome == "foul" else own,
-        "end": {
-            "outcome": end.outcome,
-            "direction_rad": end.direction,
-            "distance_m": end.distance,
-            "height_m": end.height,
-            "clearance_m": end.clearance,
-        },
-    }
+    return OutcomeInParks(
+        parks=tuple(rows),
+        out_in=sum(row.outcome == "home run" for row in rows),
+        of=len(rows),
+        expected_out_in=sum(float(row.chance) for row in rows),
+        chance=0.0 if end.outcome == "foul" else own,
+        end=FlightEnd(park=here.name, **vars(end)),
+    )
 
 
 def _everywhere(
@@ -140,9 +204,9 @@ def _everywhere(
 def _flown(motion: BallMotion, there: list[FlightConditions]) -> tuple[Array, Array]:
     """Return carries and paths, (parks, points, 3), of one ball in the airs of many parks, all of a law at once."""
     carry, paths = np.empty(len(there)), np.empty((len(there), PATH_POINTS, 3))
-    density = np.array([one.one_air.density for one in there])
-    for law in {one.aerodynamics for one in there}:
-        those = np.array([one.aerodynamics == law for one in there])
+    density = np.array([conditions.one_air.density for conditions in there])
+    for law in {conditions.aerodynamics for conditions in there}:
+        those = np.array([conditions.aerodynamics == law for conditions in there])
         found = flights(motion, replace(there[0], aerodynamics=law, air=density[those]), path_points=PATH_POINTS)
         carry[those], paths[those] = found.carry, found.positions
     return carry, paths
@@ -169,9 +233,7 @@ def _outdoors(conditions: FlightConditions) -> FlightConditions:
     return replace(conditions, aerodynamics=catalog.aerodynamics())
 
 
-def carries(
-    motion: BallMotion, *, conditions: FlightConditions, park: Park, own_elevation: bool = False
-) -> dict[str, Any]:
+def carries(motion: BallMotion, *, conditions: FlightConditions, park: Park, own_elevation: bool = False) -> CarryMap:
     """Return carry, and chance of a home run in a park, of balls hit harder and higher with this spin and direction.
 
     Parameters
@@ -188,14 +250,9 @@ def carries(
     shape = (len(ANGLES), len(SPEEDS))
     flown = flights(many, conditions)
     chance = home_run_chances(many, _outdoors(conditions), parks=(park,), own_elevation=own_elevation).chance
-    return {
-        "exit_speed_m_s": SPEEDS,
-        "launch_angle_rad": ANGLES,
-        "carry_m": np.round(flown.carry.reshape(shape), 2),
-        "chance": np.round(chance.reshape(shape), 4),
-    }
+    return CarryMap(SPEEDS, ANGLES, np.round(flown.carry.reshape(shape), 2), np.round(chance.reshape(shape), 4))
 
 
-def outlines(parks: tuple[Park, ...]) -> list[dict[str, Any]]:
+def outlines(parks: tuple[Park, ...]) -> tuple[FenceOutline, ...]:
     """Return the fences of parks as seen from above."""
-    return [{name: park_json(park)[name] for name in ("name", "right_m", "out_m")} for park in parks]
+    return tuple(FenceOutline(park.name, park.right, park.out) for park in map(drawn_park, parks))

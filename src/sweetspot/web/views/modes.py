@@ -57,7 +57,7 @@ class Tapped:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Motion:
+class BatMotion:
     """One motion of the bat.
 
     Parameters
@@ -90,7 +90,7 @@ class BarrelNodes:
 
 
 @dataclass(frozen=True)
-class Tap:
+class BatTap:
     """Where the bat is tapped, from the knob end, and for how long."""
 
     position: Length
@@ -113,8 +113,8 @@ class ModesAnswer:
     nodes: BarrelNodes
     place: Annotated[Array, LENGTH]
     hoop_start: Length | None
-    tap: Tap
-    modes: tuple[Motion, ...]
+    tap: BatTap
+    modes: tuple[BatMotion, ...]
     shown: int
     words: Sentences
 
@@ -148,14 +148,14 @@ def answer(state: ModesState) -> ModesAnswer:
         nodes=BarrelNodes(*held.nodes),
         place=held.place,
         hoop_start=held.hoop_start,
-        tap=Tap(place, duration),
+        tap=BatTap(place, duration),
         modes=motions,
         shown=shown,
         words=in_both_systems(words),
     )
 
 
-def _shown(motions: tuple[Motion, ...], state: ModesState) -> int:
+def _shown(motions: tuple[BatMotion, ...], state: ModesState) -> int:
     """Return which motion is asked about, or the one like it on another bat."""
     alike = [index for index, motion in enumerate(motions) if motion.family == state.family]
     if alike:
@@ -163,7 +163,7 @@ def _shown(motions: tuple[Motion, ...], state: ModesState) -> int:
     return next(index for index, motion in enumerate(motions) if motion.family == "bending")
 
 
-class _Held(NamedTuple):
+class _BatMotions(NamedTuple):
     """What does not depend on the tap; the motions have no tap yet."""
 
     modes: Modes
@@ -174,11 +174,11 @@ class _Held(NamedTuple):
     nodes: tuple[float, float]
     place: Array
     hoop_start: float | None
-    motions: list[Motion]
+    motions: list[BatMotion]
 
 
 @lru_cache(maxsize=64)
-def _held(state: ModesState) -> _Held:
+def _held(state: ModesState) -> _BatMotions:
     model = reduced(state, ball_of(state))
     conditions = conditions_of(state, model.bat)
     check_conditions(model.bat, conditions, body=model.body)
@@ -188,7 +188,7 @@ def _held(state: ModesState) -> _Held:
     places = np.linspace(0, bat.length, PLACES)
     order = np.argsort(modes.frequency, kind="stable")
     listed = [int(index) for index in order if modes.frequency[index] < HIGHEST]
-    return _Held(
+    return _BatMotions(
         modes,
         listed,
         bat_picture(state, model),
@@ -201,7 +201,7 @@ def _held(state: ModesState) -> _Held:
     )
 
 
-def _motions(modes: Modes, listed: list[int], places: Array) -> list[Motion]:
+def _motions(modes: Modes, listed: list[int], places: Array) -> list[BatMotion]:
     shapes = modes.shape_at(places)
     damping = modes.damping_rate + np.sum(modes.dashpots**2, axis=0)
     nodes = _nodes(modes, listed, float(places[-1]))
@@ -214,7 +214,7 @@ def _motions(modes: Modes, listed: list[int], places: Array) -> list[Motion]:
         axial = counts[f"{family} {harmonic}"] if family == "hoop" else None
         names = {"hoop": f"Hoop {harmonic}.{axial}", "rigid": "Turn" if nodes[index] else "Push"}
         motions.append(
-            Motion(
+            BatMotion(
                 family=family,
                 name=names.get(family, f"{'Hands' if family == 'hand' else 'Bending'} {counts[family]}"),
                 number=counts[family],
@@ -231,7 +231,7 @@ def _motions(modes: Modes, listed: list[int], places: Array) -> list[Motion]:
     return motions
 
 
-def _taps(held: _Held, place: float, duration: float) -> list[Tapped]:
+def _taps(held: _BatMotions, place: float, duration: float) -> list[Tapped]:
     modes, listed = held.modes, held.listed
     speeds, at_hand = tapped(modes, position=place, duration=duration), modes.shape_at(held.hand)
     rings = [index for index in listed if modes.families[index] != "rigid"]

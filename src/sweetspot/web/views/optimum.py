@@ -3,29 +3,32 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from shlex import quote
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import Field
 
 from sweetspot import catalog
 from sweetspot.analysis.optimum import best_launch
 from sweetspot.answers.optimum import LaunchSearch, OptimumQuestion, ParkSearch, SwingSearch, optimum_answer
+from sweetspot.answers.records import Angle, Distance, Speed
 from sweetspot.catalog.sports import pitched_aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch import PitchFlight, aimed
 from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
 from sweetspot.report.optimum.document import optimum_document
+from sweetspot.report.page_words import carries_farthest
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
-from sweetspot.web.documents import ReadDocument, told
-from sweetspot.web.drawings import ball_picture, bat_picture
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text, stroke_options
 from sweetspot.web.states import Name, SwungState, within
 from sweetspot.web.view import View
-from sweetspot.web.views.flight_parks import carries, parks_of
+from sweetspot.web.views.flight_parks import CarryMap, carries, parks_of
 
 
 class OptimumState(SwungState):
@@ -44,7 +47,28 @@ class OptimumState(SwungState):
     park: Name | None = Field(None, description="name, team or its letters; empty: where such bats are swung")
 
 
-def answer(state: OptimumState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class LaunchThatCarries:
+    """The launch angle at which a ball so fast carries farthest."""
+
+    exit_speed: Speed
+    launch_angle: Angle
+    carry: Distance
+
+
+@dataclass(frozen=True, kw_only=True)
+class LaunchAnswer:
+    """The best launch angle of an exit speed, and carries around it."""
+
+    bat: BatPicture
+    ball: BallPicture
+    launch: LaunchThatCarries
+    map: CarryMap
+    park: str
+    words: Sentences
+
+
+def answer(state: OptimumState) -> LaunchAnswer:
     """Return the best launch angle of an exit speed, and carries around it."""
     state = swung(state)
     through, spin = _through(state), state.backspin_rpm * RPM
@@ -56,13 +80,14 @@ def answer(state: OptimumState) -> dict[str, Any]:
         park = catalog.park(state.park or "")
     ball = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=USUAL_CONTACT)
     reduced_bat = reduced(state, ball_of(state))
-    return {
-        "bat": bat_picture(state, reduced_bat),
-        "ball": ball_picture(state, through.ball),
-        "launch": {"exit_speed_m_s": speed, "launch_angle_rad": best.launch_angle, "carry_m": best.carry},
-        "map": carries(ball, conditions=through, park=park, own_elevation=True),
-        "park": park.name,
-    }
+    return LaunchAnswer(
+        bat=bat_picture(state, reduced_bat),
+        ball=ball_picture(state, through.ball),
+        launch=LaunchThatCarries(speed, best.launch_angle, best.carry),
+        map=carries(ball, conditions=through, park=park, own_elevation=True),
+        park=park.name,
+        words=in_both_systems([carries_farthest(speed, best.launch_angle, best.carry)]),
+    )
 
 
 def swing(state: OptimumState) -> ReadDocument:

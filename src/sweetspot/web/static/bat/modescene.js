@@ -2,14 +2,14 @@
 
 import { paintBat, radiusAt } from "./batview.js";
 import { FONT, haloText } from "../charts/surface.js";
-/** @import { ModesAnswer, Motion } from "../answers.js" */
+/** @import { ModesAnswer, BatMotion } from "../answers.js" */
 /** @import { App, Colors } from "../shell/main.js" */
 
 const PAD = 16, TOP = 34, SIDES = 120;
 const SWING = 0.085; // m of drawing for the largest place of a motion of size 1
 const ROUND = 0.3; // part of the barrel's radius, for a hoop motion of size 1
 
-/** @typedef {{ answer: ModesAnswer, motion: Motion, phase: number, size: number, both: boolean, colors: Colors, text: (name: string, value: number, digits?: number) => string }} Shown */
+/** @typedef {{ answer: ModesAnswer, motion: BatMotion, phase: number, size: number, both: boolean, colors: Colors, text: (name: string, value: number, digits?: number) => string }} Shown */
 export class Stage {
   /**
    * @param {ModesAnswer} answer
@@ -63,7 +63,7 @@ export function paintMotion(context, width, height, shown) {
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ answer: ModesAnswer, motion: Motion, colors: Colors }} given
+ * @param {{ answer: ModesAnswer, motion: BatMotion, colors: Colors }} given
  */
 function paintZone(context, stage, { answer, motion, colors }) {
   if (motion.family !== "bending" || motion.number > 2) return;
@@ -113,7 +113,7 @@ function paintMarks(context, stage, { answer, colors }) {
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Motion, answer: ModesAnswer, phase: number, size: number, both: boolean, colors: Colors }} given
+ * @param {{ motion: BatMotion, answer: ModesAnswer, phase: number, size: number, both: boolean, colors: Colors }} given
  */
 function paintBent(context, stage, { motion, answer, phase, size, both, colors }) {
   const draw = (/** @type {number} */ part, /** @type {number} */ strength) => {
@@ -140,7 +140,7 @@ function paintBent(context, stage, { motion, answer, phase, size, both, colors }
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Motion, answer: ModesAnswer, phase: number, size: number, both: boolean, colors: Colors }} given
+ * @param {{ motion: BatMotion, answer: ModesAnswer, phase: number, size: number, both: boolean, colors: Colors }} given
  */
 function paintHoop(context, stage, { motion, answer, phase, size, both, colors }) {
   const { harmonic } = motion;
@@ -169,7 +169,7 @@ function paintHoop(context, stage, { motion, answer, phase, size, both, colors }
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Motion, answer: ModesAnswer, phase: number, largest: number, both: boolean, colors: Colors }} given
+ * @param {{ motion: BatMotion, answer: ModesAnswer, phase: number, largest: number, both: boolean, colors: Colors }} given
  */
 function paintCut(context, stage, { motion, answer, phase, largest, both, colors }) {
   const top = motion.shape.reduce((/** @type {number} */ best, /** @type {number} */ value, /** @type {number} */ i) => (Math.abs(value) > Math.abs(motion.shape[best]) ? i : best), 0);
@@ -221,7 +221,7 @@ function paintCut(context, stage, { motion, answer, phase, largest, both, colors
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Stage} stage
- * @param {{ motion: Motion, answer: ModesAnswer, colors: Colors, text: App["text"] }} given
+ * @param {{ motion: BatMotion, answer: ModesAnswer, colors: Colors, text: App["text"] }} given
  */
 function paintNodes(context, stage, { motion, answer, colors, text }) {
   const few = motion.nodes_m.length <= 4;

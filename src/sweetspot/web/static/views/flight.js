@@ -6,18 +6,15 @@ import { HeatMap } from "../charts/heatmap.js";
 import { HowSure } from "../controls/howsure.js";
 import { factList, make, tableOf, tell } from "../controls/parts.js";
 import { MPH, toShown } from "../controls/units.js";
-import { FieldPicture, SidePicture, clearance } from "./flight_pictures.js";
-/** @import { Answers } from "../answers.js" */
+import { FieldPicture, SidePicture } from "./flight_pictures.js";
+/** @import { Answers, FlownBall } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
-/** @import { Answer, App, State, View } from "../shell/main.js" */
+/** @import { App, State, View } from "../shell/main.js" */
 
 /** @type {Record<string, string>} */
-const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play": "in play", foul: "foul" };
-/** @type {Record<string, string>} */
 const CLASSES = { "home run": "good", foul: "muted" };
-const SURE = 0.05; // chances nearer to none or to one are told as one outcome
 const MAPPED = ["exit_speed_mph", "launch_angle_deg", "own_elevation"]; // what the map does not depend on, for a ball with its own numbers
-/** @type {Fact<Answers["flight"]>[]} */
+/** @type {Fact<FlownBall>[]} */
 const FACTS = [
   ["Chance of a home run", (a, app) => app.text("share", a.chance, 0)],
   ["Parks it leaves on average", (a) => `${a.expected_out_in.toFixed(1)} of ${a.of}`],
@@ -119,6 +116,7 @@ export const view = {
   // The ball on its way, in its own time.
   fly() {
     if (this.stop) return this.rest();
+    if (this.answer.missed) return undefined;
     const { hang_time_s: hang } = this.answer.flight;
     let begin = NaN;
     this.play.textContent = "Stop";
@@ -148,7 +146,7 @@ export const view = {
 
   // Until it is moved the elevation's control shows the park's.
   /**
-   * @param {{ park: Answer }} given
+   * @param {Answers["flight"]} given
    * @param {State} state
    */
   showElevation({ park }, state) {
@@ -160,7 +158,8 @@ export const view = {
   update(answer, state) {
     this.bench.update(answer);
     this.showElevation(answer, state);
-    const words = answer.missed ? "The bat misses the ball, or the ball does not come off it. Move the ball nearer to the bat's axis." : this.headline(answer);
+    const { units } = this.app;
+    const words = answer.headline[units].join(" ");
     tell(this.words, words);
     this.app.announce(words);
     this.pictures.hidden = this.list.hidden = answer.missed;
@@ -169,64 +168,33 @@ export const view = {
       return;
     }
     this.answer = answer;
-    this.launch.textContent = this.start(answer);
+    this.launch.textContent = answer.leaves[units].join(" ");
     this.facts.fill(answer);
     this.sure.update();
     this.drawMap(answer);
     this.app.aside("map", state.start === "ball" ? MAPPED : [], 120, (carries) => {
       this.carries = carries;
-      this.drawMap(this.app.answer);
+      this.drawMap(this.answer);
     });
     this.side.draw(answer);
     this.field.draw(answer, state);
     this.app.afterwards(this.parks, () => this.parks.replaceChildren(this.listOfParks(answer)));
   },
 
-  /** @param {{ launch: Answer }} given */
+  /** @param {FlownBall} given */
   drawMap({ launch }) {
-    if (!this.carries || !launch) return;
+    if (!this.carries) return;
     const { exit_speed_m_s: x, launch_angle_rad: y, carry_m: z } = this.carries;
     this.map.draw({ x, y, z, cross: [launch.exit_speed_m_s, launch.launch_angle_rad] });
     this.map.label("How far the ball carries, by exit speed and launch angle, with this spin, direction and weather.");
   },
 
-  /** @param {{ end: Answer, park: Answer, flight: Answer, out_in: number, of: Answer, chance: number }} given */
-  headline({ end, park, flight, out_in: count, of, chance }) {
-    const far = (/** @type {number} */ value) => this.app.text("distance", value);
-    const over = clearance(this.app, end.clearance_m ?? 0);
-    /** @type {Record<string, string>} */
-    const outcomes = {
-      "home run": `over the fence of ${park.name}, ${over} above its top at ${far(end.distance_m)}`,
-      "off the wall": `against the fence of ${park.name}, ${over} below its top at ${far(end.distance_m)}`,
-      "in play": `comes down ${far(flight.carry_m)} from the plate in ${park.name}`,
-      foul: "foul",
-    };
-    const what = outcomes[end.outcome];
-    const unsure = chance > SURE && chance < 1 - SURE;
-    const out = end.outcome === "home run";
-    const named = end.outcome === "foul" ? "" : `${out ? "a home run" : "in play"}: `;
-    const doubt = unsure ? (out === chance > 0.5 ? "probably " : "perhaps ") : "";
-    const alike = unsure ? ` Of a hundred like it ${this.app.text("count", 100 * chance)} are home runs.` : "";
-    return `${doubt}${doubt ? named : named.replace("a home", "home")}${what}.${alike} Out in ${count} of ${of} ${of === 1 ? "park" : "parks"}.`.replace(/^./, (letter) => letter.toUpperCase());
-  },
-
-  /** @param {{ launch: Answer, swing: Answer }} given */
-  start({ launch, swing }) {
-    const show = this.app.text.bind(this.app);
-    const size = (/** @type {string} */ name, /** @type {number} */ value) => show(name, Math.abs(value));
-    const { launch_angle_rad: up, spray_rad: spray, backspin_rad_s: back, sidespin_rad_s: bend } = launch;
-    const side = Math.abs(spray) < 5e-4 ? "to centre field" : `${size("a_rad", spray)} to ${spray < 0 ? "left" : "right"} field`;
-    const words = `The ball leaves at ${show("v_m_s", launch.exit_speed_m_s)}, ${size("a_rad", up)} ${up < 0 ? "down" : "up"}, ${side}, ` +
-      `with ${size("w_rad_s", back)} of ${back < 0 ? "topspin" : "backspin"}${bend ? ` and ${size("w_rad_s", bend)} that bend it ${bend < 0 ? "right" : "left"}` : ""}.`;
-    return swing ? `${words} The bat moves at ${show("v_m_s", swing.bat_speed_m_s)} where they meet.` : words;
-  },
-
-  /** @param {{ parks: Answer[] }} given */
+  /** @param {FlownBall} given */
   listOfParks({ parks }) {
     const sorted = [...parks].sort((a, b) => b.chance - a.chance || (b.clearance_m ?? -1e3) - (a.clearance_m ?? -1e3));
     const far = (/** @type {number | null} */ value) => (value === null ? "–" : this.app.text("distance", value));
     return tableOf("Outcome in every park, the likeliest home run first; chance: with what balls, spin and weather scatter by; carry: to the ground, as if there were no fence", ["Park", "Outcome", "Chance", "Carry", "Fence there", "Above its top"], sorted.map((row) => [
-      { text: row.park, note: row.team }, { text: WORDS[row.outcome], className: CLASSES[row.outcome] ?? "" }, this.app.text("share", row.chance, 0),
+      { text: row.park, note: row.team }, { text: row.outcome, className: CLASSES[row.outcome] ?? "" }, this.app.text("share", row.chance, 0),
       far(row.carry_m), far(row.fence_m), far(row.clearance_m)]));
   },
 

@@ -4,7 +4,8 @@ import { Numbers, evenly } from "../charts/numbers.js";
 import { FONT, Surface, arrow, haloText, ticks } from "../charts/surface.js";
 /** @import { Point } from "../charts/surface.js" */
 import { fromShown, kindOf, toShown, unitOf } from "../controls/units.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { DrawnPark, DrawnPath, FenceOutline, FlownBall } from "../answers.js" */
+/** @import { App, State } from "../shell/main.js" */
 /** @import { Way } from "../bat/batpaint.js" */
 
 /** @typedef {(right: number, out: number) => Point} Placing from a place on the field, m from home, to a pixel */
@@ -50,7 +51,7 @@ function dot(context, [x, y], radius, color) {
 
 // Where a ball is at a moment, straight between the points of its path.
 /**
- * @param {{ time_s: number[] }} given
+ * @param {DrawnPath} given
  * @param {number} moment
  */
 function placeAt({ time_s: times, ...path }, moment) {
@@ -64,7 +65,9 @@ export class SidePicture {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
+    /** @type {FlownBall | null} */
     this.data = null;
+    /** @type {number | null} */
     this.moment = null;
     this.surface = new Surface(app, { height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
@@ -72,19 +75,19 @@ export class SidePicture {
   }
 
   // Where the ball is at even times, and where it would be without air.
-  /** @param {Answer} answer */
+  /** @param {FlownBall} answer */
   tabled({ path, path_without_air: vacuum }) {
     const { units } = this.app;
     const shown = (/** @type {string} */ kind, /** @type {number} */ value) => toShown(kind, value, units).toFixed(kindOf(kind)[units].digits).replace(/^-(0(\.0*)?)$/, "$1").replace("-", "−");
     const unit = unitOf("distance", units);
-    const rows = evenly(path.time_s, 13).map((/** @type {number} */ moment) => {
+    const rows = evenly(path.time_s, 13).map((moment) => {
       const [here, there] = [placeAt(path, moment), placeAt(vacuum, moment)];
       return [shown("seconds", moment), ...[here.distance_m, here.up_m, here.right_m, there.distance_m, there.up_m].map((value) => shown("distance", value))];
     });
     return { caption: "The ball's path", rows, columns: ["Time, s", `Over the ground, ${unit}`, `Height, ${unit}`, `To the right, ${unit}`, `Without air: over the ground, ${unit}`, `Without air: height, ${unit}`] };
   }
 
-  /** @param {Answer} answer */
+  /** @param {FlownBall} answer */
   draw(answer) {
     this.data = answer;
     this.numbers.redraw();
@@ -95,31 +98,31 @@ export class SidePicture {
   }
 
   // The ball on its way; null: the whole path.
-  /** @param {number} moment */
+  /** @param {number | null} moment */
   at(moment) {
     this.moment = moment;
     this.surface.draw();
   }
 
-  reach() {
-    const { flight, path_without_air: vacuum } = this.data;
-    const fence = this.fence();
+  /** @param {FlownBall} data */
+  reach({ flight, path_without_air: vacuum, park, end }) {
+    const fence = this.fence({ park, end });
     const highest = Math.max(flight.apex_m, fence.height, 12, Math.min(Math.max(...vacuum.up_m), 1.3 * flight.apex_m));
     return { far: 1.06 * Math.max(flight.carry_m, fence.distance, 40), high: 1.12 * highest };
   }
 
   // The fence in the direction in which the ball passes or would pass it.
-  fence() {
-    const { park, end } = this.data;
-    const wanted = Math.min(park.direction_rad.at(-1), Math.max(park.direction_rad[0], end.direction_rad));
-    const at = park.direction_rad.findIndex((/** @type {number} */ direction) => direction >= wanted - 1e-9);
+  /** @param {Pick<FlownBall, "park" | "end">} data */
+  fence({ park, end }) {
+    const wanted = Math.min(park.direction_rad.at(-1) ?? 0, Math.max(park.direction_rad[0], end.direction_rad));
+    const at = park.direction_rad.findIndex((direction) => direction >= wanted - 1e-9);
     return { distance: park.distance_m[at], height: park.height_m[at] };
   }
 
   /** @param {number} width */
   tall(width) {
     if (!this.data) return 200;
-    const { far, high } = this.reach();
+    const { far, high } = this.reach(this.data);
     const room = TOP + FOOT + (high / far) * (width - LEFT - RIGHT);
     return Math.max(150, ROW * Math.ceil(room / ROW)); // in steps, so that what lies below seldom moves
   }
@@ -132,12 +135,12 @@ export class SidePicture {
   paint(context, width, height) {
     if (!this.data) return;
     const { colors } = this.app;
-    const { far } = this.reach();
+    const { far } = this.reach(this.data);
     const scale = (width - LEFT - RIGHT) / far;
     const [across, up] = [(/** @type {number} */ x) => LEFT + x * scale, (/** @type {number} */ z) => height - FOOT - z * scale];
     this.paintAxes(context, { width, height, across, up, far, scale });
     const { path, path_without_air: vacuum, end } = this.data;
-    const { distance, height: top } = this.fence();
+    const { distance, height: top } = this.fence(this.data);
     const points = (/** @type {{ distance_m: number[], up_m: number[] }} */ { distance_m, up_m }) => distance_m.map((x, i) => /** @type {Point} */ ([across(x), up(up_m[i])]));
     context.save();
     context.beginPath();
@@ -151,7 +154,7 @@ export class SidePicture {
     }
     context.restore();
     line(context, [[across(distance), up(0)], [across(distance), up(top)]], { color: colors.green, width: 5 });
-    const roomy = across(distance) < width - 100 && !(end.clearance_m > 0); // beyond a fence that it clears the ball comes down
+    const roomy = across(distance) < width - 100 && !((end.clearance_m ?? 0) > 0); // beyond a fence that it clears the ball comes down
     Object.assign(context, { font: `600 11px ${FONT}`, textAlign: roomy ? "left" : "right", textBaseline: "middle" });
     haloText(context, `fence ${this.app.text("distance", top)}`, across(distance) + (roomy ? 7 : -7), up(0) - 8, colors.ink, colors.panel);
     context.textAlign = "right";
@@ -195,10 +198,14 @@ export class FieldPicture {
   /** @param {App} app */
   constructor(app, /** @type {{ onLand: (place: { distance: number, direction: number }, on: { last: boolean }) => boolean, onWind: (wind: { wind_speed_mph: number, wind_direction_deg: number }, on: { last: boolean }) => void }} */ { onLand, onWind }) {
     this.app = app;
+    /** @type {FlownBall | null} */
     this.data = null;
+    /** @type {number | null} */
     this.moment = null;
+    /** @type {FenceOutline[] | null} */
     this.fences = null;
     this.winding = false;
+    /** @type {State | null} */
     this.state = null;
     /** @type {Point | null} */
     this.plate = null; // where home plate is painted
@@ -241,20 +248,20 @@ export class FieldPicture {
     return { wind_speed_mph: speed, wind_direction_deg: degrees };
   }
 
-  /** @param {number} moment */
+  /** @param {number | null} moment */
   at(moment) {
     this.moment = moment;
     this.surface.draw();
   }
 
-  /** @param {Answer[] | null} fences */
+  /** @param {FenceOutline[] | null} fences */
   others(fences) {
     this.fences = fences;
     this.surface.draw();
   }
 
   /**
-   * @param {Answer} answer
+   * @param {FlownBall} answer
    * @param {State} state
    */
   draw(answer, state) {
@@ -279,7 +286,7 @@ export class FieldPicture {
     /** @type {(right: number, out: number) => Point} */
     const at = (right, out) => [width / 2 + right * scale, height - 14 - (out + 4) * scale];
     /** @type {Point[]} */
-    const fence = park.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, park.out_m[i]));
+    const fence = park.right_m.map((right, i) => at(right, park.out_m[i]));
     this.plate = at(0, 0);
     this.scale = scale;
     this.vane = [46, height - 66];
@@ -290,10 +297,10 @@ export class FieldPicture {
     context.fillStyle = colors.grass;
     context.fill();
     this.paintInfield(context, at, scale, fence);
-    for (const other of this.fences ?? []) line(context, other.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
+    for (const other of this.fences ?? []) line(context, other.right_m.map((right, i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
     this.paintFence(context, fence, park.height_m);
-    line(context, path.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
-    this.landed = at(path.right_m.at(-1), path.out_m.at(-1));
+    line(context, path.right_m.map((right, i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
+    this.landed = at(path.right_m.at(-1) ?? 0, path.out_m.at(-1) ?? 0);
     dot(context, this.landed, 6, colors.red);
     if (this.moment !== null) {
       const here = placeAt(path, this.moment);
@@ -345,7 +352,7 @@ export class FieldPicture {
   // The fence is the thicker the higher it is.
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {Answer} fence
+   * @param {Point[]} fence
    * @param {number[]} heights
    */
   paintFence(context, fence, heights) {
@@ -357,8 +364,8 @@ export class FieldPicture {
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {Answer} fence
-   * @param {Answer} park
+   * @param {Point[]} fence
+   * @param {DrawnPark} park
    */
   paintDistances(context, fence, park) {
     const { colors } = this.app;

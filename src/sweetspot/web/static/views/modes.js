@@ -9,7 +9,7 @@ import { Surface } from "../charts/surface.js";
 import { unbroken } from "../controls/tables.js";
 import { strike } from "../controls/tapsound.js";
 import { INCH, kindOf, toShown } from "../controls/units.js";
-/** @import { Motion } from "../answers.js" */
+/** @import { BatMotion } from "../answers.js" */
 /** @import { View } from "../shell/main.js" */
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
@@ -163,7 +163,7 @@ export const view = {
     this.more.textContent = this.all ? "Leave out what is hardly woken" : `Show ${quiet} more, which are hardly woken`;
   },
 
-  /** @param {Motion[]} rows */
+  /** @param {BatMotion[]} rows */
   rows(rows) {
     const held = document.activeElement?.matches("[name=motion]") ?? false;
     const heads = ["Motion", "Frequency", "Damping", "Dies away in", "Share of the tap's energy", "Felt at the hands after 1 N s"];
@@ -232,7 +232,7 @@ export const view = {
 };
 
 // Whether a tap wakes a motion so that a number shows it; rigid motions have no share of the vibration.
-const worthShowing = (/** @type {Motion} */ { tap: { energy_share: share, hand_speed_m_s_per_n_s: felt } }) => share === null || share >= 1e-3 || felt >= 0.05;
+const worthShowing = (/** @type {BatMotion} */ { tap: { energy_share: share, hand_speed_m_s_per_n_s: felt } }) => share === null || share >= 1e-3 || felt >= 0.05;
 const percent = (/** @type {number} */ share) => (share > 0 && share < 1e-4 ? "< 0.01 %" : `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`);
 
 /**

@@ -54,8 +54,7 @@ export const view = {
     this.answer = answer;
     this.bench.update(answer);
     const { launch, map } = answer;
-    const show = this.app.text.bind(this.app);
-    tell(this.words, `A ball at ${show("v_m_s", launch.exit_speed_m_s)} carries farthest at ${show("a_rad", launch.launch_angle_rad)}: ${show("distance", launch.carry_m)}.`);
+    tell(this.words, answer.words[this.app.units].join(" "));
     this.app.announce(this.words.textContent);
     const [x, y, cross] = [map.exit_speed_m_s, map.launch_angle_rad, [launch.exit_speed_m_s, launch.launch_angle_rad]];
     this.map.draw({ x, y, z: map.carry_m, cross });
@@ -74,10 +73,10 @@ export const view = {
   unmount() { Object.assign(this, { answer: null }); },
   figures() { return [this.map.figure("carry"), this.chances.figure("chance")]; },
   table() {
-    const { map } = this.app.answer;
+    const { map } = this.answer;
     /** @type {Record<string, unknown[]>} */
     const columns = { exit_speed_m_s: [], launch_angle_rad: [], carry_m: [], chance: [] };
-    map.launch_angle_rad.forEach((/** @type {number} */ angle, /** @type {number} */ row) => map.exit_speed_m_s.forEach((/** @type {number} */ speed, /** @type {number} */ column) => {
+    map.launch_angle_rad.forEach((angle, row) => map.exit_speed_m_s.forEach((speed, column) => {
       columns.exit_speed_m_s.push(speed);
       columns.launch_angle_rad.push(angle);
       columns.carry_m.push(map.carry_m[row][column]);
