@@ -36,7 +36,7 @@ MAP_SCALE = 2.5
 """ft of the field per unit of Statcast's map, about."""
 LOWEST = 40 * MPH
 """m/s; slower balls in play are left out (our choice)."""
-BAT_SPEED, SLOWEST_SWING = 71.5 * MPH, 45 * MPH
+BAT_SPEED, CHECKED_SWING = 71.5 * MPH, 45 * MPH
 """m/s, the mean of tracked swings [sure2026], and below which swings are left out (our choice)."""
 FARTHEST = 13.9 * INCH
 """m from the tip, beyond which contacts are left out (our choice): there are the hands."""
@@ -125,7 +125,7 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     place = how.place + own_place[who] + how.per_outside * outside + own_spread[who] * how.scatter(rng, count)
     own_offset, own_level = _more_of_players(how, seed)
     offset = 0.15 * INCH + rng.normal(0, how.offset_spread, count) * own_offset[who]
-    kept = (place > 0) & (place < FARTHEST) & (speed > SLOWEST_SWING)
+    kept = (place > 0) & (place < FARTHEST) & (speed > CHECKED_SWING)
     struck = _struck(bat, speed, (attack, direction, tilt, left), pitch, np.clip(place, 0, FARTHEST), offset)
     launch, _, _ = launch_angles(struck.velocity, struck.spin)
     exit_speed = own_level[who] * struck.exit_speed + rng.normal(0, how.noise, count)
