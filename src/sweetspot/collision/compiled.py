@@ -33,7 +33,7 @@ from sweetspot.collision.time_step import impulse_of_the_turn
 from sweetspot.equipment.ball import restitution_at
 from sweetspot.numerics import parabola
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.vector_math import exp, log
 
 LANES = 64
@@ -209,7 +209,7 @@ def solve(
             _dash(lanes.velocity, dashpots, half_dash, rate)
 
 
-@compiled(_nrt=False)
+@inner(_nrt=False)
 def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None:
     """Let the dashpots act on the modal velocities of every lane."""
     for k in range(len(factors)):
@@ -222,7 +222,7 @@ def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None
                 velocity[i, lane] -= factors[k] * dashpots[k, i] * rate[lane]
 
 
-@compiled(_nrt=False)
+@inner(_nrt=False)
 def _start(
     lane: int,
     following: int,
@@ -265,7 +265,7 @@ def _start(
     return following + 1
 
 
-@compiled(_nrt=False)
+@inner(_nrt=False)
 def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
     """Begin a contact: the ball is where it is, nothing presses yet, and loading comes first."""
     state[PEAK, lane] = state[APPROACH, lane]
@@ -275,7 +275,7 @@ def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
     state[FORCE, lane] = state[FORMER, lane] = state[UNTIL, lane] = 0.0
 
 
-@compiled(_nrt=False)
+@inner(_nrt=False)
 def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
     if state[RISING, lane] == 0.0:
@@ -299,7 +299,7 @@ def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
     state[MISSING, lane] = _impulse_of_the_turn(shift, bend, stiffening, step)
 
 
-@compiled(_nrt=False)
+@inner(_nrt=False)
 def pressed(approach: float, give: float, force: float, offset: float, power: float) -> tuple[float, float]:
     """Return a ball's compression u in m and its force F in N, u + C F(u) = w, by Halley's method.
 
@@ -327,7 +327,7 @@ def pressed(approach: float, give: float, force: float, offset: float, power: fl
     return compression, force
 
 
-@compiled(_nrt=False)
+@inner(_nrt=False)
 def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lanes: Lanes) -> float:
     """Return after how many kicks a ball that has just left is beyond all that vibrations together can reach.
 
@@ -363,7 +363,7 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
     return float(max(0.0, (reach - distance) / (speed * step)))
 
 
-@compiled(_nrt=False)
+@inner(_nrt=False)
 def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: HitOutput) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
@@ -373,8 +373,8 @@ def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Hi
     results[TOUCHES, row] += 1.0
     results[GREATEST_FORCE, row] = max(state[LARGEST, lane], state[HARDEST, lane])
     if state[DEEPEST, lane] == 0:
-        start, loading = state[FORCE, lane], (log(ball.stiffness), ball.exponent)
-        state[DEEPEST, lane], _ = pressed(state[PEAK, lane], state[GIVE, lane], start, *loading)
+        peak, give, offset = state[PEAK, lane], state[GIVE, lane], log(ball.stiffness)
+        state[DEEPEST, lane], _ = pressed(peak, give, state[FORCE, lane], offset, ball.exponent)
     results[GREATEST_COMPRESSION, row] = state[DEEPEST, lane]
     if separated:
         threshold = CONTACT_FORCE * state[LARGEST, lane]

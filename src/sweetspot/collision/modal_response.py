@@ -70,20 +70,28 @@ def _drive(
 ) -> None:  # fmt: skip
     """Fill places, and velocities before and after each kick, in rows of one per kick and one at the end."""
     size = len(shape)
+    velocity = np.empty(size)
     for row in range(1, len(impulses) + 1):
         if row > 1:
-            velocity = outgoing[row - 1].copy()
+            for i in range(size):
+                velocity[i] = outgoing[row - 1, i]
             for half in range(2):
                 for k in range(len(half_dash)):
-                    velocity -= half_dash[k] * dashpots[k] * (dashpots[k] @ velocity)
+                    rate = 0.0
+                    for i in range(size):
+                        rate += dashpots[k, i] * velocity[i]
+                    for i in range(size):
+                        velocity[i] -= half_dash[k] * dashpots[k, i] * rate
                 if half == 0:
                     for i in range(size):
                         place, speed = path[row - 1, i], velocity[i]
                         path[row, i] = drift[i, 0, 0] * place + drift[i, 0, 1] * speed
                         velocity[i] = drift[i, 1, 0] * place + drift[i, 1, 1] * speed
-            incoming[row] = velocity
+            for i in range(size):
+                incoming[row, i] = velocity[i]
         if row < len(impulses):
-            outgoing[row] = incoming[row] + shape * impulses[row]
+            for i in range(size):
+                outgoing[row, i] = incoming[row, i] + shape[i] * impulses[row]
 
 
 def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: float, count: int) -> ModalMotion:

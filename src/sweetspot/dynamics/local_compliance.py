@@ -27,7 +27,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.material import Material
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.piecewise import cubic_spline
 
 ACROSS_POISSON = 0.4
@@ -260,7 +260,7 @@ def _eliminated_to_surface(parts: Array, factors: Array, compliance: Array) -> N
             compliance[2, start + b] = outwards / whole
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _eliminated(block: Array, k: int) -> None:
     """Eliminate one unknown of symmetric matrices side by side; what is above their diagonals is room to work in."""
     for i in range(k + 1, len(block)):

@@ -8,7 +8,7 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.banded import WIDTH, factorised, lowest_pairs
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 
 UNKNOWNS, STEP = 12, 8
 """Unknowns of an element, and how many of them are not the next one's: its matrix fits into a band."""
@@ -75,7 +75,7 @@ def solved_walls(stiffness: Array, inertia: Array, held: IntArray, pushes: Pushe
     return True
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _assembled(size: int, matrices: Array, held: IntArray, of_held: float) -> tuple[Array, Array]:
     """Return elements' matrices (elements, 12, 12) as one band, with ``of_held`` on the diagonal of what is held."""
     diagonal, below = np.zeros(size + WIDTH), np.zeros((size + WIDTH, WIDTH))
@@ -93,7 +93,7 @@ def _assembled(size: int, matrices: Array, held: IntArray, of_held: float) -> tu
     return diagonal, below
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _pushed(
     size: int, factor: tuple[Array, Array], held: IntArray, pushes: Pushes, h: int, vectors: Array, felt: Array,
     give: Array,
@@ -125,18 +125,20 @@ def _pushed(
             for row in range(first, last + SHARED):
                 for b in range(SIDE_BY_SIDE):
                     sums[b] += block[row, b] * vectors[m, row]
-            felt[h, start : start + count, m] = sums[:count]
+            for b in range(count):
+                felt[h, start + b, m] = sums[b]
         _eliminated(factor, block, first, last, sums)
         left = block[last : last + SHARED]
         for i in range(SHARED):
             for j in range(SHARED):
                 for b in range(SIDE_BY_SIDE):
                     sums[b] += beyond[last // STEP, i, j] * left[i, b] * left[j, b]
-        give[h, start : start + count] = sums[:count]
+        for b in range(count):
+            give[h, start + b] = sums[b]
         block[first : last + SHARED] = 0.0
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _eliminated(factor: tuple[Array, Array], block: Array, first: int, last: int, sums: Array) -> None:
     """Solve L x = b in so many rows for several b side by side, and fill in each one's |x|^2 there."""
     diagonal, below = factor
@@ -152,7 +154,7 @@ def _eliminated(factor: tuple[Array, Array], block: Array, first: int, last: int
                 block[j + 1 + k, b] -= part * block[j, b]
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _beyond(size: int, factor: tuple[Array, Array], block: Array, sums: Array) -> Array:
     """Return the compliance of the wall from every element's begin to the tip, of the four unknowns that begin it.
 

@@ -11,7 +11,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numba.extending import register_jitable
 
 from sweetspot.flight import aerodynamics
@@ -21,7 +20,7 @@ from sweetspot.flight.trajectory import MOST_STEPS, SLOW, TIME_LIMIT, FlightOutc
 from sweetspot.numerics import hermite_cubic as cubic
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.vector_math import exp, log
 
 State = tuple[float, float, float, float, float, float, float]
@@ -66,7 +65,7 @@ _on_cubic = register_jitable(cubic.on_cubic)
 _turn_on_cubic = register_jitable(cubic.turn_on_cubic)
 _first_crossing = register_jitable(cubic.first_crossing)
 register_jitable(cubic.root_on_cubic)
-_inlined = njit(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+_inlined = inner(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
 _drag_with_spin = _inlined(aerodynamics.drag_with_spin)
 _lift_by_power = _inlined(aerodynamics.lift_by_power)
 
@@ -161,7 +160,7 @@ def stepped(
     )  # fmt: skip
 
 
-@compiled(error_model="numpy", fastmath={"contract", "nsz"})
+@inner(error_model="numpy", fastmath={"contract", "nsz"})
 def _advance(lanes: Array, step: float, edge: float, law: FlightLaw, power: float | None,
              profile: float | None) -> float:  # fmt: skip
     """Move every lane by one step; return above zero where something happened in a lane's step."""
@@ -231,7 +230,7 @@ def solve(
                 busy -= flight_of[lane] < 0
 
 
-@compiled(forceinline=True)
+@inner(forceinline=True)
 def _start(
     lane: int, following: int, start: Array, per_density: float, edge: float, lanes: Array, flight_of: IntArray,
     filled: IntArray, output: FlightOutput,
@@ -262,35 +261,37 @@ def _start(
     return following + 1
 
 
-@compiled(forceinline=True)
+@inner(forceinline=True)
 def _leaves(i: int, start: Array, drawing: bool, output: FlightOutput) -> bool:
     """Return whether a flight takes place; write down how it ends where it does not, or at once."""
     outcome, results, paths = output
     if drawing:
         if outcome[i] != LANDED or results[HANG, i] == 0:
             for point in range(paths.shape[1]):
-                paths[i, point] = start[:3, i] if outcome[i] == LANDED else np.full(3, np.nan)
+                for axis in range(3):
+                    paths[i, point, axis] = start[axis, i] if outcome[i] == LANDED else np.nan
             return False
         return True
     sound = start[DENSITY, i] >= 0
     for value in range(INPUT_ROWS):
         sound = sound and math.isfinite(start[value, i])
-    results[:, i] = np.nan
+    for row in range(RESULT_ROWS):
+        results[row, i] = np.nan
     if not sound:
         outcome[i] = UNUSABLE
     elif start[START_Z, i] < 0:
         outcome[i] = UNDERGROUND
     elif start[START_Z, i] == 0 and start[START_VZ, i] <= 0:
         outcome[i] = LANDED
-        results[:6, i] = start[:6, i]
-        results[SPIN_LEFT:, i] = 0.0
+        for row in range(RESULT_ROWS):
+            results[row, i] = start[row, i] if row < SPIN_LEFT else 0.0
         results[SPIN_LEFT, i] = 1.0
     else:
         return True
     return False
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _event(
     lane: int, edge: float, law: FlightLaw, power: float | None, profile: float | None, lanes: Array,
     flight_of: IntArray, filled: IntArray, output: FlightOutput,
@@ -330,7 +331,7 @@ def _event(
     return True
 
 
-@compiled(error_model="numpy")
+@inner(error_model="numpy")
 def _shorten(
     lane: int, part: float, height: float, lanes: Array, law: FlightLaw, power: float | None,
     profile: float | None,
@@ -351,7 +352,7 @@ def _shorten(
     return float(length)
 
 
-@compiled()
+@inner
 def _draw(lane: int, landed: bool, lanes: Array, filled: IntArray, hang_time: float, path: Array) -> None:
     """Fill the points of a path that lie in a lane's last step."""
     length, now = lanes[TAKEN + lane], lanes[TIME + lane]

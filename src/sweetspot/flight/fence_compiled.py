@@ -14,7 +14,7 @@ import numpy as np
 
 from sweetspot.flight.compiled import FlightLaw, stepped
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 
 MOST_POINTS = 60
 """Steps of a path: 12 s at 0.2 s each, longer than any ball that comes near a fence is in the air."""
@@ -106,7 +106,7 @@ def chances(
                     chance[ball, park] = 1.0 if off > 0 else 0.0
 
 
-@compiled(error_model="numpy")
+@inner(error_model="numpy")
 def _set_out(lanes: Array, lane: int, start: Array, ball: int, strength: float, drag: float) -> None:
     """Put a ball at its start into a lane, its drag times so much."""
     for row in range(6):
@@ -120,7 +120,7 @@ def _set_out(lanes: Array, lane: int, start: Array, ball: int, strength: float, 
     lanes[BRAKED * LANES + lane] = drag
 
 
-@compiled(error_model="numpy", fastmath={"contract", "nsz"})
+@inner(error_model="numpy", fastmath={"contract", "nsz"})
 def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float | None, step: float) -> None:
     """Move every lane by one step."""
     for lane in range(LANES):
@@ -143,7 +143,7 @@ def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float |
         lanes[6 * LANES + lane] = after[6]
 
 
-@compiled(error_model="numpy")
+@inner(error_model="numpy")
 def _fly(
     lanes: Array, law: FlightLaw, power: float | None, profile: float | None, step: float, enough: float,
     paths: Array, points: IntArray, reach: Array,
@@ -177,7 +177,7 @@ def _fly(
         _advance(lanes, law, power, profile, step)
 
 
-@compiled(error_model="numpy")
+@inner(error_model="numpy")
 def _seen_from_home(
     paths: Array, lane: int, last: int, step: float, near: float, farthest: float, seen: Array, lost: Array
 ) -> tuple[int, int]:  # fmt: skip
@@ -225,7 +225,7 @@ def _seen_from_home(
     return begin, last
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -> tuple[float, float]:
     """Return how far beyond a fence a path is at a step, m, and its direction from home plate."""
     far, way = 0.0, 0.0
@@ -235,7 +235,7 @@ def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -
     return far - _at(fences, 0, park, way), way
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _over(
     seen: Array, lost: Array, begin: int, end: int, step: float, weights: Array, fences: Array, park: int, hint: int
 ) -> tuple[float, float, int]:  # fmt: skip
@@ -286,7 +286,7 @@ def _over(
     return height, climbing / max(outwards, step) * shorter - lower, point
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _step_of(seen: Array, weights: Array, park: int, point: int, what: int) -> tuple[float, float, float, float]:
     """Return what is known of a path at both ends of a step, and what it gains in a step there."""
     first, last, rise, fall = 0.0, 0.0, 0.0, 0.0
@@ -299,7 +299,7 @@ def _step_of(seen: Array, weights: Array, park: int, point: int, what: int) -> t
     return first, last, rise, fall
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _within(step: tuple[float, float, float, float], part: float) -> float:
     """Return what is known of a path within a step, on the cubic through its ends."""
     first, last, rise, fall = step
@@ -310,7 +310,7 @@ def _within(step: tuple[float, float, float, float], part: float) -> float:
     )  # fmt: skip
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _at(fences: Array, what: int, park: int, direction: float) -> float:
     """Return distance (0) or height (1) of a park's fence in a direction; beyond a foul line that of the line."""
     place = min(max((direction + FOUL) / TABLE_STEP, 0.0), fences.shape[2] - 1.0)

@@ -11,10 +11,12 @@ Slices are copied by loops, and numpy sorts nothing here: the compiler takes lon
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import inner
 
 WIDTH = 12
 """Numbers kept below the diagonal: enough for one finite element of any line or wall here."""
@@ -26,14 +28,14 @@ NEAR = 1e-11
 QL_ROUNDS = 60
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def factorised(size: int, diagonal: Array, below: Array) -> bool:
     """Replace a positive definite matrix by its Cholesky factor, its diagonal inverted; return whether it was one."""
     for j in range(size):
         pivot = diagonal[j]
         if not pivot > 0.0:
             return False
-        inverse = 1.0 / np.sqrt(pivot)
+        inverse = 1.0 / math.sqrt(pivot)
         diagonal[j] = inverse
         for k in range(WIDTH):
             below[j, k] *= inverse
@@ -49,7 +51,7 @@ def factorised(size: int, diagonal: Array, below: Array) -> bool:
     return True
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def solved_forward(size: int, diagonal: Array, below: Array, vector: Array) -> None:
     """Replace b by the solution of L x = b."""
     for j in range(size):
@@ -59,7 +61,7 @@ def solved_forward(size: int, diagonal: Array, below: Array, vector: Array) -> N
             vector[j + 1 + k] -= below[j, k] * value
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def solved_backward(size: int, diagonal: Array, below: Array, vector: Array) -> None:
     """Replace b by the solution of L^T x = b."""
     for back in range(size):
@@ -70,7 +72,7 @@ def solved_backward(size: int, diagonal: Array, below: Array, vector: Array) -> 
         vector[j] = total * diagonal[j]
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def multiplied(size: int, diagonal: Array, below: Array, vector: Array, product: Array) -> None:
     """Fill ``product`` with the matrix times a vector."""
     for j in range(len(product)):
@@ -86,7 +88,7 @@ def multiplied(size: int, diagonal: Array, below: Array, vector: Array, product:
         product[j] = 0.0
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def lowest_pairs(
     size: int,
     stiffness: tuple[Array, Array],
@@ -155,7 +157,7 @@ def lowest_pairs(
     return False
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _begun(size: int, factor: tuple[Array, Array], rigid: Array, basis: Array) -> None:
     """Fill in the first orthonormal vectors: those of the rigid motions, then the one from which the steps begin."""
     diagonal, below = factor
@@ -174,7 +176,7 @@ def _begun(size: int, factor: tuple[Array, Array], rigid: Array, basis: Array) -
     _scaled(vector, basis[len(rigid)], size)
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _without_neighbours(size: int, basis: Array, step: int, beside: float, vector: Array) -> float:
     """Take the parts along this step's vector and the one before out of a vector; return the first of them."""
     current, total = basis[step], 0.0
@@ -189,7 +191,7 @@ def _without_neighbours(size: int, basis: Array, step: int, beside: float, vecto
     return total
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _largest(size: int, roots: Array, order: IntArray) -> None:
     """Fill in where the largest numbers are, the largest first; sorting all takes the compiler longer than the rest."""
     for i in range(len(order)):
@@ -203,7 +205,7 @@ def _largest(size: int, roots: Array, order: IntArray) -> None:
         order[i] = best
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _against(basis: Array, number: int, vector: Array) -> None:
     """Take the parts along the first ``number`` orthonormal vectors out of a vector."""
     for i in range(number):
@@ -215,19 +217,19 @@ def _against(basis: Array, number: int, vector: Array) -> None:
             vector[j] -= total * row[j]
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _scaled(vector: Array, target: Array, size: int) -> float:
     """Fill ``target`` with the vector at length one, and return the length that it had."""
     total = 0.0
     for j in range(size):
         total += vector[j] * vector[j]
-    length = np.sqrt(total)
+    length = math.sqrt(total)
     for j in range(size):
         target[j] = vector[j] / length
     return float(length)
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _from_steps(
     size: int, factor: tuple[Array, Array], basis: Array, ritz: tuple[Array, Array, IntArray], steps: int, shift: float,
     values: Array, vectors: Array,
@@ -243,13 +245,13 @@ def _from_steps(
             for j in range(size):
                 row[j] += part * each[j]
         solved_backward(size, factor[0], factor[1], row)
-        scale = 1.0 / np.sqrt(root)  # x^T M x = theta for y of length one
+        scale = 1.0 / math.sqrt(root)  # x^T M x = theta for y of length one
         for j in range(size):
             row[j] *= scale
         values[i] = 1.0 / root - shift
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _tridiagonal(size: int, diagonal: Array, beside: Array, turned: Array) -> bool:
     """Replace a symmetric tridiagonal matrix by its eigenvalues, by implicit QL steps.
 
@@ -278,14 +280,14 @@ def _tridiagonal(size: int, diagonal: Array, beside: Array, turned: Array) -> bo
             if rounds == QL_ROUNDS:
                 return False
             g = (diagonal[low + 1] - diagonal[low]) / (2.0 * beside[low])
-            r = np.hypot(g, 1.0)
+            r = math.hypot(g, 1.0)
             g = diagonal[split] - diagonal[low] + beside[low] / (g + (r if g >= 0 else -r))
             s, c, p = 1.0, 1.0, 0.0
             early = False
             for back in range(split - low):
                 i = split - 1 - back
                 f, b = s * beside[i], c * beside[i]
-                r = np.hypot(f, g)
+                r = math.hypot(f, g)
                 beside[i + 1] = r
                 if r == 0.0:
                     diagonal[i + 1] -= p
@@ -307,7 +309,7 @@ def _tridiagonal(size: int, diagonal: Array, beside: Array, turned: Array) -> bo
     return True
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _rotated(first: Array, second: Array, size: int, s: float, c: float) -> None:
     """Turn two rows into each other."""
     for k in range(size):

@@ -30,6 +30,7 @@ from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
 from numba.core.runtime.nrt import rtsys
 from numba.core.serialize import dumps
+from numba.extending import register_jitable
 from numba.misc.appdirs import AppDirs
 
 from sweetspot.numerics.digests import DIGEST_SIZE, digest
@@ -54,6 +55,10 @@ def compiled(**options: Any) -> Callable[[FUNCTION], FUNCTION]:
         return cast(FUNCTION, dispatcher)
 
     return compile_it
+
+
+inner = register_jitable
+"""Decorator for functions that only compiled ones call: with no code to call them from Python, and nothing on disk."""
 
 
 @cache

@@ -15,7 +15,7 @@ from sweetspot.dynamics.beam_elements import at_gauss_points, powers
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.banded import WIDTH, lowest_pairs
 from sweetspot.numerics.gauss_legendre import GAUSS_POINTS
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 
 DEGREE = 4
 """Of the deflection; the rotation has one less."""
@@ -100,7 +100,7 @@ def bend(
     return -1
 
 
-@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _add_element(
     element: int, at: int, elements: Elements, stiff: Array, stiff_below: Array, heavy: Array, heavy_below: Array
 ) -> None:
@@ -133,7 +133,7 @@ def _add_element(
             heavy_below[at + i, j - i - 1] += local_m[i, j]
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _write_shapes(start: int, number: int, vectors: Array, coefficients: Array) -> None:
     """Write every mode's deflection as a polynomial in t = 0..1 on each element, positive at the tip."""
     for mode in range(len(vectors)):
@@ -146,7 +146,7 @@ def _write_shapes(start: int, number: int, vectors: Array, coefficients: Array) 
                 coefficients[start + element, power, mode] = sign * total
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _behind(rising: Array, start: int, stop: int, value: float) -> int:
     """Return the index from ``start`` to ``stop`` of the first number above a value; ``stop``: none is."""
     low, high = start, stop
