@@ -18,7 +18,7 @@ from sweetspot.units import DEGREE, MPH
 
 LEAST = 0.25 * MPH
 """m/s, least scatter and least mean loss."""
-MOST_LOST = 25 * MPH
+LOSS_CUTOFF = 25 * MPH
 """m/s, beyond which a loss counts no more."""
 
 
@@ -58,7 +58,7 @@ class SwingSpeeds:
         middle = self.full_speed - bat_speed - self.full_spread**2 / self.lost_speed
         ratio = middle / self.full_spread
         bell = np.exp(-0.5 * ratio**2 - log_ndtr(ratio)) / np.sqrt(2 * np.pi)
-        lost = np.clip(middle + self.full_spread * bell, 0, MOST_LOST)
+        lost = np.clip(middle + self.full_spread * bell, 0, LOSS_CUTOFF)
         return np.maximum(bat_speed + lost - self.full_speed, -(self.full_spread**2) / self.lost_speed), lost
 
 
