@@ -18,7 +18,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import BallMotion, BallMotions, launched
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, batted_ball
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Record = Callable[..., None]
@@ -99,7 +99,7 @@ def test_beside_pybaseball(benchmark: Any, record: Record) -> None:
         return np.array([math.hypot(end["x"], end["y"]) for end in ends])
 
     hits = [
-        launched(
+        batted_ball(
             speed=speed * MPH, launch_angle=angle * DEGREE, spray=spray * DEGREE, backspin=spin * RPM,
             position=(0.0, 2 * FOOT, 3 * FOOT),
         )

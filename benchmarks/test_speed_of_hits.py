@@ -13,8 +13,9 @@ import pytest
 from benchmarks import cases
 from benchmarks.cases import QUICK, ROUNDS, ball, best, duration, game_hits, measured, modes
 from benchmarks.rivals import limits, numpy_hits, rigid_engine
-from sweetspot import hit, hits, rigid_body
+from sweetspot import hits, rigid_body
 from sweetspot.collision import kernel
+from sweetspot.collision.coupled import hit
 
 Record = Callable[..., None]
 

@@ -17,12 +17,14 @@ from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
 COUNT = 2_000 if QUICK else 100_000
-PITCH = launched(speed=82 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM, position=(0.0, 0.6, 0.9))
+PITCH = batted_ball(
+    speed=82 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM, position=(0.0, 0.6, 0.9)
+)
 
 
 @cache

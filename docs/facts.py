@@ -8,13 +8,14 @@ import numpy as np
 from cases import analysed, best_contact, from_tip
 from scipy.optimize import brentq
 
-from sweetspot import Pitch, analyse, bending_modes, catalog, hit, references, standard_conditions
+from sweetspot import Pitch, analyse, bending_modes, catalog, references, standard_conditions
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.analysis.miss_cost import viscous_scan
 from sweetspot.analysis.sweet_spot import miss_cost
 from sweetspot.catalog.records import read_table
 from sweetspot.cli.page_command import PORT
 from sweetspot.collision.contact_law import HuntCrossley, equivalent_wall_speed, loading_force
+from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.oblique_contact import oblique
 from sweetspot.dynamics.rigid import effective_mass, pendulum_period

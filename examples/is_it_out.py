@@ -5,14 +5,15 @@ Run: python examples/is_it_out.py
 
 from math import pi
 
-from sweetspot import Air, Contact, FlightConditions, Swing, SwingPath, catalog, landings_everywhere, launched, play
+from sweetspot import Air, Contact, FlightConditions, Swing, SwingPath, batted_ball, catalog, fly_all_parks
+from sweetspot.analysis.full_play import play
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 bat, ball, wings = catalog.bat("r161-ash"), catalog.ball(), catalog.aerodynamics("baseball")
 model = reduced_bat(bat, ball=ball)
 place = bat.length - 6 * INCH
-fastball = launched(
+fastball = batted_ball(
     speed=85 * MPH, launch_angle=-6 * DEGREE, spray=pi, backspin=2200 * RPM, position=(0.0, 2 * FOOT, 3 * FOOT)
 )
 swing = Swing(bat_speed=74 * MPH, measured_at=place)
@@ -24,7 +25,7 @@ for tenths in range(2, 13, 2):
     offset = tenths / 10 * INCH
     played = play(model, usual, swing=swing, path=path, pitch=fastball, contact=Contact(place, offset))
     hit = played.strike.launched
-    ends = landings_everywhere(hit, usual, parks=parks)
+    ends = fly_all_parks(hit, usual, parks=parks)
     out = sum(int(end.out.sum()) for end in ends)
     carry = played.flight.carry / FOOT
     up = hit.launch_angle / DEGREE

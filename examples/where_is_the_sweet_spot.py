@@ -5,7 +5,8 @@ Run: python examples/where_is_the_sweet_spot.py [BAT]     a name of the catalogu
 
 import sys
 
-from sweetspot import analyse, catalog, exit_speed_of, standard_conditions
+from sweetspot import analyse, catalog, standard_conditions
+from sweetspot.analysis.bat_analysis import exit_speed_of
 from sweetspot.units import INCH, MPH
 
 bat = catalog.load_bat(sys.argv[1] if len(sys.argv) > 1 else "r161-ash")

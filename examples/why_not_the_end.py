@@ -3,7 +3,8 @@
 Run: python examples/why_not_the_end.py
 """
 
-from sweetspot import analyse, catalog, effective_mass, exit_speed_of, standard_conditions
+from sweetspot import analyse, catalog, effective_mass, standard_conditions
+from sweetspot.analysis.bat_analysis import exit_speed_of
 from sweetspot.units import MPH, OUNCE
 
 bat = catalog.bat("r161-ash")

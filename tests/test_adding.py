@@ -65,7 +65,8 @@ def sport_files(sport: str, kind: str) -> dict[str, str]:
 
 
 REPORT = (
-    "from sweetspot import all_modes, beam_model, catalog, hit_at, standard_conditions\n"
+    "from sweetspot import all_modes, beam_model, catalog, standard_conditions\n"
+    "from sweetspot.analysis.bat_analysis import hit_at\n"
     "stick = catalog.implement('{sport}-stick')\n"
     "conditions = standard_conditions(stick)\n"
     "modes = all_modes(beam_model(stick), conditions.ball)\n"

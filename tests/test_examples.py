@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from sweetspot import analyse, catalog, exit_speed_of, standard_conditions
-from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot import analyse, catalog, standard_conditions
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.comparison import compare
 from sweetspot.units import INCH, MPH
 

@@ -8,8 +8,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from figures.style import BLUE, GREEN, GREY, INK, RED, new_figure
-from sweetspot import beam_model, bending_modes, catalog, hit, hits
+from sweetspot import beam_model, bending_modes, catalog, hits
 from sweetspot.collision import coupled, kernel
+from sweetspot.collision.coupled import hit
 from sweetspot.dynamics.batch.mesh import ELEMENTS, MODES
 from sweetspot.dynamics.modes import Modes
 from sweetspot.units import INCH

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREY, RED, new_figure
 from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
-from sweetspot.motion.ball_motion import launch_angles, launched
+from sweetspot.motion.ball_motion import batted_ball, launch_angles
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
@@ -45,7 +45,7 @@ def offset_figure() -> Figure:
 def _swept(path: SwingPath) -> Strikes:
     analysis = analysed()
     place = analysis.bat.length - 6 * INCH
-    pitch = launched(speed=PLATE_SPEED, launch_angle=-FALL, spray=math.pi, backspin=PITCH_SPIN)
+    pitch = batted_ball(speed=PLATE_SPEED, launch_angle=-FALL, spray=math.pi, backspin=PITCH_SPIN)
     return strikes(
         analysis.reduced,
         ball=analysis.conditions.ball,

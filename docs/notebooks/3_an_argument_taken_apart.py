@@ -8,12 +8,8 @@ thing.
 """
 
 import sweetspot
-from sweetspot import paper_rows
-from sweetspot.report.paper.document import paper_document
 
-result = sweetspot.standard_analysis("r161-ash")
-rows = paper_rows(result)
-paper_document(rows)
+sweetspot.paper("r161-ash")
 
 # %%
 # One step of it by hand. Equation 11 puts the best place where the hands feel nothing, x = J / (m l) beyond the
@@ -28,15 +24,7 @@ print(f"{thin.balance_point + beyond:.3f} m of 0.840 m; two thirds are {2 / 3 * 
 # %%
 # And the claim on cork: a lighter barrel is swung faster. It is, and the ball meets less. Which wins?
 
-from sweetspot import catalog, compare, standard_conditions
-from sweetspot.units import INCH
-
-whole = catalog.bat("r161-ash")
-corked = whole.corked(diameter=1 * INCH, depth=10 * INCH, fill=catalog.material("cork"), plug=1 * INCH)
-both = compare(
-    [whole, corked], conditions=standard_conditions(whole), law=catalog.swing_law(), labels=["whole", "corked"]
-)
-both.plot()
+sweetspot.compare_corked("r161-ash").plot()
 
 # %%
 # The lower panel is the difference: below zero along the barrel. Measured corked bats say the same (Nathan and

@@ -38,7 +38,8 @@ for index in bending:
 # A hit on the node of the first mode, and one at the tip. The same blow; see where the energy goes. The ball also dents
 # the wood, so the hits take all modes, not only the bending ones:
 
-from sweetspot import all_modes, hit_at, standard_conditions
+from sweetspot import all_modes, standard_conditions
+from sweetspot.analysis.bat_analysis import hit_at
 
 conditions = standard_conditions(wood)
 struck = all_modes(beam_model(wood), conditions.ball)
@@ -58,6 +59,6 @@ for elements in (4, 8, 16, 32):
     print(f"{elements:3} elements  " + "  ".join(f"{f:8.2f}" for f in coarse.frequency[bending]))
 
 # %%
-# **Exercises.** Hold the handle in a vice: :func:`sweetspot.gripped` with ``Hands(mass=50, stiffness=5e6)``. What
+# **Exercises.** Hold the handle in a vice: :func:`sweetspot.held_modes` with ``Hands(mass=50, stiffness=5e6)``. What
 # becomes of the tones, and what of the ball's speed? Record a tapped bat with your telephone and give it to
 # ``sweetspot tap``.

@@ -9,7 +9,7 @@ from pathlib import Path
 from tempfile import mkdtemp
 
 import sweetspot
-from sweetspot import beam_model, catalog, certify, compare, rigid_body, standard_conditions
+from sweetspot import beam_model, catalog, rigid_body
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 
 drawing = Path(mkdtemp()) / "drawing-12.toml"
@@ -28,17 +28,12 @@ bat
 # %%
 # A cup takes weight from where it counts most. How much, and what does it do?
 
-cupped = bat.cupped(diameter=1.4 * INCH, depth=0.9 * INCH)
+cupped = bat.cupped(diameter="1.4 in", depth="0.9 in")
 for one in (bat, cupped):
     body = rigid_body(beam_model(one))
     print(f"{body.mass / OUNCE:5.1f} oz, MOI about 6 in {body.moi(6 * INCH) / OUNCE_INCH_SQUARED:,.0f} oz in2")
 
-found = compare(
-    [bat, cupped, catalog.bat("torpedo")],
-    conditions=standard_conditions(bat),
-    law=catalog.swing_law(),
-    labels=["drawing 12", "with a cup", "torpedo"],
-)
+found = sweetspot.compare(bat, cupped, "torpedo")
 found
 
 # %%
@@ -52,12 +47,11 @@ found.plot()
 
 from sweetspot.analysis.certification.passing_wall import wall_that_passes
 
-hollow, ball = catalog.bat("single-wall"), catalog.ball()
-certify(hollow, ball=ball)
+sweetspot.certify("single-wall")
 
 # %%
 
-wall = wall_that_passes(hollow, ball=ball, limit=0.5)
+wall = wall_that_passes(catalog.bat("single-wall"), ball=catalog.ball(), limit=0.5)
 print(f"{1e3 * wall.thickness:.2f} mm, {wall.factor:.2f} times the drawing's")
 print(f"the bat would weigh {wall.mass / OUNCE:.1f} oz")
 

@@ -9,10 +9,8 @@ from pathlib import Path
 from tempfile import mkdtemp
 
 import sweetspot
-from sweetspot import catalog, compare, standard_conditions
 
-racket = sweetspot.implement("tennis-racket")
-sweetspot.standard_analysis(racket).plot()
+sweetspot.report("tennis-racket").plot()
 
 # %%
 # A file that begins with ``like`` needs only what is different:
@@ -29,11 +27,7 @@ position = "52 cm"
 mass = "6 g"
 beside = "12 cm"
 """)
-leaded = sweetspot.implement(mine)
-found = compare(
-    [racket, leaded], conditions=standard_conditions(racket), law=catalog.swing_law(), labels=["as sold", "leaded"]
-)
-found
+sweetspot.compare("tennis-racket", mine)
 
 # %%
 # Beside the middle line the lead does more, for there the racket twists. Where does it help, and where does the

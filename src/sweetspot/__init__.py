@@ -3,38 +3,97 @@
 Describe a real bat, find where it hits best and why. Names here load their module when first used, so that
 ``import sweetspot`` stays fast::
 
-    from sweetspot import analyse, catalog, standard_conditions
+    import sweetspot
 
-    bat = catalog.bat("r161-ash")
-    result = analyse(bat, standard_conditions(bat))
-    result.sweet_spots.max_exit_speed  # m from the knob end
+    answer = sweetspot.report("r161-ash")
+    answer.sweet_spots.max_exit_speed  # m from the knob end
 
 What to ask, and what to give. Plain numbers are in SI units and radians, positions are metres from the knob end;
-`pint` quantities and texts with a unit (``"103 mph"``, ``"28 deg"``) are converted. Where a bat is wanted, its name in
-the catalogue or its file will do:
+`pint` quantities and texts with a unit (``"103 mph"``, ``"28 deg"``, ``"6in-from-tip"``) are converted. Where a bat is
+wanted, its name in the catalogue or its file will do, and what is left out is as usual in its sport.
+
+Questions, with the same answers as the commands of these names; ``uncertainty=True`` gives every number its interval:
+
+- where it hits best and why: `report`; one collision: `hit`; bats side by side: `compare`, `compare_corked`;
+- whether rules let it pass: `certify`; from the pitch to the fence: `play`; a ball in the air: `fly`; the best swing
+  and launch: `optimum`;
+- the laboratory: `drop`, `pendulum`; the implemented paper: `paper`.
+
+Every answer has ``to_dict(units="us")`` and ``to_frame()``, and notebooks show it as a report.
+
+The physics below, on things and arrays:
 
 - a bat or anything else that hits: `bat`, `implement`, `catalog`; its usual swing: `standard_conditions`;
-- where it hits best and why: `analyse`, or `standard_analysis` in one call; beside other bats: `compare`;
-- whether rules let it pass: `certify`;
-- one collision: `hit`; many: `hits`; in space, with spin: `strike`, `strikes`;
-- a ball in the air: `launched`, then `fly` in the air of `standard_flight`; in every park: `landings_everywhere`;
-- a pitch that is hit: `play`, `plays`;
-- what a bat is made of inside: `beam_model`, `rigid_body`, `all_modes`, `gripped`;
-- the implemented paper: `paper_rows`.
+- everything about one bat and swing: `analyse`, or `standard_analysis` in one call;
+- many collisions: `hits`; in space, with spin: `strike`, `strikes`; many pitches that are hit: `plays`;
+- balls in the air: `batted_ball`, then `trajectory` in the air of `standard_flight`; in every park: `fly_all_parks`;
+- what a bat is made of inside: `beam_model`, `rigid_body`, `all_modes`, `held_modes`, `reduced_bat`.
 
 ``help(sweetspot.hit)`` and its like tell parameters, units, errors and an example.
 """
 
 from __future__ import annotations
 
-from types import FunctionType
+import sys
+from collections.abc import Mapping
+from importlib import import_module
+from types import FunctionType, ModuleType
 from typing import Any
-
-import lazy_loader
 
 from sweetspot.numerics.notebook_display import Renderer, ShownInNotebooks
 
 __version__ = "0.1.0"
+
+_HOMES: Mapping[str, str] = {
+    "": "catalog units",
+    "analysis.bat_analysis": "Analysis analyse",
+    "analysis.full_play": "plays",
+    "answers.ask_bat": "certify compare compare_corked hit paper report",
+    "answers.ask_bench": "drop pendulum",
+    "answers.ask_flight": "fly optimum play",
+    "answers.certify": "CertifyAnswer",
+    "answers.compare": "CompareAnswer",
+    "answers.drop": "DropAnswer",
+    "answers.fly": "FlyAnswer",
+    "answers.hit": "HitAnswer",
+    "answers.optimum": "OptimumAnswer",
+    "answers.paper": "PaperAnswer",
+    "answers.pendulum": "PendulumAnswer",
+    "answers.play": "PlayAnswer",
+    "answers.report": "ReportAnswer",
+    "catalog.bats": "bat",
+    "catalog.implements": "implement",
+    "catalog.standard_hit": "standard_analysis standard_conditions standard_flight",
+    "collision.hit_in_space": "Contact strike strikes",
+    "collision.impact": "Impact",
+    "collision.kernel": "hits",
+    "collision.oblique_contact": "Friction",
+    "dynamics.beam": "BeamModel beam_model",
+    "dynamics.bending": "bending_modes",
+    "dynamics.hands": "held_modes",
+    "dynamics.hoop": "hoop_modes",
+    "dynamics.mode_assembly": "all_modes",
+    "dynamics.reduction": "ReducedBat reduced_bat",
+    "dynamics.rigid": "RigidBody centre_of_percussion effective_mass rigid_body",
+    "equipment.ball": "Ball RestitutionLaw",
+    "equipment.bat": "Bat",
+    "equipment.implement": "Implement",
+    "equipment.material": "Material",
+    "errors": "InputError SweetspotError",
+    "flight.air": "Air Wind",
+    "flight.all_parks": "fly_all_parks",
+    "flight.conditions": "FlightConditions",
+    "flight.flying": "trajectory",
+    "flight.park": "Park",
+    "flight.trajectory": "Flight",
+    "motion.ball_motion": "BallMotion BallMotions batted_ball",
+    "motion.swing": "Conditions Hands Pitch Swing",
+    "motion.swing_path": "SwingPath Swings",
+    "paper.chain": "paper_rows",
+}
+"""Public names by the module that they live in; ``__init__.pyi`` has their types."""
+_HOME_OF: Mapping[str, str] = {name: home for home, names in _HOMES.items() for name in names.split()}
+__all__ = sorted(_HOME_OF)  # noqa: PLE0605 # of strings
 
 
 def _reports() -> Renderer:
@@ -46,12 +105,30 @@ def _reports() -> Renderer:
 
 ShownInNotebooks.renderer = staticmethod(_reports)
 
-_attached, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+class _FrontDoor(ModuleType):
+    """The package as a module whose public names no package inside takes over when it is loaded: `report`, `paper`."""
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if not (isinstance(value, ModuleType) and _HOME_OF.get(name)):
+            super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _FrontDoor
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]
 
 
 def __getattr__(name: str) -> Any:
     """Load a name when it is first used; a function's door takes names, files and quantities too."""
-    thing = _attached(name)
+    if name not in _HOME_OF:
+        raise AttributeError(f"module 'sweetspot' has no attribute {name!r}")
+    home = _HOME_OF[name]
+    if not home:
+        return import_module(f"sweetspot.{name}")
+    thing = getattr(import_module(f"sweetspot.{home}"), name)
     if isinstance(thing, FunctionType):
         from sweetspot.front_door import opened
 

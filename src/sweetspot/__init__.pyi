@@ -1,39 +1,76 @@
-"""The public front door; `lazy_loader` reads this file, and so do type checkers."""
+"""The public front door as type checkers see it; `python -m tools.stub` writes this file."""
 
-from . import catalog
-from .analysis.bat_analysis import Analysis, analyse, exit_speed_of, hit_at
-from .analysis.certification.simulated_test import Certification, certify
-from .analysis.comparison import Comparison, compare
-from .analysis.full_play import play, plays
-from .catalog.bats import bat
-from .catalog.implements import implement
-from .catalog.standard_hit import standard_analysis, standard_conditions, standard_flight
-from .collision.coupled import hit
-from .collision.hit_in_space import Contact, strike, strikes
-from .collision.impact import Impact
-from .collision.kernel import hits, hits_with_motion
-from .collision.oblique_contact import Friction
-from .dynamics.beam import BeamModel, beam_model
-from .dynamics.bending import bending_modes
-from .dynamics.hands import gripped
-from .dynamics.hoop import hoop_modes
-from .dynamics.mode_assembly import all_modes
-from .dynamics.reduction import ReducedBat, reduced_bat
-from .dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
-from .equipment.ball import Ball, RestitutionLaw
-from .equipment.bat import Bat
-from .equipment.material import Material
-from .errors import InputError, SweetspotError
-from .flight.air import Air, Wind
-from .flight.all_parks import landings_everywhere
-from .flight.conditions import FlightConditions
-from .flight.flying import fly
-from .flight.kernel import flights
-from .flight.trajectory import Flight
-from .motion.ball_motion import BallMotion, BallMotions, launched
-from .motion.swing import Conditions, Hands, Pitch, Swing
-from .motion.swing_path import SwingPath, Swings
-from .paper.chain import paper_rows
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal
+
+from pint import Quantity
+
+from . import catalog as catalog
+from . import units as units
+from .analysis.bat_analysis import Analysis as Analysis
+from .analysis.bat_analysis import analyse as analyse
+from .analysis.certification.shots import Shots
+from .analysis.full_play import plays as plays
+from .answers.certify import CertifyAnswer as CertifyAnswer
+from .answers.compare import CompareAnswer as CompareAnswer
+from .answers.drop import DropAnswer as DropAnswer
+from .answers.fly import FlyAnswer as FlyAnswer
+from .answers.hit import HitAnswer as HitAnswer
+from .answers.optimum import OptimumAnswer as OptimumAnswer
+from .answers.paper import PaperAnswer as PaperAnswer
+from .answers.pendulum import PendulumAnswer as PendulumAnswer
+from .answers.play import PlayAnswer as PlayAnswer
+from .answers.report import ReportAnswer as ReportAnswer
+from .calibration.measured import Measured
+from .catalog.bats import bat as bat
+from .catalog.implements import Loaded
+from .catalog.implements import implement as implement
+from .catalog.standard_hit import standard_analysis as standard_analysis
+from .catalog.standard_hit import standard_conditions as standard_conditions
+from .catalog.standard_hit import standard_flight as standard_flight
+from .collision.hit_in_space import Contact as Contact
+from .collision.hit_in_space import strike as strike
+from .collision.hit_in_space import strikes as strikes
+from .collision.impact import Impact as Impact
+from .collision.kernel import hits as hits
+from .collision.oblique_contact import Friction as Friction
+from .dynamics.beam import BeamModel as BeamModel
+from .dynamics.beam import beam_model as beam_model
+from .dynamics.bending import bending_modes as bending_modes
+from .dynamics.hands import held_modes as held_modes
+from .dynamics.hoop import hoop_modes as hoop_modes
+from .dynamics.mode_assembly import all_modes as all_modes
+from .dynamics.reduction import ReducedBat as ReducedBat
+from .dynamics.reduction import reduced_bat as reduced_bat
+from .dynamics.rigid import RigidBody as RigidBody
+from .dynamics.rigid import centre_of_percussion as centre_of_percussion
+from .dynamics.rigid import effective_mass as effective_mass
+from .dynamics.rigid import rigid_body as rigid_body
+from .equipment.ball import Ball as Ball
+from .equipment.ball import RestitutionLaw as RestitutionLaw
+from .equipment.bat import Bat as Bat
+from .equipment.implement import Implement as Implement
+from .equipment.material import Material as Material
+from .errors import InputError as InputError
+from .errors import SweetspotError as SweetspotError
+from .flight.air import Air as Air
+from .flight.air import Wind as Wind
+from .flight.all_parks import fly_all_parks as fly_all_parks
+from .flight.conditions import FlightConditions as FlightConditions
+from .flight.flying import trajectory as trajectory
+from .flight.park import Park as Park
+from .flight.trajectory import Flight as Flight
+from .motion.ball_motion import BallMotion as BallMotion
+from .motion.ball_motion import BallMotions as BallMotions
+from .motion.ball_motion import batted_ball as batted_ball
+from .motion.swing import Conditions as Conditions
+from .motion.swing import Hands as Hands
+from .motion.swing import Pitch as Pitch
+from .motion.swing import Swing as Swing
+from .motion.swing_path import SwingPath as SwingPath
+from .motion.swing_path import Swings as Swings
+from .paper.chain import paper_rows as paper_rows
 
 __version__: str
 
@@ -45,19 +82,29 @@ __all__ = [
     "BallMotions",
     "Bat",
     "BeamModel",
-    "Certification",
-    "Comparison",
+    "CertifyAnswer",
+    "CompareAnswer",
     "Conditions",
     "Contact",
+    "DropAnswer",
     "Flight",
     "FlightConditions",
+    "FlyAnswer",
     "Friction",
     "Hands",
+    "HitAnswer",
     "Impact",
+    "Implement",
     "InputError",
     "Material",
+    "OptimumAnswer",
+    "PaperAnswer",
+    "Park",
+    "PendulumAnswer",
     "Pitch",
+    "PlayAnswer",
     "ReducedBat",
+    "ReportAnswer",
     "RestitutionLaw",
     "RigidBody",
     "SweetspotError",
@@ -68,33 +115,262 @@ __all__ = [
     "all_modes",
     "analyse",
     "bat",
+    "batted_ball",
     "beam_model",
     "bending_modes",
     "catalog",
     "centre_of_percussion",
     "certify",
     "compare",
+    "compare_corked",
+    "drop",
     "effective_mass",
-    "exit_speed_of",
-    "flights",
     "fly",
-    "gripped",
+    "fly_all_parks",
+    "held_modes",
     "hit",
-    "hit_at",
     "hits",
-    "hits_with_motion",
     "hoop_modes",
     "implement",
-    "landings_everywhere",
-    "launched",
+    "optimum",
+    "paper",
     "paper_rows",
+    "pendulum",
     "play",
     "plays",
     "reduced_bat",
+    "report",
     "rigid_body",
     "standard_analysis",
     "standard_conditions",
     "standard_flight",
     "strike",
     "strikes",
+    "trajectory",
+    "units",
 ]
+
+Tool = Implement | Analysis | Loaded | str | Path
+Amount = float | str | Quantity[float] | Measured
+
+def certify(
+    bat: Tool,
+    *,
+    league: str | None = None,
+    ball: str | None = None,
+    shots: Shots | str | Path | None = None,
+    standard_ball_cor: Amount | None = None,
+    wall_that_passes: bool = False,
+    uncertainty: bool = False,
+) -> CertifyAnswer: ...
+def compare(
+    *implements: Tool,
+    swing_law: str | None = None,
+    uncertainty: bool = False,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> CompareAnswer: ...
+def compare_corked(
+    bat: Tool,
+    *,
+    swing_law: str | None = None,
+    uncertainty: bool = False,
+    bore_diameter: Amount = 0.0254,
+    bore_depth: Amount = 0.254,
+    plug: Amount = 0.0254,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> CompareAnswer: ...
+def drop(
+    *,
+    uncertainty: bool = False,
+    material: str = "white-ash",
+    thickness: Amount = 0.1,
+    size: Amount = 0.2,
+    support: Literal["clamped", "floor", "free"] = "floor",
+    floor: Literal["concrete", "rigid"] = "concrete",
+    height: Amount | None = None,
+    speed: Amount | None = None,
+    ball: str = "baseball",
+    in_air: bool = False,
+) -> DropAnswer: ...
+def fly(
+    *,
+    uncertainty: bool = False,
+    exit_speed: Amount = 44.704,
+    launch_angle: Amount = 0.4886921905584123,
+    spray: Amount | None = None,
+    bearing: Amount | None = None,
+    backspin: Amount | None = None,
+    sidespin: Amount | None = None,
+    gyrospin: Amount = 0.0,
+    height: Amount = 0.9144000000000001,
+    forward: Amount = 0.6096,
+    bats: Literal["right", "left"] = "right",
+    ball: str = "baseball",
+    law: str | None = None,
+    temperature: Amount = 21.11111111111111,
+    humidity: Amount = 0.5,
+    pressure: Amount = 101320.74811900273,
+    elevation: Amount | None = None,
+    wind_speed: Amount = 0.0,
+    wind_direction: Amount = 0.0,
+    wind_profile: Amount = 0.0,
+    calm_below: Amount = 0.0,
+    park: str | Park | None = None,
+) -> FlyAnswer: ...
+def hit(
+    implement: Tool,
+    *,
+    at: Amount,
+    beside: Amount = 0.0,
+    uncertainty: bool = False,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> HitAnswer: ...
+def optimum(
+    bat: Tool,
+    *,
+    show: Sequence[Literal["swing", "launch", "parks"]] = ...,
+    uncertainty: bool = False,
+    pitch: str | Sequence[str] = ...,
+    release_speed: Amount | None = None,
+    at: Amount | None = None,
+    attack_angle: Amount | None = None,
+    tilt: Amount = 0.5585053606381855,
+    exit_speed: Sequence[Amount] = ...,
+    backspin: Amount = 230.3834612632515,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+    temperature: Amount = 21.11111111111111,
+    humidity: Amount = 0.5,
+    pressure: Amount = 101320.74811900273,
+    elevation: Amount | None = None,
+    wind_speed: Amount = 0.0,
+    wind_direction: Amount = 0.0,
+    wind_profile: Amount = 0.0,
+    calm_below: Amount = 0.0,
+    park: str | Park | None = None,
+) -> OptimumAnswer: ...
+def paper(
+    bat: Tool,
+    *,
+    entry_angle: Amount = 0.17453292519943295,
+    rod_hands: Amount = 0.0,
+    hands_moved: Amount = 0.0508,
+    bore_diameter: Amount = 0.0254,
+    bore_depth: Amount = 0.254,
+    plug: Amount = 0.0254,
+    fill: Material | str | None = None,
+    drop_height: Amount = 1.0,
+    block_thickness: Amount = 0.1,
+    block_support: Literal["clamped", "floor", "free"] = "floor",
+    ball_restitution: Amount = 0.45,
+    wood_restitution: Amount = 0.45,
+    metal_restitution: Amount = 0.9,
+    wood_share: Amount = 0.02,
+    metal_share: Amount = 0.1,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> PaperAnswer: ...
+def pendulum(
+    *,
+    mass: Amount,
+    balance_point: Amount,
+    period: Amount | None = None,
+    moi: Amount | None = None,
+    pivot: Amount = 0.15239999999999998,
+    uncertainty: bool = False,
+) -> PendulumAnswer: ...
+def play(
+    bat: Tool,
+    *,
+    uncertainty: bool = False,
+    at: Amount | None = None,
+    offset: Amount = 0.015239999999999998,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+    attack_angle: Amount = 0.15707963267948966,
+    attack_direction: Amount = 0.0,
+    tilt: Amount = 0.5585053606381855,
+    bats: Literal["right", "left"] = "right",
+    pitch: str | None = None,
+    release_speed: Amount | None = None,
+    approach_angle: Amount = -0.10471975511965978,
+    pitch_backspin: Amount = 230.3834612632515,
+    pitch_sidespin: Amount = 0.0,
+    height: Amount = 0.9144000000000001,
+    forward: Amount = 0.6096,
+    temperature: Amount = 21.11111111111111,
+    humidity: Amount = 0.5,
+    pressure: Amount = 101320.74811900273,
+    elevation: Amount | None = None,
+    wind_speed: Amount = 0.0,
+    wind_direction: Amount = 0.0,
+    wind_profile: Amount = 0.0,
+    calm_below: Amount = 0.0,
+    park: str | Park | None = None,
+) -> PlayAnswer: ...
+def report(
+    implement: Tool,
+    *,
+    uncertainty: bool = False,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> ReportAnswer: ...

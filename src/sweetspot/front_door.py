@@ -7,27 +7,38 @@ What is wanted is read off the annotations, and modules are loaded only where so
 from __future__ import annotations
 
 import inspect
+import re
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
 from functools import lru_cache, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from sweetspot.errors import InputError, UnusualWarning
-from sweetspot.plausibility import bounds, insisted
+from sweetspot.plausibility import bounds, insisted, insisting
 from sweetspot.plausibility.table import TABLE
 from sweetspot.units.quantities import KIND_OF, in_si
 
 if TYPE_CHECKING:
+    from sweetspot.analysis.certification.shots import Shots
     from sweetspot.dynamics.reduction import ReducedBat
     from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.implement import Implement
 
 NUMBERS = {"float", "float | None", "ArrayLike", "Real"}
 """Annotations of parameters that are converted by their name."""
+WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b|tuple\[float")
+"""The same of numbers that may have an error, or be a place from the tip."""
+SETUPS = {
+    *("HitSetup", "PathSetup", "PitchSetup", "ContactSetup", "Weather", "LaunchSetup", "BlockSetup", "FallSetup"),
+    *("CorkSetup", "SearchSetup", "SentSetup", "Choices"),
+}
+"""Annotations of parameters whose fields are parameters of the public function."""
 BAT = "a bat or another implement, its name in the catalogue (`sweetspot bats` lists them) or its file"
 ROUND_BAT = "a round bat, its name in the catalogue (`sweetspot bats` lists them) or its file"
 THINGS: Mapping[str, tuple[set[str], str]] = {
+    "Loaded": ({"Loaded", "tuple"}, BAT),
     "Given": ({"Implement"}, BAT),
     "Implement": ({"Implement"}, BAT),
     "Implement | str | Path": ({"Implement"}, BAT),
@@ -39,12 +50,14 @@ THINGS: Mapping[str, tuple[set[str], str]] = {
     "Analysis": ({"Analysis"}, f"what `analyse` returns, or {BAT}"),
     "Ball": ({"Ball"}, "what `catalog.ball` returns, or a ball's name in the catalogue"),
     "SwingLaw | None": ({"SwingLaw", "NoneType"}, "what `catalog.swing_law` returns, or None for the same speed"),
+    "Material | None": ({"Material", "NoneType"}, "what `catalog.material` returns, or its name in the catalogue"),
+    "Shots | None": ({"Shots", "NoneType"}, "a CSV file of measured shots, or what `read_shots` returns"),
     "Park": ({"Park"}, "what `catalog.park` returns, or a park's name in the catalogue"),
     "Conditions": ({"Conditions"}, "what `standard_conditions` returns for the bat"),
     "FlightConditions": ({"FlightConditions"}, "what `standard_flight` returns"),
-    "BallMotion": ({"BallMotion"}, "what `launched` returns for one ball"),
-    "BallMotion | BallMotions": ({"BallMotion", "BallMotions"}, "what `launched` returns"),
-    "Impact": ({"Impact"}, "what `hit` or `hit_at` returns"),
+    "BallMotion": ({"BallMotion"}, "what `batted_ball` returns for one ball"),
+    "BallMotion | BallMotions": ({"BallMotion", "BallMotions"}, "what `batted_ball` returns"),
+    "Impact": ({"Impact"}, "what `hit` of `sweetspot.collision.coupled` returns"),
     "Swing": ({"Swing"}, "a `Swing`, as `standard_conditions(bat).swing`"),
     "Swings": ({"Swings"}, "`Swings`"),
     "SwingPath": ({"SwingPath"}, "a `SwingPath`"),
@@ -54,15 +67,18 @@ THINGS: Mapping[str, tuple[set[str], str]] = {
 """By annotation: names of the types that a function takes, and how to say so."""
 MANY = {"Sequence[Given]": "Given", "Iterable[Park]": "Park"}
 """By annotation of several things: that of each."""
-NAMED = {"Ball": "ball", "SwingLaw | None": "swing_law", "Park": "park"}
+NAMED = {"Material | None": "material", "Ball": "ball", "SwingLaw | None": "swing_law", "Park": "park"}
 """By annotation: the catalogue's function that loads the thing by its name."""
 HITTERS = {
+    "Loaded",
     *("Given", "Implement", "Implement | str | Path", "Bat", "Sequence[Given]"),
     *("BeamModel", "RigidBody", "Modes", "ReducedBat[Bat]", "Analysis"),
 }
 """Annotations of parameters for which a bat may be given; the first says whose sport, ball and swing are usual."""
 FILLED = {"Conditions", "Ball", "SwingLaw | None"}
 """Annotations of parameters that follow from the bat where they are left out."""
+PARAMETERS = re.compile(r"^Parameters\n-+\n(.*?)(?=\n\n|\Z)", re.DOTALL | re.MULTILINE)
+"""That section of a docstring."""
 LONGEST_SHOWN = 60
 """Letters of what was given that a message repeats."""
 
@@ -80,24 +96,25 @@ USUAL_FOR_IT: Final = _Usual()
 def opened(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return a function that also takes names, files, texts with units and `pint` quantities.
 
-    Where a bat is given and its conditions, ball or swing law are not, those that are usual in its sport count.
+    The fields of its setups become parameters of its own. Where a bat is given and its conditions, ball or swing law
+    are not, those that are usual in its sport count.
     """
-    signature = inspect.signature(function)
-    kinds = {name: str(one.annotation) for name, one in signature.parameters.items()}
+    inner = inspect.signature(function)
+    setups = {name: _setup(function, each) for name, each in inner.parameters.items() if each.annotation in SETUPS}
+    signature = _flat(inner, setups)
+    kinds = {name: str(each.annotation) for name, each in signature.parameters.items()}
     hitters = [name for name, kind in kinds.items() if kind in HITTERS]
-    of_parameters = signature.parameters.values()
-    filled = [one.name for one in of_parameters if hitters and kinds[one.name] in FILLED and one.default is one.empty]
+    filled = [name for name, each in signature.parameters.items() if each.default is USUAL_FOR_IT]
     several = next((name for name, kind in kinds.items() if kind == "Sequence[Given]"), None)
-    shown = signature.replace(
-        parameters=[one.replace(default=USUAL_FOR_IT) if one.name in filled else one for one in of_parameters]
-    )
 
     @wraps(function)
     def door(*args: Any, **kwargs: Any) -> Any:
         if several is not None and several not in kwargs and not (len(args) == 1 and _is_list(args[0])):
             args = (list(args),)
-        bound = shown.bind(*args, **kwargs)
-        given = bound.arguments
+        given = signature.bind(*args, **kwargs).arguments
+        for name in hitters:
+            if kinds[name] == "Loaded" and name in given:
+                given[name] = _loaded(given[name], name)
         tool = next((found for name in hitters if (found := _implement(given.get(name))) is not None), None)
         for name in filled:
             if name not in given:
@@ -111,15 +128,108 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
                 given[name] = _thing(given[name], name, kind, None)
         ball = next((given[name] for name, kind in kinds.items() if kind == "Ball" and name in given), None)
         for name, value in given.items():
-            if kinds[name] in NUMBERS:
+            kind = kinds[name]
+            if kind in NUMBERS:
                 given[name] = _numbers(value, name)
-            elif kinds[name] in THINGS or kinds[name] in MANY:
-                given[name] = _thing(value, name, kinds[name], ball or _ball_for(tool, given))
+            elif WRITTEN.search(kind) and name in KIND_OF:
+                given[name] = _written(value, name, kind, tool)
+            elif kind == "Shots | None" and isinstance(value, (str, Path)):
+                given[name] = _shots(Path(value), tool)
+            elif kind in THINGS or kind in MANY:
+                given[name] = _thing(value, name, kind, ball or _ball_for(tool, given))
+        for name, setup in setups.items():
+            names = [field.name for field in fields(setup) if field.name in given]
+            given[name] = setup(**{field: given.pop(field) for field in names})
+        bound = inspect.BoundArguments(inner, given)
         return function(*bound.args, **bound.kwargs)
 
+    door.__doc__ = _documented(inspect.getdoc(function) or "", setups.values())
     door.__module__ = "sweetspot"  # where it can be found again, for pickle and help
-    door.__signature__ = shown  # type: ignore[attr-defined]
+    door.__signature__ = signature  # type: ignore[attr-defined]
     return door
+
+
+def _setup(function: Callable[..., Any], parameter: inspect.Parameter) -> type:
+    """Return the class of a setup, by its name in the function's module."""
+    setup: type = function.__globals__[parameter.annotation]
+    return setup
+
+
+def _documented(words: str, setups: Iterable[type]) -> str:
+    """Return a docstring that also tells the parameters of setups, behind those of its own."""
+    told = [PARAMETERS.search(inspect.getdoc(setup) or "") for setup in setups]
+    more = "\n".join(found[1].rstrip() for found in told if found)
+    if not more:
+        return words
+    own = PARAMETERS.search(words)
+    if own is None:
+        head, blank, rest = words.partition("\n\n")
+        return f"{head}{blank}Parameters\n----------\n{more}\n\n{rest}"
+    return f"{words[: own.end(1)].rstrip()}\n{more}\n{words[own.end(1) :]}"
+
+
+def _flat(signature: inspect.Signature, setups: Mapping[str, type]) -> inspect.Signature:
+    """Return a signature with the fields of setups in their place, and what follows from the bat marked so."""
+    hitter = any(each.annotation in HITTERS for each in signature.parameters.values())
+    own = [
+        each.replace(default=USUAL_FOR_IT)
+        if hitter and each.annotation in FILLED and each.default is each.empty
+        else each
+        for name, each in signature.parameters.items()
+        if name not in setups
+    ]
+    of_setups = [
+        inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, default=field.default, annotation=field.type)
+        for setup in setups.values()
+        for field in fields(setup)
+    ]
+    further = [each for each in own if each.kind is each.VAR_KEYWORD]
+    return signature.replace(parameters=[*(each for each in own if each not in further), *of_setups, *further])
+
+
+def _loaded(value: Any, name: str) -> Any:
+    """Return what was loaded, of a name, a file, an implement or what was made of one; each of several."""
+    from sweetspot.catalog.implements import Loaded, loaded_bat, loaded_implement
+
+    if isinstance(value, (list, tuple)):
+        return tuple(each for part in value for each in _as_list(_loaded(part, name)))
+    if isinstance(value, Loaded):
+        return value
+    if isinstance(value, (str, Path)):
+        return (loaded_bat if name == "bat" else loaded_implement)(str(value))
+    tool = _implement(value)
+    if tool is None or (name == "bat" and not _is_a(tool, "Bat")):
+        raise InputError(f"{name} was given as {_shown(value)}; give {ROUND_BAT if name == 'bat' else BAT}")
+    return Loaded(tool)
+
+
+def _shots(path: Path, tool: Implement | None) -> Shots:
+    from sweetspot.analysis.certification.shots import read_shots
+
+    return read_shots(path, length=0.0 if tool is None else tool.length)
+
+
+def _as_list(value: Any) -> tuple[Any, ...]:
+    return value if isinstance(value, tuple) else (value,)
+
+
+def _written(value: Any, name: str, kind: str, tool: Implement | None) -> Any:
+    """Return the number of a setup's field in SI, with the error that was written; each of several."""
+    from sweetspot.answers.reading import Owner, number_of_text
+
+    if value is None or _is_a(value, "Measured"):
+        return value
+    if kind.startswith("tuple"):
+        return tuple(_written(each, name, "float", tool) for each in _numbers_of(value))
+    if isinstance(value, str):
+        of = Owner() if tool is None else Owner(tool.length, tool.sport)
+        with insisting():  # what is unusual is warned of
+            value = number_of_text(value, name, kind, what=name, of=of)
+    return value if _is_a(value, "Measured") else _numbers(value, name, callers=3)
+
+
+def _numbers_of(value: Any) -> Any:
+    return [value] if isinstance(value, (str, float, int)) else value
 
 
 def _is_a(value: Any, *names: str) -> bool:
@@ -173,6 +283,7 @@ def _implement(value: Any) -> Implement | None:
     if isinstance(value, (list, tuple)) and value:
         return _implement(value[0])
     found = value.bat if _is_a(value, "Analysis", "ReducedBat", "BeamModel") else value
+    found = value.implement if _is_a(value, "Loaded") else found
     return found if _is_a(found, "Implement") else None
 
 

@@ -17,13 +17,13 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import VACUUM, Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import BallMotion, BallMotions, launched
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, batted_ball
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 BALL = catalog.ball()
-PITCH = launched(
+PITCH = batted_ball(
     speed=82 * MPH, launch_angle=-6.5 * DEGREE, spray=math.pi, backspin=2300 * RPM, position=(0.0, 0.6, 0.9)
 )
 PATH = SwingPath(attack_angle=9 * DEGREE, tilt=32 * DEGREE)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sweetspot import catalog, compare
+from sweetspot import catalog
+from sweetspot.analysis.comparison import compare
 from sweetspot.analysis.same_effort import Changed, before_changes, is_changed
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat

@@ -7,8 +7,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from sweetspot import catalog, compare
-from sweetspot.analysis.comparison import Comparison
+from sweetspot import catalog
+from sweetspot.analysis.comparison import Comparison, compare
 from sweetspot.answers.compare import CompareQuestion, chance_above_zero, compare_answer, compare_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement

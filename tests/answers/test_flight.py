@@ -14,14 +14,14 @@ from sweetspot.answers.fly import FlyQuestion, fly_answer
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.sweep import BattedBall
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.interval import Interval
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 LAW = catalog.aerodynamics()
 FLYING = FlightConditions(ball=catalog.ball(), aerodynamics=LAW, air=Air())
-DRIVE = launched(speed=100 * MPH, launch_angle=28 * DEGREE, backspin=2200 * RPM, position=(0.0, 0.6, 0.9))
+DRIVE = batted_ball(speed=100 * MPH, launch_angle=28 * DEGREE, backspin=2200 * RPM, position=(0.0, 0.6, 0.9))
 HIT = BattedBall(exit_speed=100 * MPH, launch_angle=28 * DEGREE)
 
 

@@ -15,7 +15,7 @@ from sweetspot.answers.flight_draws import DRAG
 from sweetspot.answers.optimum_draws import drawn_optimum
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.uncertainty.sources import NOTHING, Source
 from sweetspot.units import MPH, RPM
 
@@ -25,7 +25,7 @@ def test_a_held_launch_carries_as_far_as_one_searched_anew() -> None:
     law, spin, speed = catalog.aerodynamics(), 2200 * RPM, 100 * MPH
     flying = FlightConditions(ball=catalog.ball(), aerodynamics=law, air=Air())
     best = best_launch(speed, flying, backspin=spin)
-    left = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=(0.0, 0.6096, 0.9144))
+    left = batted_ball(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=(0.0, 0.6096, 0.9144))
     sources = NOTHING.with_source(Source(DRAG, 0.1044, ""))
     answers = drawn_optimum(sources, launches=[(left, flying)], count=64)
     drag = sources.of(DRAG, sources.deviations(answers.normal))

@@ -16,7 +16,7 @@ from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.numerics.interval import Interval
 from sweetspot.uncertainty.sources import sources_of
@@ -32,7 +32,7 @@ def asked() -> PlayQuestion:
         conditions,
         FlightConditions(ball=conditions.ball, aerodynamics=catalog.aerodynamics(), air=Air()),
         path=SwingPath(attack_angle=9 * DEGREE),
-        pitch=launched(speed=38.0, launch_angle=-6 * DEGREE, spray=math.pi, position=(0.0, 0.6, 0.9)),
+        pitch=batted_ball(speed=38.0, launch_angle=-6 * DEGREE, spray=math.pi, position=(0.0, 0.6, 0.9)),
         contact=Contact(bat.length - 0.15, 0.015),
         park=catalog.park("fenway"),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sweetspot import all_modes, beam_model, gripped
+from sweetspot import all_modes, beam_model, held_modes
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.calibration.recording import Recording
 from sweetspot.calibration.tap_analysis import tap_test
@@ -39,6 +39,6 @@ def test_hands_show_by_their_damping(r161: Bat, baseball: Ball, grip: float) -> 
     """
     hand = {name: grip * size for name, size in TYPICAL_HAND.items()}
     hands = standard_conditions(r161).hands.replaced(**{**hand, "mass": max(hand["mass"], 0.05)})
-    sound = held_sound(gripped(all_modes(beam_model(r161), baseball), hands), 0.813)
+    sound = held_sound(held_modes(all_modes(beam_model(r161), baseball), hands), 0.813)
     with pytest.raises(InputError, match="not free"):
         tap_test([sound])

@@ -10,7 +10,7 @@ from sweetspot import catalog
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.units import DEGREE, MPH, RPM
 
 ARM_SIDE = {"four-seam": True, "sinker": True, "changeup": True, "slider": False, "curve": False}
@@ -28,6 +28,6 @@ def test_pitches_break_to_their_side(pitch: str, arm_side: bool) -> None:
 @pytest.mark.parametrize("law", ["baseball", "pitched-baseball", "trajectory-calculator"])
 def test_a_hit_keeps_most_of_its_spin(law: str) -> None:
     """[nathan_calculator]: 2500 rpm become 2418 in the first second at 103 mph, and exp(-0.15) of it in 5 s."""
-    hit = launched(speed=103 * MPH, launch_angle=27.5 * DEGREE, backspin=2500 * RPM, position=(0.0, 0.0, 0.9))
+    hit = batted_ball(speed=103 * MPH, launch_angle=27.5 * DEGREE, backspin=2500 * RPM, position=(0.0, 0.0, 0.9))
     done = flights(hit, FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=Air()))
     assert 0.82 < done.spin_left[0] < 0.92

@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 
-from sweetspot import InputError, Wind, launched
+from sweetspot import InputError, Wind, batted_ball, standard_flight, trajectory
+from sweetspot.flight.trajectory import FlightOutcome
 
 Run = Callable[..., tuple[int, str, str]]
 
@@ -125,21 +126,25 @@ def test_no_wind_bends_no_ball(run: Run) -> None:
     ("wrong", "message"),
     [
         ({"speed": math.nan}, "speed is not a finite number; leave out"),
-        ({"speed": [40.0, math.nan, math.nan]}, r"speed is not a finite number in row 1 and 1 more; leave"),
+        ({"speed": [40.0, math.inf]}, "speed is not a finite number; leave"),
         ({"backspin": math.inf}, "backspin is not a finite number"),
         ({"speed": "100in"}, "speed was given as .100in., which is not a speed"),
         ({"launch_angle": math.nan}, "launch_angle is not a finite number; leave out"),
-        (
-            {"speed": [40.0, 41.0], "launch_angle": [0.4, math.nan]},
-            "launch_angle is not a finite number in row 1; leave",
-        ),
         ({"position": (0.0, math.nan, 1.0)}, "position is not a finite number; leave"),
-        ({"position": [(0.0, 0.0, 1.0), (0.0, math.nan, 1.0)]}, "position is not a finite number in row 1"),
     ],
 )
 def test_what_is_no_number_starts_no_ball(wrong: dict[str, Any], message: str) -> None:
     with pytest.raises(InputError, match=message):
-        launched(**{"speed": 40.0, "launch_angle": 0.4, **wrong})
+        batted_ball(**{"speed": 40.0, "launch_angle": 0.4, **wrong})
+
+
+@pytest.mark.parametrize("wrong", ["speed", "launch_angle"])
+def test_a_row_that_was_not_measured_has_no_flight_and_the_others_do(wrong: str) -> None:
+    measured: dict[str, Any] = {"speed": [40.0, 41.0], "launch_angle": [0.4, 0.4]}
+    whole = trajectory(batted_ball(**measured), standard_flight())
+    found = trajectory(batted_ball(**{**measured, wrong: [math.nan, measured[wrong][1]]}), standard_flight())
+    assert found.outcome.tolist() == [FlightOutcome.UNUSABLE, FlightOutcome.LANDED]
+    assert math.isnan(found.carry[0]) and found.carry[1] == whole.carry[1]
 
 
 def test_a_wind_in_degrees_is_refused() -> None:
@@ -164,4 +169,4 @@ def test_a_ball_of_another_sport_is_named(run: Run) -> None:
 )
 def test_arrays_that_do_not_fit_are_refused(wrong: dict[str, Any]) -> None:
     with pytest.raises(InputError, match="do not fit together"):
-        launched(**{"launch_angle": 0.4, **wrong})
+        batted_ball(**{"launch_angle": 0.4, **wrong})

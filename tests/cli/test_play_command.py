@@ -19,7 +19,7 @@ from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.uncertainty.ball_doubt import speed_by_ball
@@ -42,7 +42,7 @@ def test_the_command_gives_the_librarys_numbers(run_json: Callable[..., Any]) ->
         ),
         swing=Swing(bat_speed=74 * MPH, measured_at=bat.length - 6 * INCH),
         path=SwingPath(attack_angle=11 * DEGREE, tilt=32 * DEGREE, bats="left"),
-        pitch=launched(
+        pitch=batted_ball(
             speed=84 * MPH,
             launch_angle=-6 * DEGREE,
             spray=math.pi,
@@ -159,7 +159,7 @@ def test_a_softball_flies_by_a_softballs_drag(run_json: Callable[..., Any]) -> N
             FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(law), air=Air()),
             swing=conditions.swing,
             path=SwingPath(attack_angle=9 * DEGREE, tilt=32 * DEGREE),
-            pitch=launched(
+            pitch=batted_ball(
                 speed=conditions.pitch.speed,
                 launch_angle=-6 * DEGREE,
                 spray=math.pi,

@@ -21,7 +21,7 @@ from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.collision.time_step import first_kick_after_touch
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.equipment.ball import RestitutionLaw
@@ -228,7 +228,7 @@ def test_a_bat_that_overtakes_the_ball_hits_it_again(hands: Hands) -> None:
     # A metal bat struck near its middle swings back on to the ball about 2 ms later. Truth: the same equations by an
     # adaptive integrator of order 8, phase by phase.
     beam = beam_model(catalog.bat("single-wall"))
-    modes = gripped(all_modes(beam, BALL), hands)
+    modes = held_modes(all_modes(beam, BALL), hands)
     place, closing = beam.bat.length - 0.45, 60.0  # where the second push rises once; the integrator knows no reloading
     impact = hit(modes, ball=BALL, position=place, closing_speed=closing)
     free = np.flatnonzero(impact.force[1:] == 0)

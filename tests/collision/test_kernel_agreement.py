@@ -23,7 +23,7 @@ from sweetspot.collision.kernel import CHUNK, hits, hits_with_motion
 from sweetspot.collision.one_hit import quick_hit
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.motion.swing import Hands
@@ -39,7 +39,7 @@ def damped(ratio: float) -> Modes:
 
 
 def held(mass: float, stiffness: float, damping: float) -> Modes:
-    return gripped(MODES, Hands(position=0.1524, mass=mass, stiffness=stiffness, damping=damping))
+    return held_modes(MODES, Hands(position=0.1524, mass=mass, stiffness=stiffness, damping=damping))
 
 
 BATS = st.one_of(
@@ -94,7 +94,7 @@ def assert_alike(quick: Impact, one: Impact) -> None:
 
 def test_quick_hit_touches_twice_as_the_readable_version() -> None:
     hands = Hands(position=0.1524, mass=0.35, stiffness=20e3, damping=100.0)
-    modes = gripped(all_modes(beam_model(BAT), BALL), hands)
+    modes = held_modes(all_modes(beam_model(BAT), BALL), hands)
     one = hit(modes, ball=BALL, position=0.35, closing_speed=30.0)
     assert one.touches == 2
     assert_alike(quick_hit(modes, ball=BALL, position=0.35, closing_speed=30.0), one)

@@ -18,7 +18,7 @@ from sweetspot.collision.modal_response import free_motion, replayed
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.errors import InputError
@@ -27,7 +27,7 @@ from sweetspot.motion.swing import Hands
 BALL = catalog.ball()
 HANDS = Hands(position=0.1524, **TYPICAL_HAND)
 FREE = {name: all_modes(beam_model(catalog.bat(name)), BALL) for name in ("r161-ash", "single-wall")}
-MODES = {**FREE, "held": gripped(FREE["r161-ash"], HANDS), "held, hollow": gripped(FREE["single-wall"], HANDS)}
+MODES = {**FREE, "held": held_modes(FREE["r161-ash"], HANDS), "held, hollow": held_modes(FREE["single-wall"], HANDS)}
 
 
 def struck(modes: Modes, place: float = 0.69, closing: float = 70.0) -> Impact:

@@ -7,8 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sweetspot import catalog, certify
+from sweetspot import catalog
 from sweetspot.analysis.certification.rules import check_rules
+from sweetspot.analysis.certification.simulated_test import certify
 from sweetspot.catalog.rules import league
 from sweetspot.design.constraints import findings_of
 from sweetspot.design.measures import MeasuredDesigns

@@ -19,7 +19,7 @@ from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.face_vibration import face_modes, softness
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, Surface, joined
 from sweetspot.dynamics.patch import contact_patch
@@ -200,7 +200,7 @@ def test_give_falls_from_one_to_nothing() -> None:
 
 def test_hands_that_weigh_next_to_nothing_change_nothing(racket: Racket, tennis: Ball) -> None:
     free = all_modes(beam_model(racket), tennis)
-    held = gripped(free, Hands(position=0.08, mass=0.01, stiffness=1e-6))
+    held = held_modes(free, Hands(position=0.08, mass=0.01, stiffness=1e-6))
     assert held.families.count("rigid") == 3
     (face,) = held.of_family("face")
     assert held.frequency[face] == pytest.approx(free.frequency[free.of_family("face")[0]], rel=1e-9)

@@ -10,11 +10,11 @@ import pytest
 from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.flight.all_parks import landings_everywhere
+from sweetspot.flight.all_parks import fly_all_parks
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import BallMotions, launched
+from sweetspot.motion.ball_motion import BallMotions, batted_ball
 from sweetspot.units import FOOT, MPH
 
 BALL, LAW, AIR = catalog.ball(), aerodynamics(), Air(temperature=22.0)
@@ -23,10 +23,10 @@ PARKS = catalog.parks()
 
 def test_as_the_readable_flight_has_it() -> None:
     """2 cm of clearance: chords of two samplings of a path, and steep fences seen from slightly different points."""
-    motion = launched(
+    motion = batted_ball(
         speed=103 * MPH, launch_angle=math.radians(28), spray=-0.5, backspin=240.0, position=(0.0, 0.6, 1.0)
     )
-    same = landings_everywhere(
+    same = fly_all_parks(
         motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), parks=PARKS, own_elevation=False
     )
     path = fly(motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), step=0.01).positions
@@ -47,7 +47,7 @@ def test_thin_air_carries_further_and_never_takes_a_home_run_away() -> None:
     spin = 230 * np.stack([np.cos(turn), -np.sin(turn), np.zeros(200)], axis=-1)
     high = [park for park in PARKS if park.elevation > 300 * FOOT]
     own, sea = (
-        landings_everywhere(
+        fly_all_parks(
             BallMotions(velocity=102 * MPH * ahead, spin=spin, position=[0.0, 0.6, 1.0]),
             FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
             parks=high,

@@ -18,7 +18,7 @@ from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.sweep import BattedBall, directed
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.units import DEGREE, MPH, RPM
 
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics(), Air()
@@ -111,7 +111,9 @@ def test_places_on_the_map() -> None:
 
 
 def test_one_flight_and_many_say_the_same_bearing() -> None:
-    ball = launched(speed=45.0, launch_angle=0.5, spray=0.2, backspin=200.0, sidespin=-120.0, position=(0.0, 0.0, 1.0))
+    ball = batted_ball(
+        speed=45.0, launch_angle=0.5, spray=0.2, backspin=200.0, sidespin=-120.0, position=(0.0, 0.0, 1.0)
+    )
     one = fly(ball, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR))
     many = flights(ball, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR))
     assert many.bearing[0] == pytest.approx(one.bearing, abs=1e-5)

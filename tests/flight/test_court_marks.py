@@ -15,7 +15,7 @@ from sweetspot.flight.air import VACUUM, Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.court_marks import passages
 from sweetspot.flight.trajectory import Flight, fly
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.report.flight.court import court_words
 from sweetspot.report.quantities import SI, US, reader
@@ -27,7 +27,7 @@ def shot(
     name: str, speed: float, angle: float, *, spin: float = 0.0, height: float = 0.0, air: Air | None = None
 ) -> Flight:
     found = catalog.sport(name)
-    start = launched(speed=speed, launch_angle=math.radians(angle), backspin=spin * RPM, position=(0.0, 1.3, height))
+    start = batted_ball(speed=speed, launch_angle=math.radians(angle), backspin=spin * RPM, position=(0.0, 1.3, height))
     return fly(
         start,
         FlightConditions(

@@ -12,7 +12,7 @@ from scipy.special import ndtri
 
 from sweetspot import catalog
 from sweetspot.flight.air import Air, Wind
-from sweetspot.flight.all_parks import landings_everywhere
+from sweetspot.flight.all_parks import fly_all_parks
 from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.conditions import FlightConditions
@@ -29,7 +29,7 @@ START = np.array([0.0, 2 * FOOT, 3 * FOOT])
 
 
 @cache
-def launched(count: int) -> tuple[Array, Array]:
+def batted_ball(count: int) -> tuple[Array, Array]:
     """Return velocities and spins of balls that come near fences."""
     generator = np.random.default_rng(3)
     angle, turn = generator.uniform(0.3, 0.75, count), generator.uniform(-0.75, 0.75, count)
@@ -40,7 +40,7 @@ def launched(count: int) -> tuple[Array, Array]:
 
 
 def asked(count: int, **changes: Any) -> HomeRuns:
-    velocity, spin = launched(count)
+    velocity, spin = batted_ball(count)
     through = {"ball": BALL, "air": AIR} | {name: changes.pop(name, usual) for name, usual in FLYING.items()}
     return home_run_chances(
         BallMotions(velocity=velocity, spin=spin, position=START),
@@ -55,9 +55,9 @@ def test_without_scatter_it_is_the_path_judged(wind: Wind) -> None:
 
     Left out are corners of a fence, which the kernel's table of directions cuts.
     """
-    velocity, spin = launched(300)
+    velocity, spin = batted_ball(300)
     found = asked(300, scatter=NONE, wind=wind)
-    judged = landings_everywhere(
+    judged = fly_all_parks(
         BallMotions(velocity=velocity, spin=spin, position=START),
         FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR, wind=wind),
         parks=PARKS,
@@ -131,7 +131,7 @@ def test_thin_air_and_a_roof() -> None:
 
 
 def test_what_cannot_fly_has_no_chance() -> None:
-    velocity, spin = launched(4)
+    velocity, spin = batted_ball(4)
     velocity = velocity.copy()
     velocity[0] = math.nan
     velocity[1] = [0.0, 40.0, -20.0]  # into the ground

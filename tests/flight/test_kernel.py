@@ -16,7 +16,7 @@ from sweetspot.flight.compiled import LANES
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.trajectory import FlightOutcome, fly
-from sweetspot.motion.ball_motion import BallMotion, BallMotions, launched
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, batted_ball
 from sweetspot.units import FOOT, MPH, RPM
 
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics("baseball"), Air(temperature=21.0)
@@ -28,7 +28,7 @@ MOTION, CONDITIONS = ("position", "velocity", "spin"), ("ball", "aerodynamics", 
 def random_hits(count: int, seed: int = 3) -> list[BallMotion]:
     generator = np.random.default_rng(seed)
     return [
-        launched(
+        batted_ball(
             speed=generator.uniform(60, 115) * MPH,
             launch_angle=generator.uniform(-0.2, 1.5),
             spray=generator.uniform(-0.8, 0.8),

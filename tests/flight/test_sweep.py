@@ -9,7 +9,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.flying import fly
+from sweetspot.flight.flying import trajectory as fly
 from sweetspot.flight.sweep import BattedBall, Variation, flight_table
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.units import DEGREE, MPH

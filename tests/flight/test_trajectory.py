@@ -16,7 +16,7 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import CALM, VACUUM, Air, Wind
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import TIME_LIMIT, Flight, FlightOutcome, fly
-from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.ball_motion import BallMotion, batted_ball
 from sweetspot.numerics.hermite_cubic import first_crossing, on_cubic, root_on_cubic, turn_on_cubic
 from sweetspot.units import FOOT, MPH, RPM
 
@@ -33,7 +33,7 @@ def flown(motion: BallMotion, **changes: object) -> Flight:
 
 def hit(angle: float = 27.5, **changes: float) -> BallMotion:
     options = {"speed": 103 * MPH, "backspin": 2500 * RPM} | changes
-    return launched(launch_angle=math.radians(angle), **options, position=(0.0, 2 * FOOT, 3 * FOOT))
+    return batted_ball(launch_angle=math.radians(angle), **options, position=(0.0, 2 * FOOT, 3 * FOOT))
 
 
 @given(st.floats(1, 80), st.floats(-1.5, 1.5), st.floats(0, 5), st.floats(0, 500))
@@ -42,7 +42,7 @@ def hit(angle: float = 27.5, **changes: float) -> BallMotion:
 @settings(max_examples=40)
 def test_without_air_it_is_a_parabola(speed: float, angle: float, height: float, spin: float) -> None:
     """Exact: t = (v sin + sqrt(v^2 sin^2 + 2 g h)) / g, x = v cos t, top = h + v^2 sin^2 / (2 g)."""
-    found = flown(launched(speed=speed, launch_angle=angle, backspin=spin, position=(0.0, 0.0, height)), air=VACUUM)
+    found = flown(batted_ball(speed=speed, launch_angle=angle, backspin=spin, position=(0.0, 0.0, height)), air=VACUUM)
     climb = speed * math.sin(angle)
     time = 0.0 if height == 0 and climb <= 0 else (climb + math.sqrt(climb**2 + 2 * G * height)) / G
     assert found.outcome is FlightOutcome.LANDED
@@ -57,7 +57,7 @@ def test_a_long_fall_ends_at_terminal_speed() -> None:
     terminal, height = 20.0, 60.0
     drag = 2 * BALL.mass * G / (AIR.density * math.pi * BALL.radius**2 * terminal**2)
     found = flown(
-        launched(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, height)),
+        batted_ball(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, height)),
         aerodynamics=Aerodynamics(drag=drag),
         step=0.01,
     )
@@ -127,7 +127,7 @@ def test_a_gale_brings_it_back() -> None:
 
 
 def test_straight_up_comes_down_where_it_went_up() -> None:
-    found = flown(launched(speed=40.0, launch_angle=math.pi / 2, position=(0.0, 0.5, 1.0)))
+    found = flown(batted_ball(speed=40.0, launch_angle=math.pi / 2, position=(0.0, 0.5, 1.0)))
     assert found.carry == pytest.approx(0.5, abs=1e-9)
     assert found.landing_angle == pytest.approx(math.pi / 2)
     assert found.apex_height < 1 + 40**2 / (2 * G)
@@ -140,21 +140,21 @@ def test_a_ground_ball_is_short_and_its_apex_is_its_start() -> None:
 
 
 def test_a_ball_on_the_ground_that_does_not_rise_lies_there() -> None:
-    found = flown(launched(speed=30.0, launch_angle=-0.1))
+    found = flown(batted_ball(speed=30.0, launch_angle=-0.1))
     assert found.outcome is FlightOutcome.LANDED and (found.hang_time, found.carry) == (0.0, 0.0)
     assert found.at(0.0) is found.launch
 
 
 def test_a_small_hop_is_a_flight() -> None:
     """Exact to the drag of 2 cm: the first step passes start, top and landing at once."""
-    found = flown(launched(speed=0.5, launch_angle=math.pi / 2))
+    found = flown(batted_ball(speed=0.5, launch_angle=math.pi / 2))
     assert found.hang_time == pytest.approx(2 * 0.5 / G, rel=2e-3)
     assert found.apex_height == pytest.approx(0.25 / (2 * G), rel=2e-3)
 
 
 def test_a_start_below_the_ground_is_refused() -> None:
     with pytest.raises(InputError, match=r"0.5 m below the ground; give a height of 0 m or more"):
-        flown(launched(speed=40.0, launch_angle=0.5, position=(0.0, 0.0, -0.5)))
+        flown(batted_ball(speed=40.0, launch_angle=0.5, position=(0.0, 0.0, -0.5)))
 
 
 @pytest.mark.parametrize("step", [0.0, -1.0, math.nan, 2.0])
@@ -168,7 +168,7 @@ def test_a_time_outside_the_flight_is_refused() -> None:
         flown(hit()).at(60.0)
 
 
-HANGING = launched(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, 100.0))
+HANGING = batted_ball(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, 100.0))
 
 
 def test_a_balloon_is_still_flying() -> None:

@@ -8,7 +8,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sweetspot import Swing, all_modes, beam_model, catalog, effective_mass, hit, hits, launched, rigid_body
+from sweetspot import Swing, all_modes, batted_ball, beam_model, catalog, effective_mass, hits, rigid_body
+from sweetspot.collision.coupled import hit
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.plausibility import insisting, parse
@@ -58,7 +59,7 @@ def test_inches_and_degrees_in_python_are_told_of(r161: Bat) -> None:
         with pytest.raises(InputError, match=r"places are in metres, and 27 in are 27 \* 0.0254"):
             wrong()
     with pytest.raises(InputError, match=r"write math.radians\(28\)"):
-        launched(speed=44.7, launch_angle=28)
+        batted_ball(speed=44.7, launch_angle=28)
     with pytest.raises(InputError, match="measured_at"):
         Swing(bat_speed=31.0, measured_at=27.0)
     assert math.isfinite(hit(modes, ball=ball, position=0.69, closing_speed=50.0).collision_efficiency)

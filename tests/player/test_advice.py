@@ -23,7 +23,7 @@ from sweetspot.errors import InputError
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import Advice, advise
 from sweetspot.player.candidate import candidates, lengthened
@@ -119,7 +119,7 @@ def test_carry_of_a_hit_is_its_flight(posterior: Posterior) -> None:
     speed, attack = np.array([46.0]), np.radians([9.0])
     carry = float(table.at(speed, np.array([0.7 * INCH]), attack)[0])
     flight = fly(
-        launched(speed=44.7, launch_angle=math.radians(27), backspin=200.0, position=(0.0, 0.0, 0.9)),
+        batted_ball(speed=44.7, launch_angle=math.radians(27), backspin=200.0, position=(0.0, 0.0, 0.9)),
         FlightConditions(ball=BALL, aerodynamics=DRAG, air=AIR),
     )
     assert carry == pytest.approx(flight.carry, rel=0.08)

@@ -16,7 +16,7 @@ from sweetspot.collision.kernel import hits
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.flight.kernel import flights
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.report.notebook import document_of
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.units import FOOT
@@ -54,7 +54,7 @@ def test_what_has_no_report_is_named() -> None:
 def test_many_hits_many_flights_and_modes_are_shown_and_drawn(analysis: Analysis, baseball: Ball) -> None:
     """By what each says of itself, and with every label clear of the others, in both systems of units."""
     hit = hits(analysis.modes, ball=baseball, position=[0.6, 0.7, 0.8], closing_speed=70.0)
-    balls = launched(speed=[40.0, 45.0], launch_angle=[0.4, 0.5], backspin=200.0, position=(0, 0, 1))
+    balls = batted_ball(speed=[40.0, 45.0], launch_angle=[0.4, 0.5], backspin=200.0, position=(0, 0, 1))
     flown = flights(balls, standard_flight(), path_points=5)
     frequency = f"{analysis.modes.frequency[analysis.modes.of_family('bending')[0]]:.0f} Hz"
     for answer, told, short in (

@@ -11,6 +11,7 @@ import pytest
 import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.comparison import compare
 from sweetspot.answers.compare import compare_of
 from sweetspot.answers.report import misses_of
 from sweetspot.equipment.implement import Implement
@@ -109,7 +110,7 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
     names = ("r161-ash", "mlb-a", "single-wall", "youth-30", "corked-r161")
     bats = [catalog.bat(name) for name in names]
     conditions = sweetspot.standard_conditions(bats[0])
-    comparison = sweetspot.compare(bats, conditions=conditions, law=catalog.swing_law())
+    comparison = compare(bats, conditions=conditions, law=catalog.swing_law())
     document = comparison_document(comparison)
     reader = document.reader
     sentences = paragraphs(document, reader)[: len(bats) - 1]
@@ -148,7 +149,7 @@ def test_an_interval_that_is_told_to_end_at_nothing_leaves_the_sign_open(
     """-1.7 to -0.0 mph is no loss for sure."""
     bats = [catalog.bat(name) for name in ("r161-ash", "corked-r161")]
     conditions = sweetspot.standard_conditions(bats[0])
-    found = sweetspot.compare(bats, conditions=conditions, law=catalog.swing_law(), labels=["unmodified", "cork"])
+    found = compare(bats, conditions=conditions, law=catalog.swing_law(), labels=["unmodified", "cork"])
     sources = [sources_of(one.analysis.bat, one.analysis.conditions) for one in found.compared]
     answer = compare_of(found, sources)
     first, cork = answer.bats

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sweetspot import catalog, compare
+from sweetspot import catalog
+from sweetspot.analysis.comparison import compare
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.catalog.implements import loaded_implement
 from sweetspot.catalog.standard_hit import standard_conditions

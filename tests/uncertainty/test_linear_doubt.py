@@ -6,8 +6,9 @@ from collections.abc import Callable
 
 import pytest
 
-from sweetspot import catalog, compare
+from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.analysis.comparison import compare
 from sweetspot.answers.compare import compare_of
 from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.catalog.standard_hit import standard_conditions

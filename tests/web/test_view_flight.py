@@ -16,7 +16,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
-from sweetspot.flight.all_parks import landings_everywhere
+from sweetspot.flight.all_parks import fly_all_parks
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.units import FOOT, MPH
 from sweetspot.web.errors import FieldError
@@ -146,7 +146,7 @@ def test_every_park_is_judged_as_by_the_paths() -> None:
         found = answer(state)
         for row, park in zip(found["parks"], catalog.parks(), strict=True):
             there = replace(start.conditions, aerodynamics=aerodynamics_in(park, start.conditions.aerodynamics))
-            (end,) = landings_everywhere(start.motion, there, parks=(park,))
+            (end,) = fly_all_parks(start.motion, there, parks=(park,))
             assert row["outcome"] == str(end.outcome.flat[0]), (controls, row["park"])
             if row["clearance_m"] is not None:
                 assert row["clearance_m"] == pytest.approx(float(end.clearance.flat[0]), abs=0.005)

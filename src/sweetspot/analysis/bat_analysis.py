@@ -15,7 +15,7 @@ from sweetspot.collision.contact_law import ContactLaw
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.hands import check_hands, gripped
+from sweetspot.dynamics.hands import check_hands, held_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import Given, ReducedBat, Tool_co, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody
@@ -70,7 +70,7 @@ class Analysis(ShownInNotebooks, Generic[Tool_co]):
         """Relative change of the best hit's exit speed when typical hands hold the bat."""
         hands = self.conditions.hands
         typical = Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND)
-        with_grip = hit_at(self.best.position, modes=gripped(self.free, typical), conditions=self.conditions)
+        with_grip = hit_at(self.best.position, modes=held_modes(self.free, typical), conditions=self.conditions)
         return exit_speed_of(with_grip, self.conditions) / exit_speed_of(self.best, self.conditions) - 1
 
 
@@ -111,7 +111,7 @@ def analyse_reduced(reduced: ReducedBat[Given], conditions: Conditions) -> Analy
     """Return the full answer for a bat whose modes are known already; see `analyse`."""
     bat, body, free = reduced.bat, reduced.body, reduced.modes
     check_conditions(bat, conditions, body=body)
-    modes = gripped(free, conditions.hands)
+    modes = held_modes(free, conditions.hands)
     along = scan(bat, body=body, modes=modes, conditions=conditions)
     spots = sweet_spots(along, body=body, modes=free, conditions=conditions)
     return Analysis(bat, conditions, reduced.beam, body, modes, free, along, spots)
@@ -130,7 +130,8 @@ def hit_at(
     lateral : m across the face from the bat's line.
     law : another contact law than the ball's own.
 
-    >>> from sweetspot import exit_speed_of, hit_at, standard_analysis
+    >>> from sweetspot import standard_analysis
+    >>> from sweetspot.analysis.bat_analysis import exit_speed_of, hit_at
     >>> analysis = standard_analysis("r161-ash")
     >>> impact = hit_at(0.7, modes=analysis.modes, conditions=analysis.conditions)
     >>> round(exit_speed_of(impact, analysis.conditions), 1)  # m/s
@@ -148,7 +149,8 @@ def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     impact : as `hit` or `hit_at` give it.
     conditions : the pitch and the swing that it was hit with.
 
-    >>> from sweetspot import exit_speed_of, standard_analysis
+    >>> from sweetspot import standard_analysis
+    >>> from sweetspot.analysis.bat_analysis import exit_speed_of
     >>> analysis = standard_analysis("r161-ash")
     >>> round(exit_speed_of(analysis.best, analysis.conditions), 1)  # m/s
     46.4

@@ -122,7 +122,8 @@ def compare(
     InputError
         without a bat, with labels that do not go with the bats, or when a bat or its swing is refused.
 
-    >>> from sweetspot import catalog, compare, standard_conditions
+    >>> from sweetspot import catalog, standard_conditions
+    >>> from sweetspot.analysis.comparison import compare
     >>> bats = [catalog.bat("r161-ash"), catalog.bat("corked-r161")]
     >>> comparison = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
     >>> corked = comparison.compared[1]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from sweetspot.analysis.position_scan import sting
 from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.kernel import hits_with_motion
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.face import FaceOutline
 from sweetspot.equipment.implement import Implement
@@ -85,7 +85,7 @@ def face_map(
     inside = outline.holds(places, across)
     swing, ball = conditions.swing, conditions.ball
     bat_speed = swing.angular_speed * (places[inside] - swing.pivot)
-    modes = gripped(reduced.modes, conditions.hands)
+    modes = held_modes(reduced.modes, conditions.hands)
     done = hits_with_motion(
         modes, ball=ball, position=places[inside], lateral=across[inside],
         closing_speed=conditions.pitch.speed + bat_speed,

@@ -60,7 +60,8 @@ def play(
         ``strike`` and ``flight``; no flight where bat and ball miss each other.
 
     >>> from math import radians
-    >>> from sweetspot import BallMotion, Contact, SwingPath, catalog, play, standard_conditions, standard_flight
+    >>> from sweetspot import BallMotion, Contact, SwingPath, catalog, standard_conditions, standard_flight
+    >>> from sweetspot.analysis.full_play import play
     >>> from sweetspot.dynamics.reduction import reduced_bat
     >>> bat, flying = catalog.bat("r161-ash"), standard_flight()
     >>> pitch = BallMotion(position=(0, 0.5, 0.9), velocity=(0, -37.0, -3.0), spin=(-200.0, 0, 0))

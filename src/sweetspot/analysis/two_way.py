@@ -12,7 +12,7 @@ from sweetspot.analysis.comparison import speed_ratios, swung_conditions
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.dynamics.weight_match import with_wall_factor
@@ -227,7 +227,7 @@ def _answers(
     places = np.linspace(body.balance_point, bat.length, PLACES)
     bat_speed = swung.swing.angular_speed * (places - swung.swing.pivot)
     closing = swung.pitch.speed + bat_speed
-    done = hits(gripped(free, swung.hands), ball=ball, position=places, closing_speed=closing)
+    done = hits(held_modes(free, swung.hands), ball=ball, position=places, closing_speed=closing)
     efficiency = done.collision_efficiency
     return TableCell(
         exit_speed=peak(exit_speed(efficiency, ball_speed=swung.pitch.speed, bat_speed=bat_speed)),

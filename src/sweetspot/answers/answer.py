@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -65,11 +65,22 @@ class Answer(ShownInNotebooks):
         return to_dict(self, units)
 
     def to_frame(self, units: System = "si") -> polars.DataFrame:
-        """Return the numbers and texts that stand alone as a frame of one row."""
+        """Return the numbers and texts as a frame of one row, with those of parts as ``best_hit.exit_speed_m_s``.
+
+        Lists and curves are left out; `to_dict` has them.
+        """
         import polars
 
-        table = self.to_dict(units)
-        return polars.DataFrame({key: [value] for key, value in table.items() if not isinstance(value, (dict, list))})
+        return polars.DataFrame(dict(_cells(self.to_dict(units))))
+
+
+def _cells(table: Mapping[str, Any], of: str = "") -> Iterator[tuple[str, list[Any]]]:
+    """Yield the columns of one row."""
+    for key, value in table.items():
+        if isinstance(value, dict):
+            yield from _cells(value, f"{of}{key}.")
+        elif not isinstance(value, list):
+            yield f"{of}{key}", [value]
 
 
 def frame_of(rows: Sequence[object], units: System) -> polars.DataFrame:

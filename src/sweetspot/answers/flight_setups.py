@@ -16,7 +16,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.park import Park
 from sweetspot.flight.pitch import PitchFlight, aimed
 from sweetspot.flight.sweep import BattedBall
-from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, batted_ball
 from sweetspot.motion.swing_path import Side
 from sweetspot.units import to_si
 
@@ -107,7 +107,7 @@ class PitchSetup:
             return thrown(self.pitch, flying, release_speed=self.release_speed).plate
         if self.release_speed is not None:
             raise InputError("release_speed is of a pitch that is thrown; name it by pitch, or give pitch_speed")
-        return launched(
+        return batted_ball(
             speed=speed,
             launch_angle=self.approach_angle,
             spray=math.pi,

@@ -19,7 +19,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.park import Park
 from sweetspot.flight.pitch import PitchFlight
-from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, batted_ball
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, SwingPlane
 from sweetspot.uncertainty.intervals import reach_of_draws
@@ -221,7 +221,7 @@ def _easiest(search: ParkSearch) -> tuple[AskedPark, ...]:
 
 
 def _ball(found: FarthestLaunch) -> BallMotion:
-    return launched(
+    return batted_ball(
         speed=float(found.exit_speed),
         launch_angle=float(found.launch_angle),
         backspin=float(found.backspin),

@@ -91,7 +91,8 @@ def hit(
     InputError
         for a step that is not above zero, or a place that cannot be metres on a bat.
 
-    >>> from sweetspot import all_modes, beam_model, catalog, hit
+    >>> from sweetspot import all_modes, beam_model, catalog
+    >>> from sweetspot.collision.coupled import hit
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
     >>> impact = hit(modes, ball=catalog.ball(), position=0.7, closing_speed=70.0)
     >>> round(impact.collision_efficiency, 2), round(1e3 * impact.contact_time, 1)  # q, and ms of contact

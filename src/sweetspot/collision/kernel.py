@@ -91,7 +91,8 @@ def hits_with_motion(
     ----------
     position, closing_speed, lateral, step, threads : as in `hits`.
 
-    >>> from sweetspot import all_modes, beam_model, catalog, hits_with_motion
+    >>> from sweetspot import all_modes, beam_model, catalog
+    >>> from sweetspot.collision.kernel import hits_with_motion
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
     >>> many = hits_with_motion(modes, ball=catalog.ball(), position=[0.6, 0.7], closing_speed=70.0)
     >>> many.velocity.shape  # sqrt(kg) m/s, of every hit and mode

@@ -12,7 +12,7 @@ from sweetspot.numerics.eigen import eigenpairs
 from sweetspot.numerics.piecewise import Piecewise
 
 
-def gripped(modes: Modes, hands: Hands) -> Modes:
+def held_modes(modes: Modes, hands: Hands) -> Modes:
     """Return the motions of the bat held by two hands, each a mass behind a spring and a damper (its flesh).
 
     Coordinates are the free motions q and the two hands' own displacements y. With s the shapes at a hand, the
@@ -33,10 +33,10 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
     Modes
         two more than the free ones; those in which the hands move most are of family "hand".
 
-    >>> from sweetspot import all_modes, beam_model, catalog, gripped, standard_conditions
+    >>> from sweetspot import all_modes, beam_model, catalog, held_modes, standard_conditions
     >>> bat = catalog.bat("r161-ash")
     >>> free = all_modes(beam_model(bat), catalog.ball())
-    >>> held = gripped(free, standard_conditions(bat).hands.replaced(mass=1.0, stiffness=2e4))
+    >>> held = held_modes(free, standard_conditions(bat).hands.replaced(mass=1.0, stiffness=2e4))
     >>> len(held) - len(free)
     2
     """

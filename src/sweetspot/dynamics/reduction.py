@@ -8,7 +8,7 @@ from typing import Generic
 from typing_extensions import TypeVar
 
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
@@ -38,7 +38,7 @@ class ReducedBat(Generic[Tool_co]):
 
     def held(self, hands: Hands) -> ReducedBat[Tool_co]:
         """Return the same bat in these hands; without mass they leave it free."""
-        return replace(self, modes=gripped(self.modes, hands))
+        return replace(self, modes=held_modes(self.modes, hands))
 
 
 def reduced_bat(bat: Given, *, ball: Ball) -> ReducedBat[Given]:

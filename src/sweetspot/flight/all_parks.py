@@ -14,7 +14,7 @@ PATH_POINTS = 161
 """Points of a path; over a flight of 6 s the chords between them cut off less than 2 mm of its height."""
 
 
-def landings_everywhere(
+def fly_all_parks(
     motions: BallMotion | BallMotions,
     conditions: FlightConditions,
     *,
@@ -35,9 +35,9 @@ def landings_everywhere(
     Each park's `Landings`, of shape (n,); one for the shape (3,).
 
     >>> from math import radians
-    >>> from sweetspot import catalog, landings_everywhere, launched, standard_flight
-    >>> ball = launched(speed=46.0, launch_angle=radians(28), backspin=240.0)
-    >>> everywhere = landings_everywhere(ball, standard_flight(), parks=catalog.parks())
+    >>> from sweetspot import catalog, fly_all_parks, batted_ball, standard_flight
+    >>> ball = batted_ball(speed=46.0, launch_angle=radians(28), backspin=240.0)
+    >>> everywhere = fly_all_parks(ball, standard_flight(), parks=catalog.parks())
     >>> len(everywhere), sum(bool(one.out.all()) for one in everywhere)  # parks, and where it is a home run
     (30, 2)
     """

@@ -109,8 +109,9 @@ def flights(
     threads : workers; None: one per core, and one only for small batches.
 
     >>> import numpy as np
-    >>> from sweetspot import flights, launched, standard_flight
-    >>> balls = launched(speed=[40.0, 46.0], launch_angle=np.radians(28), backspin=240.0)
+    >>> from sweetspot import batted_ball, standard_flight
+    >>> from sweetspot.flight.kernel import flights
+    >>> balls = batted_ball(speed=[40.0, 46.0], launch_angle=np.radians(28), backspin=240.0)
     >>> flights(balls, standard_flight()).carry.round()  # m
     array([102., 122.])
     """

@@ -17,7 +17,7 @@ from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin, ch
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, batted_ball
 from sweetspot.numerics.arrays import Array
 
 Variation = Literal[
@@ -78,7 +78,7 @@ class BattedBall:
             raise InputError(f"exit speed is {self.exit_speed:g} m/s; allowed is zero or more")
         check_usual_spin(self.launch_angle, self.spray, known=self.backspin is not None and self.sidespin is not None)
         usual = batted_ball_spin(self.launch_angle, self.spray, bats=self.bats, line=self.line)
-        return launched(
+        return batted_ball(
             speed=self.exit_speed,
             launch_angle=self.launch_angle,
             spray=self.spray,

@@ -139,10 +139,10 @@ def fly(
     >>> from sweetspot.equipment.ball import Ball, RestitutionLaw
     >>> from sweetspot.flight.aerodynamics import Aerodynamics
     >>> from sweetspot.flight.air import VACUUM
-    >>> from sweetspot.motion.ball_motion import launched
+    >>> from sweetspot.motion.ball_motion import batted_ball
     >>> law = RestitutionLaw(reference=0.5, reference_speed=30)
     >>> ball = Ball(name="any", mass=0.145, radius=0.0369, restitution=law, stiffness=1e7, exponent=1.5)
-    >>> start = launched(speed=30.0, launch_angle=math.pi / 6)
+    >>> start = batted_ball(speed=30.0, launch_angle=math.pi / 6)
     >>> flight = fly(start, FlightConditions(ball=ball, aerodynamics=Aerodynamics(drag=0.35), air=VACUUM))
     >>> abs(flight.hang_time - 30.0 / 9.80665) < 1e-12  # exact: 2 v sin(30 deg) / g
     True

@@ -104,18 +104,18 @@ class BallMotions:
 
 
 @overload
-def launched(
+def batted_ball(
     *, speed: float, launch_angle: float, spray: float = 0.0, backspin: float = 0.0, sidespin: float = 0.0,
     gyrospin: float = 0.0, position: ArrayLike = (0.0, 0.0, 0.0),
 ) -> BallMotion: ...  # fmt: skip
 @overload
-def launched(
+def batted_ball(
     *, speed: ArrayLike, launch_angle: ArrayLike, spray: ArrayLike = 0.0, backspin: ArrayLike = 0.0,
     sidespin: ArrayLike = 0.0, gyrospin: ArrayLike = 0.0, position: ArrayLike = (0.0, 0.0, 0.0),
 ) -> BallMotion | BallMotions: ...  # fmt: skip
 
 
-def launched(
+def batted_ball(
     *,
     speed: ArrayLike,
     launch_angle: ArrayLike,
@@ -138,12 +138,13 @@ def launched(
     Raises
     ------
     InputError
-        for an angle that is none in radians, a text, nan, or arrays of different lengths.
+        for an angle that is none in radians, a text, an infinite number, or arrays of different lengths. In arrays nan
+        is what was not measured: such a ball has no flight, and the others do.
 
-    >>> ball = launched(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0, position=(0, 0, 1))
+    >>> ball = batted_ball(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0)
     >>> round(ball.speed, 9), round(ball.spray, 9), round(ball.backspin, 9), round(ball.sidespin, 9)
     (46.0, -0.2, 260.0, -50.0)
-    >>> launched(speed=[40.0, 46.0], launch_angle=0.48, position=(0, 0, 1)).velocity.shape
+    >>> batted_ball(speed=[40.0, 46.0], launch_angle=0.48, position=(0, 0, 1)).velocity.shape
     (2, 3)
     """
     try:
@@ -156,8 +157,8 @@ def launched(
     names = ("speed", "launch_angle", "spray", "backspin", "sidespin", "gyrospin", "position")
     for name, value in zip(names, (*given, np.asarray(position, float)), strict=True):
         _check_known(value, name, several=value.ndim > (name == "position"))
-    check_angles(launch_angle, "launch_angle")
-    check_angles(spray, "spray")
+    check_angles(np.nan_to_num(given[1]), "launch_angle")
+    check_angles(np.nan_to_num(given[2]), "spray")
     if any(value.ndim for value in given) or np.ndim(position) > 1:
         return _many_launched(np.broadcast_arrays(*map(np.atleast_1d, given)), position)
     speed, launch_angle, spray, backspin, sidespin, gyrospin = map(float, given)
@@ -170,14 +171,9 @@ def launched(
 
 
 def _check_known(values: Array, name: str, *, several: bool) -> None:
-    """Refuse what holds something that is no number, and say in which of several rows, counted from 0."""
-    unknown = np.flatnonzero(~np.isfinite(values).reshape(len(values) if several else 1, -1).all(axis=1))
-    if len(unknown):
-        where = f" in row {unknown[0]}" + (f" and {len(unknown) - 1} more" if len(unknown) > 1 else "")
-        raise InputError(
-            f"{name} is not a finite number{where if several else ''}; leave out what was not measured, "
-            "for example by numpy.isfinite"
-        )
+    """Refuse infinities, and nan where there is no other row that could still be flown."""
+    if not np.isfinite(values).all() and (np.isinf(values).any() or not several):
+        raise InputError(f"{name} is not a finite number; leave out what was not measured")
 
 
 def _many_launched(given: Sequence[Array], position: ArrayLike) -> BallMotions:
@@ -203,7 +199,7 @@ def launch_angles(velocity: Array, spin: Array) -> tuple[Array, Array, Array]:
     tuple
         launch angle and spray in rad, shape (...), and the three spins in rad/s, shape (3, ...).
 
-    >>> ball = launched(speed=40.0, launch_angle=0.3, spray=0.1, backspin=200.0, sidespin=-30.0, gyrospin=10.0)
+    >>> ball = batted_ball(speed=40.0, launch_angle=0.3, spray=0.1, backspin=200.0, sidespin=-30.0, gyrospin=10.0)
     >>> up, aside, spins = launch_angles(ball.velocity, ball.spin)
     >>> round(float(up), 9), round(float(aside), 9), spins.round(9).tolist()
     (0.3, 0.1, [200.0, -30.0, 10.0])

@@ -111,7 +111,8 @@ def conditions_lines(state: SwungState) -> str:
         warm = None if state.ball_temperature_degf is None else (state.ball_temperature_degf - 32) / 1.8
         ball += f".conditioned(humidity={state.ball_humidity!r}, temperature={warm!r})"
     return (
-        "from sweetspot import Conditions, Hands, Pitch, Swing, analyse, catalog, hit_at\n"
+        "from sweetspot import Conditions, Hands, Pitch, Swing, analyse, catalog\n"
+        "from sweetspot.analysis.bat_analysis import hit_at\n"
         "from sweetspot.units import INCH, MPH\n\n"
         f"bat = {source}\n"
         "conditions = Conditions(\n"
@@ -129,10 +130,10 @@ def modes_line(*, held: bool) -> str:
     if not held:
         return "modes = all_modes(beam_model(bat), conditions.ball)\n"
     return (
-        "from sweetspot import gripped\n"
+        "from sweetspot import held_modes\n"
         "from sweetspot.analysis.bat_analysis import TYPICAL_HAND\n\n"
         "hands = conditions.hands.replaced(**TYPICAL_HAND)\n"
-        "modes = gripped(all_modes(beam_model(bat), conditions.ball), hands)\n"
+        "modes = held_modes(all_modes(beam_model(bat), conditions.ball), hands)\n"
     )
 
 

@@ -22,7 +22,7 @@ from sweetspot.analysis.certification.simulated_test import (
 )
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
@@ -128,7 +128,7 @@ def test_the_clamp_does_not_matter(r161: Bat, baseball: Ball) -> None:
     """nathan2000: what holds the handle acts back only after the ball has left."""
     beam = beam_model(r161)
     body, free = rigid_body(beam), all_modes(beam, baseball)
-    clamped = gripped(free, Hands(position=CLAMP, spacing=0.0, mass=1e4, stiffness=1e9))
+    clamped = held_modes(free, Hands(position=CLAMP, spacing=0.0, mass=1e4, stiffness=1e9))
     assert np.abs(clamped.shape_at(CLAMP)[clamped.of_family("bending")[:3]]).max() < 0.01  # it holds
     values = [
         bat_test(beam, body=body, modes=modes, ball=baseball, closing_speed=BBCOR_SPEED).best_bbcor

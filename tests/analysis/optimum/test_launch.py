@@ -15,7 +15,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, batted_ball
 from sweetspot.units import DEGREE, MPH, RPM
 
 _, FORWARD, HEIGHT = USUAL_CONTACT
@@ -64,7 +64,9 @@ def test_the_slowest_home_run_just_clears_and_a_slower_one_does_not(name: str) -
     found = easiest_home_run(park, there, backspin=SPIN)
 
     def outcome(speed: float, angle: float, direction: float) -> str:
-        motion = launched(speed=speed, launch_angle=angle, spray=direction, backspin=SPIN, position=(0.0, 0.0, HEIGHT))
+        motion = batted_ball(
+            speed=speed, launch_angle=angle, spray=direction, backspin=SPIN, position=(0.0, 0.0, HEIGHT)
+        )
         start = FORWARD * np.array([math.sin(direction), math.cos(direction), 0.0])
         path = fly(motion, there).positions + start
         return landing(path, park).outcome

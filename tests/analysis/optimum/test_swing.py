@@ -19,12 +19,14 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.flight.air import VACUUM, Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing_path import SwingPath, SwingPlane
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics(), Air()
-PITCH = launched(speed=85 * MPH, launch_angle=-5 * DEGREE, spray=math.pi, backspin=2200 * RPM, position=(0.0, 0.6, 0.9))
+PITCH = batted_ball(
+    speed=85 * MPH, launch_angle=-5 * DEGREE, spray=math.pi, backspin=2200 * RPM, position=(0.0, 0.6, 0.9)
+)
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +105,7 @@ def test_what_is_given_stays_and_costs_carry(model: ReducedBat[Bat], analysis: A
 
 def test_topspin_is_worth_more_to_a_ball_that_rolls_off(model: ReducedBat[Bat], analysis: Analysis) -> None:
     """The two reasons why our curve is not the longest hit: gains of a curve as fast as the fastball, both ways."""
-    curve = launched(
+    curve = batted_ball(
         speed=85 * MPH, launch_angle=-5 * DEGREE, spray=math.pi, backspin=-2200 * RPM, position=(0.0, 0.6, 0.9)
     )
     gains = []
@@ -133,6 +135,6 @@ def test_impossible_questions_are_refused(model: ReducedBat[Bat], analysis: Anal
             held=Held(attack_angle=1.2),
         )
     slow = analysis.conditions.swing.replaced(bat_speed=0.01)
-    going = launched(speed=5.0, launch_angle=0.0, position=(0.0, 0.6, 0.9))
+    going = batted_ball(speed=5.0, launch_angle=0.0, position=(0.0, 0.6, 0.9))
     with pytest.raises(InputError, match="makes the ball fly"):
         best_swing(model, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), swing=slow, pitch=going)

@@ -10,6 +10,7 @@ import pytest
 import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.comparison import compare
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.figure import report_figure
@@ -87,11 +88,11 @@ def test_spots_of_a_face_lie_on_its_line(analysed: Analysis[Implement]) -> None:
 
 
 def test_flights_comparisons_and_parks() -> None:
-    struck = sweetspot.launched(speed=46.0, launch_angle=math.radians(28), position=(0.0, 0.6, 0.9))
-    flight = sweetspot.fly(struck, sweetspot.standard_flight())
+    struck = sweetspot.batted_ball(speed=46.0, launch_angle=math.radians(28), position=(0.0, 0.6, 0.9))
+    flight = sweetspot.trajectory(struck, sweetspot.standard_flight())
     racket = catalog.implement("tennis-racket")
     stiff = racket.replaced(name="a stiffer one", first_frequency=170.0)
     conditions = sweetspot.standard_conditions(racket)
-    comparison = sweetspot.compare([racket, stiff], conditions=conditions, law=None)
+    comparison = compare([racket, stiff], conditions=conditions, law=None)
     for figure in (figure_of(flight), figure_of(comparison), parks_figure(catalog.parks(), [catalog.park("fenway")])):
         check_labels(figure)

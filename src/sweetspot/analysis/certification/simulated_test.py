@@ -250,7 +250,8 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     Certification
         ``bbcor``, ``besr``, ``bpf`` and ``batted_ball_speed`` (m/s), with what the ball's patch leaves open.
 
-    >>> from sweetspot import catalog, certify
+    >>> from sweetspot import catalog
+    >>> from sweetspot.analysis.certification.simulated_test import certify
     >>> round(certify(catalog.bat("r161-ash"), ball=catalog.ball()).bbcor, 2)  # allowed is 0.50
     0.5
     """

@@ -14,7 +14,7 @@ from sweetspot.errors import InputError
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import Park, fence_at
-from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, batted_ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import top
 from sweetspot.units import DEGREE, MPH
@@ -66,7 +66,7 @@ def best_launch(
     """
 
     def carries(angles: Array) -> Array:
-        balls_left = launched(
+        balls_left = batted_ball(
             speed=exit_speed,
             launch_angle=angles,
             spray=spray,

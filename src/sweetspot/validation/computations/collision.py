@@ -15,7 +15,7 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.block import Block
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
 from sweetspot.motion.swing import Conditions, Hands, Pitch
@@ -69,7 +69,7 @@ def _held_rod(bat: str, closing_speed: float) -> tuple[float, float, float, Rigi
     """Return the speed of the centre, the angular speed, the impulse, the rod as a body, and its length."""
     free, body, length, ball = shared.free_modes(bat), shared.body(bat), shared.length(bat), catalog.ball()
     hinge = Hands(position=0.0, spacing=0.0, mass=1e6, stiffness=1e9)
-    held = gripped(free.selected(free.of_family("rigid")), hinge)
+    held = held_modes(free.selected(free.of_family("rigid")), hinge)
     impact = hit(held, ball=ball, position=length, closing_speed=closing_speed, step=1e-6)
     impulse = ball.mass * closing_speed * (1 + impact.collision_efficiency)
     centre = float(held.shape_at(body.balance_point) @ impact.velocity)

@@ -9,7 +9,7 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.modal_propagator import modal_propagator_of
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
@@ -47,7 +47,7 @@ def grip_change(*, bat: str) -> float:
 
     alone = speeds(free)
     grips = (Hands(position=HANDS, **TYPICAL_HAND), Hands(position=HANDS, mass=BENCH, stiffness=VICE))
-    return max(float(np.abs(speeds(gripped(free, hands)) / alone - 1).max()) for hands in grips)
+    return max(float(np.abs(speeds(held_modes(free, hands)) / alone - 1).max()) for hands in grips)
 
 
 def impulse_given_at_arrival(*, bat: str) -> float:

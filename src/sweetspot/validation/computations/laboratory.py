@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from sweetspot import catalog
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.kernel import hits
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH
@@ -38,7 +38,7 @@ def bat_test(bat: str, closing_speed: float) -> BatTestCurves:
     """Return the test of a catalogue bat along its barrel."""
     ball, body = catalog.ball(), shared.body(bat)
     clamp = Hands(position=CLAMP, spacing=0.0, mass=CLAMP_MASS, stiffness=CLAMP_STIFFNESS)
-    clamped = gripped(shared.free_modes(bat), clamp)
+    clamped = held_modes(shared.free_modes(bat), clamp)
     from_tip = np.linspace(NEAR, FAR, HITS)
     places = shared.length(bat) - from_tip
     efficiency = hits(clamped, ball=ball, position=places, closing_speed=closing_speed).collision_efficiency

@@ -10,7 +10,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.dynamics.beam import beam_model, section
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import centre_of_percussion
 from sweetspot.equipment.bat import Bat
@@ -78,7 +78,7 @@ def grip_frequency_change(*, bat: str) -> float:
     The motion of the held bat that is most like the free mode is the one compared.
     """
     free = shared.free_modes(bat)
-    held = gripped(free, Hands(position=6 * INCH, **TYPICAL_HAND))
+    held = held_modes(free, Hands(position=6 * INCH, **TYPICAL_HAND))
     first = free.of_family("bending")[0]
     places = np.linspace(0, shared.length(bat), 200)
     likeness = np.corrcoef(free.shape_at(places)[:, first], held.shape_at(places), rowvar=False)[0, 1:]

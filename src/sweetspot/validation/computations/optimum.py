@@ -13,7 +13,7 @@ from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 BAT = "r161-ash"
@@ -32,7 +32,7 @@ def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
     """
     bat, ball = catalog.bat(BAT), catalog.ball()
     speed, backspin, fall = PITCHES[pitch]
-    arriving = launched(
+    arriving = batted_ball(
         speed=speed * MPH, launch_angle=fall * DEGREE, spray=math.pi, backspin=backspin * RPM, position=(0.0, 0.6, 0.9)
     )
     law = catalog.aerodynamics()

@@ -21,7 +21,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import Flight, fly
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing import Conditions
 from sweetspot.paper.sports import rule_book_drops
 
@@ -179,7 +179,7 @@ SHEET_AIR = Air(temperature=(70 - 32) / 1.8)
 
 @cache
 def _flown(ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> Flight:
-    start = launched(speed=speed, launch_angle=launch_angle, backspin=backspin)
+    start = batted_ball(speed=speed, launch_angle=launch_angle, backspin=backspin)
     return fly(start, FlightConditions(ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics(air), air=SHEET_AIR))
 
 

@@ -314,7 +314,7 @@ def recipe(state: CompareState) -> dict[str, str]:
     known = swung(state)
     law = f"catalog.swing_law({known.swing_law!r})" if state.same == "effort" else "None"
     python = conditions_lines(state) + (
-        "\nfrom sweetspot import compare\n\n"
+        "\nfrom sweetspot.analysis.comparison import compare\n\n"
         f"bats = [{', '.join(['bat', *made])}]\n"
         f"found = compare(bats, conditions=conditions, law={law})\n"
         "for one in found.compared:\n"

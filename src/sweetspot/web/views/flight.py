@@ -23,7 +23,7 @@ from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import Park
-from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, batted_ball
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
@@ -256,7 +256,7 @@ def launched_by(state: FlightState, conditions: FlightConditions) -> BallMotion:
         if not math.isfinite(aim[0]):
             raise FieldError("spray_deg", "no launch direction brings this ball down there; ask for another one")
         spray = float(aim[0])
-    return launched(
+    return batted_ball(
         speed=speed, launch_angle=up, spray=spray, backspin=spins[0], sidespin=spins[1], position=place
     )  # fmt: skip
 
@@ -302,7 +302,7 @@ def _met(state: FlightState, ball: Ball) -> _Meeting:
             bats=state.batter,
         )
     place = place_of(state, bat, conditions)
-    pitch = launched(
+    pitch = batted_ball(
         speed=conditions.pitch.speed,
         launch_angle=math.radians(state.pitch_angle_deg),
         spray=math.pi,

@@ -16,7 +16,7 @@ from sweetspot.answers.hit import CollisionNumbers, collision_numbers
 from sweetspot.answers.records import GRID, Energy, Length, Ratio, Speed, Time
 from sweetspot.collision.one_hit import quick_hit
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.hoop import HARMONICS, ring_felt
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import contact_patch
@@ -132,7 +132,7 @@ def _answer(state: HitFilmState) -> FilmAnswer:
     modes = reduced_bat.modes
     if state.held:
         hands = conditions.hands
-        modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
+        modes = held_modes(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
     impact = quick_hit(modes, ball=conditions.ball, position=place, closing_speed=closing)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)

@@ -13,7 +13,7 @@ from pydantic import Field
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions
 from sweetspot.analysis.sweet_spot import barrel_node
 from sweetspot.answers.records import Frequency, Length, Ratio, Time
-from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.hoop import barrel_range
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.tap import tapped
@@ -184,7 +184,7 @@ def _held(state: ModesState) -> _BatMotions:
     check_conditions(model.bat, conditions, body=model.body)
     bat, hands, modes = model.bat, conditions.hands, model.modes
     if state.held:
-        modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
+        modes = held_modes(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
     places = np.linspace(0, bat.length, PLACES)
     order = np.argsort(modes.frequency, kind="stable")
     listed = [int(index) for index in order if modes.frequency[index] < HIGHEST]

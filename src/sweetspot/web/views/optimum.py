@@ -17,7 +17,7 @@ from sweetspot.catalog.sports import pitched_aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch import PitchFlight, aimed
-from sweetspot.motion.ball_motion import USUAL_CONTACT, launched
+from sweetspot.motion.ball_motion import USUAL_CONTACT, batted_ball
 from sweetspot.report.optimum.document import optimum_document
 from sweetspot.report.page_words import carries_farthest
 from sweetspot.units import MPH, RPM
@@ -78,7 +78,7 @@ def answer(state: OptimumState) -> LaunchAnswer:
     best = best_launch(speed, through, backspin=spin)
     with about("park"):
         park = catalog.park(state.park or "")
-    ball = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=USUAL_CONTACT)
+    ball = batted_ball(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=USUAL_CONTACT)
     reduced_bat = reduced(state, ball_of(state))
     return LaunchAnswer(
         bat=bat_picture(state, reduced_bat),
