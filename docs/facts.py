@@ -21,7 +21,7 @@ from sweetspot.collision.oblique_contact import oblique
 from sweetspot.dynamics.rigid import effective_mass, pendulum_period
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.parabola import top
-from sweetspot.player.expected import DRAWS, SWINGS
+from sweetspot.player.expected_gain import DRAWS, SWINGS
 from sweetspot.player.posterior import NOTHING_LEARNED, WALKERS
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.collision import rigid_wall

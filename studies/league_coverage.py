@@ -16,12 +16,12 @@ import numpy as np
 from studies.player_coverage import PITCH, swings_of
 from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.expected import expectation
+from sweetspot.player.expected_gain import expectation
 from sweetspot.player.goal import Goal
 from sweetspot.player.league import own_share, population_of
 from sweetspot.player.model import player_model
 from sweetspot.player.player_swing import PlayerSwing
-from sweetspot.player.posterior import Posterior, fit_player, refitted
+from sweetspot.player.posterior import PlayerPosterior, fit_player, refitted
 from sweetspot.player.prior import NAMES, natural, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import MPH
@@ -39,13 +39,13 @@ def made(place: Array, count: int, seed: int, simulator: str) -> tuple[PlayerSwi
     return simulated_swings(natural(place), bats=[bat], ball=catalog.ball(), count=count, pitch_speed=PITCH, seed=seed)
 
 
-def foretold(fit: Posterior) -> float:
+def foretold(fit: PlayerPosterior) -> float:
     """Return the mean exit speed that a fit expects, m/s."""
     asked = expectation(fit, goal=Goal(), pitch_speed=PITCH, carries=None, seed=1)
     return float(asked.of(fit.model.bats[0]).mean())
 
 
-def held(fits: list[Posterior], truth: Array, part: float) -> Array:
+def held(fits: list[PlayerPosterior], truth: Array, part: float) -> Array:
     """Return by parameter how often the intervals that promise a part hold the truth."""
     draws = np.array([np.quantile(fit.draws, (0.5 - part / 2, 0.5 + part / 2), axis=0) for fit in fits])
     return np.asarray(np.mean((draws[:, 0] <= truth) & (truth <= draws[:, 1]), axis=0))

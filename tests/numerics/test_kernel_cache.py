@@ -116,7 +116,7 @@ def test_the_text_of_every_reached_file_counts(monkeypatch: pytest.MonkeyPatch) 
     assert {module.removeprefix("sweetspot.") for module in read} == {
         "flight.compiled", "flight.aerodynamics", "numerics.hermite_cubic", "numerics.vector_math",
         "collision.compiled", "collision.contact_law", "collision.time_step", "equipment.ball", "numerics.parabola",
-        "player.likelihood", "player.hit_share",
+        "player.likelihood", "player.contact_rate",
     }  # fmt: skip
 
 

@@ -6,14 +6,15 @@ import json
 import math
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
-from sweetspot.report.player.goals import pitch_words
-from sweetspot.report.player.numbers import option_rows, player_json
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import compare
+from sweetspot.answers.player import FitPlayerAnswer, player_answer
+from sweetspot.answers.player_question import FitPlayerQuestion, PlayerSwings
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.closed_form import exit_speed
@@ -26,18 +27,19 @@ from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import Advice, advise
+from sweetspot.player.bat_pairs import BatPair
 from sweetspot.player.candidate import candidates, lengthened
 from sweetspot.player.contact_tables import RATIOS, contact_table
-from sweetspot.player.expected import Change, expectation
+from sweetspot.player.expected_gain import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table
 from sweetspot.player.model import player_model
 from sweetspot.player.player_swing import PlayerSwing, fault_of
-from sweetspot.player.posterior import Posterior, fit_player, walked
+from sweetspot.player.posterior import PlayerPosterior, fit_player, walked
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
-from sweetspot.player.swings import Swings, read_swings
-from sweetspot.player.swung_pairs import Pair
-from sweetspot.report.player.team import best_option
+from sweetspot.player.swings import SwingFile, read_swings
+from sweetspot.report.player.document import player_document
+from sweetspot.report.player.phrases import pitch_words
 from sweetspot.report.player.words import answers, findings, notes
 from sweetspot.report.quantities import US
 from sweetspot.tables.bad_row import BadRow
@@ -50,22 +52,22 @@ AIR, DRAG = Air(), aerodynamics()
 
 
 @pytest.fixture(scope="module")
-def posterior() -> Posterior:
+def posterior() -> PlayerPosterior:
     swings = simulated_swings(natural(np.zeros(10)), bats=[OWN], ball=BALL, count=40, pitch_speed=PITCH, seed=2)
     return walked(player_model(swings, bat=OWN, ball=BALL), steps=150, warm_up=150)
 
 
 @pytest.fixture(scope="module")
-def advice(posterior: Posterior) -> Advice:
+def advice(posterior: PlayerPosterior) -> Advice:
     return advise(posterior, goal=Goal("carry"), aerodynamics=DRAG, air=AIR, others=[catalog.bat("mlb-a")])
 
 
 @pytest.fixture
-def swings(posterior: Posterior) -> Swings:
-    return Swings(posterior.model.swings, (BadRow(7, "too fast"),), 3, "Blast", ("x",), ("a note",), None, None)
+def swings(posterior: PlayerPosterior) -> SwingFile:
+    return SwingFile(posterior.model.swings, (BadRow(7, "too fast"),), 3, "Blast", ("x",), ("a note",), None, None)
 
 
-def certain(posterior: Posterior, **values: float) -> Posterior:
+def certain(posterior: PlayerPosterior, **values: float) -> PlayerPosterior:
     """Return a posterior of one player who is known and never varies."""
     row = natural(np.zeros(10))
     for name in ("bat_speed_spread", "position_spread", "offset_spread", "offset", "efficiency_shift"):
@@ -75,7 +77,7 @@ def certain(posterior: Posterior, **values: float) -> Posterior:
     return replace(posterior, draws=np.tile(row, (2, 1)))
 
 
-def test_a_player_without_scatter_gets_the_plain_collision(posterior: Posterior) -> None:
+def test_a_player_without_scatter_gets_the_plain_collision(posterior: PlayerPosterior) -> None:
     """Exact: the table's efficiency in v_f = q v_ball + (1 + q) v_bat, but for pitch and swing not quite in line."""
     model = posterior.model
     known = certain(posterior, bat_speed=31.0, position=6 * INCH)
@@ -90,7 +92,7 @@ def test_a_player_without_scatter_gets_the_plain_collision(posterior: Posterior)
     assert faster == pytest.approx(1 + q + own.efficiency_slope[at] * (PITCH + 32), rel=1e-3)
 
 
-def test_a_ball_met_off_the_axis_keeps_the_tabled_part(posterior: Posterior) -> None:
+def test_a_ball_met_off_the_axis_keeps_the_tabled_part(posterior: PlayerPosterior) -> None:
     """Exact: straight lines between the table's rows and columns, by numpy."""
     own, known = posterior.model.bats[0], certain(posterior, bat_speed=31.0, position=6 * INCH)
     asked = expectation(known, goal=Goal(), pitch_speed=PITCH, carries=None, seed=1)
@@ -100,7 +102,7 @@ def test_a_ball_met_off_the_axis_keeps_the_tabled_part(posterior: Posterior) -> 
         assert part == pytest.approx(np.interp(above, own.offset, left) / np.interp(0, own.offset, left), rel=1e-5)
 
 
-def test_another_bat_changes_exit_speed_as_compare_says(posterior: Posterior) -> None:
+def test_another_bat_changes_exit_speed_as_compare_says(posterior: PlayerPosterior) -> None:
     """Other code: `compare` finds the greatest exit speed of both bats under the same law."""
     law = posterior.model.law
     known = certain(posterior, bat_speed=70 * MPH, exponent=law.exponent)
@@ -113,7 +115,7 @@ def test_another_bat_changes_exit_speed_as_compare_says(posterior: Posterior) ->
     assert best[1] - best[0] == pytest.approx(pair[1].change.value, abs=0.1 * MPH)
 
 
-def test_carry_of_a_hit_is_its_flight(posterior: Posterior) -> None:
+def test_carry_of_a_hit_is_its_flight(posterior: PlayerPosterior) -> None:
     """Other code: one flight by `fly` with about the spin that such a hit gets; carry grows with speed."""
     table = carry_table(posterior.model, pitch_speed=PITCH, aerodynamics=DRAG, air=AIR)
     speed, attack = np.array([46.0]), np.radians([9.0])
@@ -137,7 +139,7 @@ def test_straight_lines_between_the_grids() -> None:
     assert table.at(np.array([9.0]), np.array([0.0]), np.array([2.0]))[0] == pytest.approx(8.0, abs=1e-4)
 
 
-def test_advice_is_whole_and_ordered(advice: Advice, posterior: Posterior) -> None:
+def test_advice_is_whole_and_ordered(advice: Advice, posterior: PlayerPosterior) -> None:
     changes = [option.change.value for option in advice.options]
     assert changes == sorted(changes, reverse=True)
     assert {option.candidate.family for option in advice.options} == {
@@ -155,7 +157,7 @@ def test_advice_is_whole_and_ordered(advice: Advice, posterior: Posterior) -> No
     assert len({name.candidate.key for name in advice.options}) == len(advice.options)
 
 
-def test_a_mile_an_hour_of_exit_speed_is_worth_a_few_feet(posterior: Posterior) -> None:
+def test_a_mile_an_hour_of_exit_speed_is_worth_a_few_feet(posterior: PlayerPosterior) -> None:
     """Published: 5 ft per mph near 100 mph at the best angle and constant spin.
 
     Here spin grows with speed, side spin too: less, but not half of it.
@@ -167,7 +169,7 @@ def test_a_mile_an_hour_of_exit_speed_is_worth_a_few_feet(posterior: Posterior) 
     assert 3 < (fast - slow) / FOOT / (5 * kept) < 5
 
 
-def test_a_line_is_a_part_of_the_swings(posterior: Posterior) -> None:
+def test_a_line_is_a_part_of_the_swings(posterior: PlayerPosterior) -> None:
     carries = carry_table(posterior.model, pitch_speed=PITCH, aerodynamics=DRAG, air=AIR)
     own = posterior.model.bats[0]
     parts = [
@@ -206,25 +208,31 @@ def test_every_kind_of_bat_can_be_varied(name: str) -> None:
         assert rigid_body(beam_model(longer)).mass == pytest.approx(mass)
 
 
-def test_the_answers_in_words(advice: Advice, posterior: Posterior, swings: Swings) -> None:
+@pytest.fixture
+def answer(advice: Advice, swings: SwingFile) -> FitPlayerAnswer:
+    return player_answer(PlayerSwings(FitPlayerQuestion(Path("swings.csv")), swings, OWN, {}), advice)
+
+
+def test_the_answers_in_words(advice: Advice, answer: FitPlayerAnswer, swings: SwingFile) -> None:
     asked = {question: str(words) for question, words in answers(advice)}
     assert set(asked) >= {"Balanced or end-loaded?", "Choke up?", "What is better contact worth?", "Which bat?"}
     assert "What is more bat speed worth?" in asked
-    for answer in asked.values():
-        assert re.search(r"ft \([-+]?[\d.]+ to [-+]?[\d.]+\)", answer), answer
-        assert "nan" not in answer
-    words = " ".join(map(str, findings(posterior, swings)))
+    for spoken in asked.values():
+        assert re.search(r"ft \([-+]?[\d.]+ to [-+]?[\d.]+\)", spoken), spoken
+        assert "nan" not in spoken
+    words = " ".join(map(str, findings(answer)))
     assert "The data cannot tell: what a heavier bat costs" in words
     assert any("row 7: too fast" in note for note in notes(swings))
 
 
-def test_json_is_plain_and_rows_are_equal(advice: Advice, posterior: Posterior, swings: Swings) -> None:
-    found = json.loads(json.dumps(player_json(posterior, advice, swings), allow_nan=False))
+def test_json_is_plain_and_rows_are_equal(answer: FitPlayerAnswer) -> None:
+    document = player_document(answer)
+    found = json.loads(json.dumps(document.data, allow_nan=False))
     assert found["parameters"]["exponent"]["told_by_data"] is False
     assert found["goal"] == {"name": "carry", "line_m": None}
     assert found["swings"]["bad_rows"] == [{"row": 7, "reason": "too fast"}]
-    rows = option_rows(advice)
-    assert len({tuple(row) for row in rows}) == 1 and len(rows) == len(advice.options)
+    assert {len(column) for column in document.rows.values()} == {len(answer.options)}
+    assert None not in document.rows["change_low_m"]
 
 
 def test_real_swings_give_sensible_numbers() -> None:
@@ -256,7 +264,7 @@ def test_a_gain_that_is_told_as_none_is_not_sure(advice: Advice, mph: float, sur
     assert asked["Choke up?"].startswith("Yes" if sure else "These swings cannot tell")
     assert ("No other weight tried is surely better" in asked["Heavier or lighter?"]) == (not sure)
     assert ("none is surely better" in asked["Which bat?"]) == (not sure)
-    assert (best_option(changed) is not None) == sure
+    assert (changed.surely_best is not None) == sure
 
 
 @pytest.mark.parametrize(("slower", "sign"), [(-1.0, 1), (0.4, 0), (2.0, 0)])
@@ -265,10 +273,10 @@ def test_a_bat_that_was_measured_slower_is_not_called_surely_better(advice: Advi
     gain, own = Interval(0.5 * MPH, 0.3 * MPH, 0.7 * MPH), advice.posterior.model.bats[0].bat
     second = next(option for option in advice.options if option.candidate.family == "catalogue")
     measured = Interval(-slower * MPH, -(slower + 1) * MPH, (1 - slower) * MPH)
-    pair = Pair(second.candidate.bat.name, own.name, gain, 1.0, measured, Goal())
+    pair = BatPair(second.candidate.bat.name, own.name, gain, 1.0, measured, Goal())
     told = replace(advice, goal=Goal(), options=(replace(second, change=gain),), pairs=(pair,))
     assert told.sign_of(told.options[0]) == sign
-    assert (best_option(told) is not None) == (sign > 0)
+    assert (told.surely_best is not None) == (sign > 0)
 
 
 def test_off_a_tee_the_ball_is_at_rest_and_no_pitch(advice: Advice) -> None:

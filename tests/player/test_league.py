@@ -12,7 +12,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.player import league
 from sweetspot.player.league import Told, own_share, population_of, population_told
 from sweetspot.player.model import player_model
-from sweetspot.player.posterior import Posterior, fit_player, refitted
+from sweetspot.player.posterior import PlayerPosterior, fit_player, refitted
 from sweetspot.player.prior import ANYBODY, NAMES, Population, natural, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import MPH
@@ -55,7 +55,7 @@ def test_a_told_league_comes_back_through_noise() -> None:
 
 
 @pytest.fixture(scope="module")
-def alone() -> list[Posterior]:
+def alone() -> list[PlayerPosterior]:
     """Batters of one league, alike but for a little, each fitted alone."""
     draw = np.random.default_rng(9).standard_normal
     fits = []
@@ -67,14 +67,14 @@ def alone() -> list[Posterior]:
     return fits
 
 
-def test_few_swings_lean_on_the_league_and_many_hardly_move(alone: list[Posterior]) -> None:
+def test_few_swings_lean_on_the_league_and_many_hardly_move(alone: list[PlayerPosterior]) -> None:
     found = population_of(alone)
     assert found is not None
     narrow = Population(found.mean, np.minimum(found.spread, 0.4))
     pooled = [refitted(one, narrow) for one in alone]
     scatter = NAMES.index("bat_speed_spread")
 
-    def middle(fit: Posterior) -> float:
+    def middle(fit: PlayerPosterior) -> float:
         return float(standardised(fit.draws)[:, scatter].mean())
 
     moved = [abs(middle(after) - middle(before)) for before, after in zip(alone, pooled, strict=True)]
@@ -86,7 +86,7 @@ def test_few_swings_lean_on_the_league_and_many_hardly_move(alone: list[Posterio
     assert all(0 <= share <= 1 for share in own_share(pooled[0], narrow).values())
 
 
-def test_a_league_that_is_the_prior_changes_nothing(alone: list[Posterior]) -> None:
+def test_a_league_that_is_the_prior_changes_nothing(alone: list[PlayerPosterior]) -> None:
     """Exact: the same draws with the same weights."""
     again = refitted(alone[0], ANYBODY)
     assert alone[0].weighted is not None and again.weighted is not None
@@ -95,7 +95,7 @@ def test_a_league_that_is_the_prior_changes_nothing(alone: list[Posterior]) -> N
 
 
 @pytest.mark.parametrize(("width", "share"), [(1.0, 0.0), (0.5, 0.75), (1.2, 0.0)])
-def test_the_own_share_is_what_the_variance_falls_by(alone: list[Posterior], width: float, share: float) -> None:
+def test_the_own_share_is_what_the_variance_falls_by(alone: list[PlayerPosterior], width: float, share: float) -> None:
     """Exact: as wide as the league nothing is the batter's own, half as wide three quarters are."""
     narrow = Population(np.zeros(10), np.full(10, 0.4))
     learned = {name: replace(one, width_ratio=width * 0.4) for name, one in alone[0].learned.items()}
@@ -103,7 +103,7 @@ def test_the_own_share_is_what_the_variance_falls_by(alone: list[Posterior], wid
     assert set(found) == set(NAMES) and list(found.values()) == pytest.approx([share] * 10)
 
 
-def test_four_batters_are_no_league(alone: list[Posterior]) -> None:
+def test_four_batters_are_no_league(alone: list[PlayerPosterior]) -> None:
     assert population_of(alone[:4]) is None
     heavy = alone[0].lighter()
     assert len(heavy.draws) == 200 and heavy.learned is alone[0].learned

@@ -10,7 +10,7 @@ import polars as pl
 import pytest
 
 from sweetspot.errors import InputError
-from sweetspot.player.narrow_table import narrow_csv
+from sweetspot.player.swing_table import narrow_csv
 from sweetspot.player.swings import read_swings
 from tests.real_data import real_file
 

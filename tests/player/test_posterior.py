@@ -18,8 +18,8 @@ from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
+from sweetspot.player.contact_rate import fill_hits, fill_untold, fill_weights
 from sweetspot.player.contact_tables import MISSED, ContactTable, contact_table, farthest_offset
-from sweetspot.player.hit_share import fill_hits, fill_untold, fill_weights
 from sweetspot.player.likelihood import COUNTED, combined, normal, swung
 from sweetspot.player.model import PlayerModel, bats_of, player_model, speed_ratio
 from sweetspot.player.off_centre import (
@@ -31,7 +31,7 @@ from sweetspot.player.off_centre import (
     untold_kept,
 )
 from sweetspot.player.player_swing import PlayerSwing
-from sweetspot.player.posterior import Posterior, interval, split_r_hat, summarised, walked
+from sweetspot.player.posterior import PlayerPosterior, interval, split_r_hat, summarised, walked
 from sweetspot.player.prior import NAMES, fixed, log_prior, natural, prior_draws, priors, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import INCH, MPH
@@ -54,7 +54,7 @@ def modelled(standard: Array, *, count: int, seed: int, several: bool = False) -
     return player_model(swings, bat=OWN, ball=BALL, others={YOUTH.name: YOUTH})
 
 
-def fitted(model: PlayerModel, seed: int = 1) -> Posterior:
+def fitted(model: PlayerModel, seed: int = 1) -> PlayerPosterior:
     return walked(model, seed=seed, steps=220, warm_up=160)
 
 
@@ -92,7 +92,7 @@ def test_without_data_the_draws_are_the_prior(nothing: PlayerModel) -> None:
 
 
 @pytest.fixture(scope="module")
-def typical() -> Posterior:
+def typical() -> PlayerPosterior:
     return fitted(modelled(TYPICAL, count=60, seed=4))
 
 
@@ -109,7 +109,7 @@ def test_a_made_up_player_comes_back(seed: int) -> None:
     assert sum(inside) >= 8
 
 
-def test_one_bat_leaves_the_exponent_at_its_prior_and_two_bats_find_it(typical: Posterior) -> None:
+def test_one_bat_leaves_the_exponent_at_its_prior_and_two_bats_find_it(typical: PlayerPosterior) -> None:
     two = fitted(modelled(TYPICAL, count=40, seed=4, several=True))
     assert not typical.learned["exponent"].told
     assert len(typical.model.bats) == 1 and len(two.model.bats) > 1
@@ -118,7 +118,7 @@ def test_one_bat_leaves_the_exponent_at_its_prior_and_two_bats_find_it(typical: 
     assert learned.interval.low < natural(TYPICAL)[NAMES.index("exponent")] < learned.interval.high
 
 
-def test_five_swings_are_enough_to_answer_and_the_intervals_are_wide(typical: Posterior) -> None:
+def test_five_swings_are_enough_to_answer_and_the_intervals_are_wide(typical: PlayerPosterior) -> None:
     few = fitted(modelled(TYPICAL, count=5, seed=5))
     for name in ("bat_speed", "position_spread", "offset_spread"):
         widths = [found.learned[name].interval for found in (few, typical)]

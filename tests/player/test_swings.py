@@ -16,7 +16,7 @@ from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
 from sweetspot.plausibility import insisting
 from sweetspot.player.columns import columns_of
 from sweetspot.player.player_swing import PlayerSwing, check_enough
-from sweetspot.player.swings import Swings, evenly, read_swings
+from sweetspot.player.swings import SwingFile, evenly, read_swings
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.tables.headings import GivenColumns
 from sweetspot.tables.vocabulary import simplified
@@ -33,7 +33,7 @@ def written(folder: Path, *lines: str, name: str = "swings.csv") -> Path:
     return path
 
 
-def read(path: Path, pitch_speed: float | None = 82 * MPH, **more: Any) -> Swings:
+def read(path: Path, pitch_speed: float | None = 82 * MPH, **more: Any) -> SwingFile:
     return read_swings(path, length=LENGTH, pitch_speed=pitch_speed, **more)
 
 

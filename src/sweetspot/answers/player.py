@@ -32,13 +32,12 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import LEVEL
 from sweetspot.numerics.interval import Interval, Number
 from sweetspot.player.advice import PLACES, Advice, Option
-from sweetspot.player.expected import Change
+from sweetspot.player.bat_pairs import BatPair, MeasuredBat, measured_bats
+from sweetspot.player.expected_gain import Change
 from sweetspot.player.goal import GoalName
-from sweetspot.player.posterior import Learned, Posterior
+from sweetspot.player.posterior import Learned, PlayerPosterior
 from sweetspot.player.prior import PARAMETERS
-from sweetspot.player.swings import Swings
-from sweetspot.player.swung import Swung, swung_bats
-from sweetspot.player.swung_pairs import Pair
+from sweetspot.player.swings import SwingFile
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import Kind
 from sweetspot.units.dimensions import ANGLE, DISTANCE, LENGTH, RATIO, SPEED, Dimension, System
@@ -163,7 +162,7 @@ class BatMeans:
 
 @dataclass(frozen=True)
 class PairGain:
-    """Two bats of the file, of which the model expects more of the first; see `sweetspot.player.swung_pairs.Pair`."""
+    """Two bats of the file, of which the model expects more of the first; see `sweetspot.player.bat_pairs.Pair`."""
 
     better: str
     other: str
@@ -226,7 +225,7 @@ class FitPlayerAnswer(Answer):
     """
 
     question: Annotated[FitPlayerQuestion, INTERNAL]
-    file: Annotated[Swings, INTERNAL]
+    file: Annotated[SwingFile, INTERNAL]
     advice: Annotated[Advice, INTERNAL]
     goal: GoalAsked
     swings: SwingsUsed
@@ -256,7 +255,7 @@ class FitPlayerAnswer(Answer):
         return GOAL_DIMENSIONS[self.question.goal.name]
 
     @property
-    def posterior(self) -> Posterior:
+    def posterior(self) -> PlayerPosterior:
         """What the swings say about the parameters."""
         return self.advice.posterior
 
@@ -327,7 +326,7 @@ def player_answer(swings: PlayerSwings, advice: Advice) -> FitPlayerAnswer:
         now=advice.now,
         options=tuple(_tried_bat(option, dimension) for option in advice.options),
         not_tried=advice.faults,
-        swung=tuple(_bat_means(swung) for swung in swung_bats(model)),
+        swung=tuple(_bat_means(swung) for swung in measured_bats(model)),
         pairs=tuple(_pair_gain(pair, dimension) for pair in advice.pairs),
         swung_too_seldom=advice.seldom,
         end_loaded_against_knob_loaded=advice.end_loaded,
@@ -379,11 +378,11 @@ def _tried_bat(option: Option, dimension: Dimension) -> TriedBat:
     )
 
 
-def _bat_means(swung: Swung) -> BatMeans:
+def _bat_means(swung: MeasuredBat) -> BatMeans:
     return BatMeans(swung.bat.name, swung.count, swung.bat_speed, swung.exit_speed)
 
 
-def _pair_gain(pair: Pair, dimension: Dimension) -> PairGain:
+def _pair_gain(pair: BatPair, dimension: Dimension) -> PairGain:
     return PairGain(pair.better, pair.other, pair.gain, pair.chance, pair.measured, pair.verdict, dimension)
 
 

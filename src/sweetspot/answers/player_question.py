@@ -1,4 +1,4 @@
-"""Swings of a player as a question, and as they are read from a file with the bats that they were made with."""
+"""SwingFile of a player as a question, and as they are read from a file with the bats that they were made with."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from sweetspot.player.advice import Advice, advise
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import PlayerModel, bats_of, player_model
 from sweetspot.player.player_swing import check_enough
-from sweetspot.player.posterior import Method, Posterior, fit_player
+from sweetspot.player.posterior import Method, PlayerPosterior, fit_player
 from sweetspot.player.swing_table import one_name
-from sweetspot.player.swings import MOST_SWINGS, Swings, evenly, read_swings
+from sweetspot.player.swings import MOST_SWINGS, SwingFile, evenly, read_swings
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
 BBCOR, COLLEGE_BAT = "bbcor", "college-alloy"
@@ -28,7 +28,7 @@ BBCOR, COLLEGE_BAT = "bbcor", "college-alloy"
 
 @dataclass(frozen=True)
 class FitPlayerQuestion:
-    """Swings of one player, or of every batter of a file.
+    """SwingFile of one player, or of every batter of a file.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ class PlayerSwings:
     """
 
     question: FitPlayerQuestion
-    file: Swings
+    file: SwingFile
     bat: Bat
     others: Mapping[str, Bat]
 
@@ -153,14 +153,14 @@ def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> P
     return PlayerSwings(question, file, own, {name: bat for name, bat in bats.items() if name not in same})
 
 
-def player_posterior(swings: PlayerSwings, progress: Callable[[int, int], None] | None = None) -> Posterior:
+def player_posterior(swings: PlayerSwings, progress: Callable[[int, int], None] | None = None) -> PlayerPosterior:
     """Return what swings say about the player's parameters."""
     question = swings.question
     return fit_player(swings.model(), method=question.method, seed=question.seed, progress=progress)
 
 
 def player_advice(
-    question: FitPlayerQuestion, posterior: Posterior, progress: Callable[[int, int], None] | None = None
+    question: FitPlayerQuestion, posterior: PlayerPosterior, progress: Callable[[int, int], None] | None = None
 ) -> Advice:
     """Return what would serve a player."""
     return advise(

@@ -21,7 +21,7 @@ from sweetspot.numerics.interval import Number
 from sweetspot.numerics.threads import side_by_side
 from sweetspot.player.advice import Advice, Option
 from sweetspot.player.league import own_share, population_of
-from sweetspot.player.posterior import Posterior, refitted
+from sweetspot.player.posterior import PlayerPosterior, refitted
 from sweetspot.player.prior import NAMES, Population, population_range
 from sweetspot.player.swings import batters
 from sweetspot.units.dimensions import Dimension, System
@@ -94,12 +94,12 @@ class TeamBatter(TeamRow):
     """
 
     parameters: Mapping[str, PooledParameter]
-    alone: Annotated[Posterior, INTERNAL]
+    alone: Annotated[PlayerPosterior, INTERNAL]
     advice: Annotated[Advice, INTERNAL]
     best: Annotated[Option | None, INTERNAL]
 
     @property
-    def posterior(self) -> Posterior:
+    def posterior(self) -> PlayerPosterior:
         """The fit within the league; that to the own swings where there is none."""
         return self.advice.posterior
 
@@ -141,13 +141,13 @@ def fit_team_answer(question: FitPlayerQuestion, *, progress: Progress | None = 
         for a file that cannot be read, or tells too little of every batter.
     """
 
-    def fit(name: str) -> tuple[str, Posterior | str]:
+    def fit(name: str) -> tuple[str, PlayerPosterior | str]:
         try:
             return name, player_posterior(read_player(replace(question, batter=name))).lighter()
         except SweetspotError as error:
             return name, " ".join(str(error).split())
 
-    def ask(member: tuple[str, Posterior]) -> TeamBatter:
+    def ask(member: tuple[str, PlayerPosterior]) -> TeamBatter:
         name, alone = member
         posterior = alone if population is None else refitted(alone, population)
         advice = player_advice(question, posterior).lighter()
@@ -174,10 +174,10 @@ def fit_team_answer(question: FitPlayerQuestion, *, progress: Progress | None = 
     )
 
 
-def _team_batter(name: str, alone: Posterior, advice: Advice, population: Population | None) -> TeamBatter:
+def _team_batter(name: str, alone: PlayerPosterior, advice: Advice, population: Population | None) -> TeamBatter:
     learned = advice.posterior.learned
     shares = dict.fromkeys(NAMES, 1.0) if population is None else own_share(advice.posterior, population)
-    best = next((option for option in advice.options if advice.sign_of(option) > 0), None)
+    best = advice.surely_best
     return TeamBatter(
         batter=name,
         swings=len(advice.posterior.model.swings),

@@ -16,14 +16,13 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.parabola import top
+from sweetspot.player.bat_pairs import BatPair, compared_pairs, measured_bats
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.contact_tables import contact_table
-from sweetspot.player.expected import NO_CHANGE, Change, Expectation, expectation
+from sweetspot.player.expected_gain import NO_CHANGE, Change, Expectation, expectation
 from sweetspot.player.goal import Goal, carry_table
-from sweetspot.player.posterior import Posterior, interval
+from sweetspot.player.posterior import PlayerPosterior, interval
 from sweetspot.player.prior import NAMES
-from sweetspot.player.swung import swung_bats
-from sweetspot.player.swung_pairs import Pair, bat_pairs
 from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH
@@ -90,13 +89,13 @@ class Advice:
     worth : what single changes are worth, by key.
     """
 
-    posterior: Posterior
+    posterior: PlayerPosterior
     goal: Goal
     pitch_speed: float
     now: Interval
     options: tuple[Option, ...]
     faults: tuple[str, ...]
-    pairs: tuple[Pair, ...]
+    pairs: tuple[BatPair, ...]
     seldom: tuple[str, ...]
     end_loaded: Interval
     contact_point: Interval
@@ -113,7 +112,7 @@ class Advice:
     def sign_of(self, option: Option) -> int:
         """Return 1 for a bat surely better than the player's own, -1 for one surely worse, 0 where that is open.
 
-        Of a bat that the player swung, what was measured has its say too: see `Pair.verdict`.
+        Of a bat that the player swung, what was measured has its say too: see `BatPair.verdict`.
         """
         names = {option.candidate.bat.name, self.posterior.model.bats[0].bat.name}
         for pair in self.pairs:
@@ -122,13 +121,14 @@ class Advice:
                 return 0 if not sure else 1 if pair.better == option.candidate.bat.name else -1
         return sure_sign(option.change.low, option.change.high, nothing=self.goal.nothing)
 
-    def best(self, family: str) -> Option | None:
-        """Return the best option of a family of bats, None where it has none."""
-        return next((option for option in self.options if option.candidate.family == family), None)
+    @property
+    def surely_best(self) -> Option | None:
+        """The bat that is surely better by most, None where there is none."""
+        return next((option for option in self.options if self.sign_of(option) > 0), None)
 
 
 def advise(
-    posterior: Posterior,
+    posterior: PlayerPosterior,
     *,
     goal: Goal,
     aerodynamics: Aerodynamics,
@@ -162,7 +162,7 @@ def advise(
     options, with_key, not_met = _tried(asked, tried, now, progress)
     by_key = {f"bat:{own.bat.name}": now, **with_key}
     named = {key.removeprefix("bat:"): gained for key, gained in by_key.items() if key.startswith("bat:")}
-    pairs, seldom = bat_pairs(swung_bats(model), named, goal=goal)
+    pairs, seldom = compared_pairs(measured_bats(model), named, goal=goal)
     place, place_gain, curve = _best_place(asked, PLACES, "position", now)
     height, height_gain, _ = _best_place(asked, OFFSETS, "offset", now)
     return Advice(

@@ -64,7 +64,7 @@ class CarryGrid(NamedTuple):
     carry: Array
 
 
-class Wanted(NamedTuple):
+class WantedOfHit(NamedTuple):
     """What is gained by a hit.
 
     Parameters
@@ -144,7 +144,7 @@ def fill_carries(grid: CarryGrid, exit_speed: Array, offset: Array, attack_angle
 
 
 @compiled(nogil=True, error_model="numpy")
-def fill_gains(bat: BatInHand, wanted: Wanted, swings: Scattered, pitch: float, gains: Array) -> None:
+def fill_gains(bat: BatInHand, wanted: WantedOfHit, swings: Scattered, pitch: float, gains: Array) -> None:
     """Fill the expected goal of every draw, shape (draws,).
 
     Exit speed is the mean over hits; of carries and lines every swing counts, and one that is no hit brings nothing.

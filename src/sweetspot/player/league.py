@@ -21,7 +21,7 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.importance import Weighted
-from sweetspot.player.posterior import Posterior
+from sweetspot.player.posterior import PlayerPosterior
 from sweetspot.player.prior import NAMES, Population, prior_draws
 
 FEWEST_PLAYERS = 5
@@ -51,7 +51,7 @@ class Told:
     pull: Array
 
 
-def population_of(fits: Sequence[Posterior]) -> Population | None:
+def population_of(fits: Sequence[PlayerPosterior]) -> Population | None:
     """Return how the players of a league differ, None of fewer than five with weighted draws.
 
     The spread holds what is not known of the league's mean as well.
@@ -127,7 +127,7 @@ def _height(told: Told, mean: Array, variance: Array) -> tuple[float, Array]:
     return float(value), np.concatenate([by_mean, by_variance])
 
 
-def own_share(posterior: Posterior, league: Population) -> dict[str, float]:
+def own_share(posterior: PlayerPosterior, league: Population) -> dict[str, float]:
     """Return by parameter how much a player's own swings say beside the league: 1 less the variance over the league's.
 
     0: the player is taken for the league's average; 1: the league says nothing.

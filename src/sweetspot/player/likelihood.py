@@ -15,8 +15,7 @@ import numpy as np
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled
 from sweetspot.numerics.vector_math import exp
-from sweetspot.player.hit_share import ROOT_TWO_PI, TINY, fill_hits, fill_untold, fill_weights
-from sweetspot.player.likelihood_table import Table
+from sweetspot.player.contact_rate import ROOT_TWO_PI, TINY, LikelihoodTable, fill_hits, fill_untold, fill_weights
 from sweetspot.player.off_centre import POINTS, UNTOLD_EVERY
 
 WRONG, WRONG_RANGE = 0.01, 60.0
@@ -176,7 +175,7 @@ def _fill_ball_out(
 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
-def log_likelihoods(parameters: Array, speeds: Array, table: Table, logarithms: Array) -> None:
+def log_likelihoods(parameters: Array, speeds: Array, table: LikelihoodTable, logarithms: Array) -> None:
     """Fill ``logarithms`` with the log-likelihood of every row of parameters; hits count `COUNTED`.
 
     Parameters

@@ -16,9 +16,9 @@ from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
+from sweetspot.player.contact_rate import LikelihoodTable
 from sweetspot.player.contact_tables import ContactTable, contact_table
 from sweetspot.player.likelihood import LANES, log_likelihoods
-from sweetspot.player.likelihood_table import Table
 from sweetspot.player.off_centre import (
     MEAN_ATTACKS,
     STEEPEST_LAUNCH,
@@ -60,7 +60,7 @@ class PlayerModel:
     ball: Ball
     law: SwingLaw
     speed_from_tip: float
-    table: Table
+    table: LikelihoodTable
 
     def bat_speeds(self, parameters: Array) -> Array:
         """Return the mean bat speed in m/s with every bat, shape (rows, bats).
@@ -220,7 +220,7 @@ def _is_slip(name: str) -> bool:
 
 def _table(
     swings: Sequence[PlayerSwing], tables: Sequence[ContactTable], bat_of: Sequence[int], speed_from_tip: float
-) -> Table:
+) -> LikelihoodTable:
     def column(name: str) -> Array:
         return np.array([NAN if getattr(one, name) is None else getattr(one, name) for one in swings], float)
 
@@ -238,7 +238,7 @@ def _table(
     untold = hit & ~told
     points = offset_points(tables, bat, ratio=ratio, launch=np.where(told, launch, NAN), attack=attack, places=place)
     kept, variance = untold_kept(tables, bat[untold], ratio=ratio[untold], attack=attack[untold], places=place)
-    return Table(
+    return LikelihoodTable(
         bat_speed=bat_speed, exit_speed=out, pitch_speed=pitch, attack_angle=attack,
         position=column("position"), hit=hit, bat=bat,
         efficiency=np.array([table.efficiency[::PLACES_TAKEN] for table in tables]),

@@ -27,7 +27,7 @@ and more where the contact point has two sides [gelman_bda]."""
 ENOUGH = 200.0
 """Independent draws from which 90 % intervals are steady to a few per cent of their width."""
 NOTHING_LEARNED = 0.85
-"""Posterior over prior width above which the data cannot tell."""
+"""PlayerPosterior over prior width above which the data cannot tell."""
 PRIOR_DRAWS = 20_000
 SCATTERED, ROUNDS, BEST = 600, 4, 60
 """Draws from the prior that the walkers' places are found from, in how many rounds, and how many are kept of each."""
@@ -69,7 +69,7 @@ class Learned:
 
 
 @dataclass(frozen=True)
-class Posterior:
+class PlayerPosterior:
     """The fit of a player.
 
     Parameters
@@ -92,7 +92,7 @@ class Posterior:
         """Whether every parameter is well mixed and has enough independent draws."""
         return all(one.mixing <= WELL_MIXED and one.independent_draws >= ENOUGH for one in self.learned.values())
 
-    def lighter(self) -> Posterior:
+    def lighter(self) -> PlayerPosterior:
         """Return the fit with few of its draws, which a league of hundreds has room for; intervals stay."""
         return replace(self, draws=self.thinned(LIGHT))
 
@@ -104,7 +104,7 @@ class Posterior:
 
 def fit_player(
     model: PlayerModel, *, method: Method = "draws", seed: int = 1, progress: Progress | None = None
-) -> Posterior:
+) -> PlayerPosterior:
     """Return draws from the posterior of a player's parameters.
 
     Parameters
@@ -130,7 +130,7 @@ def fit_player(
     return _resampled(model, weighted, seed)
 
 
-def refitted(posterior: Posterior, population: Population) -> Posterior:
+def refitted(posterior: PlayerPosterior, population: Population) -> PlayerPosterior:
     """Return the fit of a player of whom it is known how the others of the league differ.
 
     The draws that there are count again, as they are likely now; new ones are drawn where too few do.
@@ -149,11 +149,11 @@ def refitted(posterior: Posterior, population: Population) -> Posterior:
     return _resampled(model, weighted, seed)
 
 
-def _resampled(model: PlayerModel, weighted: Weighted, seed: int) -> Posterior:
+def _resampled(model: PlayerModel, weighted: Weighted, seed: int) -> PlayerPosterior:
     taken = np.random.default_rng(seed).choice(len(weighted.weights), RESAMPLED, p=weighted.weights)
     draws = weighted.draws[taken]
     learned = summarised(draws[:, None], independent=weighted.effective)
-    return Posterior(model, natural(draws), learned, seed, weighted)
+    return PlayerPosterior(model, natural(draws), learned, seed, weighted)
 
 
 def walked(
@@ -163,7 +163,7 @@ def walked(
     steps: int = STEPS,
     warm_up: int = WARM_UP,
     progress: Progress | None = None,
-) -> Posterior:
+) -> PlayerPosterior:
     """Return draws from the posterior by an ensemble of walkers [foreman2013].
 
     The walkers begin where draws from the prior were gathered, on both sides of the bat's best place, and move by
@@ -189,7 +189,7 @@ def walked(
         if progress is not None and (done % EVERY == 0 or done == total):
             progress(done, total)
     chains = sampler.get_chain(discard=warm_up)
-    return Posterior(model, natural(chains.reshape(-1, len(NAMES))), summarised(chains), seed)
+    return PlayerPosterior(model, natural(chains.reshape(-1, len(NAMES))), summarised(chains), seed)
 
 
 def summarised(chains: Array, *, independent: float | None = None) -> dict[str, Learned]:

@@ -21,9 +21,9 @@ from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, Tab
 from sweetspot.units import format_length, format_speed
 
 FEW = 20
-"""Swings below which the intervals are said to be wide."""
+"""SwingFile below which the intervals are said to be wide."""
 MOST_SWINGS = 400
-"""Swings that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
+"""SwingFile that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
 FOUL, BUNT = "foul", "bunt"
 """Words of an outcome, such as Statcast's description, that tell such a swing."""
 FEWEST_TOO_FAST, PART_TOO_FAST = 3, 0.1
@@ -32,7 +32,7 @@ ZERO = re.compile(r"[-+]?(?:0+\.?0*|\.0+)(?:\s*[^\d\s.].*)?")
 
 
 @dataclass(frozen=True)
-class Swings:
+class SwingFile:
     """A file of swings: those that can be used, those that cannot, and what to know about the file.
 
     Parameters
@@ -64,7 +64,7 @@ def read_swings(
     pitch_speed: float | None = None,
     batter: str | None = None,
     sport: str = "baseball",
-) -> Swings:
+) -> SwingFile:
     """Return the swings of a file, plain or of a measuring system: CSV, also packed with gzip, or Parquet.
 
     Parameters
@@ -105,7 +105,7 @@ def read_swings(
         raise InputError(f"{path} has no swing that can be used{why}")
     check_speeds(good, path)
     days = sorted(day for _, cells in rows if (day := day_of(cells, columns)) is not None)
-    return Swings(
+    return SwingFile(
         swings=tuple(good),
         bad_rows=tuple(bad),
         without_swing=sum(one is None for one in read),

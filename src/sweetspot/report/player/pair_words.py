@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sweetspot.player.advice import Advice
-from sweetspot.player.swung_pairs import Pair
+from sweetspot.player.bat_pairs import BatPair
 from sweetspot.report.document import Cell, Column, Table
 from sweetspot.report.player.phrases import goal_shown
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
@@ -49,7 +49,7 @@ def pairs_table(advice: Advice) -> Table:
     return Table("", columns, rows)
 
 
-def _lead(pairs: tuple[Pair, ...]) -> str:
+def _lead(pairs: tuple[BatPair, ...]) -> str:
     """Return what all pairs together say: which bat is best, if any is."""
     top = pairs[0].better
     verdicts = [pair.verdict for pair in pairs if pair.better == top]
@@ -62,7 +62,7 @@ def _lead(pairs: tuple[Pair, ...]) -> str:
     return "Which of the bats swung is best the swings cannot tell"
 
 
-def _better(pair: Pair, advice: Advice) -> Sentence:
+def _better(pair: BatPair, advice: Advice) -> Sentence:
     words = say(
         "{better} against {other} {gain}",
         better=pair.better, other=pair.other, gain=goal_shown(pair.gain, advice.goal, sign=True),
@@ -77,7 +77,7 @@ def _better(pair: Pair, advice: Advice) -> Sentence:
     )  # fmt: skip
 
 
-def _unsure(pair: Pair, advice: Advice) -> Sentence:
+def _unsure(pair: BatPair, advice: Advice) -> Sentence:
     gain = goal_shown(pair.gain, advice.goal, sign=True)
     if pair.measured is not None and pair.goal_is_speed and pair.measured.value < 0 < pair.gain.low:
         return say(
@@ -89,7 +89,7 @@ def _unsure(pair: Pair, advice: Advice) -> Sentence:
     )  # fmt: skip
 
 
-def _gainsaid(pair: Pair, advice: Advice) -> Sentence:
+def _gainsaid(pair: BatPair, advice: Advice) -> Sentence:
     assert pair.measured is not None  # or nothing could gainsay the model
     return say(
         "Of {better} and {other} the swings say one thing and the model of ball and bat another: with {better} the "
@@ -103,4 +103,4 @@ def _gainsaid(pair: Pair, advice: Advice) -> Sentence:
 def _too_seldom(names: tuple[str, ...]) -> Words:
     if not names:
         return ""
-    return f"Swung too seldom to be compared: {', '.join(names)}."
+    return f"MeasuredBat too seldom to be compared: {', '.join(names)}."

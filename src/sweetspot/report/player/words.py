@@ -14,10 +14,10 @@ from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import Advice, Option
+from sweetspot.player.bat_pairs import measured_bats
 from sweetspot.player.model import PlayerModel
-from sweetspot.player.posterior import Learned, Posterior
-from sweetspot.player.swings import Swings
-from sweetspot.player.swung import swung_bats
+from sweetspot.player.posterior import Learned, PlayerPosterior
+from sweetspot.player.swings import SwingFile
 from sweetspot.report.player.pair_words import of_those_swung
 from sweetspot.report.player.phrases import goal_shown, goal_words, option_words
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
@@ -90,7 +90,7 @@ def answers(advice: Advice) -> list[tuple[str, Sentence]]:
     ]
 
 
-def _data(posterior: Posterior, swings: Swings) -> Sentence:
+def _data(posterior: PlayerPosterior, swings: SwingFile) -> Sentence:
     """Say how many swings counted, with which bats, and why the rest did not."""
     model = posterior.model
     count, bad = len(model.swings), len(swings.bad_rows)
@@ -103,7 +103,7 @@ def _data(posterior: Posterior, swings: Swings) -> Sentence:
         days = f" of {swings.first_day}" if same else f" from {swings.first_day} to {swings.last_day}"
     noun = "swing counts" if count == 1 else "swings count"
     text = f"{count} {noun}, {both} with bat speed and exit speed, from {kind}{days}"
-    swung = swung_bats(model)
+    swung = measured_bats(model)
     if len(swung) > 1:
         text += ": " + ", ".join(f"{one.count} with {one.bat.name}" for one in swung)
     if not bad and not swings.without_swing:
@@ -125,7 +125,7 @@ def taken_for(model: PlayerModel) -> list[str]:
     ]
 
 
-def _reasons(swings: Swings) -> list[str]:
+def _reasons(swings: SwingFile) -> list[str]:
     """Return the commonest reasons why rows are not used: those that differ in their numbers only are one."""
     alike: dict[str, list[BadRow]] = defaultdict(list)
     for row in swings.bad_rows:
@@ -137,9 +137,9 @@ def _reasons(swings: Swings) -> list[str]:
     return reasons
 
 
-def measured(posterior: Posterior) -> Words:
+def measured(posterior: PlayerPosterior) -> Words:
     """Return the bats of the file against each other as they were measured; "" where only one was swung."""
-    swung = [one for one in swung_bats(posterior.model) if one.exit_speed is not None]
+    swung = [one for one in measured_bats(posterior.model) if one.exit_speed is not None]
     if len(swung) < 2:
         return ""
     parts = [
@@ -151,9 +151,9 @@ def measured(posterior: Posterior) -> Words:
     return say("As measured, mean exit speed by bat: {parts}.", parts=joined(parts, "; "))
 
 
-def _speed(posterior: Posterior) -> Sentence:
+def _speed(posterior: PlayerPosterior) -> Sentence:
     learned, own = posterior.learned, posterior.model.bats[0].bat
-    swung = any(one.bat is own for one in swung_bats(posterior.model))
+    swung = any(one.bat is own for one in measured_bats(posterior.model))
     text = say(
         "Bat speed is {mean} on average and varies by {spread} from swing to swing."
         if swung
@@ -168,7 +168,7 @@ def _speed(posterior: Posterior) -> Sentence:
         slower = _slower(exponent.interval)
         return text + say(" A bat with 10 % more moment of inertia is swung {slower} slower.", slower=slower)
     unknown = " How much a heavier bat would slow this player is not known from these swings: "
-    if len(swung_bats(posterior.model)) > 1:
+    if len(measured_bats(posterior.model)) > 1:
         return text + unknown + "the bats are too much alike for it, or too few swings were made with each."
     return text + unknown + "they need two bats."
 
@@ -321,7 +321,7 @@ def _worth(advice: Advice, key: str) -> Sentence:
     return say("{change}: {gain} of {goal}.", change=changes()[key], gain=gain, goal=goal_words(advice.goal))
 
 
-def notes(swings: Swings) -> list[str]:
+def notes(swings: SwingFile) -> list[str]:
     """Return what to know about the file, with the rows that were not used."""
     words = list(swings.notes)
     if swings.bad_rows:

@@ -28,8 +28,8 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import SweetspotError, nearest_names
 from sweetspot.player.goal import Goal
-from sweetspot.player.narrow_table import narrow_csv
-from sweetspot.player.posterior import Posterior
+from sweetspot.player.posterior import PlayerPosterior
+from sweetspot.player.swing_table import narrow_csv
 from sweetspot.player.swings import batters
 from sweetspot.report.player.document import player_document
 from sweetspot.report.quantities import SYSTEMS
@@ -125,7 +125,7 @@ def _fitted(state: PlayerState) -> ReadDocument:
 
 
 @lru_cache(maxsize=16)
-def learned(state: PlayerState) -> Posterior:
+def learned(state: PlayerState) -> PlayerPosterior:
     """Return what the swings of a state say about the player; a second or so."""
     swings = _swings(state)
     with about("swings_csv"):

@@ -11,9 +11,8 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.numerics.interval import Interval
+from sweetspot.player.bat_pairs import BatPair, MeasuredBat, compared_pairs
 from sweetspot.player.goal import Goal
-from sweetspot.player.swung import Swung
-from sweetspot.player.swung_pairs import Pair, bat_pairs
 from sweetspot.report.document import Table
 from sweetspot.report.player.pair_words import of_those_swung, pairs_table
 from sweetspot.report.quantities import US
@@ -24,14 +23,16 @@ BAT = catalog.bat("r161-ash")
 SPREAD = np.linspace(-1.0, 1.0, 101)
 
 
-def swung(name: str, speed: float | None = 40.0, *, count: int = 10, half: float = 0.5) -> Swung:
+def swung(name: str, speed: float | None = 40.0, *, count: int = 10, half: float = 0.5) -> MeasuredBat:
     measured = None if speed is None else Interval(speed, speed - half, speed + half)
-    return Swung(BAT.replaced(name=name), count, None, measured)
+    return MeasuredBat(BAT.replaced(name=name), count, None, measured)
 
 
-def told(bats: list[Swung], gained: dict[str, Any], goal: Goal | None = None) -> tuple[tuple[Pair, ...], str, Table]:
+def told(
+    bats: list[MeasuredBat], gained: dict[str, Any], goal: Goal | None = None
+) -> tuple[tuple[BatPair, ...], str, Table]:
     goal = goal or Goal()
-    pairs, seldom = bat_pairs(bats, gained, goal=goal)
+    pairs, seldom = compared_pairs(bats, gained, goal=goal)
     advice: Any = SimpleNamespace(pairs=pairs, seldom=seldom, goal=goal)
     return pairs, read(of_those_swung(advice), US), pairs_table(advice)
 
@@ -97,7 +98,7 @@ def test_a_measured_exit_speed_does_not_gainsay_a_carry() -> None:
 def test_a_bat_swung_twice_is_named_and_not_compared() -> None:
     bats = [swung("own"), swung("second", None, count=2)]
     pairs, words, _ = told(bats, {"own": SPREAD, "second": SPREAD + 3})
-    assert pairs == () and words == "Swung too seldom to be compared: second."
+    assert pairs == () and words == "MeasuredBat too seldom to be compared: second."
     assert told([swung("own")], {"own": SPREAD})[1] == ""
 
 

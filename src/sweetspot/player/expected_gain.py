@@ -8,15 +8,15 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import MIDDLE, RATIOS, ContactTable, farthest_offset
-from sweetspot.player.gain_kernel import CARRY, LINE, SPEED, BatInHand, CarryGrid, Scattered, Wanted, fill_gains
+from sweetspot.player.gain_kernel import CARRY, LINE, SPEED, BatInHand, CarryGrid, Scattered, WantedOfHit, fill_gains
 from sweetspot.player.goal import CarryTable, Goal
 from sweetspot.player.model import PlayerModel, speed_ratio
-from sweetspot.player.posterior import Posterior
+from sweetspot.player.posterior import PlayerPosterior
 from sweetspot.player.prior import NAMES, fixed
 from sweetspot.units import FOOT
 
 DRAWS, SWINGS = 160, 300
-"""Posterior draws, and swings of the scatter for each: the same for every bat, so that differences are not noise."""
+"""Draws of the posterior, and swings for each: the same for every bat, so that differences are not noise."""
 CARRY_SCATTER = 16.8 * FOOT
 """m; standard deviation of 492 tracked indoor fly balls about the carry computed for their launch [statcast]."""
 
@@ -121,16 +121,16 @@ class Expectation:
             kept=table.kept[MIDDLE], barrel=table.barrel,
         )  # fmt: skip
 
-    def _wanted(self) -> Wanted:
+    def _wanted(self) -> WantedOfHit:
         """Return what a hit brings."""
         carries, line = self.carries, self.goal.line
         if carries is None:
-            return Wanted(SPEED, 0.0, 1.0, CarryGrid(np.zeros(3), np.ones(3), np.zeros((2, 2, 2))))
-        return Wanted(CARRY if line is None else LINE, line or 0.0, CARRY_SCATTER, carries.grid)
+            return WantedOfHit(SPEED, 0.0, 1.0, CarryGrid(np.zeros(3), np.ones(3), np.zeros((2, 2, 2))))
+        return WantedOfHit(CARRY if line is None else LINE, line or 0.0, CARRY_SCATTER, carries.grid)
 
 
 def expectation(
-    posterior: Posterior, *, goal: Goal, pitch_speed: float, carries: CarryTable | None, seed: int
+    posterior: PlayerPosterior, *, goal: Goal, pitch_speed: float, carries: CarryTable | None, seed: int
 ) -> Expectation:
     """Return what questions about bats are asked of.
 

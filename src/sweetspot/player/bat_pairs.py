@@ -1,4 +1,4 @@
-"""The bats of a file, each against each: what the model expects, what was measured, and whether the data can tell."""
+"""The bats of a file: their means as measured, and each against each, expected, measured, and whether data can tell."""
 
 from __future__ import annotations
 
@@ -10,16 +10,70 @@ from typing import Literal
 
 import numpy as np
 
+from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import sure_sign
+from sweetspot.numerics.confidence import ENDS, sure_sign
 from sweetspot.numerics.interval import Interval
 from sweetspot.player.goal import Goal
+from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import interval
-from sweetspot.player.swung import FEWEST_OF_A_BAT, Swung
+
+FEWEST_OF_A_BAT = 3
+"""Swings below which the mean of a bat has no interval."""
 
 
 @dataclass(frozen=True)
-class Pair:
+class MeasuredBat:
+    """One bat of a file.
+
+    Parameters
+    ----------
+    bat : the bat.
+    count : swings with it.
+    bat_speed, exit_speed : m/s, mean of its swings with its 90 % interval; None: too few were measured.
+    """
+
+    bat: Bat
+    count: int
+    bat_speed: Interval | None
+    exit_speed: Interval | None
+
+
+def measured_bats(model: PlayerModel) -> tuple[MeasuredBat, ...]:
+    """Return the bats that were swung, the player's own first, with the means of what was measured."""
+    swung = []
+    for index, table in enumerate(model.bats):
+        swings = [swing for swing, bat in zip(model.swings, model.bat_of, strict=True) if bat == index]
+        if swings:
+            swung.append(
+                MeasuredBat(
+                    table.bat, len(swings), mean_with_interval([one.bat_speed for one in swings]),
+                    mean_with_interval([one.exit_speed for one in swings]),
+                )
+            )  # fmt: skip
+    return tuple(swung)
+
+
+def mean_with_interval(values: Sequence[float | None]) -> Interval | None:
+    """Return the mean of what was measured with its 90 % interval, None of fewer than three values.
+
+    mean +- t s / sqrt(n), with Student's t of n - 1 degrees of freedom.
+
+    >>> mean_with_interval([1.0, 2.0, 3.0, None])  # t = 2.920, s = 1
+    Interval(value=2.0, low=0.3141..., high=3.6858...)
+    """
+    from scipy.special import stdtrit
+
+    known = np.array([value for value in values if value is not None])
+    if len(known) < FEWEST_OF_A_BAT:
+        return None
+    half = float(stdtrit(len(known) - 1, ENDS[1])) * float(known.std(ddof=1)) / math.sqrt(len(known))
+    middle = float(known.mean())
+    return Interval(middle, middle - half, middle + half)
+
+
+@dataclass(frozen=True)
+class BatPair:
     """Two bats that the player swung.
 
     Parameters
@@ -62,9 +116,9 @@ class Pair:
         return "better" if sign > 0 else "better by the model"
 
 
-def bat_pairs(
-    swung: Sequence[Swung], gained: Mapping[str, Array], *, goal: Goal
-) -> tuple[tuple[Pair, ...], tuple[str, ...]]:
+def compared_pairs(
+    swung: Sequence[MeasuredBat], gained: Mapping[str, Array], *, goal: Goal
+) -> tuple[tuple[BatPair, ...], tuple[str, ...]]:
     """Return every two of the bats that were swung, and the names of those swung too seldom to be compared.
 
     Parameters
@@ -79,7 +133,7 @@ def bat_pairs(
     for first, second in combinations(known, 2):
         more = gained[first.bat.name] - gained[second.bat.name]
         pairs.append(
-            Pair(
+            BatPair(
                 first.bat.name, second.bat.name, interval(more), float(np.mean(more > goal.nothing)),
                 difference(first.exit_speed, second.exit_speed), goal,
             )

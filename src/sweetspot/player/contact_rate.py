@@ -1,4 +1,4 @@
-"""How many of the balls that are met count as hits, by place and offset, and where those are met; compiled.
+"""What a player's swings are ready for a likelihood as, and how many of the balls met count as hits; compiled.
 
 Hits are those that leave within a range of launch angles. What part does so is in a table by place, offset and mean
 attack angle; here it is weighted with where a player meets the ball.
@@ -7,11 +7,14 @@ attack angle; here it is weighted with where a player meets the ball.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
-from sweetspot.numerics.arrays import Array
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled
-from sweetspot.player.likelihood_table import Table
-from sweetspot.player.off_centre import UNTOLD_EVERY
+from sweetspot.player.off_centre import UNTOLD_EVERY, OffsetPoints
 
 GRID_REACH = 4.5
 """Standard deviations of the scatter to either side of its mean that are summed over: there a place weighs less than a
@@ -20,8 +23,56 @@ TINY = 1e-300
 ROOT_TWO_PI = math.sqrt(2 * math.pi)
 
 
+class LikelihoodTable(NamedTuple):
+    """Everything about the swings that does not change with the parameters; nan where not measured.
+
+    Parameters
+    ----------
+    bat_speed, exit_speed, pitch_speed, attack_angle, position : (n,) SI.
+    hit : (n,) whether more than the bat speed of the swing counts.
+    bat : (n,) which bat, an index into the next three.
+    efficiency, efficiency_slope : (bats, places) at the places of the grid.
+    arm : (bats, places) bat speed at every place over that where bat speed is measured.
+    points : what the launch angles say of the offsets, at these places.
+    untold : (n,) which row of the next, for hits without a launch or attack angle; -1 for others.
+    untold_kept : (rows, every `UNTOLD_EVERY` th offset, places) part of the head-on exit speed that is left there.
+    untold_variance : of that, same shape.
+    place_start, place_step : of the places, m.
+    selected : (bats, attacks, places, offsets) part of the balls met so that count as hits.
+    selected_step : m between these places.
+    attack_start, attack_step : of these mean attack angles, less the usual one, rad.
+    offset_start, offset_step : (bats,) of these offsets, m.
+    constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle; part of
+        the swings that are slow, by how much and with what spread; what the tabled hit is off by.
+    """
+
+    bat_speed: Array
+    exit_speed: Array
+    pitch_speed: Array
+    attack_angle: Array
+    position: Array
+    hit: NDArray[np.bool_]
+    bat: IntArray
+    efficiency: Array
+    efficiency_slope: Array
+    arm: Array
+    points: OffsetPoints
+    untold: IntArray
+    untold_kept: Array
+    untold_variance: Array
+    place_start: float
+    place_step: float
+    selected: Array
+    selected_step: float
+    attack_start: float
+    attack_step: float
+    offset_start: Array
+    offset_step: Array
+    constants: Array
+
+
 @compiled(nogil=True)
-def _rows_at(table: Table, bat: int, steeper: float) -> tuple[Array, Array, float]:
+def _rows_at(table: LikelihoodTable, bat: int, steeper: float) -> tuple[Array, Array, float]:
     """Return the parts of hits at the two tabled mean attack angles about one, and how far it lies between them."""
     rows = table.selected[bat]
     at = min(max((steeper - table.attack_start) / table.attack_step, 0.0), len(rows) - 1.000001)
@@ -30,13 +81,13 @@ def _rows_at(table: Table, bat: int, steeper: float) -> tuple[Array, Array, floa
 
 
 @compiled(nogil=True)
-def fill_hits(hits: Array, weight: Array, table: Table, bat: int, parameters: Array, steeper: float) -> float:
+def fill_hits(hits: Array, weight: Array, table: LikelihoodTable, bat: int, parameters: Array, steeper: float) -> float:
     """Fill what part of the balls met at every tabled offset are hits; return how likely a hit is.
 
     Parameters
     ----------
     hits : (offsets,).
-    weight : (places,) of `Table.selected`, room to work in.
+    weight : (places,) of `LikelihoodTable.selected`, room to work in.
     parameters : (10,) SI.
     steeper : mean attack angle beyond the usual one, rad.
     """
@@ -53,7 +104,9 @@ def fill_hits(hits: Array, weight: Array, table: Table, bat: int, parameters: Ar
 
 
 @compiled(nogil=True)
-def fill_untold(share: Array, weight: Array, table: Table, bat: int, parameters: Array, steeper: float) -> None:
+def fill_untold(
+    share: Array, weight: Array, table: LikelihoodTable, bat: int, parameters: Array, steeper: float
+) -> None:
     """Fill how often hits are met at every `UNTOLD_EVERY` th tabled offset over how often places are: they add to one.
 
     Towards tip and handle more balls leave too steeply for a hit, so a hit without a launch angle tells of its place.
