@@ -34,7 +34,7 @@ from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import check
-from sweetspot.tables.cells import require_units
+from sweetspot.tables.cells import require_units, with_unit
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
     GivenColumns,
@@ -81,17 +81,12 @@ def at_usual_moisture(measurement: Measurement, moisture: Measured) -> Measureme
 
 BATS = quantities_of("bats")
 """Columns that are understood."""
-WRITTEN = {"oz_in2": "oz*in^2", "kg_m2": "kg*m^2", "kg_cm2": "kg*cm^2", "hz": "Hz", "percent": "%", "pct": "%"}
-"""Units of headings as `parse` reads them, where it reads another spelling."""
 PER_MINUTE = re.compile(r"(^|_)cpm(_|$)|cycles_(per_)?min")
 """In a heading."""
 BLANKS = ("", "-", "--", "\N{EN DASH}", "\N{EM DASH}", "?", "na", "n/a", "nan", "none", "null")
 """Words of a cell in which nothing was measured."""
 HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent"
 THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
-UNIT = re.compile(r"[^\W\d_]|%")
-"""In a cell: a letter of a unit."""
-DECIMAL_COMMA = re.compile(r"(\d),(\d)")
 MOISTURE_UNKNOWN = 0.015
 """One sigma of the moisture of a bat that was kept with others but not measured (assumed)."""
 MOST_BATS = 200
@@ -196,10 +191,11 @@ def _values(said: Mapping[str, str], headings: Headings, what: str) -> dict[str,
     values = {}
     for name, cell in said.items():
         column = headings.columns[name]
-        unit = WRITTEN.get(column.unit, column.unit)
-        values[name] = parse_measured(_with_unit(cell, unit), cast("Kind", column.kind), f"{what}, {name}")
-        usual = {"pendulum": "period"}.get(name, name)
-        check(values[name].value, usual, f"{cell} {unit} ({what})")
+        if THOUSANDS.search(cell):
+            raise InputError(f"{cell!r} was given; write thousands without a comma, or decimals after a point")
+        written = with_unit(cell, column)
+        values[name] = parse_measured(written, cast("Kind", column.kind), f"{what}, {name}")
+        check(values[name].value, {"pendulum": "period"}.get(name, name), f"{written} ({what})")
     moisture = values.get("moisture")
     if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
         low, high = (100 * one for one in MOISTURES)
@@ -227,17 +223,6 @@ def _measurements(values: Mapping[str, Measured], usual: Measured | None, axis: 
             name = ModeName("hoop", 2) if quantity == "hoop" else ModeName("bending", int(quantity[-1]))
             measurements.append(Measurement("frequency", value, mode=name))
     return measurements if moisture is None else [at_usual_moisture(one, moisture) for one in measurements]
-
-
-def _with_unit(cell: str, unit: str) -> str:
-    if THOUSANDS.search(cell):
-        raise InputError(f"{cell!r} was given; write thousands without a comma, or decimals after a point")
-    if not unit or UNIT.search(cell):
-        return DECIMAL_COMMA.sub(r"\1.\2", cell)
-    value, sign, error = DECIMAL_COMMA.sub(r"\1.\2", cell).partition("±")
-    if unit == "%":  # an error of a ratio has its own sign
-        return f"{value.strip()}%" + (f"{sign}{error.strip()}%" if sign else "")
-    return f"{value.strip()} {unit}{sign}{error.strip()}"
 
 
 TABLES, BAT_FILE = (".csv", ".tsv", ".txt"), ".toml"

@@ -12,6 +12,10 @@ from sweetspot.tables.unit_words import UNITS, zero_of
 from sweetspot.tables.vocabulary import simplified
 
 NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+))\s*([^\d\s.,+-].*)")
+HAS_UNIT = re.compile("[A-Za-zµ%\"'\u2032\u2033]")
+DECIMAL_COMMA = re.compile(r"(\d),(\d)")
+SPELLED = {"oz_in2": "oz*in^2", "kg_m2": "kg*m^2", "kg_cm2": "kg*cm^2", "hz": "Hz", "percent": "%", "pct": "%"}
+"""Units of headings as `parse` reads them, where it reads another spelling."""
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 """Words of a cell in which nothing was measured, in lower case."""
 
@@ -37,6 +41,22 @@ def cell_in_si(cell: str, column: TableColumn) -> float:
         if match is None or unit not in UNITS[kind]:
             raise ValueError(f"{column.heading} is {cell!r}, not a number") from None
         return zero_of(kind, unit) + UNITS[kind][unit] * float(match[1])
+
+
+def with_unit(cell: str, column: TableColumn) -> str:
+    """Return a cell as `sweetspot.plausibility.parse` reads it: a number without a unit has its column's.
+
+    >>> with_unit("31,2 ± 0,1", TableColumn("moi", "MOI", "moi", "oz_in2", 1.0)), with_unit(
+    ...     "2 9/16", TableColumn("station", "x", "station", "in_from_tip", 1.0))
+    ('31.2 oz*in^2±0.1', '2 9/16 in')
+    """
+    cell = DECIMAL_COMMA.sub(r"\1.\2", cell.strip())
+    unit = SPELLED.get(column.unit, column.unit.partition("_from_")[0])
+    if not unit or HAS_UNIT.search(cell):
+        return cell
+    value, sign, error = (part.strip() for part in cell.partition("±"))
+    of_error = unit if unit == "%" and sign else ""  # an error of a ratio has its own sign
+    return f"{value} {unit}{sign}{error}{of_error}"
 
 
 def place_in_si(cell: str, column: TableColumn, length: float) -> float:

@@ -13,7 +13,16 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sweetspot.errors import InputError, nearest_names, spelt_almost
-from sweetspot.tables.unit_words import FILE_UNITS, KNOWN_UNITS, ONLY_UNIT, UNITS, UNMEASURED, FileUnits, zero_of
+from sweetspot.tables.unit_words import (
+    FILE_UNITS,
+    KNOWN_UNITS,
+    ONLY_UNIT,
+    PLACES,
+    UNITS,
+    UNMEASURED,
+    FileUnits,
+    zero_of,
+)
 from sweetspot.tables.vocabulary import (
     MeasuringSystem,
     joined,
@@ -26,7 +35,10 @@ from sweetspot.tables.vocabulary import (
 
 COPY = re.compile(r"_duplicated_\d+$")
 """What polars writes behind a heading that stands twice."""
-PLACE = re.compile(r"^(?:(?P<before>[a-z]+)_)?from_(?:the_)?(?P<end>tip|knob)(?:_(?P<behind>[a-z]+))?$")
+PLACE = re.compile(
+    r"^(?:(?P<before>[a-z]+)_)?from_(?:the_)?(?:(?P<tip>tip|barrel|cap)|knob|handle|grip|butt)(?:_end)?"
+    r"(?:_(?P<behind>[a-z]+))?$"
+)
 ENDS = ("from_tip", "from_knob")
 """Of a place: half a unit."""
 MOST_HEADINGS = 12
@@ -225,7 +237,7 @@ def no_unit(columns: Sequence[TableColumn]) -> str:
     return (
         f"column{'s' * several} {' and '.join(one.heading.strip() for one in columns)} ha{'ve' if several else 's'} no "
         f"unit; write it into the heading{'s' * several}, for example {first.heading_with_unit}, or say "
-        f"--file-units us (mph, feet, inches from the tip) or metric (m/s, m, cm from the tip), or of one "
+        f"--file-units us (mph, feet, inches) or metric (m/s, m, cm), or of one "
         f"column --column {first.quantity}={first.heading.strip()}:{first.example_unit}"
     )
 
@@ -257,7 +269,7 @@ def maybe_heading(heading: str, wanted: tuple[str, ...]) -> str:
 
 
 def _cuts(name: str) -> Iterator[tuple[str, str]]:
-    """Yield a simplified heading as name and unit: whole, and cut before what is a unit."""
+    """Yield a simplified heading as name and unit: whole, cut before what is a unit, and as nothing but a unit."""
     yield name, ""
     for cut in reversed([match.start() for match in re.finditer("_", name)]):
         unit = _as_unit(name[cut + 1 :])
@@ -265,6 +277,8 @@ def _cuts(name: str) -> Iterator[tuple[str, str]]:
             yield name[:cut], unit
             if name[:cut].endswith("_in") and unit not in ENDS:  # exit speed in mph
                 yield name[:cut].removesuffix("_in"), unit
+    if unit := _as_unit(name):
+        yield "", unit
 
 
 def _as_unit(words: str) -> str:
@@ -278,9 +292,9 @@ def _as_unit(words: str) -> str:
     place = PLACE.match(words)
     if place is None:
         return ""
-    length = place["before"] or place["behind"]
-    unit = f"{length}_from_{place['end']}" if length else f"from_{place['end']}"
-    return unit if not length or unit in UNITS["place"] else ""
+    length, end = place["before"] or place["behind"], "from_tip" if place["tip"] else "from_knob"
+    unit = f"{length}_{end}" if length else end
+    return unit if not length or unit in UNITS["station"] else ""
 
 
 def _belongs(names: Sequence[str], system: MeasuringSystem) -> bool:
@@ -329,16 +343,16 @@ def _whole_unit(quantity: str, unit: str, rank: int, system: MeasuringSystem | N
     if unit and unit not in ENDS:
         return unit
     usual = _unit(quantity, rank, system, units)
-    return usual.replace("from_tip", unit) if unit and usual else unit or usual
+    return f"{usual.removesuffix('_from_tip')}_{unit}" if unit and usual else unit or usual
 
 
 def _made(quantity: str, heading: str, unit: str, index: int) -> TableColumn:
     kind = quantities()[quantity].kind
     if kind in UNMEASURED:
         return TableColumn(quantity, heading, kind, "", 1.0, index=index)
-    half = kind == "place" and unit in ENDS
+    half = kind in PLACES and unit in ENDS
     if unit and not half and unit not in UNITS[kind]:
-        known = kind != "place" and any(unit in units for units in UNITS.values())  # a place counts from an end
+        known = kind not in PLACES and any(unit in units for units in UNITS.values())  # a place counts from an end
         wrong = f"the unit {unit}, which is no {kind}" if known else f"an unknown unit, {unit}"
         raise InputError(f"column {heading.strip()} has {wrong}; allowed: {', '.join(UNITS[kind])}")
     factor = UNITS[kind][unit] if unit and not half else math.nan

@@ -22,6 +22,7 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "length": LENGTHS,
     "distance": {"ft": FOOT, "feet": FOOT} | LENGTHS,
     "place": {f"{unit}_from_{end}": size for unit, size in SHORT.items() for end in ("tip", "knob")},
+    "station": LENGTHS | {f"{unit}_from_{end}": size for unit, size in LENGTHS.items() for end in ("tip", "knob")},
     "time": {"s": 1.0, "sec": 1.0, "seconds": 1.0},
     "spin": {"rpm": RPM, "rad_s": 1.0},
     "acceleration": {"ft_s2": FOOT, "m_s2": 1.0},
@@ -38,14 +39,16 @@ UNITS: Mapping[str, Mapping[str, float]] = {
 """Words behind the name of a quantity that are units of its kind, and their size in SI."""
 FAHRENHEIT_ZERO = -160 / 9
 """degC at 0 degF."""
+PLACES = ("place", "station")
+"""Kinds that count from an end of an implement; a station counts from the knob where nothing else is said."""
 UNMEASURED = ("count", "text")
 """Kinds without a unit."""
 ONLY_UNIT = {"time": "s", "angle": "deg", "frequency": "hz"}
 """Units of kinds that nobody writes down in another one without saying so."""
 FILE_UNITS: Mapping[FileUnits, Mapping[str, str]] = {
-    "us": {"speed": "mph", "length": "in", "place": "in_from_tip", "distance": "ft", "spin": "rpm",
+    "us": {"speed": "mph", "length": "in", "station": "in", "place": "in_from_tip", "distance": "ft", "spin": "rpm",
            "temperature": "degf", "pressure": "inhg", "mass": "oz", "moi": "oz_in2", "stiffness": "lbf_in"},
-    "metric": {"speed": "m_s", "length": "cm", "place": "cm_from_tip", "distance": "m", "spin": "rpm",
+    "metric": {"speed": "m_s", "length": "cm", "station": "cm", "place": "cm_from_tip", "distance": "m", "spin": "rpm",
                "temperature": "degc", "pressure": "hpa", "mass": "g", "moi": "kg_cm2", "stiffness": "n_m"},
 }  # fmt: skip
 """Units of columns that have none, where a person says in which units a file is."""

@@ -10,6 +10,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+SIGNS = {"²": "2", "\u2033": "in", '"': "in", "ø": "diameter", "\u2300": "diameter"}
+"""Signs of headings as words."""
+METRES = re.compile(r"\b(milli|centi)?met(?:er|re)s?\b")
 FILE = Path(__file__).with_name("headings.toml")
 
 
@@ -82,7 +85,10 @@ def simplified(heading: str) -> str:
     >>> simplified("Exit Velocity [km/h]"), simplified("ExitSpeed"), simplified("ax (ft/s²)")
     ('exit_velocity_km_h', 'exitspeed', 'ax_ft_s2')
     """
-    plain = heading.replace("\ufeff", "").replace("²", "2").strip().strip('"').lower()
+    plain = heading.replace("\ufeff", "").strip().strip('"').lower()
+    for sign, word in SIGNS.items():
+        plain = plain.replace(sign, word)
+    plain = METRES.sub(lambda match: f"{(match[1] or '')[:1]}m", plain)
     return re.sub(r"[^0-9a-z%°]+", "_", plain).strip("_")
 
 

@@ -60,7 +60,7 @@ def test_refusals(tmp_path: Path) -> None:
     rows = [(float(x), 50.0) for x in range(35)]
     for heading, more, length, message in (
         ("in_from_tip,diameter_mm", [], None, "--length"),
-        ("a,b", [], None, "begins with"),
+        ("a,b", [], None, "no column says where.*no column says how thick"),
         ("position_in,diameter_mm", [(40.0, 50.0)], 0.8636, "off the bat"),
         ("position_in,diameter_mm", [], 1.1, "both ends"),
         ("position_in,diameter_mm", [(30.5, math.nan)], None, "line 37"),
@@ -139,11 +139,19 @@ def test_a_person_says_what_columns_of_an_outline_mean(tmp_path: Path) -> None:
     assert read_outline(path, given=said).profile == plain.profile
     both = written(tmp_path / "two.csv", "position_in,diameter_in,Dicke", IN, [f"1,{size}" for size in MM])
     assert read_outline(both, given=GivenColumns({"diameter": "Dicke:mm"})).profile == plain.profile
-    for wrong, words in (({"diameter": "Dike:mm"}, "no column Dike"), ({"mood": "Dicke"}, "mood is no column")):
+    for wrong, words in (({"diameter": "Dike:mm"}, "no column 'Dike'"), ({"mood": "Dicke"}, "mood is no quantity")):
         with pytest.raises(InputError, match=words):
             read_outline(path, given=GivenColumns(wrong))
     with pytest.raises(InputError, match="--column position=HEADING:in"):
         read_outline(path)
+
+
+def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
+    wrong = [*MM[:3], "thick", *MM[4:9], "-3", *MM[10:]]
+    with pytest.raises(InputError, match=r"line 5: diameter_mm is 'thick'.*line 11: diameter_mm is '-3'"):
+        read_outline(written(tmp_path / "bat.csv", "position_in,diameter_mm", IN, wrong))
+    with pytest.raises(InputError, match=r"columns position and diameter have no unit.*station=position:in"):
+        read_outline(written(tmp_path / "bat.csv", "position,diameter", IN, MM))
 
 
 def test_half_an_inch_in_one_sign(tmp_path: Path) -> None:
@@ -194,7 +202,7 @@ def test_doubtful_stations_are_told(tmp_path: Path) -> None:
     path = written(tmp_path / "bat.csv", "position_in,diameter_mm", IN, [*MM[:7], "", *MM[8:]])
     assert len(read_outline(path).profile) == 34
     three = written(tmp_path / "bat.csv", "position_in,diameter_mm,diameter_in", IN, [f"{size},1" for size in MM])
-    with pytest.raises(InputError, match="2 columns of sizes"):
+    with pytest.raises(InputError, match="both give diameter; keep one"):
         read_outline(three)
     bare = written(tmp_path / "bat.csv", "position_in,diameter", IN, MM)
     with pytest.raises(InputError, match="no unit"):

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -15,38 +14,31 @@ from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import insisted, parse, verdict
-from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, heading_and_unit
+from sweetspot.tables.cells import require_units, with_unit
+from sweetspot.tables.headings import (
+    NOTHING_GIVEN,
+    GivenColumns,
+    TableColumn,
+    closest,
+    names_one_of,
+    read_headings,
+    refuse_faults,
+)
 from sweetspot.tables.text_encoding import FIRST_LINES, table_rows
-from sweetspot.tables.unit_words import FILE_UNITS
-from sweetspot.units import FOOT, INCH, NUMBER, format_length
+from sweetspot.tables.vocabulary import quantities_of
+from sweetspot.units import FOOT, INCH, format_length
 
-UNITS = {
-    **dict.fromkeys(("in", "inch", "inches", '"', "\u2033"), "in"), **dict.fromkeys(("ft", "foot", "feet"), "ft"),
-    **{word: unit for unit, prefix in (("mm", "milli"), ("cm", "centi"), ("m", ""))
-       for word in (unit, *(f"{prefix}{metre}" for metre in ("meter", "meters", "metre", "metres")))},
-}  # fmt: skip
-"""Words of a heading, and the unit that they are."""
-METRES = {"in": INCH, "ft": FOOT, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
-"""m of a unit."""
-SPELT = {"in": "inches", "ft": "feet"}
-"""Units whose sign may be taken for a word."""
-KINDS = {"diameters": 1.0, "circumferences": 1 / math.pi, "radii": 2.0}
+STATIONS = quantities_of("stations")
+ACROSS = {"diameter": 1.0, "circumference": 1 / math.pi, "radius": 2.0}
 """What is measured across, and the diameter per unit of it."""
-SIZES = {
-    **dict.fromkeys(("diameter", "dia", "diam", "od", "d", "ø", "\u2300", "width", "thickness"), KINDS["diameters"]),
-    **dict.fromkeys(("circumference", "circ", "girth", "perimeter"), KINDS["circumferences"]),
-    **dict.fromkeys(("radius", "r"), KINDS["radii"]),
-}
-"""Words for it."""
-PLACES = {"position", "station", "place", "x", "from", "tip", "knob", "distance", "location", "length"}
-FROM_END = {"knob": False, "handle": False, "grip": False, "butt": False, "tip": True, "barrel": True, "cap": True}
-"""Words of the end from which places count, and whether it is the tip."""
-OTHER = {"wall", "inner", "inside", "id", "error", "sigma", "sd", "std", "uncertainty", "tolerance"}
-"""Words of a column that is not the outline, whatever else its heading says."""
-WORD = re.compile('[^\\W\\d_]+|["\u2033\u2300]')
+PLURALS = {"diameter": "diameters", "circumference": "circumferences", "radius": "radii"}
+METRES = {"inches": INCH, "feet": FOOT, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
+"""m of the units that are tried where something is no bat."""
 COMMENT = "#"
 MOST_STATIONS = 2000
 FEWEST_STATIONS = 5
+MOST_FAULTS = 5
+"""Lines whose fault a message names."""
 WIDE, EVEN = 3.05 * INCH, 1e-5
 """m between stations from which on what lies between is told as unknown (a straight line over 3 in misses up to 2.6 mm
 of the catalogue's bats, a torpedo's barrel), unless both are as thick: a cylinder that somebody drew."""
@@ -63,48 +55,30 @@ BEYOND_KNOB, BEFORE_TIP = 4 * INCH, 2.5 * INCH
 """m from the ends, where knobs and tips turn quicker."""
 
 
-@dataclass(frozen=True)
-class _Column:
-    """Where and how thick: which column says it.
-
-    Parameters
-    ----------
-    heading : as it is written.
-    unit : of numbers that have none themselves; None: they must have one.
-    size : diameter per what is measured.
-    from_tip : whether places count from the tip.
-    """
-
-    index: int
-    heading: str
-    unit: str | None
-    size: float = 1.0
-    from_tip: bool = False
-
-
 def read_stations(path: Path, *, length: float | None = None, given: GivenColumns = NOTHING_GIVEN) -> Outline:
     """Return the outline that a CSV file of stations describes.
 
-    One column says where: its heading has ``tip`` where it counts from the tip (``in_from_tip``, ``position_mm``).
-    Another says how thick: ``diameter``, ``circumference`` or ``radius``. Units stand in the headings or behind the
-    numbers, which may be fractions. What stands above the headings, and lines that begin with #, are left out; so are
-    stations whose size is blank. Where no station is at an end, the tip is rounded as turned bats usually are, and the
-    knob goes on as thick as it was.
+    One column says where, from the knob end unless its heading names the tip: ``in_from_tip``, ``position_mm``. Another
+    says how thick: ``diameter``, ``circumference`` or ``radius``. Units stand in the headings or behind the numbers,
+    which may be fractions. What stands above the headings, and lines that begin with #, are left out; so are stations
+    whose size is blank. Where no station is at an end, the tip is rounded as turned bats usually are, and the knob goes
+    on as thick as it was.
 
     Parameters
     ----------
     length : m; needed where the places count from the tip, or where the last station is not the tip.
-    given : what a person says of the columns position (position_from_tip), diameter, circumference or radius.
+    given : what a person says of the columns position, diameter, circumference or radius.
 
     Raises
     ------
     InputError
-        when the file has no such columns, a value that is no number, or stations off the bat.
+        when the file has no such columns, values that are no numbers, or stations off the bat.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file of a heading and a line for each station")
 
     def is_heading(cells: Sequence[str]) -> bool:
-        return all(_all_columns(cells, given))
+        named = any(cell.strip() in given.told for cell in cells)
+        return named or (names_one_of(cells, ("station",)) and names_one_of(cells, tuple(ACROSS)))
 
     rows = [
         (line, cells)
@@ -118,12 +92,17 @@ def read_stations(path: Path, *, length: float | None = None, given: GivenColumn
             f"{path} has {len(rows)} line{'s' if len(rows) != 1 else ''}; allowed are a heading and "
             f"{FEWEST_STATIONS} to {MOST_STATIONS} stations"
         )
-    where, across = _columns(rows[0][1], given, path)
-    stations = sorted(
-        (_number(row, where, line, path), _number(row, across, line, path))
-        for line, row in rows[1:]
-        if _cell(row, across)
-    )
+    where, across = _columns([name.strip() for name in rows[0][1]], rows[1:], given, path)
+    stations, faults = [], []
+    for line, row in rows[1:]:
+        if not _cell(row, across):
+            continue
+        try:
+            stations.append((_metres(row, where), ACROSS[across.quantity] * _metres(row, across)))
+        except InputError as error:
+            faults.append(f"line {line}: {error}")
+    refuse_faults(faults[:MOST_FAULTS] + ["…"] * (len(faults) > MOST_FAULTS), str(path))
+    stations.sort()
     if len(stations) < FEWEST_STATIONS:
         raise InputError(f"{path} has {len(stations)} stations with a size; at least {FEWEST_STATIONS} are needed")
     _check_like_a_bat(stations, where, across, path)
@@ -141,31 +120,60 @@ def read_stations(path: Path, *, length: float | None = None, given: GivenColumn
     return replace(outline, notes=(*outline.notes, *untold, *_doubts(stations, outline.profile[-1][0])))
 
 
-def _check_like_a_bat(stations: Sequence[tuple[float, float]], where: _Column, across: _Column, path: Path) -> None:
+def _columns(
+    names: list[str], rows: Sequence[tuple[int, list[str]]], given: GivenColumns, path: Path
+) -> tuple[TableColumn, TableColumn]:
+    """Return the columns that say where and how thick; all that is wrong with them is refused at once."""
+    found = read_headings(names, wanted=STATIONS, given=given, once=True, file_name=str(path))
+    sizes = [name for name in ACROSS if found.has(name)]
+    if named := [name for name in sizes if found.columns[name].heading in given.told]:
+        sizes = named
+    faults = [fault for name, fault in found.faults.items() if name == "station" or not named]
+    if not found.has("station") and "station" not in found.faults:
+        faults.append(
+            "no column says where it was measured; call one position_in or in_from_tip, or say --column "
+            "position=HEADING:in"
+        )
+    if not sizes and not set(ACROSS) & found.faults.keys():
+        faults.append(
+            "no column says how thick the bat is; call one diameter_mm, circumference_in or radius_cm, or say --column "
+            "diameter=HEADING:mm"
+        )
+    if len(sizes) > 1:
+        both = " and ".join(found.columns[name].heading for name in sizes)
+        faults.append(f"columns {both} all say how thick it is; keep one, or say which with --column")
+    if faults:
+        refuse_faults([*faults, f"the table has: {closest(names, STATIONS)}"], str(path))
+    require_units(rows, found.only("station", *sizes), str(path))
+    return found.columns["station"], found.columns[sizes[0]]
+
+
+def _check_like_a_bat(
+    stations: Sequence[tuple[float, float]], where: TableColumn, across: TableColumn, path: Path
+) -> None:
     """Refuse what is no bat by its headings, but by others: a slip of units, of kinds, of columns."""
     reach, thick = stations[-1][0], max(size for _, size in stations)
     thin = min([size for place, size in stations if 0.05 * reach < place < 0.95 * reach], default=thick)  # round ends
     if insisted() or _like_a_bat(reach, thin, thick):
         return
-    places, widths = METRES.get(where.unit or ""), METRES.get(across.unit or "")
+    long, wide = reach / where.factor, across.heading  # nan where nobody says the unit
     meant, in_both = [], []
-    for sign, size in METRES.items():
-        unit = SPELT.get(sign, sign)
-        if places and _like_a_bat(reach / places * size, thin, thick):
-            meant.append(f"{where.heading} counted in {unit} ({format_length(reach / places * size)} long)")
-        if widths and _like_a_bat(reach, thin / widths * size, thick / widths * size):
-            meant.append(f"{across.heading} measured in {unit} (up to {format_length(thick / widths * size)} thick)")
-        if places and widths and _like_a_bat(*(x * size for x in (reach / places, thin / widths, thick / widths))):
-            in_both.append(f"both columns in {unit} ({format_length(reach / places * size)} long)")
-    for kind, size in KINDS.items():
-        if _like_a_bat(reach, thin / across.size * size, thick / across.size * size):
-            meant.append(f"{across.heading} taken as {kind} (up to {format_length(thick / across.size * size)} thick)")
-    if places and widths and across.size == 1:
-        swapped = sorted(place * widths / places for place, _ in stations)
-        if _like_a_bat(thick * places / widths, swapped[len(swapped) // 4], swapped[-1]):
-            meant.append(f"the columns {where.heading} and {across.heading} swapped")
-    meant = meant or in_both
-    if meant:
+    for unit, size in METRES.items():
+        if _like_a_bat(long * size, thin, thick):
+            meant.append(f"{where.heading} counted in {unit} ({format_length(long * size)} long)")
+        if _like_a_bat(reach, *(part / across.factor * size for part in (thin, thick))):
+            meant.append(f"{wide} measured in {unit} (up to {format_length(thick / across.factor * size)} thick)")
+        if _like_a_bat(long * size, *(part / across.factor * size for part in (thin, thick))):
+            in_both.append(f"both columns in {unit} ({format_length(long * size)} long)")
+    for quantity, size in ACROSS.items():
+        part = size / ACROSS[across.quantity]
+        if _like_a_bat(reach, thin * part, thick * part):
+            meant.append(f"{wide} taken as {PLURALS[quantity]} (up to {format_length(thick * part)} thick)")
+    if across.quantity == "diameter":
+        swapped = sorted(place * across.factor / where.factor for place, _ in stations)
+        if _like_a_bat(thick * where.factor / across.factor, swapped[len(swapped) // 4], swapped[-1]):
+            meant.append(f"the columns {where.heading} and {wide} swapped")
+    if meant := meant or in_both:
         raise InputError(
             f"{path} shows something {format_length(reach)} long and {format_length(thin)} to {format_length(thick)} "
             f"thick, as no bat is. It would be one with {', or with '.join(meant)}: mend the headings, or add --force "
@@ -179,7 +187,7 @@ def _like_a_bat(reach: float, thin: float, thick: float) -> bool:
     return all(verdict(name, size) == "fine" for name, size in named) and reach > SLENDER * thick
 
 
-def _check_each_once(stations: Sequence[tuple[float, float]], where: _Column, path: Path) -> None:
+def _check_each_once(stations: Sequence[tuple[float, float]], where: TableColumn, path: Path) -> None:
     for (place, size), (following, other) in pairwise(stations):
         if place == following:
             end = " from the tip" if where.from_tip else ""
@@ -189,7 +197,7 @@ def _check_each_once(stations: Sequence[tuple[float, float]], where: _Column, pa
             )
 
 
-def _check_end(stations: Sequence[tuple[float, float]], where: _Column, path: Path) -> None:
+def _check_end(stations: Sequence[tuple[float, float]], where: TableColumn, path: Path) -> None:
     """Refuse places that count from the other end than their heading says: a bat's thicker half is its barrel."""
     places, sizes = np.array(stations).T
     even = np.linspace(places[0], places[-1], 200)
@@ -229,98 +237,31 @@ def _doubts(stations: Sequence[tuple[float, float]], length: float) -> Iterator[
         )
 
 
-def _words(heading: str) -> list[str]:
-    return WORD.findall(heading.lower())
-
-
-def _all_columns(heading: Sequence[str], given: GivenColumns) -> tuple[list[_Column], list[_Column]]:
-    """Return the columns that say where, and those that say how thick; where a person named some, only those."""
-    names = [text.strip() for text in heading]
-    said = _said(given, names)
-    usual = None if given.units is None else FILE_UNITS[given.units]["length"]
-    where: list[_Column] = []
-    across: list[_Column] = []
-    for index, text in enumerate(names):
-        words = _words(said.get(text, text))
-        units = [UNITS[word] for word in words if word in UNITS]
-        unit = next((one for one in units if one != "in"), units[0] if units else usual)  # "diameter in mm"
-        size = next((SIZES[word] for word in words if word in SIZES), None)
-        if OTHER & set(words):
-            continue
-        if size is not None:
-            across.append(_Column(index, text, unit, size))
-        elif PLACES & set(words) or (words and set(words) <= set(UNITS)):
-            end = next((FROM_END[word] for word in words if word in FROM_END), False)
-            where.append(_Column(index, text, unit, from_tip=end))
-    return _named(where, said), _named(across, said)
-
-
-def _said(given: GivenColumns, names: Sequence[str]) -> dict[str, str]:
-    """Return what the headings that a person named would be called by us, each with its unit."""
-    parts = ((quantity, *heading_and_unit(text, names)) for quantity, text in given.headings.items())
-    return {name: f"{quantity} {unit}" for quantity, name, unit in parts}
-
-
-def _named(columns: list[_Column], said: Mapping[str, str]) -> list[_Column]:
-    return [one for one in columns if one.heading in said] or columns
-
-
-def _columns(heading: Sequence[str], given: GivenColumns, path: Path) -> tuple[_Column, _Column]:
-    """Return the columns that say where and how thick."""
-    names = [text.strip() for text in heading]
-    if lost := [name for name in _said(given, names) if name not in names]:
-        raise InputError(f"{path} has no column {' and no column '.join(lost)}; its columns are {', '.join(names)}")
-    if wrong := [name for name in given.headings if not {*SIZES, *PLACES} & set(_words(name))]:
-        raise InputError(
-            f"{wrong[0]} is no column of an outline; allowed are position, position_from_tip, diameter, circumference "
-            "and radius"
-        )
-    where, across = _all_columns(heading, given)
-    if not where or not across:
-        raise InputError(
-            f"{path} begins with {', '.join(heading)!r}; name one column like in_from_tip or position_mm and one like "
-            "diameter_mm, circumference_in or radius_cm, with commas, semicolons or tabs between columns; or say "
-            "--column position=HEADING:in and --column diameter=HEADING:mm"
-        )
-    if len(across) > 1:
-        raise InputError(
-            f"{path} has {len(across)} columns of sizes, {', '.join(one.heading for one in across)}; keep one, of "
-            "readings that were repeated their mean"
-        )
-    return where[0], across[0]
-
-
-def _cell(row: Sequence[str], column: _Column) -> str:
+def _cell(row: Sequence[str], column: TableColumn) -> str:
     return row[column.index].strip() if column.index < len(row) else ""
 
 
-def _number(row: Sequence[str], column: _Column, line: int, path: Path) -> float:
-    """Return what a cell says in m; a number without a unit has its column's."""
-    text = _cell(row, column)
-    what = f"{path}, line {line}"
-    bare = NUMBER.match(text.replace(",", ".")) is not None or _is_one_sign(text)
-    if bare and column.unit is None:
-        raise InputError(
-            f"{what}: {text!r} has no unit; write it in the heading, as in diameter_mm, or say "
-            "--file-units us (inches) or metric (cm)"
-        )
-    try:
-        value = float(text) * METRES[column.unit or ""]
-    except (KeyError, ValueError):
-        value = _spelled(f"{text} {column.unit}" if bare else text)
-    if not math.isfinite(value) or value < 0:
-        raise InputError(f"{what}: {text!r} was given; allowed is a number from 0 up, as 64.5, 64.5 mm or 2 9/16")
-    return value * column.size
-
-
-def _spelled(text: str) -> float:
-    """Return a length with its unit in m; nan where it is none."""
+def _written_length(text: str) -> float:
+    """Return a length as people write it, 2 9/16 in, in m; nan where it is none."""
     try:
         return parse(text, "length")
     except InputError:
         return math.nan
 
 
-def _is_one_sign(text: str) -> bool:
-    """Return whether a text is a number that ends in a sign such as one half's."""
-    return re.fullmatch("\\d*\\s*[¼-¾⅐-⅞]", text) is not None
+def _metres(row: Sequence[str], column: TableColumn) -> float:
+    """Return what a cell says in m.
+
+    Raises
+    ------
+    InputError
+        for what is no length.
+    """
+    text = _cell(row, column)
+    try:
+        value = column.factor * float(text)
+    except ValueError:
+        value = _written_length(with_unit(text, column))
+    if not math.isfinite(value) or value < 0:
+        raise InputError(f"{column.heading} is {text!r}; allowed is a number from 0 up, as 64.5, 64.5 mm or 2 9/16")
+    return value
