@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import BrowserContext
 
-from sweetspot.answers.records import plain_data
+from sweetspot.answers.records import plain_data, to_dict
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED, grouped
 from sweetspot.web.views import compare, design, own, paper, player
 from sweetspot.web.views.design_state import DesignState
@@ -139,7 +139,7 @@ def test_design_says_faster_or_slower_as_the_table_does(change: float | None, sa
 
 def test_compare_s_table_has_the_answer_s_numbers_and_signs(said: Said) -> None:
     state = compare.CompareState(bat="r161-ash", others=[{"bat": "youth-30"}, {"bat": "torpedo"}])
-    found = compare.answer(state)
+    found = to_dict(compare.answer(state))
     table = said("compare", "tableOfBats", found["bats"])
     for row, one in zip(table, found["bats"], strict=True):
         assert row[0] == one["label"] and row[1] == shown(one["bat"]["mass_kg"], "mass")
@@ -162,7 +162,7 @@ PLACE = re.compile(r"(\N{MINUS SIGN}?[\d.]+) in (?:from|beyond) the tip")
 )  # fmt: skip
 def test_the_paper_says_what_the_full_model_says(question: str, moved: dict[str, Any], said: Said) -> None:
     state = paper.PaperState(question=question, **moved)
-    found = paper.answer(state)
+    found = plain_data(paper.answer(state))
     words, picture = said("paper_steps", "truth", found, state=state.model_dump(mode="json")), found["picture"]
     length = found["bat"]["length_m"]
     assert not [place for place in PLACE.findall(words) if place.startswith("\N{MINUS SIGN}")], words

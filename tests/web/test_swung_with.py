@@ -32,7 +32,7 @@ def test_a_changed_bat_is_swung_as_compare_swings_it(change: dict[str, Any]) -> 
     """With the bat as it was as bat 1, the comparison says the same of the changed one."""
     bat = change.get("bat", "r161-ash")
     beside = compare.CompareState.model_validate({"bat": bat, "others": [{"bat": bat, **change}]})
-    _, other = compare.answer(beside)["bats"]
+    _, other = to_dict(compare.answer(beside))["bats"]
     found = explored(**change)
     assert found["conditions"]["bat_speed_m_s"] == pytest.approx(other["bat_speed_m_s"]["value"], rel=1e-7)
     assert found["best_exit_speed_m_s"] == pytest.approx(other["exit_speed_m_s"]["value"], rel=1e-4)
@@ -87,10 +87,10 @@ def test_the_copied_commands_agree(
 
     drilled = compare.CompareState.model_validate({"bat": "corked-r161", "same": same})
     first = told(compare.recipe(drilled))["bats"][0]["bat_speed_m_s"]["value"]
-    assert first == pytest.approx(compare.answer(drilled)["bats"][0]["bat_speed_m_s"]["value"], rel=1e-9)
+    assert first == pytest.approx(to_dict(compare.answer(drilled))["bats"][0]["bat_speed_m_s"]["value"], rel=1e-9)
     side_by_side = compare.CompareState.model_validate({**change, "same": same})
     found = told(compare.recipe(side_by_side))
-    for row, expected in zip(found["bats"], compare.answer(side_by_side)["bats"], strict=True):
+    for row, expected in zip(found["bats"], to_dict(compare.answer(side_by_side))["bats"], strict=True):
         assert row["exit_speed_m_s"]["value"] == pytest.approx(expected["exit_speed_m_s"]["value"], rel=1e-6)
     state = FlightState.model_validate({**change, "same": same, "start": "swing", "offset_in": 0.5})
     played = told(flight_lines(state))

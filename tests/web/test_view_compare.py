@@ -14,13 +14,27 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.comparison import compare
 from sweetspot.answers.compare import compare_of
+from sweetspot.answers.records import to_dict
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.outline_doubt import OF_SWING
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.comparison.words import changes
 from sweetspot.units import MPH
 from sweetspot.web.errors import FieldError
-from sweetspot.web.views.compare import VIEW, CompareState, answer, intervals, rules, rules_sure, sure
+from sweetspot.web.views import compare as compare_view
+from sweetspot.web.views.compare import VIEW, CompareState, rules_sure, sure
+
+
+def answer(state: CompareState) -> dict[str, Any]:
+    return to_dict(compare_view.answer(state))
+
+
+def intervals(state: CompareState) -> dict[str, Any]:
+    return to_dict(compare_view.intervals(state))
+
+
+def rules(state: CompareState) -> list[dict[str, Any]]:
+    return [to_dict(bat) for bat in compare_view.rules(state).certification]
 
 
 def asked(**controls: Any) -> dict[str, Any]:
@@ -31,7 +45,7 @@ def test_it_is_the_librarys_comparison() -> None:
     bats = [catalog.bat("r161-ash"), catalog.bat("russell-b6")]
     expected = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
     found = asked(others=[{"bat": "russell-b6"}])
-    assert found["verdict"] == [str(sentence) for sentence in changes(compare_of(expected))]
+    assert found["verdict"]["us"] == [str(sentence) for sentence in changes(compare_of(expected))]
     for row, one in zip(found["bats"], expected.compared, strict=True):
         assert row["exit_speed_m_s"]["value"] == pytest.approx(one.exit_speed.value, rel=1e-12)
         assert row["change_m_s"]["value"] == pytest.approx(one.change.value, abs=1e-12)
@@ -53,18 +67,18 @@ def test_its_verdict_is_the_command_s(controls: dict[str, Any], run_json: Callab
     expected = run_json(*shlex.split(VIEW.recipe(state)["command"].splitlines()[0])[1:])
     first, found = answer(state), intervals(state)
     signs = str.maketrans("\N{MINUS SIGN}", "-")
-    assert [one.translate(signs) for one in found["verdict"]] == expected["verdict"]
+    assert [one.translate(signs) for one in found["verdict"]["us"]] == expected["verdict"]
     for row, bare, one in zip(found["bats"], first["bats"], expected["bats"], strict=True):
         assert row["change_m_s"] == pytest.approx(one["change_m_s"], abs=0.005)  # 69 mph is written to a mile per hour
         for name in ("bat_speed_m_s", "exit_speed_m_s", "change_m_s"):
             assert row[name]["value"] == pytest.approx(one[name]["value"], abs=1e-8)
             assert bare[name]["low"] == bare[name]["value"] == bare[name]["high"]
-    words = " ".join(first["verdict"])
+    words = " ".join(first["verdict"]["us"])
     assert not any(judged in words for judged in ("gain", "loss", "sure", "(", "corking"))
 
 
 def test_one_bat_alone_has_nothing_to_be_judged() -> None:
-    assert "Choose another bat" in intervals(CompareState(others=()))["verdict"][0]
+    assert "Choose another bat" in intervals(CompareState(others=()))["verdict"]["us"][0]
 
 
 def test_a_moment_of_inertia_that_was_not_measured_has_its_interval() -> None:
@@ -77,9 +91,9 @@ def test_corking_is_answered_in_both_systems() -> None:
     state = CompareState(what_if="cork", hole_depth_in=10.0)
     found = intervals(state)
     assert [row["label"] for row in answer(state)["bats"]] == ["unmodified", "drilled", "cork", "rubber", "foam"]
-    assert any("Does corking help?" in text and " oz lighter" in text for text in found["verdict"])
-    assert any("Does corking help?" in text and " g lighter" in text for text in found["si"]["verdict"])
-    assert not any("mph faster" in text for text in found["si"]["verdict"])
+    assert any("Does corking help?" in text and " oz lighter" in text for text in found["verdict"]["us"])
+    assert any("Does corking help?" in text and " g lighter" in text for text in found["verdict"]["si"])
+    assert not any("mph faster" in text for text in found["verdict"]["si"])
     assert found["bats"][2]["change_m_s"]["high"] < 0  # cork loses, surely
 
 
@@ -88,21 +102,21 @@ def test_a_thinner_wall_takes_more_energy() -> None:
     own, thin = (row["wall"] for row in found["bats"])
     assert thin["thickness_m"] == pytest.approx(0.85 * own["thickness_m"], rel=0.02)  # best places differ a little
     assert thin["energy_share"] > own["energy_share"] and thin["hoop_frequency_hz"] < own["hoop_frequency_hz"]
-    assert "the thinner wall is the livelier one" in found["verdict"][-1]
+    assert "the thinner wall is the livelier one" in found["verdict"]["us"][-1]
 
 
 def test_rules_are_held_against_every_bat() -> None:
-    found = rules(CompareState.model_validate({"others": [{"bat": "russell-b6"}], "league": "ncaa"}))["certification"]
+    found = rules(CompareState.model_validate({"others": [{"bat": "russell-b6"}], "league": "ncaa"}))
     first, metal = ({check["quantity"]: check["verdict"] for check in row["checks"]} for row in found)
     assert first["bbcor"] == "does not apply" and metal["bbcor"] == "fail"  # one piece of wood is exempt
-    everyone = rules(CompareState(others=(), league="all"))["certification"]
+    everyone = rules(CompareState(others=(), league="all"))
     leagues = {check["league"] for check in everyone[0]["checks"]}
     assert {"mlb", "ncaa", "usssa", "softball"} <= leagues
 
 
 def test_one_bat_alone_is_no_fault() -> None:
     found = asked(others=[])
-    assert len(found["bats"]) == 1 and "Choose another bat" in found["verdict"][0]
+    assert len(found["bats"]) == 1 and "Choose another bat" in found["verdict"]["us"][0]
 
 
 def test_the_same_bat_twice_has_two_names() -> None:

@@ -21,7 +21,7 @@ export interface Answers {
   explorer: ExplorerAnswer;
   hit: FilmAnswer;
   modes: ModesAnswer;
-  compare: Record<string, any>;
+  compare: ComparisonPicture;
   flight: FlownBall | MissedBall;
   optimum: LaunchAnswer;
   player: Record<string, any>;
@@ -37,7 +37,7 @@ export interface Asides {
   explorer: { map: PowerMap; why: ReportWords; sure: ReadDocument; };
   hit: { sure: ReadDocument; };
   modes: {  };
-  compare: { intervals: Record<string, any>; rules: Record<string, any>; sure: ReadDocument; rules_sure: ReadDocument; };
+  compare: { intervals: SureComparison; rules: CertifiedBats; sure: ReadDocument; rules_sure: ReadDocument; };
   flight: { map: CarryMap; fences: Fences; sure: ReadDocument; };
   optimum: { swing: ReadDocument; parks: ReadDocument; };
   player: { fit: ReadDocument; table: Record<string, string>; };
@@ -90,6 +90,13 @@ export interface BarrelNodes {
   node_2_m: number; node_2_low_m?: number; node_2_high_m?: number;
 }
 
+/** How much faster than from the first bat the ball leaves, and how probable it is that it does. */
+export interface BatGain {
+  label: string;
+  exit_speed_gain_m_s: number; exit_speed_gain_low_m_s?: number; exit_speed_gain_high_m_s?: number;
+  faster_probability: number;
+}
+
 /** One motion of the bat. */
 export interface BatMotion {
   family: string;
@@ -131,6 +138,19 @@ export interface BatPicture {
   swung: Record<"si" | "us", string> | null;
 }
 
+/** What a drawing of a bat to scale needs; ``wall`` is of a hollow bat, where its outline has its places. */
+export interface BatShape {
+  outline: DrawnOutline;
+  stations: Station[];
+  hollow: boolean;
+  wall_m: number[] | null;
+  bores: DrawnBore[];
+  cup: DrawnCup | null;
+  weights: DrawnWeight[];
+  material: string;
+  remark: Record<"si" | "us", string>;
+}
+
 /** Which bat, and what was done to it. */
 export interface BatState {
   bat: string;
@@ -160,6 +180,21 @@ export interface CarryMap {
   launch_angle_rad: number[];
   carry_m: number[][];
   chance: number[][];
+}
+
+/** What the league's simulated test measures of a bat, and the rules held against it. */
+export interface CertifiedBat {
+  label: string;
+  bbcor: number;
+  besr: number;
+  bpf: number;
+  ball: string;
+  checks: RuleCheck[];
+}
+
+/** Every bat's simulated test. */
+export interface CertifiedBats {
+  certification: CertifiedBat[];
 }
 
 /** The bat, its swing, the others beside it, and what is asked of them. */
@@ -194,6 +229,40 @@ export interface CompareState {
   league: string | null;
 }
 
+/** Exit speed and efficiencies along one bat. */
+export interface ComparedCurvesInFull {
+  position_m: number[];
+  exit_speed_m_s: number[]; exit_speed_low_m_s?: number[]; exit_speed_high_m_s?: number[];
+  collision_efficiency: number[]; collision_efficiency_low?: number[]; collision_efficiency_high?: number[];
+  bbcor: number[]; bbcor_low?: number[]; bbcor_high?: number[];
+}
+
+/** Bats beside each other, without intervals yet: `intervals` has them. */
+export interface ComparisonPicture {
+  reference: string;
+  same: string;
+  swing_law: EffortLaw | null;
+  interval: string;
+  bats: DrawnComparedBat[];
+  conditions: HitConditions;
+  uncertainty?: ComparisonUncertainty;
+  bat: BatPicture;
+  others_bounds: Record<string, [number, number]>[];
+  ball: BallPicture;
+  verdict: Record<"us" | "si", string[]>;
+  assumptions: Record<"us" | "si", string[]>;
+}
+
+/** What the intervals of a comparison are, and how sure each bat's gain over the first is. */
+export interface ComparisonUncertainty {
+  interval_level: number;
+  draws: number;
+  of: string;
+  shares: Record<string, number>;
+  sources: Record<string, string>;
+  gains: BatGain[];
+}
+
 /** Hits along an implement, shape (n,). */
 export interface CurvesAlongTool {
   position_m: number[];
@@ -213,6 +282,16 @@ export interface CurvesOfHits {
   bbcor: (number | null)[];
   hand_impulse_n_s: (number | null)[];
   sting_m_s: (number | null)[];
+}
+
+/** A rule that is kept or broken; `RuleCheck` has its limits and its source. */
+export interface DecidedRule {
+  league: string;
+  quantity: string;
+  verdict: string;
+  sure: boolean;
+  value: number | null; value_low?: number; value_high?: number;
+  unit: string;
 }
 
 /** The batter's present bat and swing, where the ball is met, the bat that is being shaped, and what must stay. */
@@ -270,6 +349,26 @@ export interface DrawnBore {
   fill: string | null;
 }
 
+/** One bat of the comparison with what is drawn of it; ``wall`` where another wall is asked about. */
+export interface DrawnComparedBat {
+  label: string;
+  bat: WeighedBat;
+  bending_1_hz: number; bending_1_low_hz?: number; bending_1_high_hz?: number;
+  hoop_1_hz: number; hoop_1_low_hz?: number; hoop_1_high_hz?: number;
+  max_collision_efficiency: number; max_collision_efficiency_low?: number; max_collision_efficiency_high?: number;
+  max_bbcor: number; max_bbcor_low?: number; max_bbcor_high?: number;
+  bat_speed_m_s: { value: number; low: number; high: number };
+  exit_speed_m_s: { value: number; low: number; high: number };
+  change_m_s: { value: number; low: number; high: number };
+  break_even_bat_speed_m_s: number; break_even_bat_speed_low_m_s?: number; break_even_bat_speed_high_m_s?: number;
+  max_exit_speed_m: number; max_exit_speed_low_m?: number; max_exit_speed_high_m?: number;
+  zone_m: [number, number] | null;
+  scan: ComparedCurvesInFull;
+  rules?: RulesKept;
+  shape: BatShape;
+  wall: WallInBestHit | null;
+}
+
 /** A hollow turned into the tip. */
 export interface DrawnCup {
   diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
@@ -309,6 +408,14 @@ export interface DrawnPath {
 export interface DrawnWeight {
   position_m: number; position_low_m?: number; position_high_m?: number;
   mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+}
+
+/** The law by which bats are swung with the same effort; see `SwingLaw`. */
+export interface EffortLaw {
+  name: string;
+  exponent: { value: number; low: number; high: number };
+  axis_from_grip_m: number; axis_from_grip_low_m?: number; axis_from_grip_high_m?: number;
+  lightest_moi_kg_m2: number; lightest_moi_low_kg_m2?: number; lightest_moi_high_kg_m2?: number;
 }
 
 /** Bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why. */
@@ -827,6 +934,35 @@ export interface ReportWords {
   other_law: SpeedSpan[];
 }
 
+/** One rule held against a bat; value, limits and margin in ``unit``, SI. */
+export interface RuleCheck {
+  league: string;
+  league_name: string;
+  quantity: string;
+  title: string;
+  verdict: string;
+  sure: boolean;
+  value: number | null; value_low?: number; value_high?: number;
+  least: number | null;
+  most: number | null;
+  margin: number | null; margin_low?: number; margin_high?: number;
+  unit: string;
+  reason: string;
+  source: string;
+  where: string;
+  year: number | null;
+  reading: string;
+  passes_probability?: number;
+}
+
+/** Whether a bat keeps the rules of its own sport, and the rules behind that. */
+export interface RulesKept {
+  passed: boolean;
+  verdict: string;
+  sure: boolean;
+  checks: DecidedRule[];
+}
+
 /** Tables that were handed in, the bat that all hitters are taken to swing, and which balls are looked at. */
 export interface SeasonState {
   bat: string;
@@ -934,6 +1070,21 @@ export interface Station {
   diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
 }
 
+/** The intervals of one bat's numbers; ``change_half`` is half that of its curve. */
+export interface SureBat {
+  bat_speed_m_s: { value: number; low: number; high: number };
+  exit_speed_m_s: { value: number; low: number; high: number };
+  change_m_s: { value: number; low: number; high: number };
+  change_half_m_s?: (number | null)[];
+}
+
+/** The intervals of all that is not known, and the verdict that they allow. */
+export interface SureComparison {
+  bats: SureBat[];
+  verdict: Record<"us" | "si", string[]>;
+  assumptions: Record<"us" | "si", string[]>;
+}
+
 /** Every meaning of "sweet spot", from the knob end; see `SweetSpots`. */
 export interface SweetSpotPlaces {
   center_of_percussion_m: number; center_of_percussion_low_m?: number; center_of_percussion_high_m?: number;
@@ -1012,10 +1163,31 @@ export interface UsualHit {
   park: string;
 }
 
+/** What a hollow bat's wall does in its best hit. */
+export interface WallInBestHit {
+  thickness_m: number; thickness_low_m?: number; thickness_high_m?: number;
+  hoop_frequency_hz: number; hoop_frequency_low_hz?: number; hoop_frequency_high_hz?: number;
+  energy_share: number; energy_share_low?: number; energy_share_high?: number;
+  restitution: number; restitution_low?: number; restitution_high?: number;
+}
+
 /** How far each harmonic dents a hollow barrel's wall under the ball: inwards by dent_n(t) cos(n theta). */
 export interface WallMotion {
   harmonics: number[];
   dent_m: number[][];
   radius_m: number; radius_low_m?: number; radius_high_m?: number;
   wall_m: number; wall_low_m?: number; wall_high_m?: number;
+}
+
+/** Mass properties, with half the 90 % interval of the swing weight; 0: it was measured. */
+export interface WeighedBat {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  moi_6in_half_kg_m2: number; moi_6in_half_low_kg_m2?: number; moi_6in_half_high_kg_m2?: number;
 }

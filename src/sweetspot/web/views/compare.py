@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import lru_cache
 from shlex import quote
 from typing import Annotated, Any, Literal
@@ -11,13 +13,15 @@ from markupsafe import escape
 from pydantic import Field
 
 from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.certification.rules import League
 from sweetspot.analysis.certification.simulated_test import Certification, certify
-from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
+from sweetspot.analysis.comparison import Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
-from sweetspot.answers.certify import CertifyQuestion, certificate_of
-from sweetspot.answers.compare import compare_of
-from sweetspot.answers.records import to_dict
+from sweetspot.answers.certify import CertifyQuestion, RuleCheck, certificate_of
+from sweetspot.answers.compare import CompareAnswer, ComparedBat, ComparedCurves, SpeedWithEnds, compare_of
+from sweetspot.answers.implement import MassProperties
+from sweetspot.answers.records import GAPS, Frequency, Length, MomentOfInertia, Ratio
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.corking import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
@@ -26,7 +30,8 @@ from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.numerics.interval import Band
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Band, Curve
 from sweetspot.report.comparison.words import (
     assumed,
     assumptions,
@@ -38,10 +43,11 @@ from sweetspot.report.comparison.words import (
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.uncertainty.sources import Sources
-from sweetspot.web.bat_bounds import bounds
+from sweetspot.units.dimensions import SPEED
+from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
-from sweetspot.web.documents import ReadDocument, in_both_systems, told
-from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.drawings import BallPicture, BatPicture, BatShape, ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
@@ -74,7 +80,99 @@ class CompareState(SwungState):
     )
 
 
-def answer(state: CompareState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class WeighedBat(MassProperties):
+    """Mass properties, with half the 90 % interval of the swing weight; 0: it was measured."""
+
+    moi_6in_half: MomentOfInertia
+
+
+@dataclass(frozen=True)
+class ComparedCurvesInFull(ComparedCurves):
+    """Exit speed and efficiencies along one bat."""
+
+    collision_efficiency: Curve
+    bbcor: Curve
+
+
+@dataclass(frozen=True)
+class WallInBestHit:
+    """What a hollow bat's wall does in its best hit."""
+
+    thickness: Length
+    hoop_frequency: Frequency
+    energy_share: Ratio
+    restitution: Ratio
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrawnComparedBat(ComparedBat):
+    """One bat of the comparison with what is drawn of it; ``wall`` where another wall is asked about."""
+
+    bat: WeighedBat
+    scan: ComparedCurvesInFull
+    shape: BatShape
+    wall: WallInBestHit | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparisonPicture(CompareAnswer):
+    """Bats beside each other, without intervals yet: `intervals` has them.
+
+    Parameters
+    ----------
+    bat, ball : the first one, and what it meets.
+    others_bounds : how far the controls of the others may go.
+    verdict, assumptions : what changes, and what that rests on.
+    """
+
+    bats: tuple[DrawnComparedBat, ...]
+    bat: BatPicture
+    others_bounds: tuple[Mapping[str, Range], ...]
+    ball: BallPicture
+    verdict: Sentences
+    assumptions: Sentences
+
+
+@dataclass(frozen=True, kw_only=True)
+class SureBat:
+    """The intervals of one bat's numbers; ``change_half`` is half that of its curve."""
+
+    bat_speed: SpeedWithEnds
+    exit_speed: SpeedWithEnds
+    change: SpeedWithEnds
+    change_half: Annotated[Array | None, SPEED, GAPS] = None
+
+
+@dataclass(frozen=True)
+class SureComparison:
+    """The intervals of all that is not known, and the verdict that they allow."""
+
+    bats: tuple[SureBat, ...]
+    verdict: Sentences
+    assumptions: Sentences
+
+
+@dataclass(frozen=True)
+class CertifiedBat:
+    """What the league's simulated test measures of a bat, and the rules held against it."""
+
+    label: str
+    bbcor: float
+    besr: float
+    bpf: float
+    ball: str
+    checks: tuple[RuleCheck, ...]
+
+
+@dataclass(frozen=True)
+class CertifiedBats:
+    """Every bat's simulated test."""
+
+    certification: tuple[CertifiedBat, ...]
+
+
+def answer(state: CompareState) -> ComparisonPicture:
     """Return curves and changes, in numbers and words; how sure they are comes apart, see `intervals`."""
     state = swung(state)
     ball = ball_of(state)
@@ -82,43 +180,55 @@ def answer(state: CompareState) -> dict[str, Any]:
     reductions, comparison = _compared(state, ball)
     plain = compare_of(comparison)
     words = changes(plain) or [ALONE]
-    verdicts, taken = in_both_systems(words + _of_wall(state, comparison)), in_both_systems([assumptions(plain)])
-    table = plain.to_dict() | {"verdict": verdicts["us"], "interval": "none here: /compare/intervals has them"}
-    for row, one in zip(table["bats"], comparison.compared, strict=True):
-        row["shape"] = to_dict(outline(one.analysis.bat))
-        row["bat"]["moi_6in_half_kg_m2"] = moi_half(one.analysis.bat, one.analysis.body)
-        row["scan"] |= {
-            "collision_efficiency": one.analysis.scan.collision_efficiency,
-            "bbcor": one.analysis.scan.bbcor,
-        }
-        row["wall"] = _wall(one) if state.what_if == "wall" else None
-    return {
-        **table,
-        "bat": bat_picture(state, reductions[0]),
-        "others_bounds": [bounds(*pair) for pair in _others(state, reductions)],
-        "ball": ball_picture(state, ball),
-        "assumptions": taken["us"][0],
-        "si": {"verdict": verdicts["si"], "assumptions": taken["si"][0]},
+    return ComparisonPicture(
+        **vars(plain)
+        | {
+            "interval": "none here: /compare/intervals has them",
+            "bats": tuple(
+                _drawn(row, one.analysis, wall=state.what_if == "wall")
+                for row, one in zip(plain.bats, comparison.compared, strict=True)
+            ),
+        },
+        bat=bat_picture(state, reductions[0]),
+        others_bounds=tuple(bounds(*pair) for pair in _others(state, reductions)),
+        ball=ball_picture(state, ball),
+        verdict=in_both_systems(words + _of_wall(state, comparison)),
+        assumptions=in_both_systems([assumptions(plain)]),
+    )
+
+
+def _drawn(row: ComparedBat, analysis: Analysis[Bat], *, wall: bool) -> DrawnComparedBat:
+    more = {"collision_efficiency": analysis.scan.collision_efficiency, "bbcor": analysis.scan.bbcor}
+    in_full: dict[str, Any] = {
+        "bat": WeighedBat(**vars(row.bat), moi_6in_half=moi_half(analysis.bat, analysis.body)),
+        "scan": ComparedCurvesInFull(**vars(row.scan), **more),
+        "shape": outline(analysis.bat),
+        "wall": _wall(analysis) if wall else None,
     }
+    return DrawnComparedBat(**vars(row) | in_full)
 
 
-def intervals(state: CompareState) -> dict[str, Any]:
+def _wall(analysis: Analysis[Bat]) -> WallInBestHit:
+    point = wall_point_of(analysis)
+    return WallInBestHit(point.thickness, point.hoop_frequency, point.energy.share, point.energy.restitution)
+
+
+def intervals(state: CompareState) -> SureComparison:
     """Return the intervals of all that is not known, and the verdict and what it assumes, as the command has them."""
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
-    known = compare_of(comparison, _sources(state, comparison))
-    words = (verdict(known) or [ALONE]) + (cork_verdict(known) if state.what_if == "cork" else [])
-    verdicts = in_both_systems(words + _of_wall(state, comparison))
-    taken = in_both_systems([assumed(known, draws="the fold below")])
+    sure = compare_of(comparison, _sources(state, comparison))
+    words = (verdict(sure) or [ALONE]) + (cork_verdict(sure) if state.what_if == "cork" else [])
     bats = []
-    for one, row in zip(known.bats, known.to_dict()["bats"], strict=True):
-        change = one.scan.change
-        along = {"change_half_m_s": np.round(change.high - change.value, 4)} if isinstance(change, Band) else {}
-        bats.append({name: row[name] for name in ("bat_speed_m_s", "exit_speed_m_s", "change_m_s")} | along)
-    return {
-        "bats": bats, "verdict": verdicts["us"], "assumptions": taken["us"][0],
-        "si": {"verdict": verdicts["si"], "assumptions": taken["si"][0]},
-    }  # fmt: skip
+    for bat in sure.bats:
+        change = bat.scan.change
+        half = np.round(change.high - change.value, 4) if isinstance(change, Band) else None
+        bats.append(SureBat(bat_speed=bat.bat_speed, exit_speed=bat.exit_speed, change=bat.change, change_half=half))
+    return SureComparison(
+        tuple(bats),
+        in_both_systems(words + _of_wall(state, comparison)),
+        in_both_systems([assumed(sure, draws="the fold below")]),
+    )
 
 
 def _sources(state: CompareState, comparison: Comparison[Bat]) -> list[Sources]:
@@ -169,11 +279,13 @@ def rules_sure(state: CompareState) -> ReadDocument:
     return ReadDocument("", pages)
 
 
-def rules(state: CompareState) -> dict[str, Any]:
+def rules(state: CompareState) -> CertifiedBats:
     """Return what the league's simulated test measures of every bat, and every rule held against it."""
     state = swung(state)
     reductions, labels = _bats(state, ball_of(state))
-    return {"certification": _certification(state, reductions, labels)}
+    leagues = _leagues(state)
+    pairs = zip(reductions, labels, strict=True)
+    return CertifiedBats(tuple(_certified_bat(reduction, label, leagues) for reduction, label in pairs))
 
 
 def _of_wall(state: CompareState, comparison: Comparison) -> list[Sentence]:
@@ -247,34 +359,18 @@ def _distinct(names: list[str]) -> list[str]:
     ]
 
 
-def _wall(one: Compared) -> dict[str, float]:
-    """Return what a hollow bat's wall does in its best hit."""
-    point = wall_point_of(one.analysis)
-    return {
-        "thickness_m": point.thickness,
-        "hoop_frequency_hz": point.hoop_frequency,
-        "energy_share": point.energy.share,
-        "restitution": point.energy.restitution,
-    }
-
-
 def _leagues(state: CompareState) -> list[League]:
     with about("league"):
         return [league(name) for name in (league_names() if state.league == ALL else [state.league or ""])]
 
 
-def _certification(state: CompareState, reductions: list[ReducedBat], labels: list[str]) -> list[dict[str, Any]]:
-    """Return, for every bat, the measures of the simulated test and every rule of the chosen leagues."""
-    leagues, rows = _leagues(state), []
-    for reduction, label in zip(reductions, labels, strict=True):
-        bat, checks, measures = reduction.bat, [], {}
-        for each in leagues:
-            done = _certified(_unheld(bat), each.ball)
-            question = CertifyQuestion(bat, [each], done.ball)
-            measures = {"bbcor": done.bbcor, "besr": done.besr, "bpf": done.bpf, "ball": done.ball.name}
-            checks += [to_dict(check) for check in certificate_of(question, body=reduction.body, test=done).checks]
-        rows.append({"label": label, **measures, "checks": checks})
-    return rows
+def _certified_bat(reduction: ReducedBat, label: str, leagues: list[League]) -> CertifiedBat:
+    checks: list[RuleCheck] = []
+    for each in leagues:
+        test = _certified(_unheld(reduction.bat), each.ball)
+        question = CertifyQuestion(reduction.bat, [each], test.ball)
+        checks += certificate_of(question, body=reduction.body, test=test).checks
+    return CertifiedBat(label, test.bbcor, test.besr, test.bpf, test.ball.name, tuple(checks))
 
 
 @lru_cache(maxsize=128)

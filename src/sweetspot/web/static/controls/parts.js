@@ -168,7 +168,7 @@ export function scoped(app, list, index, bounds) {
     get state() { return { ...defaults, ...app.state[list][index] }; },
     /**
      * @param {State} partial
-     * @param {Step} options
+     * @param {Step} [options]
      */
     setState(partial, options) {
       const items = app.state[list].map((/** @type {State} */ item, /** @type {number} */ i) => slim({ ...defaults, ...item, ...(i === index ? partial : {}) }, defaults));

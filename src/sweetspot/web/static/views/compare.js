@@ -9,13 +9,15 @@ import { make, paragraphs, tableOf, tell, withDoubt } from "../controls/parts.js
 import { INCH } from "../controls/units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
-/** @import { Answer, App, View } from "../shell/main.js" */
+/** @import { CertifiedBat, DrawnComparedBat, RuleCheck, SureBat, SureComparison } from "../answers.js" */
+/** @import { App, View } from "../shell/main.js" */
 /** @import { Curve } from "../charts/chart.js" */
 
 /** @type {Record<string, [string, string]>} */
 const VERDICTS = {
   pass: ["✓ pass", "good"], fail: ["✗ fail", "bad"], "not decidable": ["? not decidable", ""], "does not apply": ["– does not apply", "muted"],
 };
+/** @typedef {DrawnComparedBat & Partial<SureBat>} Bat  with its intervals, once they are there */
 const BARREL = 12 * INCH; // shown until somebody zooms
 const SWUNG = ["pitch_speed_mph", "bat_speed_mph", "hands_in", "same", "swing_law"]; // which no rule asks about
 const VERDICT = 110; // pixels that a column of verdicts needs
@@ -75,17 +77,16 @@ export const view = {
   },
 
   update(answer, state) {
-    this.longest = Math.max(...answer.bats.map((/** @type {{ bat: Answer }} */ { bat }) => bat.length_m));
+    this.answer = answer;
+    this.longest = Math.max(...answer.bats.map(({ bat }) => bat.length_m));
     this.bench.update(answer);
     this.slots.update(answer, state);
     this.rows.draw(answer.bats, this.longest);
     const asked = JSON.stringify({ ...state, league: null });
-    if (this.known?.asked === asked) withIntervals(answer, this.known.found);
-    this.judge(answer);
+    this.judge(this.known?.asked === asked ? this.known.found : null);
     this.app.aside("intervals", ["league"], 150, (found) => {
       this.known = { asked, found };
-      withIntervals(this.app.answer, found);
-      this.judge(this.app.answer);
+      this.judge(found);
     });
     this.showRules();
     this.sure.update();
@@ -97,42 +98,46 @@ export const view = {
   },
 
   // What changes. Nothing is called a gain or a loss before the whole interval is there.
-  /** @param {Answer} answer */
-  judge(answer) {
-    const { bats } = answer;
-    const words = this.app.units === "si" ? answer.si : answer;
-    this.wait.hidden = Boolean(answer.judged) || bats.length < 2;
-    paragraphs(this.words, words.verdict);
-    tell(this.assumed, words.assumptions);
-    this.app.announce(words.verdict[0]);
+  /** @param {SureComparison | null} sure */
+  judge(sure) {
+    const { answer, app: { units } } = this;
+    /** @type {Bat[]} */
+    const bats = answer.bats.map((bat, i) => ({ ...bat, ...sure?.bats[i] }));
+    const { verdict, assumptions } = sure ?? answer;
+    this.wait.hidden = sure !== null || bats.length < 2;
+    paragraphs(this.words, verdict[units]);
+    tell(this.assumed, assumptions[units].join(" "));
+    this.app.announce(verdict[units][0]);
     this.change.draw(bats);
     this.drawCurves(bats);
     this.app.afterwards(this.bats, () => this.bats.replaceChildren(this.tableOfBats(bats)));
   },
 
   // The curves, and below them how far each lies from the first one's, with its interval.
-  /** @param {Answer[]} bats */
+  /** @param {Bat[]} bats */
   drawCurves(bats) {
-    /** @type {Record<string, number[]>[]} */
-    const [lines, xs] = [{}, {}];
+    /** @type {Record<string, (number | null)[]>} */
+    const lines = {};
+    /** @type {Record<string, number[]>} */
+    const xs = {};
     const first = bats[0];
-    const placed = (/** @type {{ scan: Answer, bat: Answer }} */ { scan, bat }) => scan.position_m.map((/** @type {number} */ place) => place + this.longest - bat.length_m);
+    const placed = (/** @type {Bat} */ { scan, bat }) => scan.position_m.map((place) => place + this.longest - bat.length_m);
     const firstPlaces = placed(first);
     bats.forEach((one, i) => {
       const places = placed(one);
-      for (const key of ["exit_speed_m_s", "collision_efficiency"]) {
+      for (const key of /** @type {const} */ (["exit_speed_m_s", "collision_efficiency"])) {
         lines[`${key}_${i}`] = one.scan[key];
         xs[`${key}_${i}`] = places;
       }
       if (!i) return;
-      const change = one.scan.exit_speed_m_s.map((/** @type {number} */ value, /** @type {number} */ j) => {
+      const change = one.scan.exit_speed_m_s.map((value, j) => {
         const other = between(firstPlaces, first.scan.exit_speed_m_s, places[j]);
         return value === null || other === null ? null : value - other;
       });
       const half = one.change_half_m_s;
       for (const [name, sign] of /** @type {[string, number][]} */ ([["change", 0], ["change_low", -1], ["change_high", 1]])) {
         if (sign && !half) continue;
-        lines[`${name}_${i}`] = sign ? change.map((/** @type {number | null} */ value, /** @type {number} */ j) => (value === null || half[j] === null ? null : value + sign * half[j])) : change;
+        lines[`${name}_${i}`] = sign ? change.map((value, j) => (value === null ? null : plus(value, sign, half?.[j]))) : change;
         xs[`${name}_${i}`] = places;
       }
     });
@@ -145,13 +150,13 @@ export const view = {
         lines: others.map(({ label, change_half_m_s: half }, i) => line("change", label, i + 1, half ? ["change_low", "change_high"] : null)) }] : []),
       { title: "Collision efficiency q", kind: "ratio", height: 100, lines: bats.map(({ label }, i) => line("collision_efficiency", label, i)) },
     ];
-    const zone = first.zone_m?.map((/** @type {number} */ place) => place + this.longest - first.bat.length_m);
+    const zone = first.zone_m?.map((place) => place + this.longest - first.bat.length_m);
     this.chart.draw({ x: [], xs, lines, range: [0, this.longest], usual: [this.longest - Math.min(BARREL, this.longest), this.longest],
       marks: [], bands: zone ? [{ from: zone[0], to: zone[1] }] : [] });
     this.chart.label(`Exit speed, its difference from the first bat's, and collision efficiency along ${bats.map(({ label }) => label).join(", ")}, tips aligned.`);
   },
 
-  /** @param {Answer[]} bats */
+  /** @param {Bat[]} bats */
   tableOfBats(bats) {
     const show = this.app.text.bind(this.app);
     const range = (/** @type {string} */ name, /** @type {{ value: number, low: number, high: number }} */ { value, low, high }, sign = "") => {
@@ -176,32 +181,31 @@ export const view = {
   },
 
   // Rules that say something of one of the bats; those that do not apply or cannot be decided are folded away.
-  /** @param {Answer[]} certification */
+  /** @param {CertifiedBat[]} certification */
   rulesOf(certification) {
     const first = certification[0].checks;
-    const told = first.map((/** @type {any} */ _, /** @type {number} */ row) => certification.some(({ checks }) => checks[row].verdict === "pass" || checks[row].verdict === "fail"));
+    const told = first.map((_, row) => certification.some(({ checks }) => checks[row].verdict === "pass" || checks[row].verdict === "fail"));
     const measures = certification.map(({ bbcor, besr, bpf }) => `BBCOR ${bbcor.toFixed(3)}, BESR ${besr.toFixed(3)}, BPF ${bpf.toFixed(2)}`);
     const table = (/** @type {string} */ caption, /** @type {boolean} */ wanted) => {
-      const rows = first.map((/** @type {Answer} */ check, /** @type {number} */ row) => [
+      const rows = first.map((check, row) => [
         { text: check.title, note: [check.league_name, this.limit(check)].filter(Boolean).join(": ") },
         ...certification.map(({ checks }) => this.verdictOf(checks[row])),
-      ]).filter((/** @type {any} */ _, /** @type {number} */ row) => told[row] === wanted);
+      ]).filter((_, row) => told[row] === wanted);
       const made = tableOf(caption, ["Rule", ...certification.map(({ label }, i) => ({ text: label, note: measures[i] }))], rows, { column: VERDICT });
       made.classList.add("rules");
       return made;
     };
-    const rest = told.filter((/** @type {any} */ one) => !one).length;
+    const rest = told.filter((one) => !one).length;
     const fold = make("details", { open: this.rulesOpen ?? false }, make("summary", { textContent: `${rest} more that do not apply to these bats or cannot be decided` }),
       table("Rules without a verdict", false));
     fold.addEventListener("toggle", () => (this.rulesOpen = fold.open));
     return [...(rest < told.length ? [table("Every rule held against every bat, from the simulated test", true)] : []), ...(rest ? [fold] : [])];
   },
 
-  /** @param {{ least: number, most: number, unit: string }} given */
+  /** @param {RuleCheck} given */
   limit({ least, most, unit }) {
     if (unit === "yes or no") return "";
-    const sides = [["at least", least], ["at most", most]].filter(([, value]) => value !== null);
-    return sides.map(([words, value]) => `${words} ${this.amount(value, unit)}`).join(", ");
+    return [least === null ? "" : `at least ${this.amount(least, unit)}`, most === null ? "" : `at most ${this.amount(most, unit)}`].filter(Boolean).join(", ");
   },
 
   /**
@@ -213,7 +217,7 @@ export const view = {
     return KINDS[unit] ? this.app.text(KINDS[unit], value) : value.toFixed(unit === "-" ? 3 : 2);
   },
 
-  /** @param {Answer} check */
+  /** @param {RuleCheck} check */
   verdictOf(check) {
     const [words, colour] = VERDICTS[check.verdict];
     const unsure = isUnsure(check);
@@ -221,7 +225,7 @@ export const view = {
     return { text: `${words}${unsure ? ", not sure" : ""}${value}`, className: unsure ? "" : colour, note: check.reason };
   },
 
-  unmount() { this.certification = this.ruled = this.known = null; },
+  unmount() { Object.assign(this, { certification: null, ruled: null, known: null }); },
 
   figures() {
     return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];
@@ -230,20 +234,17 @@ export const view = {
   table() {
     /** @type {Record<string, unknown[]>} */
     const columns = { label: [], position_m: [], exit_speed_m_s: [], collision_efficiency: [], bbcor: [] };
-    for (const { label, scan } of this.app.answer.bats) {
-      columns.label.push(...scan.position_m.map(() => label));
-      for (const key of Object.keys(columns).slice(1)) columns[key].push(...scan[key]);
+    for (const { label, scan } of this.answer.bats) {
+      const { position_m, exit_speed_m_s, collision_efficiency, bbcor } = scan;
+      const rows = { label: position_m.map(() => label), position_m, exit_speed_m_s, collision_efficiency, bbcor };
+      for (const [key, values] of Object.entries(rows)) columns[key].push(...values);
     }
     return columns;
   },
 };
 
-// An answer with the intervals of all that is not known, and the verdict that they allow.
-/** @param {Answer} answer @param {Answer} found */
-function withIntervals(answer, { bats, ...words }) {
-  Object.assign(answer, words, { judged: true });
-  answer.bats.forEach((/** @type {Answer} */ bat, /** @type {number} */ i) => Object.assign(bat, bats[i]));
-}
+/** @param {number} value @param {number} sign @param {number | null | undefined} half */
+const plus = (value, sign, half) => (half === null || half === undefined ? null : value + sign * half);
 
 /** @param {App} app */
 const leagues = (app) => app.lists("leagues").then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);

@@ -4,9 +4,12 @@ import { paintBat } from "../bat/batview.js";
 import { LEFT, RIGHT } from "../charts/chart.js";
 import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
 import { kindOf, toShown, unitOf } from "../controls/units.js";
-/** @import { Answer, App } from "../shell/main.js" */
+/** @import { DrawnComparedBat } from "../answers.js" */
+/** @import { App } from "../shell/main.js" */
 /** @import { Way } from "../bat/batpaint.js" */
 
+/** @typedef {{ color: string, width: number, dash: number[] }} Look */
+/** @type {Look[]} */
 export const LINES = [
   { color: "ink", width: 2.4, dash: [] }, { color: "red", width: 2.2, dash: [7, 3] }, { color: "blue", width: 2.2, dash: [2, 2.5] },
   { color: "orange", width: 2.2, dash: [10, 3, 2, 3] }, { color: "green", width: 2.2, dash: [4, 2] },
@@ -17,7 +20,7 @@ export class RowsPicture {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
-    /** @type {Answer[]} */
+    /** @type {DrawnComparedBat[]} */
     this.bats = [];
     this.longest = 1;
     this.surface = new Surface(app, { height: (width) => Math.max(1, this.bats.length) * this.row(width), paint: (context, width) => this.paint(context, width) });
@@ -25,12 +28,12 @@ export class RowsPicture {
   }
 
   /**
-   * @param {Answer[]} bats
+   * @param {DrawnComparedBat[]} bats
    * @param {number} longest
    */
   draw(bats, longest) {
     Object.assign(this, { bats, longest });
-    const place = (/** @type {{ bat: Answer, max_exit_speed_m: number }} */ { bat, max_exit_speed_m: best }) => this.app.text("from_m", bat.length_m - best, 1);
+    const place = (/** @type {DrawnComparedBat} */ { bat, max_exit_speed_m: best }) => this.app.text("from_m", bat.length_m - best, 1);
     this.surface.label(`The bats to scale, tips aligned. ${bats.map((one) => `${one.label} hits fastest ${place(one)} from the tip`).join("; ")}.`);
     this.surface.draw();
   }
@@ -50,8 +53,8 @@ export class RowsPicture {
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {{ bat: Answer, shape: Answer, label: string, zone_m: number[] | null, max_exit_speed_m: number }} given
-   * @param {Answer} line
+   * @param {DrawnComparedBat} given
+   * @param {Look} line
    * @param {number} top
    * @param {number} width
    */
@@ -90,17 +93,17 @@ export class ChangePicture {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
-    /** @type {Answer[]} */
+    /** @type {DrawnComparedBat[]} */
     this.bats = [];
     this.surface = new Surface(app, { height: () => HEAD + Math.max(1, this.bats.length - 1) * CHANGE_ROW + FOOT, paint: (context, width, height) => this.paint(context, width, height) });
     this.element = this.surface.element;
   }
 
-  /** @param {Answer[]} bats */
+  /** @param {DrawnComparedBat[]} bats */
   draw(bats) {
     this.bats = bats;
     const show = (/** @type {number} */ value) => this.app.text("speed_change", value);
-    const ends = (/** @type {Answer} */ { low, high }) => (low < high ? `, interval ${show(low)} to ${show(high)}` : "");
+    const ends = (/** @type {{ low: number, high: number }} */ { low, high }) => (low < high ? `, interval ${show(low)} to ${show(high)}` : "");
     this.element.hidden = bats.length < 2;
     this.surface.label(`Change of exit speed against ${bats[0].label}: ${bats.slice(1).map(({ label, change_m_s: change }) => (
       `${label} ${show(change.value)}${ends(change)}`)).join("; ")}.`);
@@ -152,8 +155,8 @@ export class ChangePicture {
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {{ label: string, change_m_s: Answer }} given
-   * @param {Answer} line
+   * @param {DrawnComparedBat} given
+   * @param {Look} line
    * @param {number} y
    * @param {{ across: Way, shown: Way, names: number }} given
    */

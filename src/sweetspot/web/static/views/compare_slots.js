@@ -6,7 +6,8 @@ import { unchanged } from "../bat/unchanged.js";
 import { button } from "../controls/controls.js";
 import { make, scoped } from "../controls/parts.js";
 import { wordsOf } from "../shell/status.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { ComparisonPicture } from "../answers.js" */
+/** @import { App, State } from "../shell/main.js" */
 
 const MOST = 3;
 const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];
@@ -52,8 +53,8 @@ export class Slots {
   }
 
   /**
-   * @param {{ bat: Answer, bats: Answer[] }} given
-   * @param {{ what_if: string, others: State[] }} given
+   * @param {ComparisonPicture} answer
+   * @param {State} state
    */
   update({ bat, bats }, { what_if: asked, others }) {
     if (asked === "none") this.keepToTheSport(bat.sport, others);
@@ -88,13 +89,13 @@ export class Slots {
 
   /** @param {number} index */
   remove(index) {
-    this.app.setState({ others: this.app.state.others.filter((/** @type {any} */ _, /** @type {number} */ i) => i !== index) });
+    this.app.setState({ others: this.app.state.others.filter((/** @type {State} */ _, /** @type {number} */ i) => i !== index) });
     this.more.focus();
   }
 
   /**
    * @param {HTMLInputElement} input
-   * @param {any} one
+   * @param {ReturnType<typeof scoped>} one
    * @param {number} index
    */
   async read(input, one, index) {
