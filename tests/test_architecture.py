@@ -204,7 +204,7 @@ def test_no_module_is_named_like_its_function() -> None:
 
 
 MOST_PARAMETERS = 7
-KERNELS = {"compiled", "njit", "_inlined"}
+KERNELS = {"compiled", "inner", "_inlined"}
 """Marks of compiled functions, which take their arrays one by one."""
 
 

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 
 SPEED, CARRY, LINE = 0, 1, 2
 """What is gained: exit speed, carry, or whether a line is passed."""
@@ -104,7 +104,7 @@ class Scattered(NamedTuple):
     normal: Array
 
 
-@compiled(nogil=True, inline="always", error_model="numpy")
+@inner(inline="always", error_model="numpy")
 def _bracket(at: float, count: int) -> tuple[int, float]:
     """Return the lower neighbour on a grid of so many places, and how far on the way to the next one it is."""
     inside = min(max(at, 0.0), count - INSIDE)
@@ -112,7 +112,7 @@ def _bracket(at: float, count: int) -> tuple[int, float]:
     return low, inside - low
 
 
-@compiled(nogil=True, inline="always", error_model="numpy")
+@inner(inline="always", error_model="numpy")
 def _kept(table: Array, i: int, down: float, j: int, side: float) -> float:
     """Return the straight line between four neighbours of a table of ratios and offsets."""
     left = table[i, j] * (1 - down) + table[i + 1, j] * down
@@ -120,7 +120,7 @@ def _kept(table: Array, i: int, down: float, j: int, side: float) -> float:
     return float(left * (1 - side) + right * side)
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _carry(grid: CarryGrid, exit_speed: float, offset: float, attack: float) -> float:
     """Return the carry of a hit, straight lines between the grids; beyond a grid its end counts."""
     start, step, carry = grid.start, grid.step, grid.carry

@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.vector_math import exp
 from sweetspot.player.contact_rate import ROOT_TWO_PI, TINY, LikelihoodTable, fill_hits, fill_untold, fill_weights
 from sweetspot.player.off_centre import POINTS, UNTOLD_EVERY
@@ -28,7 +28,7 @@ LANES = 8
 """Places are summed in whole eights, the last ones with no weight: what is left over would be done one by one."""
 
 
-@compiled(nogil=True)
+@inner
 def normal(value: float, mean: float, variance: float) -> float:
     """Return the logarithm of the normal density, without its constant."""
     return -0.5 * ((value - mean) ** 2 / variance + math.log(variance))
@@ -66,7 +66,7 @@ def swung(
     return whole, middle, variance
 
 
-@compiled(nogil=True, fastmath={"contract", "nsz", "reassoc"})
+@inner(fastmath={"contract", "nsz", "reassoc"})
 def _summed(left: Array, right: Array) -> float:
     """Return the sum of products, in whatever order is fastest."""
     total = 0.0
@@ -75,7 +75,7 @@ def _summed(left: Array, right: Array) -> float:
     return total
 
 
-@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "nsz"}, error_model="numpy")
 def _fill_heights(
     offset: Array, share: Array, mean: float, spread: float, weight: Array, part: Array, height: Array
 ) -> None:
@@ -90,7 +90,7 @@ def _fill_heights(
         part[j] = weight[j] * share[j]
 
 
-@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "nsz"}, error_model="numpy")
 def _density(out: float, kept: Array, ball_out: Array, narrow: Array, height: Array, part: Array) -> float:
     """Return the density of an exit speed summed over places; the last two arrays are used up.
 
@@ -112,14 +112,14 @@ def _density(out: float, kept: Array, ball_out: Array, narrow: Array, height: Ar
     return _summed(part, height)
 
 
-@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "nsz"}, error_model="numpy")
 def _fill_narrow(noise: float, speed_variance: float, kept: Array, slope: Array, narrow: Array) -> None:
     """Fill one over the standard deviation of exit speed at every place."""
     for j in range(len(narrow)):
         narrow[j] = 1 / math.sqrt(noise**2 + (slope[j] * kept[j]) ** 2 * speed_variance)
 
 
-@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "nsz"}, error_model="numpy")
 def _density_untold(
     out: float,
     noise: float,
@@ -154,7 +154,7 @@ def _density_untold(
     return total
 
 
-@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@inner(fastmath={"contract", "nsz"}, error_model="numpy")
 def _fill_ball_out(
     speed: float,
     pitch: float,

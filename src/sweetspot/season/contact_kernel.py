@@ -8,7 +8,7 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import ENDS
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.season.place_kernel import FARTHEST, weigh
 from sweetspot.season.surface_kernel import Axes, hit_towards, part_of, velocity_after
 
@@ -47,7 +47,7 @@ BESIDE = 0.05
 ROWS = 20
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def predict(
     axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, fast: Array, above: Array
 ) -> tuple[float, float]:  # fmt: skip
@@ -107,7 +107,7 @@ def predict(
     return (size / top - 1) / step, (offset - above[best]) / step
 
 
-@compiled(error_model="numpy")
+@inner(error_model="numpy")
 def _mix(values: Array, first: int, place: int, weights: tuple[float, ...]) -> None:
     """Fill a place from the four looked-up ones that begin with the first."""
     values[place] = (
@@ -136,7 +136,7 @@ def fill_predictions(
         spread[i] = _spread(asked[i], top, sensitive, errors)
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _spread(asked: Array, top: float, sensitive: float, errors: Array) -> float:
     """Return what an exit speed may differ from the prediction by, for errors of what it was predicted from."""
     coming = math.sqrt(asked[1] * asked[1] + asked[2] * asked[2])
@@ -195,7 +195,7 @@ def fill_posteriors(
         results[i, EVIDENCE] = math.log(total / before)
 
 
-@compiled(nogil=True, error_model="numpy")
+@inner(error_model="numpy")
 def _summarise(places: Array, part: Array, above: Array, best: float, draw: float, result: Array) -> None:
     """Fill quantiles of place and distance, chance of the tip side, and the mean offset and place."""
     step = places[1] - places[0]
@@ -238,7 +238,7 @@ def _summarise(places: Array, part: Array, above: Array, best: float, draw: floa
             return
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _below(passed: Array, at: float) -> float:
     """Return how much of a distribution lies below a place in cells, from the parts below the upper edges of cells."""
     if at <= 0:

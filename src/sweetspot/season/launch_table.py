@@ -19,7 +19,7 @@ from sweetspot.flight.carry_scatter import MORE_DRAG, SPEEDS, braked, usual_laun
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.season.balls import Balls
 from sweetspot.units import DEGREE
 
@@ -55,7 +55,7 @@ def fill_between(
         values[0, i], values[1, i], values[2, i] = one, two, three
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def _place(nodes: Array, value: float) -> tuple[int, float]:
     last = len(nodes) - 1.0
     at = (value - nodes[0]) / (nodes[1] - nodes[0])

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.vector_math import exp
 
 WRONG, WRONG_RANGE = 0.01, 60.0
@@ -23,7 +23,7 @@ MIDDLE, SCATTER, SHARE, PRODUCT, SQUARE, EVIDENCE = range(6)
 right: that chance, exit speed times the table's, the table's squared; and the logarithm of its likelihood."""
 
 
-@compiled(error_model="numpy", fastmath={"contract", "nsz"})
+@inner(error_model="numpy", fastmath={"contract", "nsz"})
 def _bells(
     places: Array, fast: Array, out: float, spread: float, mean: float, width: float, level: float, work: Array
 ) -> None:  # fmt: skip
@@ -141,7 +141,7 @@ def expect(
         _expect(places, out[i], spread[i], prior[i, 0], prior[i, 1], work, result[i])
 
 
-@compiled(error_model="numpy", fastmath={"contract", "nsz", "reassoc"})
+@inner(error_model="numpy", fastmath={"contract", "nsz", "reassoc"})
 def _expect(places: Array, out: float, spread: float, mean: float, width: float, work: Array, result: Array) -> None:
     total, before, share, product, square, first, second = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     height = (1 - WRONG) / (spread * ROOT_TWO_PI)

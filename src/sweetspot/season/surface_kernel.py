@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.vector_math import sine_and_cosine
 
 Axes = tuple[Array, Array, Array, Array]
@@ -17,7 +17,7 @@ CLOSE = 1e-5
 """rad by which the direction may miss."""
 
 
-@compiled(forceinline=True, error_model="numpy")
+@inner(forceinline=True, error_model="numpy")
 def part_of(nodes: Array, value: float) -> tuple[int, float]:
     """Return the node below a value of an even axis and how far on to the next it is; the straight line goes on."""
     at = (value - nodes[0]) / (nodes[1] - nodes[0])
@@ -25,7 +25,7 @@ def part_of(nodes: Array, value: float) -> tuple[int, float]:
     return low, at - low
 
 
-@compiled(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+@inner(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
 def velocity_after(
     after: Array, place: int, speed: tuple[int, float], spin: tuple[int, float], at: float
 ) -> tuple[float, float, float, float]:  # fmt: skip
@@ -52,7 +52,7 @@ def velocity_after(
     return back + part * (back_2 - back), up + part * (up_2 - up), back_2 - back, up_2 - up
 
 
-@compiled(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+@inner(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
 def hit_towards(
     axes: Axes, after: Array, reach: float, place: int, there: float, ahead: float, up: float, tangent: float,
     cos: float, sin: float, guess: float,
