@@ -19,12 +19,12 @@ import polars as pl
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from studies.measured_hang import hang_check
 from sweetspot.flight.air import Air
 from sweetspot.flight.carry_scatter import SPIN_SCATTER, TRACKED, CarryErrors, LaunchErrors, carry_errors
 from sweetspot.flight.home_runs import USUAL
 from sweetspot.season.balls import balls_of, fields_of
 from sweetspot.season.flight_columns import GLOVE, FlightSetting, flown_balls
-from sweetspot.season.measured_hang import hang_check
 from sweetspot.season.pooling import REACHES
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.season_table import season_setting

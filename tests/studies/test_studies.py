@@ -41,7 +41,7 @@ READS = {
     "tracked_flights": ["savant_2020-09-03_allpitches.csv.gz"],
 }  # fmt: skip
 """The public tables that a study needs: where one is missing, the test is skipped and says so."""
-HELPERS = {"struck_beams"}
+HELPERS = {"measured_hang", "struck_beams"}
 """Modules that studies share."""
 
 

@@ -94,9 +94,9 @@ def checked_season(question: SeasonQuestion) -> SeasonQuestion:
         for tables that are not there, batters whom no table has, or a bat that is not known.
     """
     folder = None if question.folder is None else Path(question.folder)
-    paths, own = tables_of_balls([Path(path) for path in question.paths], out=folder)
-    if own:
-        _warn(f"left out, as season wrote them itself: {', '.join(path.name for path in own)}")
+    paths, written = tables_of_balls([Path(path) for path in question.paths], out=folder)
+    if written:
+        _warn(f"left out, as season wrote them itself: {', '.join(path.name for path in written)}")
     if batters := [batter for batter in question.bats or () if batter]:
         for batter in strangers(paths, batters, given=question.given):
             _warn(f"{batter!r} has a bat and is no batter of the tables")
@@ -452,5 +452,5 @@ def _row_of(players: pl.DataFrame, batter: str) -> int:
             raise InputError(f"{len(numbers)} batters are called {batter!r}; give the number of one: {listed}")
         if len(places):
             return int(places[0])
-    known = players[names[0] if batter.isdigit() else names[-1]].drop_nulls().unique(maintain_order=True).to_list()
-    raise unknown_batter(batter, known)
+    everybody = players[names[0] if batter.isdigit() else names[-1]].drop_nulls().unique(maintain_order=True).to_list()
+    raise unknown_batter(batter, everybody)

@@ -120,8 +120,8 @@ SIDES = ("", "_low", "_high")
 def columns_of_other(name: str) -> tuple[OutputColumn, ...]:
     """Return the columns of a bat that every swing is tried with: what it would have given, and its 90 % interval."""
     stem = f"exit_speed_with_{name.replace('-', '_')}"
-    said = f"exit speed of the same swing with {name}, met at the same place"
-    return tuple(OutputColumn(stem + side, "speed", said, "bats") for side in SIDES)
+    meaning = f"exit speed of the same swing with {name}, met at the same place"
+    return tuple(OutputColumn(stem + side, "speed", meaning, "bats") for side in SIDES)
 
 
 class Words(NamedTuple):
@@ -228,8 +228,8 @@ def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     fields = fields_of(clubs, balls.season)
     flown = flown_balls(balls, fields, setting.flight, airs=fields.airs(setting.flight.air, rows))
     bat_of = bats_of(rows, setting)
-    met = None if setting.contact is None else contacts(balls, bat_of, setting.contact)
-    return Answers(balls, fields, flown, met, bat_of)
+    contact = None if setting.contact is None else contacts(balls, bat_of, setting.contact)
+    return Answers(balls, fields, flown, contact, bat_of)
 
 
 def _clubs_at_home(rows: pl.DataFrame) -> pl.Series:
@@ -247,10 +247,10 @@ def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
     chosen = np.full(len(rows), usual, np.int64)
     for column in WHOSE_BAT:
         if column in rows.columns:
-            known = setting.bats if column != "bat" else {name: name for name in number}
+            bat_names = setting.bats if column != "bat" else {name: name for name in number}
             mapped = rows[column].replace_strict(
-                {who: number.get(name, -1) for who, name in known.items() if who}, default=-2, return_dtype=pl.Int64
-            ) if any(known) else None  # fmt: skip
+                {who: number.get(name, -1) for who, name in bat_names.items() if who}, default=-2, return_dtype=pl.Int64
+            ) if any(bat_names) else None  # fmt: skip
             if mapped is not None:
                 values = mapped.fill_null(-2).to_numpy()
                 chosen = np.where(values > -2, values, chosen)
@@ -267,9 +267,9 @@ def answer_columns(answers: Answers, setting: SeasonSetting) -> list[pl.Series]:
 
 def answer_headings(setting: SeasonSetting) -> list[str]:
     """Return what the columns of answers are called."""
-    met = setting.contact
-    others = () if met is None else (one for bat in met.others for one in columns_of_other(bat.name))
-    columns = (*FLIGHT, *(() if met is None else CONTACT), *others)
+    contact = setting.contact
+    others = () if contact is None else (column for bat in contact.others for column in columns_of_other(bat.name))
+    columns = (*FLIGHT, *(() if contact is None else CONTACT), *others)
     return [column.heading(setting.system) for column in columns]
 
 
@@ -289,16 +289,16 @@ def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
 
 
 def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Words]]:
-    met, balls = answers.contact, answers.balls
-    assert met is not None
-    counted, rows = measures(balls, met), met.results
+    contact, balls = answers.contact, answers.balls
+    assert contact is not None
+    counted, rows = measures(balls, contact), contact.results
     names = (*setting.bat_names, UNKNOWN_BAT)
     values: dict[str, Array | Words] = {
-        "bat": Words(names, answers.bat_of % len(names)), "contact_outcome": Words(OUTCOMES, met.outcome),
-        "pitch_at_plate": balls.plate_speed, "ceiling": met.ceiling, "above_ceiling": met.above_chance,
-        "above_improbable": met.above_improbable, "league_ceiling": met.league_ceiling,
+        "bat": Words(names, answers.bat_of % len(names)), "contact_outcome": Words(OUTCOMES, contact.outcome),
+        "pitch_at_plate": balls.plate_speed, "ceiling": contact.ceiling, "above_ceiling": contact.above_chance,
+        "above_improbable": contact.above_improbable, "league_ceiling": contact.league_ceiling,
         "offset": rows[:, kernel.OFFSET], "offset_spread": rows[:, kernel.OFFSET_SPREAD],
-        "best_from_tip": met.best_place, "tip_side": rows[:, kernel.TIP_SIDE],
+        "best_from_tip": contact.best_place, "tip_side": rows[:, kernel.TIP_SIDE],
         "exit_speed_usual": rows[:, kernel.EXPECTED], "exit_speed_rank": rows[:, kernel.RANK],
         **{name: counted[name] for name in ("squared_up_ratio", "league_ratio", "kept_vertically")},
         **{name: counted[name] for name in ("squared_up", "league_squared_up", "blast")},
@@ -310,6 +310,6 @@ def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputC
     yield from ((column, values[column.name]) for column in CONTACT)
 
 
-def _others(met: Contacts) -> Iterator[tuple[OutputColumn, Array | Words]]:
-    for name, three in met.others.items():
+def _others(contact: Contacts) -> Iterator[tuple[OutputColumn, Array | Words]]:
+    for name, three in contact.others.items():
         yield from zip(columns_of_other(name), three, strict=True)

@@ -104,10 +104,10 @@ def ceiling_counts(counted: pl.LazyFrame) -> dict[str, Array] | None:
     if not set(names) <= set(counted.collect_schema().names()):
         return None
     table = counted.select(names).collect()
-    known = {name: table[name].drop_nulls().to_numpy() for name in names}
-    if not len(known["squared_up_ratio"]):
+    columns = {name: table[name].drop_nulls().to_numpy() for name in names}
+    if not len(columns["squared_up_ratio"]):
         return None
-    shares = {name: np.histogram(values, PARTS)[0] / len(values) for name, values in known.items() if len(values)}
+    shares = {name: np.histogram(values, PARTS)[0] / len(values) for name, values in columns.items() if len(values)}
     return {"ratio": (PARTS[1:] + PARTS[:-1]) / 2, **shares}
 
 
@@ -174,6 +174,6 @@ def contact_places(folder: Path, batter: str) -> Array:
     who = pl.col("batter").cast(pl.String)
     places = table.filter(who == batter).select(head).drop_nulls().collect()[head].to_numpy()
     if not len(places):
-        known = table.select(who.unique()).collect()["batter"].drop_nulls().to_list()
-        raise InputError(f"no place of a ball of the batter {batter!r} is known. {nearest_names(batter, known)}")
+        batters = table.select(who.unique()).collect()["batter"].drop_nulls().to_list()
+        raise InputError(f"no place of a ball of the batter {batter!r} is known. {nearest_names(batter, batters)}")
     return np.asarray(places * HEADS[head], float)

@@ -40,12 +40,10 @@ class Fields:
     ----------
     parks : those that occur.
     index : which of them each ball was hit in, -1 where not known, shape (n,).
-    unknown : clubs whose park is not known, with how many balls.
     """
 
     parks: tuple[Park, ...]
     index: NDArray[np.int64]
-    unknown: dict[str, int]
 
     def airs(self, air: Air, rows: pl.DataFrame | None = None) -> Airs:
         """Return the air of every ball: at the park's elevation, and of the weather that its row gives.
@@ -56,12 +54,12 @@ class Fields:
         rows : that went through `rows_of`; columns named as the fields of `Airs` count. None: no weather is given.
         """
         given = {}
-        for one in dataclass_fields(Airs):
+        for field in dataclass_fields(Airs):
             values = np.full(len(self.index), np.nan)
-            if rows is not None and one.name in rows.columns:
-                values = rows[one.name].cast(pl.Float64).fill_null(np.nan).to_numpy()
-            given[one.name] = np.where(np.isnan(values), getattr(air, one.name), values)
-        parks = np.array([*(one.elevation for one in self.parks), 0.0])[self.index]
+            if rows is not None and field.name in rows.columns:
+                values = rows[field.name].cast(pl.Float64).fill_null(np.nan).to_numpy()
+            given[field.name] = np.where(np.isnan(values), getattr(air, field.name), values)
+        parks = np.array([*(park.elevation for park in self.parks), 0.0])[self.index]
         return Airs(**given | {"elevation": np.where(self.index < 0, given["elevation"], parks)})
 
     def laws(self, law: Aerodynamics, part: slice = slice(None)) -> Iterator[tuple[Aerodynamics, NDArray[np.intp]]]:
@@ -72,9 +70,9 @@ class Fields:
         law : in the open; under a roof that never opens `aerodynamics_in` holds.
         """
         each = [*(aerodynamics_in(park, law) for park in self.parks), law]
-        number = np.array([each.index(one) for one in each])[self.index[part]]
-        for one in np.unique(number):
-            yield each[one], (part.start or 0) + np.flatnonzero(number == one)
+        number = np.array([each.index(flown_by) for flown_by in each])[self.index[part]]
+        for index in np.unique(number):
+            yield each[index], (part.start or 0) + np.flatnonzero(number == index)
 
 
 def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:
@@ -85,24 +83,20 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
     clubs : the home club's letters or name, None where not known.
     seasons : year, 0 where not known: the park of today.
     """
-    number, known = coded(pl.Series("club", clubs, dtype=pl.String))
-    names = [*known, None]
-    club = number.fill_null(len(known)).to_numpy()
+    number, spelled = coded(pl.Series("club", clubs, dtype=pl.String))
+    names = [*spelled, None]
+    club = number.fill_null(len(spelled)).to_numpy()
     fields: dict[Park, int] = {}
-    unknown: dict[str, int] = {}
     places = np.full(len(seasons), -1, np.int64)
     for year in pl.Series(seasons).unique().sort():
         mine = seasons == year
         here = np.full(len(names), -1, np.int64)
-        for one in np.flatnonzero(np.bincount(club[mine], minlength=len(names))).tolist():
-            found = home_park(names[one], year or None) if names[one] else None
-            if found is None:
-                word = names[one] or "no home team"
-                unknown[word] = unknown.get(word, 0) + int((club[mine] == one).sum())
-            else:
-                here[one] = fields.setdefault(found, len(fields))
+        for place in np.flatnonzero(np.bincount(club[mine], minlength=len(names))).tolist():
+            found = home_park(names[place], year or None) if names[place] else None
+            if found is not None:
+                here[place] = fields.setdefault(found, len(fields))
         np.copyto(places, here[club], where=mine)
-    return Fields(tuple(fields), places, unknown)
+    return Fields(tuple(fields), places)
 
 
 def nearest_fences(parks: tuple[Park, ...], bearing: Array) -> Array:
@@ -194,6 +188,11 @@ class Balls:
         return len(self.exit_speed)
 
 
+def together(several: Sequence[Balls]) -> Balls:
+    """Return the balls of several tables, one after another."""
+    return Balls(**{name: np.concatenate([vars(balls)[name] for balls in several]) for name in vars(several[0])})
+
+
 def taken(balls: Balls, rows: NDArray[np.int64] | NDArray[np.bool_] | slice) -> Balls:
     """Return some balls."""
     return Balls(**{name: values[rows] for name, values in vars(balls).items()})
@@ -207,10 +206,10 @@ def balls_of(rows: pl.DataFrame, *, pitches: bool = True) -> Balls:
     pitches : whether how they were pitched is wanted; flights do not ask.
     """
     numbers = [name for name, kind in rows.schema.items() if kind.is_numeric()]
-    known = rows.select(pl.col(numbers).cast(pl.Float64).fill_null(np.nan)).to_dict()
+    columns = rows.select(pl.col(numbers).cast(pl.Float64).fill_null(np.nan)).to_dict()
 
     def column(name: str) -> Array:
-        return known[name].to_numpy() if name in known else np.full(len(rows), np.nan)
+        return columns[name].to_numpy() if name in columns else np.full(len(rows), np.nan)
 
     left = rows["left"].fill_null(value=False).to_numpy()
     season = rows["season"].fill_null(0).cast(pl.Int64).to_numpy()

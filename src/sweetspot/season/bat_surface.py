@@ -30,7 +30,7 @@ from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import fingerprint, kernel_folder
 from sweetspot.numerics.whole_files import written_whole
-from sweetspot.season.surface_kernel import fill_ceilings, look_up
+from sweetspot.season.surface_kernel import Axes, fill_ceilings, look_up
 from sweetspot.units import INCH, MPH, RPM
 
 AXES = (
@@ -79,7 +79,7 @@ class BatSurface:
 
     bat: Bat
     key: str
-    axes: tuple[Array, Array, Array, Array]
+    axes: Axes
     after: Array
     reach: Array
     arm: Array
@@ -88,6 +88,11 @@ class BatSurface:
     best_place: Array
     speed_error: float
     angle_error: float
+
+    @property
+    def table(self) -> tuple[Axes, Array, Array, Array]:
+        """What the kernels look hits up in: axes, velocities after the hit, reach and arm."""
+        return self.axes, self.after, self.reach, self.arm
 
 
 def surface_of(bat: Bat, *, ball: Ball) -> BatSurface:
@@ -99,14 +104,14 @@ def surface_of(bat: Bat, *, ball: Ball) -> BatSurface:
         when the bat does not send the ball back on its barrel.
     """
     key = surface_key(bat, ball)
-    kept = _loaded(bat, key)
-    if kept is not None:
-        return kept
+    loaded = _loaded(bat, key)
+    if loaded is not None:
+        return loaded
     model = reduced_bat(bat, ball=ball)
     made = _measured(_made(bat, model, ball, key, AXES), model, ball)
     while _misfit(made) > 1 and made.after.size < MOST_NODES:
         finer = [_halved(made.axes, axis) for axis in range(len(made.axes))]
-        tried = [_measured(_made(bat, model, ball, key, one), model, ball) for one in finer]
+        tried = [_measured(_made(bat, model, ball, key, axes), model, ball) for axes in finer]
         better = min(tried, key=_misfit)
         if _misfit(better) >= 0.98 * _misfit(made):
             break
@@ -140,7 +145,7 @@ def exit_speeds(
     """
     given = np.ascontiguousarray(np.broadcast_arrays(bat_speed, *pitch, tangent, turned, place), float)
     fast, above = np.empty((2, given.shape[1]))
-    look_up(surface.axes, surface.after, surface.reach, surface.arm, given, fast, above)
+    look_up(*surface.table, given, fast, above)
     return fast, above
 
 
@@ -148,7 +153,7 @@ def _misfit(surface: BatSurface) -> float:
     return float(max(surface.speed_error / SPEED_ERROR, surface.angle_error / ANGLE_ERROR))
 
 
-def _halved(axes: tuple[Array, Array, Array, Array], axis: int) -> tuple[Array, Array, Array, Array]:
+def _halved(axes: Axes, axis: int) -> Axes:
     first, second, third, fourth = (
         np.sort(np.concatenate([nodes, (nodes[1:] + nodes[:-1]) / 2])) if number == axis else nodes
         for number, nodes in enumerate(axes)
@@ -172,14 +177,15 @@ def _hit(
 
 def _made(
     bat: Bat, model: ReducedBat[Bat], ball: Ball, key: str, axes: tuple[Array, Array, Array, Array]
-) -> BatSurface:  # fmt: skip
+) -> BatSurface:
     reach = ball.radius + model.bat.diameter_at(bat.length - axes[2]) / 2
     closing, factor, place, _ = (values.ravel() for values in np.meshgrid(*axes, indexing="ij"))
     offset = np.tile(np.outer(reach, np.sin(axes[3])).ravel(), len(axes[0]) * len(axes[1]))
     there = BAT_SHARE * closing
     coming = (0 * there, there - closing, 0 * there)
-    struck = _hit(model, ball, there=there, pitch=coming, spin=factor * closing / ball.radius, place=place,
-                  offset=offset)  # fmt: skip
+    struck = _hit(
+        model, ball, there=there, pitch=coming, spin=factor * closing / ball.radius, place=place, offset=offset
+    )
     after = np.stack([struck.velocity[:, 1] - there, struck.velocity[:, 2]], axis=-1) / closing[:, None]
     after = after.reshape(*(len(nodes) for nodes in axes), 2)
     if not np.isfinite(after[..., len(axes[3]) // 2, 0]).any():
@@ -195,11 +201,11 @@ def _made(
 
 def _along(model: ReducedBat[Bat], ball: Ball) -> tuple[float, float]:
     """Return what part of its speed along the bat a ball keeps, and what it gets of it per bat speed."""
-    one = np.ones(1)
+    unit = np.ones(1)
 
     def leaving(along: float) -> float:
-        struck = _hit(model, ball, there=30 * one, pitch=(along * one, -38 * one, -4 * one), spin=0 * one,
-                      place=SPEED_FROM_TIP * one, offset=0 * one)  # fmt: skip
+        struck = _hit(model, ball, there=30 * unit, pitch=(along * unit, -38 * unit, -4 * unit), spin=0 * unit,
+                      place=SPEED_FROM_TIP * unit, offset=0 * unit)  # fmt: skip
         return float(struck.velocity[0, 0])
 
     return (leaving(3.0) - leaving(0.0)) / 3.0, leaving(0.0) / 30.0
@@ -226,15 +232,15 @@ def surface_errors(surface: BatSurface, model: ReducedBat[Bat], ball: Ball, *, s
     struck = _hit(model, ball, there=there, pitch=(0 * speed, ahead, up), spin=spin, place=place, offset=offset)
     turned = np.arctan2(struck.velocity[:, 2], struck.velocity[:, 1])
     left = np.hypot(struck.velocity[:, 1], struck.velocity[:, 2])
-    told: dict[str, Any] = {"bat_speed": speed, "pitch": (ahead, up), "tangent": ball.radius * spin, "place": place}
-    fast, above = exit_speeds(surface, turned=turned, **told)
-    _, further = exit_speeds(surface, turned=turned + 0.01, **told)
+    swings: dict[str, Any] = {"bat_speed": speed, "pitch": (ahead, up), "tangent": ball.radius * spin, "place": place}
+    fast, above = exit_speeds(surface, turned=turned, **swings)
+    _, further = exit_speeds(surface, turned=turned + 0.01, **swings)
     with np.errstate(invalid="ignore", divide="ignore"):
         missed = (above - offset) / ((further - above) / 0.01)
-    known = np.isfinite(fast) & np.isfinite(missed) & (np.abs(turned) < np.radians(50))
+    solved = np.isfinite(fast) & np.isfinite(missed) & (np.abs(turned) < np.radians(50))
     return (
-        float(np.quantile(np.abs(fast - left)[known], 0.95)),
-        float(np.quantile(np.abs(missed)[known], 0.95)),
+        float(np.quantile(np.abs(fast - left)[solved], 0.95)),
+        float(np.quantile(np.abs(missed)[solved], 0.95)),
     )
 
 
@@ -251,10 +257,10 @@ def _loaded(bat: Bat, key: str) -> BatSurface | None:
     if path is None:
         return None
     try:
-        with np.load(path) as kept:
-            axes = (kept["axis0"], kept["axis1"], kept["axis2"], kept["axis3"])
-            numbers = kept["numbers"].tolist()
-            tables = {name: kept[name] for name in FIELDS}
+        with np.load(path) as arrays:
+            axes = (arrays["axis0"], arrays["axis1"], arrays["axis2"], arrays["axis3"])
+            numbers = arrays["numbers"].tolist()
+            tables = {name: arrays[name] for name in FIELDS}
     except (OSError, ValueError, KeyError, EOFError):
         return None
     return BatSurface(bat=bat, key=key, axes=axes, along=(numbers[0], numbers[1]), speed_error=numbers[2],

@@ -49,15 +49,15 @@ def tables_of_balls(files: Sequence[Path], *, out: Path | None) -> tuple[list[Pa
     """
     if files and not any(path.exists() for path in files):
         raise no_table(files[0])  # before kernels are compiled
-    own = [path for path in files if _is_own(path)]
-    others = [path for path in files if path not in own]
-    if own and not others:
-        raise InputError(f"{own[0]} is a table that season itself wrote; give the tables of balls it was made from")
+    ours = [path for path in files if _is_own(path)]
+    others = [path for path in files if path not in ours]
+    if ours and not others:
+        raise InputError(f"{ours[0]} is a table that season itself wrote; give the tables of balls it was made from")
     written = {table_stem(key) + ending for key in GROUPS for ending in ENDINGS}
     for path in others:
         if out is not None and path.name in written and path.parent.resolve() == out.resolve():
             raise InputError(f"{path} is where season writes a table of its own; give another --out, or another name")
-    return others, own
+    return others, ours
 
 
 def _is_own(path: Path) -> bool:
@@ -117,18 +117,20 @@ def strangers(paths: Sequence[Path], batters: Sequence[str], *, given: GivenColu
     found = _batters(paths, given)
     if found is None:
         return []
-    known = {*found[BATTER], *found[NAME]}
-    missing = [batter for batter in batters if batter not in known]
+    names = {*found[BATTER], *found[NAME]}
+    missing = [batter for batter in batters if batter not in names]
     if missing and len(missing) == len(batters):
         some = found[BATTER] if missing[0].isdigit() else found[NAME] or found[BATTER]
-        raise InputError(f"no batter of the table of bats is in the tables: {_listed(missing)}. "
-                         f"{nearest_names(missing[0], some)}")  # fmt: skip
+        raise InputError(
+            f"no batter of the table of bats is in the tables: {_listed(missing)}. {nearest_names(missing[0], some)}"
+        )
     return missing
 
 
 def _listed(names: Sequence[str]) -> str:
-    return ", ".join(map(repr, names[:MOST_LISTED])) + (f" and {len(names) - MOST_LISTED} more"
-                                                        if len(names) > MOST_LISTED else "")  # fmt: skip
+    return ", ".join(map(repr, names[:MOST_LISTED])) + (
+        f" and {len(names) - MOST_LISTED} more" if len(names) > MOST_LISTED else ""
+    )
 
 
 def _batters(paths: Sequence[Path], given: GivenColumns) -> dict[str, list[str]] | None:
@@ -148,9 +150,9 @@ def _batters(paths: Sequence[Path], given: GivenColumns) -> dict[str, list[str]]
     return None
 
 
-def unknown_batter(batter: str, known: Sequence[str]) -> InputError:
+def unknown_batter(batter: str, batters: Sequence[str]) -> InputError:
     """Return the error that says that no batter has this number or name, and who there is."""
-    return InputError(f"no batter {batter!r} in the tables. {nearest_names(batter, known)}")
+    return InputError(f"no batter {batter!r} in the tables. {nearest_names(batter, batters)}")
 
 
 def _values(tables: Sequence[pl.LazyFrame], column: str) -> list[str]:

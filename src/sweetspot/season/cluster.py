@@ -83,16 +83,16 @@ def _run_there(plan: Plan, progress: Progress | None, scheduler: str) -> None:
         ) from None
     except OSError as error:
         raise InputError(f"--scheduler was given as {scheduler}, and none answers there: {error}") from None
-    told = logging.getLogger("distributed.client")
-    level = told.level
-    told.setLevel(logging.CRITICAL)  # a lost scheduler is told below
+    logger = logging.getLogger("distributed.client")
+    level = logger.level
+    logger.setLevel(logging.CRITICAL)  # a lost scheduler is told below
     try:
         with client:
             _run(plan, client, progress)
     except OSError:
         raise InputError(f"the scheduler {scheduler} was lost; what is done is kept, --resume goes on") from None
     finally:
-        told.setLevel(level)
+        logger.setLevel(level)
 
 
 def _run(plan: Plan, client: Any, progress: Progress | None) -> None:
@@ -110,15 +110,15 @@ def _given_out(plan: Plan, client: Any, progress: Progress | None) -> bool:
     """
     dask: Any = import_module("distributed")
     shared = client.scatter(serial(plan), broadcast=True)
-    total, done = sum(table.rows for table in plan.tables), 0
+    total, finished = sum(table.rows for table in plan.tables), 0
     waiting = {}
     for task in plan.tasks():
         if is_done(plan, task):
-            done += task.rows
+            finished += task.rows
         else:
             waiting[client.submit(_do, shared, task, pure=False, retries=TRIES)] = task
-    if progress is not None and done:
-        progress(done, total)
+    if progress is not None and finished:
+        progress(finished, total)
     for future in dask.as_completed(list(waiting)):
         if future.cancelled():
             continue
@@ -131,9 +131,9 @@ def _given_out(plan: Plan, client: Any, progress: Progress | None) -> bool:
                 f"{plan.tables[task.table].path}: rows {task.start + 1} to {task.start + task.rows} could not be done: "
                 f"{type(error).__name__}: {error}; the others are kept, --resume goes on"
             ) from None
-        done += waiting[future].rows
+        finished += waiting[future].rows
         if progress is not None:
-            progress(done, total)
+            progress(finished, total)
     return all(is_done(plan, task) for task in waiting.values())
 
 

@@ -130,16 +130,16 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
         plane = in_plane(some, surface, setting.errors, ball=setting.ball)
         ceiling[mine], best[mine] = ceilings(plane, surface)
         solved = plane.outcome == 0
-        known = circumstances(some, setting.relation.bat_speeds)
-        posteriors, weights = _posteriors(some, plane, known, best[mine], surface, setting, solved)
+        conditions = circumstances(some, setting.relation.bat_speeds)
+        posteriors, weights = _posteriors(some, plane, conditions, best[mine], surface, setting, solved)
         results[mine] = posteriors
         grazed = solved & np.isnan(posteriors[:, kernel.KEPT])
         outcome[mine] = np.where(grazed, OUTCOMES.index("grazed"), plane.outcome)
-        chance[mine], improbable[mine] = _above(some, plane, known, ceiling[mine], setting)
+        chance[mine], improbable[mine] = _above(some, plane, conditions, ceiling[mine], setting)
+        swung = OtherBat("", surface, setting.mois[number])
+        level = setting.relation.level_of(conditions, turn_term(plane.turned))
         for other in setting.others:
-            answer = _with_other(
-                some, plane, known, posteriors, weights, surface, setting.mois[number], other, setting, solved
-            )
+            answer = _with_other(some, plane, level, posteriors, weights, swung, other, setting.law, solved)
             for held, values in zip(others[other.name], answer, strict=True):
                 held[mine] = values
 
@@ -171,9 +171,7 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
         good = plane.outcome == 0
         asked = asked_of(plane)[good]
         fast, spread = np.full((len(asked), len(surface.arm)), np.nan), np.empty(len(asked))
-        kernel.fill_predictions(
-            surface.axes, surface.after, surface.reach, surface.arm, asked, fast, spread, _error_array(setting.errors)
-        )
+        kernel.fill_predictions(*surface.table, asked, fast, spread, _error_array(setting.errors))
         chosen.append(mine[good])
         tables.append(fast)
         outs.append(plane.exit_speed[good])
@@ -200,8 +198,8 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
 
 def _measured_places(balls: Balls, errors: Errors) -> Array:
     """Return measured places, m from the tip, and one over the variance of their errors; 0 where none was measured."""
-    known = np.isfinite(balls.axial_offset)
-    return np.stack([np.where(known, SPEED_FROM_TIP - balls.axial_offset, 0.0), known / errors.axial_offset**2])
+    tracked = np.isfinite(balls.axial_offset)
+    return np.stack([np.where(tracked, SPEED_FROM_TIP - balls.axial_offset, 0.0), tracked / errors.axial_offset**2])
 
 
 def _chances_of(balls: Balls) -> Array:
@@ -215,21 +213,21 @@ def _error_array(errors: Errors) -> Array:
 
 
 def _posteriors(
-    balls: Balls, plane: InPlane, known: Circumstances, best: Array, surface: BatSurface, setting: ContactSetting,
+    balls: Balls, plane: InPlane, conditions: Circumstances, best: Array, surface: BatSurface, setting: ContactSetting,
     solved: NDArray[np.bool_],
 ) -> tuple[Array, Array]:  # fmt: skip
-    told, sure = _measured_places(balls, setting.errors)
-    measured = np.stack([told, np.full(len(told), setting.errors.axial_offset)], axis=-1)
-    prior = np.where(sure[:, None] > 0, measured, setting.relation.prior(known))
+    places, sure = _measured_places(balls, setting.errors)
+    measured = np.stack([places, np.full(len(places), setting.errors.axial_offset)], axis=-1)
+    prior = np.where(sure[:, None] > 0, measured, setting.relation.prior(conditions))
     rows = np.flatnonzero(solved)
     asked = np.ascontiguousarray(asked_of(plane)[rows])
     posteriors = np.full((len(rows), kernel.ROWS), np.nan)
     weights = np.zeros((len(rows) if setting.others else 0, len(surface.arm)))
     relation = setting.relation
     aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
-    swing = known.some(rows), turn_term(plane.turned)[rows]
+    swing = conditions.some(rows), turn_term(plane.turned)[rows]
     kernel.fill_posteriors(
-        surface.axes, surface.after, surface.reach, surface.arm, asked, plane.exit_speed[rows], prior[rows], aims,
+        *surface.table, asked, plane.exit_speed[rows], prior[rows], aims,
         _error_array(setting.errors), relation.level_of(*swing), relation.noise_of(*swing), posteriors, weights,
     )  # fmt: skip
     results = np.full((len(balls), kernel.ROWS), np.nan)
@@ -242,7 +240,7 @@ def _posteriors(
 
 
 def _above(
-    balls: Balls, plane: InPlane, known: Circumstances, ceiling: Array, setting: ContactSetting
+    balls: Balls, plane: InPlane, conditions: Circumstances, ceiling: Array, setting: ContactSetting
 ) -> tuple[Array, Array]:
     """Return the chance that a ball was truly above its ceiling, and how improbable a perfect hit would read so.
 
@@ -253,7 +251,7 @@ def _above(
 
     coming = np.hypot(plane.ahead, plane.up)
     per_speed = (ceiling + coming) / np.maximum(plane.bat_speed + coming, 1.0)
-    perfect = known, np.zeros(len(balls))
+    perfect = conditions, np.zeros(len(balls))
     parts = (setting.errors.exit_speed, plane.speed_error, per_speed * setting.errors.bat_speed,
              setting.relation.noise_of(*perfect))  # fmt: skip
     spread = np.sqrt(sum(np.square(part) for part in parts))
@@ -262,29 +260,27 @@ def _above(
 
 
 def _with_other(
-    balls: Balls, plane: InPlane, known: Circumstances, posteriors: Array, weights: Array, own: BatSurface, moi: float,
-    other: OtherBat, setting: ContactSetting, solved: NDArray[np.bool_],
+    balls: Balls, plane: InPlane, level: Array, posteriors: Array, weights: Array, swung: OtherBat, other: OtherBat,
+    law: SwingLaw, solved: NDArray[np.bool_],
 ) -> tuple[Array, Array, Array]:  # fmt: skip
     """Return exit speeds that the same swings would have given with another bat, and their 90 % intervals."""
     rows = np.flatnonzero(solved)
     asked, offset, parts = asked_of(plane)[rows], posteriors[rows, kernel.OFFSET], weights[rows]
-    bats = own.bat, other.surface.bat
-    arms = [bat.length - bat.choke - SPEED_FROM_TIP for bat in bats]
-    exponents = setting.law.exponents
-    means = []
-    table = other.surface
-    for exponent in (exponents.value, exponents.low, exponents.high):
-        ratio = setting.law.speed_ratio(other.moi, reference_moi=moi, exponent=exponent) * arms[1] / arms[0]
+
+    def mean_with(bat: OtherBat, ratio: float) -> Array:
         mean, spread = np.empty((2, len(rows)))
-        kernel.fill_other_bat(own.axes, table.axes, table.after, table.reach, table.arm, asked, offset, parts, ratio,
-                              mean, spread)  # fmt: skip
-        means.append((mean, spread))
-    same, _ = np.empty((2, len(rows)))
-    kernel.fill_other_bat(own.axes, own.axes, own.after, own.reach, own.arm, asked, offset, parts, 1.0, same, _)
-    level = 1 + setting.relation.level_of(known.some(rows), turn_term(plane.turned)[rows])
-    law = np.abs(means[1][0] - means[2][0]) / (2 * REACH)
-    reach = REACH * level * law
-    fast = plane.exit_speed[rows] + level * (means[0][0] - same)
+        kernel.fill_other_bat(swung.surface.axes, *bat.surface.table, asked, offset, parts, ratio, mean, spread)
+        return mean
+
+    arms = [bat.length - bat.choke - SPEED_FROM_TIP for bat in (swung.surface.bat, other.surface.bat)]
+    exponents = law.exponents
+    mean, low, high = (
+        mean_with(other, law.speed_ratio(other.moi, reference_moi=swung.moi, exponent=exponent) * arms[1] / arms[0])
+        for exponent in (exponents.value, exponents.low, exponents.high)
+    )
+    level = 1 + level[rows]
+    reach = REACH * level * (np.abs(low - high) / (2 * REACH))
+    fast = plane.exit_speed[rows] + level * (mean - mean_with(swung, 1.0))
     answer = np.sqrt(fast**2 + balls.exit_speed[rows] ** 2 - plane.exit_speed[rows] ** 2)
     full = np.full((3, len(solved)), np.nan)
     full[:, rows] = answer, answer - reach, answer + reach
@@ -302,12 +298,12 @@ def measures(balls: Balls, contacts: Contacts) -> dict[str, Array]:
         ratio = balls.exit_speed / contacts.ceiling
         league = np.where(np.isnan(ratio), np.nan, balls.exit_speed / contacts.league_ceiling)
         blast = 100 * league + balls.bat_speed / MPH >= BLAST
-        known = np.isfinite(league)
+        rated = np.isfinite(league)
         return {
             "squared_up_ratio": ratio,
             "squared_up": np.where(np.isfinite(ratio), ratio >= SQUARED_UP, np.nan),
             "league_ratio": league,
-            "league_squared_up": np.where(known, league >= SQUARED_UP, np.nan),
-            "blast": np.where(known, blast, np.nan),
+            "league_squared_up": np.where(rated, league >= SQUARED_UP, np.nan),
+            "blast": np.where(rated, blast, np.nan),
             "kept_vertically": np.minimum(contacts.results[:, kernel.KEPT] / contacts.ceiling, 1.0),
         }

@@ -50,7 +50,7 @@ ROWS = 20
 @inner(error_model="numpy")
 def predict(
     axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, fast: Array, above: Array
-) -> tuple[float, float]:  # fmt: skip
+) -> tuple[float, float]:
     """Fill exit speed and offset at all places of the table; return what a radian changes of both at the fastest.
 
     Parameters
@@ -179,8 +179,9 @@ def fill_posteriors(
         for place in range(count):
             top = max(top, fast[place]) if math.isfinite(fast[place]) else top
         spread = math.sqrt(_spread(asked[i], top * (1 + level[i]), sensitive, errors) ** 2 + noise[i] ** 2)
-        total, before, rank, mean = weigh(places, fast, measured[i], spread, prior[i, 0], prior[i, 1], level[i], part,
-                                          work)  # fmt: skip
+        total, before, rank, mean = weigh(
+            places, fast, measured[i], spread, prior[i, 0], prior[i, 1], level[i], part, work
+        )
         if not (total > 0 and before > 0):
             continue
         for place in range(count):

@@ -52,9 +52,7 @@ class CsvCopy:
     before: NDArray[np.int64]
 
 
-def copied_csv(
-    path: Path, source: Path, ends: TextEnds, target: Path, *, given: GivenColumns
-) -> CsvCopy:  # fmt: skip
+def copied_csv(path: Path, source: Path, ends: TextEnds, target: Path, *, given: GivenColumns) -> CsvCopy:
     """Return what the copy of a CSV table holds.
 
     Parameters
@@ -70,15 +68,15 @@ def copied_csv(
     pieces = rows_together(len(begun), most=PIECE)
     if not _copied_as_begun(source, ends, begun, copy, pieces=pieces):
         _copied_as_told(source, ends, copy, named=path, pieces=pieces)
-    told = pl.scan_parquet(copy)
-    why = _left_out(headings, told.collect_schema())
-    lines, *several = told.select(pl.len(), *(one.sum() for one in why.values())).collect().row(0)
+    copied = pl.scan_parquet(copy)
+    why = _left_out(headings, copied.collect_schema())
+    lines, *several = copied.select(pl.len(), *(condition.sum() for condition in why.values())).collect().row(0)
     left_out = {name: count for name, count in zip(why, several, strict=True) if count}
     before = np.empty(0, np.int64)
     if left_out:
-        gaps = np.flatnonzero(told.select(pl.any_horizontal(*why.values())).collect().to_series().to_numpy())
+        gaps = np.flatnonzero(copied.select(pl.any_horizontal(*why.values())).collect().to_series().to_numpy())
         before = gaps - np.arange(len(gaps))
-        _copied(told.filter(~pl.any_horizontal(*why.values())), target, pieces=pieces)
+        _copied(copied.filter(~pl.any_horizontal(*why.values())), target, pieces=pieces)
         copy.unlink()
     else:
         copy.replace(target)

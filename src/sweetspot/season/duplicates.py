@@ -42,9 +42,9 @@ def shared(tables: Sequence[Headings]) -> list[Headings]:
     >>> [list(one.columns) for one in shared([first, second])]
     [['exit_speed', 'pitch_id'], ['exit_speed', 'pitch_id']]
     """
-    telling = [set(one.columns) for one in tables if tells_pitches(one)]
+    telling = [set(headings.columns) for headings in tables if tells_pitches(headings)]
     common = set.intersection(*telling) if telling else set[str]()
-    together = [one.only(*(name for name in one.columns if name in common)) for one in tables]
+    together = [headings.only(*(name for name in headings.columns if name in common)) for headings in tables]
     return [new if tells_pitches(new) else old for new, old in zip(together, tables, strict=True)]
 
 
@@ -67,22 +67,22 @@ def pitch_keys(
     (True, [True, True, False])
     """
     names, measured = _numbered(headings) or (), _measured(headings)
-    key, known = np.zeros(1, np.uint64), np.full(1, bool(names))
+    key, numbered = np.zeros(1, np.uint64), np.full(1, bool(names))
     if names:
         frame = part([headings.columns[name].heading for name in names])
         for name in names:
-            told, there = _whole(frame[headings.columns[name].heading])
-            key, known = _mixed(key ^ told), known & there
-    if measured and not known.all():
+            number, there = _whole(frame[headings.columns[name].heading])
+            key, numbered = _mixed(key ^ number), numbered & there
+    if measured and not numbered.all():
         asked = headings.only("exit_speed", *measured)
         rows = rows_of(part([column.heading for column in asked.columns.values()]), asked)
         parts = [pl.col(name).cast(pl.String).fill_null("") for name in measured]
         enough = pl.sum_horizontal(pl.col(_told(measured)).is_not_null()) >= ENOUGH
         dated = pl.any_horizontal(pl.col([name for name in WHEN if name in measured]).is_not_null())
         alike = rows.select(key=pl.concat_str(parts, separator="|").hash(seed=1), known=enough & dated)
-        key = np.where(known, key, alike["key"].to_numpy())
-        known = known | alike["known"].to_numpy()
-    return key, known
+        key = np.where(numbered, key, alike["key"].to_numpy())
+        numbered = numbered | alike["known"].to_numpy()
+    return key, numbered
 
 
 def _numbered(headings: Headings) -> tuple[str, ...] | None:
@@ -137,7 +137,7 @@ def duplicate_rows(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
     passes = max(1, -(-sum(table.rows for table in tables) // MOST_KEYS))
     hashes: list[list[NDArray[np.uint32]]] = [[] for _ in tables]
     for turn in range(passes):
-        keys = [key[known] for _, _, key, known in _keys(tables, passes, turn)]
+        keys = [key[keyed] for _, _, key, keyed in _keys(tables, passes, turn)]
         if not keys:
             continue
         every = np.concatenate(keys)
@@ -148,15 +148,15 @@ def duplicate_rows(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
         if not len(twice):
             continue
         seen = np.zeros(len(twice), np.bool_)
-        for number, start, key, known in _keys(tables, passes, turn):
+        for number, start, key, keyed in _keys(tables, passes, turn):
             place = np.minimum(np.searchsorted(twice, key), len(twice) - 1)
-            rows = np.flatnonzero(known & (twice[place] == key))
+            rows = np.flatnonzero(keyed & (twice[place] == key))
             place = place[rows]
             first = np.zeros(len(rows), np.bool_)
             first[np.unique(place, return_index=True)[1]] = True
             hashes[number].append((start + rows[~first | seen[place]]).astype(np.uint32))
             seen[place] = True
-    return [np.sort(np.concatenate(one)) if one else np.empty(0, np.uint32) for one in hashes]
+    return [np.sort(np.concatenate(rows)) if rows else np.empty(0, np.uint32) for rows in hashes]
 
 
 def _keys(
@@ -173,8 +173,8 @@ def _keys(
             return pitch_keys(lambda names: reader.part(0, start, PART, headings=names), telling)
 
         starts = range(0, table.rows, PART)
-        for start, (key, known) in zip(starts, in_order(told, starts), strict=True):
-            yield number, start, key, known if passes == 1 else known & (key % np.uint64(passes) == turn)
+        for start, (key, keyed) in zip(starts, in_order(told, starts), strict=True):
+            yield number, start, key, keyed if passes == 1 else keyed & (key % np.uint64(passes) == turn)
 
 
 def with_duplicates(rows: pl.DataFrame, duplicates: NDArray[np.uint32]) -> pl.DataFrame:

@@ -123,8 +123,8 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, airs: A
     def work(part: slice) -> None:
         for law, rows in fields.laws(setting.aerodynamics, part):
             here = replace(fields, index=fields.index[rows])
-            own = _flown_balls(taken(balls, rows), here, alone, airs.at(rows), law)
-            for name, values in vars(own).items():
+            columns_here = _flown_balls(taken(balls, rows), here, alone, airs.at(rows), law)
+            for name, values in vars(columns_here).items():
                 getattr(columns, name)[rows] = values
 
     in_parts(work, len(balls), size=CHUNK, threads=setting.threads)
@@ -136,22 +136,22 @@ def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Air
     density, there = airs.density, replace(setting, aerodynamics=law)
     bearing = np.nan_to_num(balls.bearing)
     expected = expected_of(balls, bearing, ball=setting.ball, aerodynamics=law, density=density)
-    solved, flown, known = _launched(balls, density, expected, there)
+    solved, flown, directed = _launched(balls, density, expected, there)
     per_drag = _per_drag(balls, solved, density, flown, expected, there)
     spread = np.array([*(USUAL.drag(park) for park in fields.parks), USUAL.open])[fields.index]
     errors = LaunchErrors(setting.errors.exit_speed, setting.errors.launch_angle)
     doubt = _carry_errors(setting.ball, law, errors, setting.spin_scatter)
     carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
     reach = THINNER * flown.carry - SURE * USUAL.open * per_drag
-    reach = np.where(known, reach, 0.0)
+    reach = np.where(directed, reach, 0.0)
     here, everywhere, count = _chances(balls, solved, fields, airs, setting, bearing=flown.bearing, reach=reach)
     return FlightColumns(
-        launch_direction=np.where(known, solved, np.nan), carry=flown.carry,
+        launch_direction=np.where(directed, solved, np.nan), carry=flown.carry,
         carry_spread=carry_spread, hang_time=flown.hang_time, apex_height=flown.apex_height,
         landing_angle=flown.landing_angle, carry_per_drag=per_drag,
-        home_run_here=np.where(known & flown.landed & (fields.index >= 0), here, np.nan),
-        home_runs=np.where(known & flown.landed, everywhere, np.nan),
-        home_run_parks=np.where(known & flown.landed, count, np.nan),
+        home_run_here=np.where(directed & flown.landed & (fields.index >= 0), here, np.nan),
+        home_runs=np.where(directed & flown.landed, everywhere, np.nan),
+        home_run_parks=np.where(directed & flown.landed, count, np.nan),
     )  # fmt: skip
 
 
@@ -162,18 +162,18 @@ def _carry_errors(ball: Ball, law: Aerodynamics, errors: LaunchErrors, spin_scat
 
 def _launched(
     balls: Balls, density: Array, expected: Expected, setting: FlightSetting
-) -> tuple[Array, Flights, np.ndarray]:  # fmt: skip
+) -> tuple[Array, Flights, np.ndarray]:
     """Return launch directions, flights, and of which balls the direction is known.
 
     The first direction is the table's, turned for what the landing misses; where that is much, the ball is flown again,
     with the change learnt on the way.
     """
-    wanted, told = balls.bearing, balls.launch_direction
-    given = np.isfinite(told)
-    known = given | np.isfinite(wanted)
-    spray = np.where(given, told, expected.direction)
+    wanted, tracked = balls.bearing, balls.launch_direction
+    given = np.isfinite(tracked)
+    directed = given | np.isfinite(wanted)
+    spray = np.where(given, tracked, expected.direction)
     flown = _flown(balls, spray, density, setting, slice(None), setting.aerodynamics)
-    open_rows = np.flatnonzero(known & ~given & flown.landed)
+    open_rows = np.flatnonzero(directed & ~given & flown.landed)
     miss = np.zeros(len(balls))
     miss[open_rows] = _wrapped(flown.bearing[open_rows] - wanted[open_rows])
     near = open_rows[np.abs(miss[open_rows]) <= TURNED]
@@ -194,13 +194,13 @@ def _launched(
         further = np.abs(miss[open_rows]) > CLOSE
         turn = np.where((learnt > 0.2) & (learnt < 5), learnt, 1.0)[further]
         open_rows = open_rows[further]
-    known &= ~(np.abs(miss) > 20 * CLOSE)
-    return spray, flown, known
+    directed &= ~(np.abs(miss) > 20 * CLOSE)
+    return spray, flown, directed
 
 
 def _per_drag(
     balls: Balls, spray: Array, density: Array, flown: Flights, expected: Expected, setting: FlightSetting
-) -> Array:  # fmt: skip
+) -> Array:
     """Return by how much carries grow with the logarithm of drag, m; 0 of balls that were hit down."""
     per_drag = np.where(balls.launch_angle > 0, expected.carry_per_drag, 0.0)
     steep = np.flatnonzero(flown.landed & (balls.launch_angle > STEEP))

@@ -70,7 +70,7 @@ def headings_of(names: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, fi
     return replace(
         found,
         columns={name: column for name, column in found.columns.items() if name not in vague},
-        passed=tuple(name for name in names if name in found.passed or name in {one.heading for one in vague.values()}),
+        passed=tuple(name for name in names if name in {*found.passed, *(column.heading for column in vague.values())}),
         notes=(*found.notes, *notes),
     )
 
@@ -144,7 +144,7 @@ def with_player_name(headings: Headings, frame: pl.LazyFrame) -> Headings:
     if not headings.has("player_name", "batter", "pitcher") or headings.has("batter_name"):
         return headings
     columns = headings.columns
-    name, batter, pitcher = (pl.col(columns[one].heading) for one in ("player_name", "batter", "pitcher"))
+    name, batter, pitcher = (pl.col(columns[quantity].heading) for quantity in ("player_name", "batter", "pitcher"))
     seen = frame.select(name, batter, pitcher).head(SEEN).filter(name.is_not_null())
     batters, pitchers = seen.select(pl.struct(name, batter).n_unique().alias("batters"),
                                     pl.struct(name, pitcher).n_unique().alias("pitchers")).collect().row(0)  # fmt: skip

@@ -25,9 +25,7 @@ from sweetspot.units import DEGREE
 
 
 @compiled(nogil=True, error_model="numpy")
-def fill_between(
-    axes: tuple[Array, Array, Array], table: Array, asked: Array, part: Array, values: Array
-) -> None:  # fmt: skip
+def fill_between(axes: tuple[Array, Array, Array], table: Array, asked: Array, part: Array, values: Array) -> None:
     """Fill what stands in a table between its nodes, in straight lines; beyond its ends the nearest counts.
 
     Parameters
@@ -43,16 +41,16 @@ def fill_between(
         a, x = _place(first, asked[0, i])
         b, y = _place(second, asked[1, i])
         c, z = _place(third, asked[2, i])
-        one, two, three = 0.0, 0.0, 0.0
+        bend, two, three = 0.0, 0.0, 0.0
         thin, thick = 1 - part[i], part[i]
         for corner in range(8):
             p, q, r = corner >> 2, (corner >> 1) & 1, corner & 1
             weight = (x if p else 1 - x) * (y if q else 1 - y) * (z if r else 1 - z)
             node = table[a + p, b + q, c + r]
-            one += weight * (thin * node[0] + thick * node[3])
+            bend += weight * (thin * node[0] + thick * node[3])
             two += weight * (thin * node[1] + thick * node[4])
             three += weight * (thin * node[2] + thick * node[5])
-        values[0, i], values[1, i], values[2, i] = one, two, three
+        values[0, i], values[1, i], values[2, i] = bend, two, three
 
 
 @inner(forceinline=True, error_model="numpy")
@@ -87,9 +85,7 @@ class Expected:
     carry_per_drag: Array
 
 
-def expected_of(
-    balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, density: Array
-) -> Expected:  # fmt: skip
+def expected_of(balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, density: Array) -> Expected:
     """Return what is known of flights that come down in some direction.
 
     Parameters
@@ -105,10 +101,10 @@ def expected_of(
     bend, turn, per_drag = values = np.empty((3, len(balls)))
     for thin in np.unique(below):
         mine = below == thin
-        own = np.empty((3, int(mine.sum())))
+        between = np.empty((3, int(mine.sum())))
         table = _table(ball, aerodynamics, int(thin))
-        fill_between((SPEEDS, ANGLES, BEARINGS), table, asked[:, mine], steps[mine] - thin, own)
-        values[:, mine] = own
+        fill_between((SPEEDS, ANGLES, BEARINGS), table, asked[:, mine], steps[mine] - thin, between)
+        values[:, mine] = between
     return Expected(bearing + side * bend, turn, per_drag)
 
 

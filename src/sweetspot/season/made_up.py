@@ -125,12 +125,12 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     place = how.place + own_place[who] + how.per_outside * outside + own_spread[who] * how.scatter(rng, count)
     own_offset, own_level = _more_of_players(how, seed)
     offset = 0.15 * INCH + rng.normal(0, how.offset_spread, count) * own_offset[who]
-    kept = (place > 0) & (place < FARTHEST) & (speed > CHECKED_SWING)
+    in_play = (place > 0) & (place < FARTHEST) & (speed > CHECKED_SWING)
     struck = _struck(bat, speed, (attack, direction, tilt, left), pitch, np.clip(place, 0, FARTHEST), offset)
     launch, _, _ = launch_angles(struck.velocity, struck.spin)
     exit_speed = own_level[who] * struck.exit_speed + rng.normal(0, how.noise, count)
     velocity = struck.velocity * (exit_speed / struck.exit_speed)[:, None]
-    kept &= np.isfinite(exit_speed) & (exit_speed > LOWEST) & (np.abs(launch) < 70 * DEGREE)
+    in_play &= np.isfinite(exit_speed) & (exit_speed > LOWEST) & (np.abs(launch) < 70 * DEGREE)
     parks = parks_of_season(year)
     club = rng.integers(0, len(CLUBS), count)
     table = pl.DataFrame({
@@ -150,14 +150,14 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
         "true_mean_bat_speed_mph": (BAT_SPEED + own_speed[who]) / MPH,
     })  # fmt: skip
     flown = _flown(velocity, struck.spin, how, np.array([_elevation(parks, name) for name in CLUBS])[club], rng)
-    kept &= flown[0] & (np.abs(flown[1]) < FOUL_LINE)
+    in_play &= flown[0] & (np.abs(flown[1]) < FOUL_LINE)
     bearing, carry = flown[1], flown[2]
     out = _out_of_park(parks, club, bearing, carry, flown[3])
     on_map = carry / FOOT / MAP_SCALE
     return table.with_columns(
         hc_x=pl.Series(HOME_X + on_map * np.sin(bearing)), hc_y=pl.Series(HOME_Y - on_map * np.cos(bearing)),
         hit_distance_sc=pl.Series(carry / FOOT), events=pl.Series(np.where(out, "home_run", "field_out")),
-    ).filter(pl.Series(kept))  # fmt: skip
+    ).filter(pl.Series(in_play))  # fmt: skip
 
 
 def _more_of_players(how: MadeSeason, seed: int) -> tuple[Array, Array]:
@@ -182,11 +182,12 @@ def _struck(
     coming = pitch[:, None] * np.array([0.0, -np.cos(DESCENT), -np.sin(DESCENT)])
     ball = catalogue_ball()
     return strikes(
-        reduced_bat(bat, ball=ball), ball=ball,
+        reduced_bat(bat, ball=ball),
+        ball=ball,
         swings=Swings(there, path_axes(attack, direction, tilt=tilt, left=left), bat.choke),
         pitches=BallMotions(velocity=coming, spin=np.zeros(3)),
         contact=Contact(bat.length - place, offset),
-    )  # fmt: skip
+    )
 
 
 def _flown(
@@ -227,7 +228,7 @@ def _park(parks: Sequence[Park], club: str) -> Park:
     from sweetspot.catalog.ballparks import park
 
     team = park(club).team
-    return next(one for one in parks if one.team == team)
+    return next(candidate for candidate in parks if candidate.team == team)
 
 
 def _elevation(parks: Sequence[Park], club: str) -> float:

@@ -219,9 +219,7 @@ def strips_of(path: Path, *, rows: int, staging: Path) -> tuple[Path, ...]:
     return tuple(strips)
 
 
-def joined(
-    strips: Sequence[Path], start: int, count: int, *, headings: Sequence[str] | None = None
-) -> pl.DataFrame:  # fmt: skip
+def joined(strips: Sequence[Path], start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:
     """Return some rows of a table that lies in strips.
 
     Parameters

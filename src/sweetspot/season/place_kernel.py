@@ -26,7 +26,7 @@ right: that chance, exit speed times the table's, the table's squared; and the l
 @inner(error_model="numpy", fastmath={"contract", "nsz"})
 def _bells(
     places: Array, fast: Array, out: float, spread: float, mean: float, width: float, level: float, work: Array
-) -> None:  # fmt: skip
+) -> None:
     """Fill, for every place, exit speed (0 for none), how far off it is, and both bells; four or eight at a time."""
     for k in range(len(places)):
         speed = fast[k] if fast[k] > 0 else 0.0
@@ -87,11 +87,11 @@ def fill_variances(covariance: Array, terms: Array, variances: Array) -> None:
     for first in range(0, len(variances), BLOCK):
         sums = variances[first : first + BLOCK]
         sums[:] = 0.0
-        for one in range(len(terms)):
-            mine = terms[one, first : first + BLOCK]
-            for other in range(one + 1):
+        for row in range(len(terms)):
+            mine = terms[row, first : first + BLOCK]
+            for other in range(row + 1):
                 its = terms[other, first : first + BLOCK]
-                weight = covariance[one, other] * (1.0 if other == one else 2.0)
+                weight = covariance[row, other] * (1.0 if other == row else 2.0)
                 for i in range(len(sums)):
                     sums[i] += weight * mine[i] * its[i]
 
@@ -108,23 +108,21 @@ def fill_products(terms: Array, weight: Array, result: Array) -> None:
     result[:] = 0.0
     for first in range(0, len(weight), BLOCK):
         heavy = weight[first : first + BLOCK]
-        for one in range(len(terms)):
-            mine = heavy * terms[one, first : first + BLOCK]
-            for other in range(one + 1):
+        for row in range(len(terms)):
+            mine = heavy * terms[row, first : first + BLOCK]
+            for other in range(row + 1):
                 its = terms[other, first : first + BLOCK]
                 total = 0.0
                 for i in range(len(mine)):
                     total += mine[i] * its[i]
-                result[one, other] += total
-    for one in range(len(terms)):
-        for other in range(one):
-            result[other, one] = result[one, other]
+                result[row, other] += total
+    for row in range(len(terms)):
+        for other in range(row):
+            result[other, row] = result[row, other]
 
 
 @compiled(nogil=True, error_model="numpy")
-def expect(
-    places: Array, table: Array, out: Array, spread: Array, prior: Array, level: Array, result: Array
-) -> None:  # fmt: skip
+def expect(places: Array, table: Array, out: Array, spread: Array, prior: Array, level: Array, result: Array) -> None:
     """Fill what is expected of every ball under given parameters.
 
     Parameters

@@ -50,9 +50,10 @@ ENOUGH = 50
 
 
 START = replace(
-    UNLEARNT, weights=np.array([6.5 * INCH, -2 * INCH, *np.zeros(len(PLACE) - 2)]),
+    UNLEARNT,
+    weights=np.array([6.5 * INCH, -2 * INCH, *np.zeros(len(PLACE) - 2)]),
     spread_weights=np.array([math.log(1.8 * INCH), *np.zeros(len(SPREAD) - 1)]),
-)  # fmt: skip
+)
 """Where learning begins: about the middle of the barrel. Where pitches do not tell, the side that a table's balls are
 met on has two answers."""
 
@@ -67,7 +68,7 @@ class Sample:
     predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
     measured, error : m/s, exit speeds and their measuring errors, shape (n,).
     place, spread, level, noise : what the relation's sums are over, shape (terms, n).
-    told : m from the tip, places that were measured, 0 where none was, shape (n,).
+    measured_places : m from the tip, places that were measured, 0 where none was, shape (n,).
     sure : 1 / m^2, one over the variance of their errors, 0 where none was, shape (n,).
     """
 
@@ -79,19 +80,19 @@ class Sample:
     spread: Array
     level: Array
     noise: Array
-    told: Array
+    measured_places: Array
     sure: Array
 
 
 def learn_places(
-    known: Circumstances, *, places: Array, predicted: Array, measured: Array, error: Array, turned: Array,
+    conditions: Circumstances, *, places: Array, predicted: Array, measured: Array, error: Array, turned: Array,
     measured_places: Array,
 ) -> PlaceRelation:  # fmt: skip
     """Return the relation that makes measured exit speeds, and places where there are such, most likely.
 
     Parameters
     ----------
-    known : of n balls, all with a swing.
+    conditions : of n balls, all with a swing.
     places : m from the tip, even, shape (k,).
     predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
     measured, error : m/s, exit speeds and their measuring errors, shape (n,).
@@ -102,15 +103,15 @@ def learn_places(
     good = np.asarray(np.isfinite(predicted).any(axis=1)) & np.isfinite(error)
     if good.sum() < ENOUGH:
         return UNLEARNT
-    known, turned = known.some(good), turned[good]
+    conditions, turned = conditions.some(good), turned[good]
     usual = np.array([1.0, *np.zeros(len(PLACE) - 1)])
     sample = Sample(
         places, np.ascontiguousarray(predicted[good]), measured[good], error[good],
-        np.where(known.placed, known.terms(PLACE), usual[:, None]), known.terms(SPREAD), known.terms(LEVEL, turned),
-        known.terms(NOISE, turned), *measured_places[:, good],
+        np.where(conditions.placed, conditions.terms(PLACE), usual[:, None]), conditions.terms(SPREAD),
+        conditions.terms(LEVEL, turned), conditions.terms(NOISE, turned), *measured_places[:, good],
     )  # fmt: skip
     now, evidence = _climbed(START, sample)
-    everywhere = summed(sample.place, now.weights)[known.placed if known.placed.any() else slice(None)]
+    everywhere = summed(sample.place, now.weights)[conditions.placed if conditions.placed.any() else slice(None)]
     spread = np.sqrt(np.mean(np.exp(2 * summed(sample.spread, now.spread_weights))))
     return replace(
         now, evidence=evidence, balls=int(good.sum()),
@@ -129,7 +130,7 @@ def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:
     def stepped(now: PlaceRelation) -> PlaceRelation:
         inverse = np.exp(-2 * summed(sample.spread, now.spread_weights))
         both = inverse + sample.sure
-        mean = (inverse * summed(sample.place, now.weights) + sample.sure * sample.told) / both
+        mean = (inverse * summed(sample.place, now.weights) + sample.sure * sample.measured_places) / both
         prior = np.stack([mean, 1 / np.sqrt(both)], axis=-1)
         scatter = np.hypot(sample.error, np.exp(summed(sample.noise, now.noise_weights)))
         level = summed(sample.level, now.level_weights)
@@ -175,16 +176,15 @@ def _with_numbers(numbers: Array) -> PlaceRelation:
 
 def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelation:
     """Return the weights that fit best where the balls are thought to have been met."""
-    inverse, own, heavy = _scatters(now, sample)
+    inverse, noise, heavy = _scatters(now, sample)
     weights = _solved(sample.place, inverse, moments[:, MIDDLE], USUAL_WEIGHTS, PLACE_WIDTHS)
     square = _squares_of_places(weights, inverse, _place_covariance(inverse, sample, moments), sample, moments)
     spreads = now.spread_weights + _scored(
         sample.spread, np.ones_like(square), square - 1, now.spread_weights - USUAL_SPREADS, SPREAD_WIDTHS
     )
     product, square = moments[:, PRODUCT], moments[:, SQUARE]
-    levels = _solved(sample.level, heavy * square, product / np.maximum(square, 1e-12) - 1, USUAL_LEVELS,
-                     LEVEL_WIDTHS)  # fmt: skip
-    part = own * heavy  # of the variance that is noise
+    levels = _solved(sample.level, heavy * square, product / np.maximum(square, 1e-12) - 1, USUAL_LEVELS, LEVEL_WIDTHS)
+    part = noise * heavy  # of the variance that is noise
     off = _noise_scores(levels, part, heavy, sample, moments)
     step = _scored(sample.noise, part**2 * moments[:, SHARE], off, now.noise_weights - USUAL_NOISES, NOISE_WIDTHS)
     noises = now.noise_weights + np.clip(step, -0.5, 0.5)
@@ -194,8 +194,8 @@ def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelat
 
 def _scatters(now: PlaceRelation, sample: Sample) -> tuple[Array, Array, Array]:
     """Return of each ball 1 / tau^2, the square of its own noise, and 1 over that with the measuring error's."""
-    own = np.exp(2 * summed(sample.noise, now.noise_weights))
-    return np.exp(-2 * summed(sample.spread, now.spread_weights)), own, 1 / (sample.error**2 + own)
+    noise = np.exp(2 * summed(sample.noise, now.noise_weights))
+    return np.exp(-2 * summed(sample.spread, now.spread_weights)), noise, 1 / (sample.error**2 + noise)
 
 
 def _squares_of_places(weights: Array, inverse: Array, covariance: Array, sample: Sample, moments: Array) -> Array:
@@ -220,10 +220,10 @@ def _place_covariance(inverse: Array, sample: Sample, moments: Array) -> Array:
 
 def _with_covariances(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelation:
     """Return the relation with its weights' covariances, of the logarithms' weights by the squares of their scores."""
-    inverse, own, heavy = _scatters(now, sample)
+    inverse, noise, heavy = _scatters(now, sample)
     of_place = _place_covariance(inverse, sample, moments)
     off = _squares_of_places(now.weights, inverse, of_place, sample, moments) - 1
-    off_noise = _noise_scores(now.level_weights, own * heavy, heavy, sample, moments)
+    off_noise = _noise_scores(now.level_weights, noise * heavy, heavy, sample, moments)
     return replace(
         now,
         covariance=of_place,
@@ -232,9 +232,9 @@ def _with_covariances(now: PlaceRelation, sample: Sample, moments: Array) -> Pla
     )
 
 
-def _covariance(terms: Array, told: Array, widths: Array) -> Array:
+def _covariance(terms: Array, information: Array, widths: Array) -> Array:
     """Return the covariance of weights of which each ball tells something, and which are known to some widths."""
-    return np.asarray(np.linalg.inv(_products(terms, told) + np.diag(1 / widths**2)), dtype=np.float64)
+    return np.asarray(np.linalg.inv(_products(terms, information) + np.diag(1 / widths**2)), dtype=np.float64)
 
 
 def _solved(terms: Array, weight: Array, wanted: Array, usual: Array, widths: Array) -> Array:

@@ -96,12 +96,14 @@ class Circumstances(NamedTuple):
         ----------
         turned : of the balls, from `turn_term`.
         """
-        known = {**self._asdict(), "one": np.ones(len(self.outside)), "fastest": np.maximum(self.faster - FAST, 0.0)}
+        values = {**self._asdict(), "one": np.ones(len(self.outside)), "fastest": np.maximum(self.faster - FAST, 0.0)}
         if turned is not None:
-            known |= {"turned": turned, "turned either way": np.abs(turned)}
-            known |= dict(zip(FAR, (np.maximum(way * turned - GRAZED, 0.0) for way in (1, -1)), strict=True))
-        return np.stack([known[name] if name in known else np.prod([known[one] for one in name.split()], axis=0)
-                         for name in names])  # fmt: skip
+            values |= {"turned": turned, "turned either way": np.abs(turned)}
+            values |= dict(zip(FAR, (np.maximum(way * turned - GRAZED, 0.0) for way in (1, -1)), strict=True))
+        terms = (
+            values[name] if name in values else np.prod([values[part] for part in name.split()], 0) for name in names
+        )
+        return np.stack(list(terms))
 
 
 def circumstances(balls: Balls, bat_speeds: SwingSpeeds) -> Circumstances:
@@ -178,26 +180,26 @@ class PlaceRelation:
         """What exit speeds of usual swings scatter by beyond measuring errors, m/s."""
         return float(np.exp(self.noise_weights[0]))
 
-    def prior(self, known: Circumstances) -> Array:
+    def prior(self, conditions: Circumstances) -> Array:
         """Return mean and standard deviation of the place of each ball, m from the tip, shape (n, 2)."""
-        place = known.terms(PLACE)
-        mean = np.where(known.placed, summed(place, self.weights), self.marginal[0])
-        own = scatter_of(known.terms(SPREAD), self.spread_weights, self.spread_covariance) ** 2
-        spread = np.where(known.placed, np.sqrt(own + variance_of(place, self.covariance)), self.marginal[1])
+        place = conditions.terms(PLACE)
+        mean = np.where(conditions.placed, summed(place, self.weights), self.marginal[0])
+        variance = scatter_of(conditions.terms(SPREAD), self.spread_weights, self.spread_covariance) ** 2
+        spread = np.where(conditions.placed, np.sqrt(variance + variance_of(place, self.covariance)), self.marginal[1])
         return np.stack([mean, spread], axis=-1)
 
-    def level_of(self, known: Circumstances, turned: Array) -> Array:
+    def level_of(self, conditions: Circumstances, turned: Array) -> Array:
         """Return the level of balls.
 
         Parameters
         ----------
         turned : of the balls, from `turn_term`.
         """
-        return summed(known.terms(LEVEL, turned), self.level_weights)
+        return summed(conditions.terms(LEVEL, turned), self.level_weights)
 
-    def noise_of(self, known: Circumstances, turned: Array) -> Array:
+    def noise_of(self, conditions: Circumstances, turned: Array) -> Array:
         """Return the noise of balls, m/s."""
-        return scatter_of(known.terms(NOISE, turned), self.noise_weights, self.noise_covariance)
+        return scatter_of(conditions.terms(NOISE, turned), self.noise_weights, self.noise_covariance)
 
     def ranked(self, rank: Array) -> Array:
         """Return ranks of exit speeds as the table's own balls have them, from those of the model."""

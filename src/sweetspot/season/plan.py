@@ -110,8 +110,8 @@ def serial(plan: Plan) -> Plan:
     """Return a plan whose tasks use one thread each, for many tasks side by side on one machine."""
     setting = plan.setting
     contact = None if setting.contact is None else replace(setting.contact, threads=1)
-    one = SeasonSetting(replace(setting.flight, threads=1), contact, setting.bats, setting.system)
-    return replace(plan, setting=one)
+    single = SeasonSetting(replace(setting.flight, threads=1), contact, setting.bats, setting.system)
+    return replace(plan, setting=single)
 
 
 def is_done(plan: Plan, task: Task) -> bool:
@@ -148,15 +148,15 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
     asked = table.headings.only(*(name for name in table.headings.columns if name not in unasked))
     every = with_duplicates(rows_of(frame, asked, first=task.start), plan.duplicates[task.table])
     used = every["reason"] == USED
-    rows, kept = (every, frame) if used.all() else (every.filter(used), frame.filter(used))
+    rows, source_rows = (every, frame) if used.all() else (every.filter(used), frame.filter(used))
     answers = answers_of(rows, plan.setting)
     columns = answer_columns(answers, plan.setting)
     names = {column.name for column in columns}
     row = _numbered(rows, table)
     source = pl.Series("table", [table.path.name], dtype=pl.String)
-    own = [column for column in kept.get_columns() if column.name not in {*names, "table", "table_row"}]
+    passed = [column for column in source_rows.get_columns() if column.name not in {*names, "table", "table_row"}]
     balls, ledger, counted = plan.paths(task)
-    _write(pl.DataFrame([source.new_from_index(0, len(row)), row, *own, *columns]), balls)
+    _write(pl.DataFrame([source.new_from_index(0, len(row)), row, *passed, *columns]), balls)
     _write(every.select(source.new_from_index(0, len(every)), _numbered(every, table),
                         reason=pl.col("reason").cast(pl.Categorical)), ledger)  # fmt: skip
     _write(counted_rows(rows, answers, table.headings), counted)

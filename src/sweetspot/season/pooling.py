@@ -55,13 +55,13 @@ def spread_weights(likelihood: Callable[[Array], Array], *, most: float) -> tupl
     (0.3, 0.001)
     """
     values = most * (np.arange(1, NODES + 1) / NODES) ** 1.5
-    told = likelihood(values)
+    logs = likelihood(values)
     for _ in range(CLOSER):
-        likely = np.flatnonzero(told > told.max() - LEFT_OUT)
+        likely = np.flatnonzero(logs > logs.max() - LEFT_OUT)
         first, last = likely[0], min(likely[-1] + 1, NODES - 1)
         values = np.linspace(values[first - 1] if first else values[0] / 100, values[last], NODES)
-        told = likelihood(values)
-    parts = np.exp(told - told.max())
+        logs = likelihood(values)
+    parts = np.exp(logs - logs.max())
     return values, parts / parts.sum()
 
 
@@ -152,8 +152,8 @@ def _rate_moments(hits: Array, trials: Array) -> tuple[Array, Array]:
     def likelihood(spreads: Array) -> Array:
         kappa, mu, unsure = population(spreads)
         alpha, beta = kappa * mu, kappa * (1 - mu)
-        told = gammaln(alpha + hits) - gammaln(alpha) + gammaln(beta + trials - hits) - gammaln(beta)
-        total = np.sum(told + gammaln(kappa) - gammaln(kappa + trials), axis=1) + 0.5 * np.log(unsure[:, 0])
+        each = gammaln(alpha + hits) - gammaln(alpha) + gammaln(beta + trials - hits) - gammaln(beta)
+        total = np.sum(each + gammaln(kappa) - gammaln(kappa + trials), axis=1) + 0.5 * np.log(unsure[:, 0])
         nearer = np.minimum(mu, 1 - mu)[:, 0]
         return np.asarray(total + np.log(nearer / spreads**3) - 2 * np.log1p(kappa[:, 0] * nearer))
 
@@ -205,8 +205,8 @@ class Spread:
         """
         several = np.asarray(count, float)
         noise = self.within / np.maximum(several, 1e-9)
-        told = np.where((several > 0) & (self.between > 0), self.between / np.maximum(self.between + noise, 1e-300), 0)
-        return np.where(np.isnan(self.between), np.nan, told)
+        ratio = np.where((several > 0) & (self.between > 0), self.between / np.maximum(self.between + noise, 1e-300), 0)
+        return np.where(np.isnan(self.between), np.nan, ratio)
 
 
 def spread_of(counts: Array, means: Array, squares: Array) -> Spread:
@@ -308,10 +308,11 @@ def _positive_ends(centre: Array, errors: dict[int, Array]) -> dict[int, tuple[A
 
     ends = {}
     for percent, error in errors.items():
-        known = (centre > 0) & (error > 0)
-        shape = np.divide(centre, error, out=np.ones_like(centre), where=known) ** 2
-        both = (np.where(known, centre / shape * gammaincinv(shape, tail), centre + 0 * error)
-                for tail in TAILS[percent])  # fmt: skip
+        finite = (centre > 0) & (error > 0)
+        shape = np.divide(centre, error, out=np.ones_like(centre), where=finite) ** 2
+        both = (
+            np.where(finite, centre / shape * gammaincinv(shape, tail), centre + 0 * error) for tail in TAILS[percent]
+        )
         ends[percent] = (next(both), next(both))
     return ends
 
@@ -332,8 +333,8 @@ def _mean_moments(counts: Array, means: Array, centre: Array, spread: Spread) ->
 
     def likelihood(spreads: Array) -> Array:
         _, weight, mu, unsure = population(spreads)
-        told = 0.5 * np.sum(np.log(weight) - weight * (means - mu[:, None]) ** 2, axis=1) + 0.5 * np.log(unsure)
-        return np.asarray(told + np.log(spreads))
+        each = 0.5 * np.sum(np.log(weight) - weight * (means - mu[:, None]) ** 2, axis=1) + 0.5 * np.log(unsure)
+        return np.asarray(each + np.log(spreads))
 
     spreads, part = spread_weights(likelihood, most=GREATEST_SPREAD)
     between, weight, mu, unsure = population(spreads)

@@ -102,19 +102,19 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
     ).with_columns(*(text.column.alias(name) for name, text in words.items()))
     lost = [name for name in selected.columns if name.startswith("lost ")]
     selected, beyond = _possible(selected)
-    said = {name: words[of].turned(change) for name, (of, change) in _said(headings).items()}
+    read_out = {name: words[of].turned(change) for name, (of, change) in _said(headings).items()}
     return (
         selected.with_row_index("row", offset=first)
         .with_columns(
-            *(series.alias(name) for name, series in said.items()),
+            *(series.alias(name) for name, series in read_out.items()),
             unreadable=pl.sum_horizontal(lost) if lost else pl.lit(0, pl.Int32),
             beyond=beyond,
-            **{name: pl.lit(None, kind) for name, kind in MISSING.items() if name not in said},
+            **{name: pl.lit(None, kind) for name, kind in MISSING.items() if name not in read_out},
         )
         .with_columns(season=_season(headings), unreadable=pl.col("unreadable") + _undated(headings))
         .drop(lost)
         .with_columns(reason=_reason(headings))
-        .drop(name for name in said if name not in MISSING)
+        .drop(name for name in read_out if name not in MISSING)
     )
 
 
@@ -154,9 +154,9 @@ def by_number(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Ser
 
 def coded(column: pl.Series) -> tuple[pl.Series, pl.Series]:
     """Return which of its values stands in each row of a column of texts, and the values; in one pass over the rows."""
-    known = pl.Categories.random()
-    coded = column.cast(pl.Categorical(known))
-    return coded.to_physical(), known.to_series()
+    categories = pl.Categories.random()
+    coded = column.cast(pl.Categorical(categories))
+    return coded.to_physical(), categories.to_series()
 
 
 class Texts:
@@ -200,8 +200,9 @@ def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:
     names = [name for name in POSSIBLE if name in rows.columns]
     if not names:
         return rows, pl.lit(0, pl.UInt32)
-    found = rows.select(*(pl.col(name).min() for name in names),
-                        *(pl.col(name).max().alias(f"{name} most") for name in names)).row(0, named=True)  # fmt: skip
+    found = rows.select(
+        *(pl.col(name).min() for name in names), *(pl.col(name).max().alias(f"{name} most") for name in names)
+    ).row(0, named=True)
     beyond = [name for name in names if found[name] is not None
               and not POSSIBLE[name][0] <= found[name] <= found[f"{name} most"] <= POSSIBLE[name][1]]  # fmt: skip
     wrong = {name: ~pl.col(name).is_between(*POSSIBLE[name]) for name in beyond}
@@ -213,8 +214,8 @@ def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:
         return rows, pl.lit(0, pl.UInt32)
     flags = rows.select(condition.fill_null(value=False).alias(name) for name, condition in wrong.items())
     hit = flags.columns
-    kept = rows.with_columns(pl.when(~flags[name]).then(pl.col(name)).alias(name) for name in hit)
-    return kept, pl.lit(flags.select(pl.sum_horizontal(hit).cast(pl.UInt32)).to_series())
+    possible = rows.with_columns(pl.when(~flags[name]).then(pl.col(name)).alias(name) for name in hit)
+    return possible, pl.lit(flags.select(pl.sum_horizontal(hit).cast(pl.UInt32)).to_series())
 
 
 def _undated(headings: Headings) -> pl.Expr:

@@ -109,12 +109,12 @@ def home_runs_with(counted: pl.LazyFrame, drag: DragOfMonth) -> Interval | None:
     from scipy.special import ndtr, ndtri
 
     gone = is_home_run(pl.col("event")).fill_null(value=False)
-    known = counted.filter(pl.col("home_run_here").is_not_null()).select("park", "home_run_here", gone=gone).collect()
-    if not len(known) or np.mean(known["gone"].to_numpy()) > SELECTED:
+    chances = counted.filter(pl.col("home_run_here").is_not_null()).select("park", "home_run_here", gone=gone).collect()
+    if not len(chances) or np.mean(chances["gone"].to_numpy()) > SELECTED:
         return None
-    scatters = {name: _scatter(name) for name in known["park"].unique()}
-    scatter = known["park"].replace_strict(scatters, return_dtype=pl.Float64).to_numpy()
-    chance = ndtri(known["home_run_here"].cast(pl.Float64).to_numpy())
+    scatters = {name: _scatter(name) for name in chances["park"].unique()}
+    scatter = chances["park"].replace_strict(scatters, return_dtype=pl.Float64).to_numpy()
+    chance = ndtri(chances["home_run_here"].cast(pl.Float64).to_numpy())
     half = REACH * drag.error
     least, middle, most = (float(ndtr(chance - (drag.drag + off - 1) / scatter).sum()) for off in (half, 0.0, -half))
     return Interval(middle, least, most)
@@ -165,8 +165,8 @@ def left_over_by(counted: pl.LazyFrame, kind: str) -> tuple[LeftOver, ...]:
     kind : a key of `EDGES`.
     """
     edges = EDGES[kind]
-    known = counted.filter(pl.col("carry_above").is_not_null() & pl.col(kind).is_not_null())
-    balls = known.select(value=pl.col(kind), above=pl.col("carry_above").cast(pl.Float64)).collect()
+    tracked = counted.filter(pl.col("carry_above").is_not_null() & pl.col(kind).is_not_null())
+    balls = tracked.select(value=pl.col(kind), above=pl.col("carry_above").cast(pl.Float64)).collect()
     places: list[tuple[float | None, str | None]]
     if len(edges):
         value = balls["value"].to_numpy()

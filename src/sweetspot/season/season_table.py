@@ -32,7 +32,7 @@ from sweetspot.season.ball_columns import (
     answers_of,
     bats_of,
 )
-from sweetspot.season.balls import balls_of
+from sweetspot.season.balls import balls_of, together
 from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
 from sweetspot.season.csv_copy import LEFT_OUT
@@ -138,14 +138,14 @@ def season_setting(
     """
     pitched: Ball = catalogue_ball(ball)
     flight = FlightSetting(pitched, aerodynamics(ball), air or USUAL_AIR, threads=threads)
-    known: dict[str, Bat] = {}
+    loaded: dict[str, Bat] = {}
 
     def named(given: str | Bat) -> str:
         if isinstance(given, str) and given == UNKNOWN_BAT:
             return given
         bat = given if isinstance(given, Bat) else load_bat(given)
         name = given if isinstance(given, str) else bat.name
-        known.setdefault(Path(name).stem if "/" in name or name.endswith(".toml") else name, bat)
+        loaded.setdefault(Path(name).stem if "/" in name or name.endswith(".toml") else name, bat)
         return Path(name).stem if "/" in name or name.endswith(".toml") else name
 
     names = {who: named(given) for who, given in (bats or {"": DEFAULT_BAT}).items()}
@@ -153,13 +153,13 @@ def season_setting(
     if not contact:
         return SeasonSetting(flight, None, names, system)
     law = swing_law()
-    mois = {name: reduced_bat(bat, ball=pitched).body.moi(bat.choke + law.axis) for name, bat in known.items()}
-    surfaces = {name: surface_of(bat, ball=pitched) for name, bat in known.items()}
-    own = tuple(dict.fromkeys(name for name in names.values() if name != UNKNOWN_BAT))
+    mois = {name: reduced_bat(bat, ball=pitched).body.moi(bat.choke + law.axis) for name, bat in loaded.items()}
+    surfaces = {name: surface_of(bat, ball=pitched) for name, bat in loaded.items()}
+    used = tuple(dict.fromkeys(name for name in names.values() if name != UNKNOWN_BAT))
     return SeasonSetting(
         flight,
         ContactSetting(
-            pitched, tuple(surfaces[name] for name in own), tuple(mois[name] for name in own),
+            pitched, tuple(surfaces[name] for name in used), tuple(mois[name] for name in used),
             tuple(OtherBat(name, surfaces[name], mois[name]) for name in other_names), law, threads=threads,
         ),
         names, system,
@@ -236,8 +236,8 @@ def _replaced(survey: Survey, setting: SeasonSetting) -> Iterator[TableWarning]:
     ours = {*answer_headings(setting), "table", "table_row"}
     for number, table in enumerate(survey.tables):
         headings = table.headings
-        own = [*headings.passed, *(column.heading for column in headings.columns.values())]
-        if lost := [name for name in own if name in ours]:
+        names = [*headings.passed, *(column.heading for column in headings.columns.values())]
+        if lost := [name for name in names if name in ours]:
             yield TableWarning("replaced", number, table.rows, detail=", ".join(lost))
 
 
@@ -254,16 +254,16 @@ def _require_balls(survey: Survey) -> None:
     if not survey.tables:
         raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
     if not any(counts[USED] for counts in survey.counts):
-        why = (f"{sum(one.get(reason, 0) for one in survey.counts)} {reason} ({words})"
+        why = (f"{sum(counts.get(reason, 0) for counts in survey.counts)} {reason} ({words})"
                for reason, words in {**REASONS, **LEFT_OUT}.items())  # fmt: skip
         raise InputError(
             f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
-            f"{'; '.join(one for one in why if not one.startswith('0 '))}{_unread(survey)}. Look at its columns with "
-            "--show-columns"
+            f"{'; '.join(words for words in why if not words.startswith('0 '))}{_unread(survey)}. Look at its "
+            "columns with --show-columns"
         )
     refused, used = (sum(counts.get(reason, 0) for counts in survey.counts) for reason in ("impossible", USED))
     if refused >= max(ENOUGH, used):
-        doubts = (one.detail for one in survey.warnings if one.name in ("swapped", "unit"))
+        doubts = (warning.detail for warning in survey.warnings if warning.name in ("swapped", "unit"))
         raise InputError(
             f"{survey.tables[0].path}: {refused} of {refused + used} balls in play have an exit speed or launch angle "
             f"that cannot be ({next(doubts, 'allowed is 1 to 125 mph and -90 to 90 degrees')}). Mend the headings, or "
@@ -284,7 +284,7 @@ def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | Non
     ----------
     workers : tasks at a time; None: one per core, at most two.
     """
-    total, done = sum(table.rows for table in plan.tables), 0
+    total, finished = sum(table.rows for table in plan.tables), 0
     tasks, workers = list(plan.tasks()), workers or min(os.cpu_count() or 1, 2)
     if workers > 1 and len(tasks) > 1:
         plan = serial(plan)
@@ -295,17 +295,17 @@ def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | Non
             while len(waiting) < len(tasks):
                 waiting.add(pool.submit(do_task, plan, tasks[len(waiting)], reader))
         try:
-            for one in as_completed(waiting):
-                done += one.result()
+            for future in as_completed(waiting):
+                finished += future.result()
                 if progress is not None:
-                    progress(done, total)
+                    progress(finished, total)
         except BaseException:
             pool.shutdown(wait=True, cancel_futures=True)
             raise
     for task in tasks[len(waiting) :]:
-        done += do_task(plan, task, reader)
+        finished += do_task(plan, task, reader)
         if progress is not None:
-            progress(done, total)
+            progress(finished, total)
 
 
 def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
@@ -322,8 +322,7 @@ def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
     balls, bats = [balls_of(rows) for rows in frames], [bats_of(rows, setting) for rows in frames]
     if not balls:
         return setting.contact.relation
-    together = type(balls[0])(**{name: np.concatenate([vars(one)[name] for one in balls]) for name in vars(balls[0])})
-    return learnt(together, np.concatenate(bats), setting.contact)
+    return learnt(together(balls), np.concatenate(bats), setting.contact)
 
 
 def _sampled(survey: Survey, swung: int) -> Iterator[pl.DataFrame]:
@@ -386,8 +385,8 @@ def season_columns(
         used = (rows["reason"] == USED).to_numpy()
         columns = answer_columns(answers_of(rows.filter(used), chosen), chosen)
         fresh = {column.name for column in columns}
-        own = [column for column in part.filter(used).get_columns() if column.name not in fresh]
-        return pl.DataFrame([*own, *columns])
+        passed = [column for column in part.filter(used).get_columns() if column.name not in fresh]
+        return pl.DataFrame([*passed, *columns])
 
     schema = answered(lazy.clear().collect()).schema
     return lazy.map_batches(answered, schema=schema, streamable=True)

@@ -47,7 +47,7 @@ COUNTED = (
 
 def group_sums(
     parts: Sequence[pl.LazyFrame], *, keys: Sequence[str], measures: Sequence[str]
-) -> dict[str, pl.DataFrame]:  # fmt: skip
+) -> dict[str, pl.DataFrame]:
     """Return for each column of groups a row a group, in order: balls, home runs, EV20, and the measures' sums.
 
     Parameters
@@ -65,11 +65,11 @@ def group_sums(
     for number, part in enumerate(parts, start=1):
         held = [name for name in part.collect_schema().names() if name in asked]
         rows = _made_ready(pl.concat([nothing, part.select(held).collect()], how="diagonal"))
-        for one in sums:
-            one.take(rows)
+        for group in sums:
+            group.take(rows)
             if number % OFTEN == 0:
-                one.add_up()
-    return {one.key: one.table(measures) for one in sums}
+                group.add_up()
+    return {group.key: group.table(measures) for group in sums}
 
 
 def _made_ready(rows: pl.DataFrame) -> pl.DataFrame:
@@ -82,7 +82,7 @@ def _made_ready(rows: pl.DataFrame) -> pl.DataFrame:
 class _Sums:
     """What was counted of one column of groups."""
 
-    def __init__(self, key: str, known: Sequence[str], measures: Sequence[str]) -> None:
+    def __init__(self, key: str, columns: Sequence[str], measures: Sequence[str]) -> None:
         self.key, self.name = key, NAMES.get(key, "")
         self.counts: list[pl.DataFrame] = []
         self.boxes: list[pl.DataFrame] = []
@@ -91,7 +91,7 @@ class _Sums:
             value = pl.col(measure)
             asked += [value.count().alias(f"{measure} {BALLS}"), value.sum().alias(f"{measure} sum"),
                       (value * value).sum().alias(f"{measure} square")]  # fmt: skip
-        if self.name in known:
+        if self.name in columns:
             asked.append(pl.col(self.name).drop_nulls().first().alias("name"))
         self.asked = asked
 
@@ -102,7 +102,7 @@ class _Sums:
         self.counts.append(rows.group_by(self.key).agg(self.asked))
         self.boxes.append(
             rows.group_by(self.key, "box").agg(held=pl.col("exit_speed").count(), speeds=pl.col("exit_speed").sum())
-        )  # fmt: skip
+        )
 
     def add_up(self) -> None:
         if len(self.counts) < 2:
@@ -122,10 +122,10 @@ class _Sums:
                  for measure, count in zip(measures, several, strict=True)]  # fmt: skip
         about = [(pl.col(f"{measure} square") - pl.col(f"{measure} sum") ** 2 / count).clip(0)
                  .alias(f"{measure} {SQUARES}") for measure, count in zip(measures, several, strict=True)]  # fmt: skip
-        told = [pl.when(pl.col(TOLD + by) > 0).then(pl.col(name)).alias(name) for name, by in TOLD_BY.items()]
+        counted = [pl.when(pl.col(TOLD + by) > 0).then(pl.col(name)).alias(name) for name, by in TOLD_BY.items()]
         gone = [*(f"{measure} {what}" for measure in measures for what in ("sum", "square")),
                 *(name for name in table.columns if name.startswith(TOLD))]  # fmt: skip
-        return table.with_columns(*means, *about, *told).drop(gone)
+        return table.with_columns(*means, *about, *counted).drop(gone)
 
     def _hardest(self) -> pl.DataFrame:
         """Return the mean of the hardest fifth of each group; of the box that it begins in, as many as belong to it."""
@@ -254,10 +254,10 @@ def _standing(summed: pl.DataFrame, key: str, measures: Sequence[str], others: l
     table = summed.select(key, *(name for name in PLAIN if name in summed.columns))
     spreads = {}
     for measure in measures:
-        own = summed.select(
+        moments = summed.select(
             key, *(pl.col(f"{measure} {what}").alias(what) for what in (BALLS, MEAN, SQUARES))
-        ).filter(pl.col(BALLS) > 0)  # fmt: skip
-        measured, spreads[measure] = pooled_groups(own, key=key, bounds=BOUNDS.get(measure))
+        ).filter(pl.col(BALLS) > 0)
+        measured, spreads[measure] = pooled_groups(moments, key=key, bounds=BOUNDS.get(measure))
         if "pooled" not in measured.columns:
             continue
         renamed = measured.rename({"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure} | {
@@ -292,10 +292,10 @@ def above_expected_parts(parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
     square, along = np.zeros((3, 3)), np.zeros(3)
     flagged = ["league_squared_up" in part.collect_schema().names() for part in parts]
     for part in compress(parts, flagged):
-        known = part.select(speed=speed, flag=flag).drop_nulls().collect()
-        powers = np.stack([known["speed"].to_numpy() ** power for power in range(3)])
+        rated = part.select(speed=speed, flag=flag).drop_nulls().collect()
+        powers = np.stack([rated["speed"].to_numpy() ** power for power in range(3)])
         square += np.einsum("in,jn->ij", powers, powers)
-        along += np.einsum("in,n->i", powers, known["flag"].to_numpy())
+        along += np.einsum("in,n->i", powers, rated["flag"].to_numpy())
     if square[0, 0] < 10:
         return list(parts)
     a, b, c = np.linalg.lstsq(square, along, rcond=None)[0].tolist()

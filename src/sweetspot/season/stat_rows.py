@@ -43,9 +43,9 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
         "home_runs_in_30": flown.home_runs, "home_run_kind": answers.home_run_kind.astype(float),
         "bearing": balls.bearing,
     }  # fmt: skip
-    met = answers.contact
-    if met is not None:
-        result = met.results
+    contact = answers.contact
+    if contact is not None:
+        result = contact.results
         distance, offset = result[:, kernel.DISTANCE + 2], result[:, kernel.OFFSET]
         with np.errstate(invalid="ignore"):
             centred = np.where(np.isnan(distance), np.nan, distance <= CENTRED)
@@ -53,14 +53,14 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
             late = np.abs(timing(rows, balls.plate_speed))
             on_time = np.where(np.isnan(late), np.nan, late <= ON_TIME)
             perfect = np.where(np.isnan(centred + lined_up + on_time), np.nan, centred * lined_up * on_time)
-        measured |= measures(balls, met) | {
+        measured |= measures(balls, contact) | {
             "on_time": on_time, "perfect": perfect,
             "from_best": distance, "from_tip": result[:, kernel.MEAN_PLACE],
             "from_tip_drawn": result[:, kernel.DRAWN], "offset": offset, "centred": centred,
             "lined_up": lined_up, "tip_side": result[:, kernel.TIP_SIDE], "rank": result[:, kernel.RANK],
             "above_usual": balls.exit_speed - result[:, kernel.EXPECTED],
         }  # fmt: skip
-        for name, (mean, _, _) in met.others.items():
+        for name, (mean, _, _) in contact.others.items():
             gain = mean - balls.exit_speed
             measured[f"{WITH}{name}"] = np.where(np.abs(gain) < SAME_BAT, np.nan, gain)
     series = [pl.Series(name, values.astype(np.float32), nan_to_null=True) for name, values in measured.items()]

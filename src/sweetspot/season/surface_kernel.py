@@ -28,7 +28,7 @@ def part_of(nodes: Array, value: float) -> tuple[int, float]:
 @inner(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
 def velocity_after(
     after: Array, place: int, speed: tuple[int, float], spin: tuple[int, float], at: float
-) -> tuple[float, float, float, float]:  # fmt: skip
+) -> tuple[float, float, float, float]:
     """Return velocity after the hit over closing speed, back and up, and its changes per node of the line of centres.
 
     Parameters
@@ -112,9 +112,7 @@ def hit_towards(
 
 
 @compiled(nogil=True, error_model="numpy")
-def look_up(
-    axes: Axes, after: Array, reach: Array, arm: Array, given: Array, fast: Array, above: Array
-) -> None:  # fmt: skip
+def look_up(axes: Axes, after: Array, reach: Array, arm: Array, given: Array, fast: Array, above: Array) -> None:
     """Fill exit speed in the plane and offset of n hits, straight lines between the table's places.
 
     Parameters

@@ -87,7 +87,7 @@ def survey_tables(
     duplicates = duplicate_rows(tables)
     counts, warnings, days = [], [], []
     endings: dict[Ending, tuple[int, float, int]] = {}
-    total, done = sum(table.rows for table in tables), 0
+    total, finished = sum(table.rows for table in tables), 0
     for number, table in enumerate(tables):
         look = TableLook(number, table)
         reader = TableReader([table], part_rows=PART)
@@ -95,9 +95,9 @@ def survey_tables(
         for rows in in_order(part_of, asked):
             look.take(rows, duplicates[number])
             _count_endings(rows, endings)
-            done += len(rows)
+            finished += len(rows)
             if progress is not None:
-                progress(done, total)
+                progress(finished, total)
         counts.append({**look.counts, **table.left_out})
         warnings += look.warnings()
         days.append((min(look.days), max(look.days)) if look.days else None)
@@ -116,7 +116,7 @@ def _count_endings(rows: pl.DataFrame, endings: dict[Ending, tuple[int, float, i
         .select(*names, "exit_speed", tracked=pl.col("reason") == USED, far=(far / APART).cast(pl.Int32))
         .group_by(*names, "far")
         .agg(pl.col("tracked").sum(), total=pl.col("exit_speed").sum(), lost=(~pl.col("tracked")).sum())
-    )  # fmt: skip
+    )
     for *words, far_out, tracked, total, lost in table.sort(*names, "far").iter_rows():
         ending = " ".join(word or "" for word in words), far_out
         before = endings.get(ending, (0, 0.0, 0))

@@ -168,8 +168,8 @@ def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -
     reading, its error and what swings scatter by.
     """
     measured = np.isfinite(balls.attack_angle)
-    kept = ATTACK_SPREAD**2 / (ATTACK_SPREAD**2 + errors.attack_angle**2)
-    attack = USUAL_ATTACK + np.where(measured, kept * (balls.attack_angle - USUAL_ATTACK), 0.0)
+    share = ATTACK_SPREAD**2 / (ATTACK_SPREAD**2 + errors.attack_angle**2)
+    attack = USUAL_ATTACK + np.where(measured, share * (balls.attack_angle - USUAL_ATTACK), 0.0)
     attack = np.clip(attack, -STEEPEST, STEEPEST)
     direction = np.nan_to_num(balls.attack_direction)
     tilt = np.minimum(steep_enough(np.where(np.isfinite(balls.tilt), balls.tilt, USUAL_TILT), attack), 1.5)
@@ -195,7 +195,7 @@ def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -
         outcome, balls.bat_speed, ahead, up, along, ball.radius * np.sum(balls.spin * axes.tip, axis=-1), fast, turned,
         np.hypot(
             LAUNCH_LEVERAGE * errors.launch_angle,
-            ATTACK_LEVERAGE * np.where(measured, math.sqrt(kept) * errors.attack_angle, ATTACK_SPREAD),
+            ATTACK_LEVERAGE * np.where(measured, math.sqrt(share) * errors.attack_angle, ATTACK_SPREAD),
         ),
         np.where(thrown, 0.0, PER_PITCH_SPEED * PITCH_SPREAD),
     )  # fmt: skip
@@ -218,7 +218,7 @@ def ceilings(plane: InPlane, surface: BatSurface) -> tuple[Array, Array]:
         index = tuple(start + step for start, step in zip(low, corner, strict=True))
         top += weight * surface.ceiling[index]
         place += weight * surface.best_place[index]
-    known = np.isfinite(coming) & np.isfinite(swung)
-    return np.where(known, np.hypot(top * plane.bat_speed, surface.along[0] * plane.along), np.nan), np.where(
-        known, place, np.nan
+    measured = np.isfinite(coming) & np.isfinite(swung)
+    return np.where(measured, np.hypot(top * plane.bat_speed, surface.along[0] * plane.along), np.nan), np.where(
+        measured, place, np.nan
     )

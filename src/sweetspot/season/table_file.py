@@ -97,8 +97,8 @@ class TableFile:
     @cached_property
     def row_groups(self) -> tuple[int, ...]:
         """Rows of the pieces of its data that are unpacked whole; one piece where the file does not tell."""
-        told = (footer_of(self.strips[0]) if self.strips else self.footer).row_groups
-        return told if sum(told) == self.rows else (self.rows,)
+        groups = (footer_of(self.strips[0]) if self.strips else self.footer).row_groups
+        return groups if sum(groups) == self.rows else (self.rows,)
 
     @cached_property
     def footer(self) -> Footer:
@@ -269,13 +269,13 @@ def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
         raise InputError(f"{path} has column names and no row; give one row per ball")
     texts = [column.heading for column in copy.headings.columns.values() if column.kind != "text"]
     held = pl.scan_parquet(target).select(pl.col(texts).is_null().all()).collect().row(0, named=True)
-    headings, told = told_by_rows(copy.headings, pl.scan_parquet(target))
-    notes += told
+    headings, more = told_by_rows(copy.headings, pl.scan_parquet(target))
+    notes += more
     if len(above) > 1:
-        said = "; ".join(
+        preamble = "; ".join(
             ", ".join(filter(None, map(str.strip, cells_of(line, separator_of(line))))) for line in above[:-1]
         )
-        notes.append(f"{len(above) - 1} lines above the headings are left out: {said[:120]}")
+        notes.append(f"{len(above) - 1} lines above the headings are left out: {preamble[:120]}")
     if ends.encoding in ENCODINGS:
         notes.append(f"the text is read as {ENCODINGS[ends.encoding]}; look at names, or save it as CSV UTF-8")
     if separator != ",":

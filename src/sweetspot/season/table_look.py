@@ -170,7 +170,8 @@ class TableLook:
         columns = table.headings.columns.items()
         self.sure = _surely_possible(table, held)
         self.held = dict.fromkeys(self.sure, table.rows)
-        self.texts = [name for name, one in columns if one.kind != "text" and not held[one.heading].is_numeric()]
+        numbers = {name: held[column.heading] for name, column in columns if column.kind != "text"}
+        self.texts = [name for name, kind in numbers.items() if not kind.is_numeric()]
 
     def wanted(self) -> list[str]:
         """Return the quantities to look at next: what is always looked at, and of what nothing was seen yet."""
@@ -223,8 +224,8 @@ class TableLook:
             self._note("other games", used, pl.col("game_kind").is_in(ELSEWHERE))
         if headings.has("bat_speed") and not headings.has("velocity_y"):
             speeds = [pl.col(name).is_not_null() for name in ("release_speed", "plate_speed") if headings.has(name)]
-            told = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
-            self._note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~told)
+            pitched = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
+            self._note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~pitched)
         if headings.has("home_team"):
             self._note_parks(used)
         self._doubt(rows.filter(pl.col("reason").is_in([USED, "impossible"])) if "impossible" in counts else used)
@@ -256,11 +257,11 @@ class TableLook:
             found, times = found[often], times[often]
             most = found[np.lexsort((found, times))[::-1][:3]]
             speeds = np.rint(most / PAIRED)
-            shown = "; ".join(
+            words = "; ".join(
                 f"{speed / 10:.1f} mph at {angle / 10:.1f} degrees"
                 for speed, angle in zip(speeds, most - PAIRED * speeds, strict=True)
             )
-            self._note("placeholders", pairs, pl.col("pair").is_in(found.tolist()), detail=shown)
+            self._note("placeholders", pairs, pl.col("pair").is_in(found.tolist()), detail=words)
 
     def _doubt(self, played: pl.DataFrame) -> None:
         """Note columns that seem to stand in each other's place, or in another unit, by some of the balls in play."""
@@ -357,8 +358,8 @@ def _surely_possible(table: TableFile, schema: pl.Schema) -> set[str]:
         if name in POSSIBLE and name not in ASKED_ALWAYS and column.heading in table.footer.ranges:
             least, most = POSSIBLE[name]
             ends = sorted(column.zero + column.factor * end for end in table.footer.ranges[column.heading])
-            told = name not in ANGLES or max(-ends[0], ends[1]) > LEVEL  # else they are looked at: are they radians?
-            if told and least <= ends[0] <= ends[1] <= most and schema[column.heading].is_float():
+            in_degrees = name not in ANGLES or max(-ends[0], ends[1]) > LEVEL  # else they may be radians
+            if in_degrees and least <= ends[0] <= ends[1] <= most and schema[column.heading].is_float():
                 sure.add(name)
     return sure
 
@@ -368,5 +369,5 @@ def _is_foul_tip(text: pl.Expr) -> pl.Expr:
 
 
 def _days_in_words(gaps: list[tuple[date, date]]) -> str:
-    shown = "; ".join(f"{first} to {last}" for first, last in gaps[:3])
-    return f"between {shown}" + (f" and {len(gaps) - 3} more" if len(gaps) > 3 else "")
+    words = "; ".join(f"{first} to {last}" for first, last in gaps[:3])
+    return f"between {words}" + (f" and {len(gaps) - 3} more" if len(gaps) > 3 else "")

@@ -57,13 +57,16 @@ class TableReader:
         first, last = bisect_right(edges, start) - 1, bisect_left(edges, min(start + count, table.rows))
         with self._reading:
             stretches = [self._stretch(number, *ends, headings) for ends in pairwise(edges[first : last + 1])]
-        pieces = [one.rows.slice(max(start - one.start, 0), start + count - max(start, one.start)) for one in stretches]
+        pieces = [
+            stretch.rows.slice(max(start - stretch.start, 0), start + count - max(start, stretch.start))
+            for stretch in stretches
+        ]
         if headings is not None:  # a stretch may have been read for more of them
             pieces = [piece.select(headings) for piece in pieces]
         return pl.concat(pieces)
 
     def _stretch(self, number: int, start: int, end: int, headings: Sequence[str] | None) -> _Stretch:
-        held = next((one for one in self._held if one.has(number, start, end, headings)), None)
+        held = next((stretch for stretch in self._held if stretch.has(number, start, end, headings)), None)
         if held is None:
             rows = self._tables[number].part(start, end - start, headings=headings)
             held = _Stretch(number, start, headings is None, rows)
@@ -96,6 +99,9 @@ class _Stretch:
     whole: bool
     rows: pl.DataFrame
 
+    def between(self, start: int, end: int) -> pl.DataFrame:
+        return self.rows.slice(max(start - self.start, 0), end - max(start, self.start))
+
     def has(self, number: int, start: int, end: int, headings: Sequence[str] | None) -> bool:
         if (number, start, end) != (self.number, self.start, self.start + len(self.rows)):
             return False
@@ -106,9 +112,7 @@ PART = 65_536
 """Rows that are read together."""
 
 
-def parts(
-    table: TableFile, *, quantities: Sequence[str], step: int, starts: Sequence[int]
-) -> Iterator[pl.DataFrame]:  # fmt: skip
+def parts(table: TableFile, *, quantities: Sequence[str], step: int, starts: Sequence[int]) -> Iterator[pl.DataFrame]:
     """Yield some of a table's rows as `rows_of` gives them, a part or so at a time; as good as drawn, always the same.
 
     Parameters

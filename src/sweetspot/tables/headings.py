@@ -164,14 +164,14 @@ def read_headings(
         when a person names a quantity or a column that is not there.
     """
     short = [simplified(name) for name in names]
-    system = next((one for one in systems() if _belongs(short, one)), None)
-    said = _given(names, given, wanted, file_name)
+    system = next((candidate for candidate in systems() if _belongs(short, candidate)), None)
+    named = _given(names, given, wanted, file_name)
     found: dict[str, list[tuple[int, int, TableColumn]]] = {}
     faults: dict[str, str] = {}
     for index, name in enumerate(names):
         if COPY.search(name):
             continue
-        for rank, place, quantity, unit in _meanings(name, short[index], index, said, system, wanted):
+        for rank, place, quantity, unit in _meanings(name, short[index], index, named, system, wanted):
             try:
                 column = _made(quantity, name, _whole_unit(quantity, unit, rank, system, given.units), index)
             except InputError as error:
@@ -180,7 +180,7 @@ def read_headings(
                 found.setdefault(quantity, []).append((rank, place, column))
     columns, notes, spare = {}, [], set()
     for quantity, several in found.items():
-        (rank, _, first), *others = sorted(several, key=lambda one: one[:2])
+        (rank, _, first), *others = sorted(several, key=lambda found_column: found_column[:2])
         columns[quantity] = first
         spare |= {column.heading for _, _, column in others}
         if first.kind == "text" or not others:
@@ -210,9 +210,12 @@ def names_one_of(names: Iterable[str], wanted: tuple[str, ...]) -> bool:
     >>> names_one_of(["HitID", "ExitVelocity"], ("exit_speed",)), names_one_of(["Exit Velocity, Some"], ("exit_speed",))
     (True, False)
     """
-    own = {heading for system in systems() for heading, (quantity, _) in system.columns.items() if quantity in wanted}
+    meanings = [meaning for system in systems() for meaning in system.columns.items()]
+    by_system = {heading for heading, (quantity, _) in meanings if quantity in wanted}
     return any(
-        stem in own or joined(stem) in quantity_by_name(wanted) for name in names for stem, _ in _cuts(simplified(name))
+        stem in by_system or joined(stem) in quantity_by_name(wanted)
+        for name in names
+        for stem, _ in _cuts(simplified(name))
     )
 
 
@@ -224,8 +227,8 @@ def refuse_faults(faults: Iterable[str], file_name: str) -> None:
     InputError
         where there is a fault.
     """
-    if told := "; ".join(faults):
-        raise InputError(f"{file_name}: {told}")
+    if text := "; ".join(faults):
+        raise InputError(f"{file_name}: {text}")
 
 
 def no_unit(columns: Sequence[TableColumn]) -> str:
@@ -233,9 +236,9 @@ def no_unit(columns: Sequence[TableColumn]) -> str:
     if not columns:
         return ""
     several = len(columns) > 1
-    first = columns[0]
+    first, names = columns[0], " and ".join(column.heading.strip() for column in columns)
     return (
-        f"column{'s' * several} {' and '.join(one.heading.strip() for one in columns)} ha{'ve' if several else 's'} no "
+        f"column{'s' * several} {names} ha{'ve' if several else 's'} no "
         f"unit; write it into the heading{'s' * several}, for example {first.heading_with_unit}, or say "
         f"--file-units us (mph, feet, inches) or metric (m/s, m, cm), or of one "
         f"column --column {first.quantity}={first.heading.strip()}:{first.example_unit}"
@@ -244,9 +247,9 @@ def no_unit(columns: Sequence[TableColumn]) -> str:
 
 def closest(names: Sequence[str], wanted: tuple[str, ...]) -> str:
     """Return the headings of a table, those first behind which stands what they may be a slip of."""
-    shown = [maybe_heading(name.strip(), wanted) for name in names if name.strip()]
-    shown.sort(key=lambda name: "did you mean" not in name)
-    return ", ".join(shown[:MOST_HEADINGS]) + (", …" if len(shown) > MOST_HEADINGS else "")
+    listed = [maybe_heading(name.strip(), wanted) for name in names if name.strip()]
+    listed.sort(key=lambda name: "did you mean" not in name)
+    return ", ".join(listed[:MOST_HEADINGS]) + (", …" if len(listed) > MOST_HEADINGS else "")
 
 
 def maybe_heading(heading: str, wanted: tuple[str, ...]) -> str:
@@ -307,13 +310,13 @@ def _meanings(
     name: str,
     short: str,
     index: int,
-    said: Mapping[str, tuple[str, str]],
+    named: Mapping[str, tuple[str, str]],
     system: MeasuringSystem | None,
     wanted: tuple[str, ...],
 ) -> Iterator[tuple[int, int, str, str]]:
     """Yield who gives a heading its meaning, its place among such, its quantity and its unit; nothing for none."""
-    if name in said:
-        yield GIVEN, index, *said[name]
+    if name in named:
+        yield GIVEN, index, *named[name]
         return
     for stem, unit in _cuts(short):
         if system is not None and stem in system.columns:
@@ -352,8 +355,8 @@ def _made(quantity: str, heading: str, unit: str, index: int) -> TableColumn:
         return TableColumn(quantity, heading, kind, "", 1.0, index=index)
     half = kind in PLACES and unit in ENDS
     if unit and not half and unit not in UNITS[kind]:
-        known = kind not in PLACES and any(unit in units for units in UNITS.values())  # a place counts from an end
-        wrong = f"the unit {unit}, which is no {kind}" if known else f"an unknown unit, {unit}"
+        other_kind = kind not in PLACES and any(unit in units for units in UNITS.values())  # a place counts from an end
+        wrong = f"the unit {unit}, which is no {kind}" if other_kind else f"an unknown unit, {unit}"
         raise InputError(f"column {heading.strip()} has {wrong}; allowed: {', '.join(UNITS[kind])}")
     factor = UNITS[kind][unit] if unit and not half else math.nan
     return TableColumn(quantity, heading, kind, unit, factor, zero_of(kind, unit), index)
@@ -371,20 +374,20 @@ def _given(
     """Return quantity and unit of the columns that a person has named, by heading."""
     columns = {}
     faults = []
-    for told, text in given.headings.items():
-        quantity = told if told in wanted else quantity_by_name(wanted).get(joined(simplified(told)))
+    for name, text in given.headings.items():
+        quantity = name if name in wanted else quantity_by_name(wanted).get(joined(simplified(name)))
         if quantity is None:
-            near = nearest_names(told, [*wanted, *spelled_names(wanted)])
+            near = nearest_names(name, [*wanted, *spelled_names(wanted)])
             listed = near if "mean" in near else f"Allowed: {', '.join(wanted)}"
-            faults.append(f"{told} is no quantity of a table. {listed}")
+            faults.append(f"{name} is no quantity of a table. {listed}")
             continue
         heading, unit = heading_and_unit(text, names)
         if heading not in names:
-            faults.append(f"no column {heading!r} to give {told}. The table has: {closest(names, wanted)}")
+            faults.append(f"no column {heading!r} to give {name}. The table has: {closest(names, wanted)}")
             continue
         kind = quantities()[quantity].kind
-        own = next((cut for _, cut in _cuts(simplified(heading)) if cut in UNITS[kind]), "")
-        columns[heading] = quantity, simplified(unit) or own or ("" if given.units else _default_unit(quantity))
+        unit = simplified(unit) or next((cut for _, cut in _cuts(simplified(heading)) if cut in UNITS[kind]), "")
+        columns[heading] = quantity, unit or ("" if given.units else _default_unit(quantity))
     refuse_faults(faults, file_name)
     return columns
 

@@ -30,9 +30,10 @@ MOST_ABOVE = 16
 MOST_BROKEN = 100
 """Lines that one row may be broken over."""
 DISGUISED = {
-    b"\x1f\x8b": "is packed; let its name end in .csv.gz", b"PAR1": "is Parquet; let its name end in .parquet",
+    b"\x1f\x8b": "is packed; let its name end in .csv.gz",
+    b"PAR1": "is Parquet; let its name end in .parquet",
     b"PK\x03\x04": "is a spreadsheet or an archive; save the sheet as CSV",
-}  # fmt: skip
+}
 """First bytes of files that are no text, whatever their names say."""
 SEPARATORS = ",;\t|"
 """Between the cells of a table, as programs of different countries write them."""
@@ -78,9 +79,10 @@ def in_utf8(path: Path, staging: Path, *, is_heading: IsHeading) -> tuple[Path, 
         return path, ends
     copy = staging / f"{path.name}.utf-8"
     with (
-        opened(path) as file, io.TextIOWrapper(file, ends.encoding, errors="replace") as text,
+        opened(path) as file,
+        io.TextIOWrapper(file, ends.encoding, errors="replace") as text,
         written_whole(copy) as plain,
-    ):  # fmt: skip
+    ):
         while block := text.read(TAIL):
             plain.write(block.encode())
     copied = _ends(copy, is_heading)
@@ -99,7 +101,7 @@ def opened(path: Path) -> IO[bytes]:
 
 def _ends(path: Path, is_heading: IsHeading) -> TextEnds:
     """Return the lines down to the headings, and the last line, of a file that may be packed."""
-    encoding, told = "utf-8", codecs.getincrementaldecoder("utf-8")()
+    encoding, decoder = "utf-8", codecs.getincrementaldecoder("utf-8")()
     try:
         with opened(path) as file:
             lines = [file.readline(TAIL)]
@@ -112,7 +114,7 @@ def _ends(path: Path, is_heading: IsHeading) -> TextEnds:
             tail, unpacked, quotes = lines[-1], 0, 0
             for block in chain([first], iter(lambda: file.read(TAIL), b"")):
                 if not wide and encoding == "utf-8":
-                    encoding = "utf-8" if _goes_on(told, block) else "cp1252"
+                    encoding = "utf-8" if _goes_on(decoder, block) else "cp1252"
                 quotes += block.count(b'"')
                 if block is first:
                     continue
@@ -228,7 +230,7 @@ def table_rows(text: str, path: Path, *, is_heading: IsHeading) -> Iterator[tupl
     """
     beginning = "\n".join(text.splitlines()[:FIRST_LINES])
     try:
-        headed = (one for one in SEPARATORS if any(map(is_heading, _cells(beginning, one))))
+        headed = (separator for separator in SEPARATORS if any(map(is_heading, _cells(beginning, separator))))
         separator = next(headed, None) or separator_of(next(filter(str.strip, beginning.splitlines()), ""))
         reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
         for cells in reader:

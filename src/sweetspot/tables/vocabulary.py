@@ -51,9 +51,9 @@ def _table() -> Mapping[str, Mapping[str, Any]]:
 @cache
 def quantities() -> Mapping[str, TableQuantity]:
     """Return every quantity of tables by its name."""
-    groups = (group for name, group in _table().items() if name != "systems")
+    groups = (group.items() for name, group in _table().items() if name != "systems")
     return {
-        name: TableQuantity(one["kind"], tuple(one.get("names", ()))) for group in groups for name, one in group.items()
+        name: TableQuantity(entry["kind"], tuple(entry.get("names", ()))) for group in groups for name, entry in group
     }
 
 
@@ -69,13 +69,13 @@ def systems() -> tuple[MeasuringSystem, ...]:
 
     def columns(key: str) -> dict[str, tuple[str, str]]:
         meanings = {heading: text.partition(" ") for heading, text in entries[key]["columns"].items()}
-        own = {heading: (quantity, simplified(unit)) for heading, (quantity, _, unit) in meanings.items()}
+        by_heading = {heading: (quantity, simplified(unit)) for heading, (quantity, _, unit) in meanings.items()}
         also = entries[key].get("also")
-        return own | (columns(also) if also else {})
+        return by_heading | (columns(also) if also else {})
 
     return tuple(
-        MeasuringSystem(one["name"], tuple(map(frozenset, one["marks"])), columns(key), one.get("fixed", False))
-        for key, one in entries.items()
+        MeasuringSystem(entry["name"], tuple(map(frozenset, entry["marks"])), columns(key), entry.get("fixed", False))
+        for key, entry in entries.items()
     )
 
 

@@ -210,12 +210,13 @@ def _players(players: Standing) -> Block:
                Column("home runs expected", right=True)]  # fmt: skip
     rows: list[list[Cell]] = [
         [
-            str(row.get("name") or row["batter"]), grouped(row['balls']),
+            str(row.get("name") or row["batter"]),
+            grouped(row["balls"]),
             *(_pooled(row, name) for name in listed),
             None if row["home_runs_expected"] is None else f"{row['home_runs_expected']:.1f}",
         ]
         for row in table.iter_rows(named=True)
-    ]  # fmt: skip
+    ]
     return Table("Players, partly pooled, with 90 % intervals: the highest exit speeds", columns, rows)
 
 

@@ -56,14 +56,14 @@ def player_page(player: SeasonPlayer) -> Document:
 
 def _home_runs(row: Mapping[str, Any]) -> list[str]:
     """Return what is known of a player's home runs, in words."""
-    told = []
+    counts = []
     if row["home_runs_expected"] is not None:
-        told.append(f"{row['home_runs_expected']:.1f} expected in the parks they were hit in")
+        counts.append(f"{row['home_runs_expected']:.1f} expected in the parks they were hit in")
     if row["home_runs"] is not None:
-        told.append(f"{grouped(row['home_runs'])} hit")
-    kinds = [f"{grouped(row[key])} {one if row[key] == 1 else several}"
-             for key, one, several in KINDS if row[key] is not None]  # fmt: skip
-    return [f"Home runs: {'; '.join(filter(None, (', '.join(told), ', '.join(kinds))))}."] if told or kinds else []
+        counts.append(f"{grouped(row['home_runs'])} hit")
+    kinds = [f"{grouped(row[key])} {singular if row[key] == 1 else several}"
+             for key, singular, several in KINDS if row[key] is not None]  # fmt: skip
+    return [f"Home runs: {'; '.join(filter(None, (', '.join(counts), ', '.join(kinds))))}."] if counts or kinds else []
 
 
 def _measures(row: Mapping[str, Any]) -> Table:

@@ -26,8 +26,8 @@ def write_tables(answer: SeasonAnswer, folder: Path) -> list[str]:
         table = answer.to_frame(answer.question.system, key=key)
         stem = table_stem(key)
         texts = [column.name for column in table if column.dtype == pl.String]
-        shown = table.with_columns(pl.col(texts).map_elements(harmless, return_dtype=pl.String))
-        contents[folder / f"{stem}.csv"] = shown.write_csv().encode()
+        harmless_table = table.with_columns(pl.col(texts).map_elements(harmless, return_dtype=pl.String))
+        contents[folder / f"{stem}.csv"] = harmless_table.write_csv().encode()
         held = io.BytesIO()
         table.write_parquet(held)
         contents[folder / f"{stem}.parquet"] = held.getvalue()

@@ -65,7 +65,7 @@ class SeasonState(BatState):
 
 def answer(state: SeasonState) -> dict[str, Any]:
     """Return the bat, the chosen park's fence, and of a season that was read what can be chosen and taken away."""
-    own = described(state)
+    bat = described(state)
     with about("fence"):
         park = fenced(state)
         distance, _ = fence_at(park, DIRECTIONS)
@@ -73,8 +73,8 @@ def answer(state: SeasonState) -> dict[str, Any]:
     summary = None if folder is None else kept_summary(folder)
     return {
         "bat": {
-            **to_dict(mass_properties(own, rigid_body(beam_model(own)))), **to_dict(outline(own)),
-            "bounds": bounds(state, own),
+            **to_dict(mass_properties(bat, rigid_body(beam_model(bat)))), **to_dict(outline(bat)),
+            "bounds": bounds(state, bat),
         },
         "park": {
             "name": park.name, "right_m": distance * np.sin(DIRECTIONS), "out_m": distance * np.cos(DIRECTIONS),
@@ -105,9 +105,9 @@ def begun(state: SeasonState) -> tuple[Handed, Path, str, Any, str]:
     """Return what reading takes, with a new folder for what is made of the tables."""
     with renamed("uploads"):
         handed = tuple(UPLOADS.path_of(key) for key in state.uploads)
-    own = described(state)
+    bat = described(state)
     key = UPLOADS.begin_folder(state.uploads)
-    return handed, UPLOADS.folder_of(key), key, own, bat_words(state)
+    return handed, UPLOADS.folder_of(key), key, bat, bat_words(state)
 
 
 @contextmanager
@@ -122,8 +122,8 @@ def renamed(field: str) -> Iterator[None]:
 def summary(state: SeasonState) -> dict[str, Any]:
     """Return what is told of the whole season, and its players."""
     folder = _folder(state)
-    kept = None if folder is None else kept_summary(folder)
-    return {} if kept is None else {name: kept[name] for name in ("html", "players")}
+    found = None if folder is None else kept_summary(folder)
+    return {} if found is None else {name: found[name] for name in ("html", "players")}
 
 
 def maps(state: SeasonState) -> dict[str, Any]:
@@ -172,11 +172,11 @@ def contacts(state: SeasonState) -> dict[str, Any]:
         contacts = contacts_at(contact_places(folder, state.batter))
     values = {"position": contacts.mean, "position_spread": max(contacts.spread, LEAST_SPREAD),
               "position_doubt": math.hypot(contacts.mean_doubt, PLACES_DOUBT)}  # fmt: skip
-    kept = kept_summary(folder)
-    players: list[dict[str, Any]] = [] if kept is None else kept["players"]
-    own = next((one for one in players if one["batter"] == state.batter), dict[str, Any]())
-    if own.get("bat_speed") is not None:
-        values["bat_speed"] = own["bat_speed"]
+    found = kept_summary(folder)
+    players: list[dict[str, Any]] = [] if found is None else found["players"]
+    player = next((listed for listed in players if listed["batter"] == state.batter), dict[str, Any]())
+    if player.get("bat_speed") is not None:
+        values["bat_speed"] = player["bat_speed"]
     return batter_controls(values)
 
 

@@ -97,15 +97,15 @@ def counting(say: Say) -> Callable[[int, int], None]:
     """Return what tells how many rows are done, how many a second since the first, and how long the rest takes."""
     first: list[tuple[int, float]] = []
 
-    def progress(done: int, rows: int) -> None:
+    def progress(finished: int, rows: int) -> None:
         now = time.monotonic()
-        first.append((done, now))
+        first.append((finished, now))
         (before, begun), speed = first[0], None
-        if done > before and now - begun > SETTLED:
-            speed = (done - before) / (now - begun)
-        left = None if speed is None else (rows - done) / speed
-        say({"phase": "rows", "done": done, "rows": rows, "rows_per_s": speed, "left_s": left}, True)
-        if done >= rows:
+        if finished > before and now - begun > SETTLED:
+            speed = (finished - before) / (now - begun)
+        left = None if speed is None else (rows - finished) / speed
+        say({"phase": "rows", "done": finished, "rows": rows, "rows_per_s": speed, "left_s": left}, True)
+        if finished >= rows:
             say({"phase": "players"}, True)
 
     return progress

@@ -6,8 +6,8 @@ import numpy as np
 import polars as pl
 import pytest
 
+from studies.measured_hang import HangCheck, hang_check
 from sweetspot.season.headings import headings_of
-from sweetspot.season.measured_hang import HangCheck, hang_check
 from sweetspot.season.rows import rows_of
 from sweetspot.season.season_table import season_columns, season_setting
 from sweetspot.units import FOOT
