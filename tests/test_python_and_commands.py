@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -10,13 +11,21 @@ from typing import Any
 import pytest
 
 import sweetspot
+from tests.season.conftest import made_up
 
 door: Any = sweetspot
 R161 = "r161-ash"
-CHOKED = 'like = "r161-ash"\nchoke = "1 in"\n'
+SWINGS = "".join(f"{68 + number % 4},{92 + 3 * (number % 4)},{10 + number}\n" for number in range(8))
+FILES = {
+    "choked.toml": 'like = "r161-ash"\nchoke = "1 in"\n',
+    "swings.csv": f"Bat Speed (mph),Exit Velocity (mph),Launch Angle (deg)\n{SWINGS}",
+    "bats.csv": "name,mass_oz,balance_point_in,bending_1_hz\nA,31.00±0.05,22.05±0.05,171.5±0.4\n"
+    "B,31.05±0.05,22.05±0.05,165.0±0.4\n",
+    "stations.csv": "position_in,diameter_in\n0,1.7\n1,1\n9,1\n15,1.2\n20,1.7\n25,2.3\n30,2.6\n33,2.4\n",
+}
 ASKED: list[tuple[str, Callable[[], Any]]] = [
     ("report r161-ash --bat-speed 68mph --ball-cor 0.5", lambda: door.report(R161, bat_speed="68mph", ball_cor=0.5)),
-    ("report CHOKED", lambda: door.report("choked.toml")),
+    ("report choked.toml", lambda: door.report("choked.toml")),
     (
         "hit r161-ash --at 5in-from-tip --pitch-speed 85mph±2mph --uncertainty",
         lambda: door.hit(R161, at="5in-from-tip", pitch_speed="85mph±2mph", uncertainty=True),
@@ -75,21 +84,52 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
         "paper r161-ash --entry-angle 20deg --fill rubber",
         lambda: door.paper(R161, entry_angle="20deg", fill="rubber"),
     ),
+    (
+        "fit-player swings.csv --bat mlb-a --pitch-speed 60mph --goal line --line 250ft",
+        lambda: door.fit_player("swings.csv", bat="mlb-a", pitch_speed="60mph", goal="line", line="250ft"),
+    ),
+    (
+        "rank bats.csv --like r161-ash --bat-speed 68mph",
+        lambda: door.rank("bats.csv", like=R161, bat_speed="68mph"),
+    ),
+    (
+        "calibrate r161-ash --mass 31.00oz±0.05oz --balance-point 22.05in±0.05in --tone bending-1:171.5Hz±0.4Hz",
+        lambda: door.calibrate(
+            R161,
+            mass="31.00oz±0.05oz",
+            balance_point="22.05in±0.05in",
+            tones={"bending-1": door.Measured(171.5, 0.4)},
+        ),
+    ),
+    ("outline stations.csv --material maple", lambda: door.outline("stations.csv", material="maple")),
+    (
+        "tap tapped.wav --bat youth-30 --at 1in-from-tip",
+        lambda: door.tap("tapped.wav", implement="youth-30", at="1in-from-tip"),
+    ),
+    ("season balls.csv --try mlb-a", lambda: door.season("balls.csv", others=["mlb-a"])),
 ]
+IN_WORDS = {"verdict", "findings", "answers"}
+"""What a command adds to an answer: sentences."""
 
 
 @pytest.mark.parametrize(("words", "ask"), ASKED, ids=[words for words, _ in ASKED])
 def test_python_answers_as_the_command(
-    words: str, ask: Callable[[], Any], run_json: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    words: str, ask: Callable[[], Any], run: Any, run_json: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    Path("choked.toml").write_text(CHOKED, encoding="utf-8")
-    printed = run_json(*words.replace("CHOKED", "choked.toml").split())
+    for name, text in FILES.items():
+        Path(name).write_text(text, encoding="utf-8")
+    if "tapped.wav" in words:
+        run("tap", "--synthesise", "youth-30", "--out", "tapped.wav")
+    if "balls.csv" in words:
+        made_up(120).write_csv("balls.csv")
+    printed = run_json(*words.split())
     answered = json.loads(json.dumps(ask().to_dict()))
     assert {key: printed[key] for key in answered} == answered
-    assert set(printed) - set(answered) <= {"verdict"}  # in words
+    assert set(printed) - set(answered) <= IN_WORDS
 
 
 def test_every_question_is_tried() -> None:
-    asked = {words.split()[0] for words, _ in ASKED}
-    assert asked == {"report", "hit", "play", "fly", "compare", "certify", "optimum", "drop", "pendulum", "paper"}
+    asked = {words.split()[0].replace("-", "_") for words, _ in ASKED}
+    doors = {name: getattr(door, name) for name in door.__all__ if inspect.isfunction(getattr(door, name))}
+    assert asked | {"compare_corked"} == {name for name, ask in doors.items() if ".ask_" in ask.__wrapped__.__module__}

@@ -15,20 +15,21 @@ from sweetspot.units.quantities import KIND_OF
 STUB = Path(sweetspot.__file__).with_suffix(".pyi")
 HEAD = '''"""The public front door as type checkers see it; `python -m tools.stub` writes this file."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
 
 from pint import Quantity
 
 from .analysis.certification.shots import Shots
-from .calibration.measured import Measured
 from .catalog.implements import Loaded
 '''
 ALIASES = "Tool = Implement | Analysis | Loaded | str | Path\nAmount = float | str | Quantity[float] | Measured"
 WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b")
 PUBLIC = {
     "Loaded": "Tool",
+    "Loaded | None": "Tool | None",
+    "GoalName": 'Literal["exit-speed", "carry", "line"]',
     "tuple[str, ...]": "str | Sequence[str]",
     "tuple[float, ...]": "Sequence[Amount]",
     "Sequence[Searched]": 'Sequence[Literal["swing", "launch", "parks"]]',

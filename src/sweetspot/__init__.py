@@ -17,7 +17,8 @@ Questions, with the same answers as the commands of these names; ``uncertainty=T
 - where it hits best and why: `report`; one collision: `hit`; bats side by side: `compare`, `compare_corked`;
 - whether rules let it pass: `certify`; from the pitch to the fence: `play`; a ball in the air: `fly`; the best swing
   and launch: `optimum`;
-- the laboratory: `drop`, `pendulum`; the implemented paper: `paper`.
+- the laboratory: `drop`, `pendulum`; the implemented paper: `paper`;
+- what was measured: `season`, `fit_player`, `rank`, `calibrate`, `tap`, `outline`.
 
 Every answer has ``to_dict(units="us")`` and ``to_frame()``, and notebooks show it as a report.
 
@@ -51,16 +52,24 @@ _HOMES: Mapping[str, str] = {
     "answers.ask_bat": "certify compare compare_corked hit paper report",
     "answers.ask_bench": "drop pendulum",
     "answers.ask_flight": "fly optimum play",
+    "answers.ask_measured": "calibrate fit_player outline rank season tap",
     "answers.certify": "CertifyAnswer",
     "answers.compare": "CompareAnswer",
     "answers.drop": "DropAnswer",
     "answers.fly": "FlyAnswer",
     "answers.hit": "HitAnswer",
+    "answers.calibrate": "CalibrateAnswer",
+    "answers.outline": "OutlineAnswer",
+    "answers.player": "FitPlayerAnswer",
+    "answers.rank": "RankAnswer",
+    "answers.season": "SeasonAnswer",
+    "answers.tap": "TapAnswer",
     "answers.optimum": "OptimumAnswer",
     "answers.paper": "PaperAnswer",
     "answers.pendulum": "PendulumAnswer",
     "answers.play": "PlayAnswer",
     "answers.report": "ReportAnswer",
+    "calibration.measured": "Measured",
     "catalog.bats": "bat",
     "catalog.implements": "implement",
     "catalog.standard_hit": "standard_analysis standard_conditions standard_flight",

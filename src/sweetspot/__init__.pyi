@@ -1,6 +1,6 @@
 """The public front door as type checkers see it; `python -m tools.stub` writes this file."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -12,17 +12,23 @@ from .analysis.bat_analysis import Analysis as Analysis
 from .analysis.bat_analysis import analyse as analyse
 from .analysis.certification.shots import Shots
 from .analysis.full_play import plays as plays
+from .answers.calibrate import CalibrateAnswer as CalibrateAnswer
 from .answers.certify import CertifyAnswer as CertifyAnswer
 from .answers.compare import CompareAnswer as CompareAnswer
 from .answers.drop import DropAnswer as DropAnswer
 from .answers.fly import FlyAnswer as FlyAnswer
 from .answers.hit import HitAnswer as HitAnswer
 from .answers.optimum import OptimumAnswer as OptimumAnswer
+from .answers.outline import OutlineAnswer as OutlineAnswer
 from .answers.paper import PaperAnswer as PaperAnswer
 from .answers.pendulum import PendulumAnswer as PendulumAnswer
 from .answers.play import PlayAnswer as PlayAnswer
+from .answers.player import FitPlayerAnswer as FitPlayerAnswer
+from .answers.rank import RankAnswer as RankAnswer
 from .answers.report import ReportAnswer as ReportAnswer
-from .calibration.measured import Measured
+from .answers.season import SeasonAnswer as SeasonAnswer
+from .answers.tap import TapAnswer as TapAnswer
+from .calibration.measured import Measured as Measured
 from .catalog.bats import bat as bat
 from .catalog.implements import Loaded
 from .catalog.implements import implement as implement
@@ -82,11 +88,13 @@ __all__ = [
     "BallMotions",
     "Bat",
     "BeamModel",
+    "CalibrateAnswer",
     "CertifyAnswer",
     "CompareAnswer",
     "Conditions",
     "Contact",
     "DropAnswer",
+    "FitPlayerAnswer",
     "Flight",
     "FlightConditions",
     "FlyAnswer",
@@ -97,20 +105,25 @@ __all__ = [
     "Implement",
     "InputError",
     "Material",
+    "Measured",
     "OptimumAnswer",
+    "OutlineAnswer",
     "PaperAnswer",
     "Park",
     "PendulumAnswer",
     "Pitch",
     "PlayAnswer",
+    "RankAnswer",
     "ReducedBat",
     "ReportAnswer",
     "RestitutionLaw",
     "RigidBody",
+    "SeasonAnswer",
     "SweetspotError",
     "Swing",
     "SwingPath",
     "Swings",
+    "TapAnswer",
     "Wind",
     "all_modes",
     "analyse",
@@ -118,6 +131,7 @@ __all__ = [
     "batted_ball",
     "beam_model",
     "bending_modes",
+    "calibrate",
     "catalog",
     "centre_of_percussion",
     "certify",
@@ -125,6 +139,7 @@ __all__ = [
     "compare_corked",
     "drop",
     "effective_mass",
+    "fit_player",
     "fly",
     "fly_all_parks",
     "held_modes",
@@ -133,19 +148,23 @@ __all__ = [
     "hoop_modes",
     "implement",
     "optimum",
+    "outline",
     "paper",
     "paper_rows",
     "pendulum",
     "play",
     "plays",
+    "rank",
     "reduced_bat",
     "report",
     "rigid_body",
+    "season",
     "standard_analysis",
     "standard_conditions",
     "standard_flight",
     "strike",
     "strikes",
+    "tap",
     "trajectory",
     "units",
 ]
@@ -153,6 +172,16 @@ __all__ = [
 Tool = Implement | Analysis | Loaded | str | Path
 Amount = float | str | Quantity[float] | Measured
 
+def calibrate(
+    implement: Tool,
+    *,
+    mass: Amount | None = None,
+    balance_point: Amount | None = None,
+    period: Amount | None = None,
+    moi: Amount | None = None,
+    pivot: Amount | None = None,
+    tones: Mapping[str, float | Measured] | None = None,
+) -> CalibrateAnswer: ...
 def certify(
     bat: Tool,
     *,
@@ -210,6 +239,20 @@ def drop(
     ball: str = "baseball",
     in_air: bool = False,
 ) -> DropAnswer: ...
+def fit_player(
+    swings: Path | str,
+    *,
+    bat: Tool | None = None,
+    batter: str | None = None,
+    pitch_speed: Amount | None = None,
+    others: Sequence[str] = ...,
+    goal: Literal["exit-speed", "carry", "line"] = "exit-speed",
+    line: Amount | None = None,
+    temperature: Amount = 21.11111111111111,
+    humidity: Amount = 0.5,
+    pressure: Amount = 101320.74811900273,
+    elevation: Amount | None = None,
+) -> FitPlayerAnswer: ...
 def fly(
     *,
     uncertainty: bool = False,
@@ -284,6 +327,15 @@ def optimum(
     calm_below: Amount = 0.0,
     park: str | Park | None = None,
 ) -> OptimumAnswer: ...
+def outline(
+    source: Path | str,
+    *,
+    length: Amount | None = None,
+    ruler: Amount | None = None,
+    camera_distance: Amount | None = None,
+    material: str = "white-ash",
+    name: str | None = None,
+) -> OutlineAnswer: ...
 def paper(
     bat: Tool,
     *,
@@ -359,6 +411,23 @@ def play(
     calm_below: Amount = 0.0,
     park: str | Park | None = None,
 ) -> PlayAnswer: ...
+def rank(
+    table: Path | str,
+    *,
+    like: Tool,
+    diameter_error: Amount = 0.003,
+    pivot_of_table: Amount | None = None,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> RankAnswer: ...
 def report(
     implement: Tool,
     *,
@@ -374,3 +443,20 @@ def report(
     ball_temperature: Amount | None = None,
     same_speed: bool = False,
 ) -> ReportAnswer: ...
+def season(
+    *tables: Path | str,
+    bats: Mapping[str, str] | str | None = None,
+    others: Sequence[str] = ...,
+    contact: bool = True,
+    player: str | None = None,
+    folder: Path | str | None = None,
+    temperature: Amount = 22.22222222222222,
+    humidity: Amount = 0.5,
+    pressure: Amount = 101320.74811900273,
+    elevation: Amount | None = None,
+) -> SeasonAnswer: ...
+def tap(
+    *recordings: Path | str,
+    implement: Tool | None = None,
+    at: Amount | None = None,
+) -> TapAnswer: ...

@@ -10,7 +10,7 @@ import inspect
 import re
 import warnings
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import lru_cache, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -31,14 +31,15 @@ NUMBERS = {"float", "float | None", "ArrayLike", "Real"}
 WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b|tuple\[float")
 """The same of numbers that may have an error, or be a place from the tip."""
 SETUPS = {
-    *("HitSetup", "PathSetup", "PitchSetup", "ContactSetup", "Weather", "LaunchSetup", "BlockSetup", "FallSetup"),
-    *("CorkSetup", "SearchSetup", "SentSetup", "Choices"),
+    *("HitSetup", "PathSetup", "PitchSetup", "ContactSetup", "Weather", "FieldAir", "LaunchSetup"),
+    *("BlockSetup", "FallSetup", "CorkSetup", "SearchSetup", "SentSetup", "Choices", "GoalSetup"),
 }
 """Annotations of parameters whose fields are parameters of the public function."""
 BAT = "a bat or another implement, its name in the catalogue (`sweetspot bats` lists them) or its file"
 ROUND_BAT = "a round bat, its name in the catalogue (`sweetspot bats` lists them) or its file"
 THINGS: Mapping[str, tuple[set[str], str]] = {
     "Loaded": ({"Loaded", "tuple"}, BAT),
+    "Loaded | None": ({"Loaded", "NoneType"}, BAT),
     "Given": ({"Implement"}, BAT),
     "Implement": ({"Implement"}, BAT),
     "Implement | str | Path": ({"Implement"}, BAT),
@@ -70,7 +71,7 @@ MANY = {"Sequence[Given]": "Given", "Iterable[Park]": "Park"}
 NAMED = {"Material | None": "material", "Ball": "ball", "SwingLaw | None": "swing_law", "Park": "park"}
 """By annotation: the catalogue's function that loads the thing by its name."""
 HITTERS = {
-    "Loaded",
+    *("Loaded", "Loaded | None"),
     *("Given", "Implement", "Implement | str | Path", "Bat", "Sequence[Given]"),
     *("BeamModel", "RigidBody", "Modes", "ReducedBat[Bat]", "Analysis"),
 }
@@ -100,7 +101,7 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
     are not, those that are usual in its sport count.
     """
     inner = inspect.signature(function)
-    setups = {name: _setup(function, each) for name, each in inner.parameters.items() if each.annotation in SETUPS}
+    setups = {name: each.default for name, each in inner.parameters.items() if each.annotation in SETUPS}
     signature = _flat(inner, setups)
     kinds = {name: str(each.annotation) for name, each in signature.parameters.items()}
     hitters = [name for name, kind in kinds.items() if kind in HITTERS]
@@ -113,7 +114,7 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
             args = (list(args),)
         given = signature.bind(*args, **kwargs).arguments
         for name in hitters:
-            if kinds[name] == "Loaded" and name in given:
+            if kinds[name].startswith("Loaded") and given.get(name) is not None:
                 given[name] = _loaded(given[name], name)
         tool = next((found for name in hitters if (found := _implement(given.get(name))) is not None), None)
         for name in filled:
@@ -139,7 +140,7 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
                 given[name] = _thing(value, name, kind, ball or _ball_for(tool, given))
         for name, setup in setups.items():
             names = [field.name for field in fields(setup) if field.name in given]
-            given[name] = setup(**{field: given.pop(field) for field in names})
+            given[name] = replace(setup, **{field: given.pop(field) for field in names})
         bound = inspect.BoundArguments(inner, given)
         return function(*bound.args, **bound.kwargs)
 
@@ -149,15 +150,9 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
     return door
 
 
-def _setup(function: Callable[..., Any], parameter: inspect.Parameter) -> type:
-    """Return the class of a setup, by its name in the function's module."""
-    setup: type = function.__globals__[parameter.annotation]
-    return setup
-
-
-def _documented(words: str, setups: Iterable[type]) -> str:
+def _documented(words: str, setups: Iterable[object]) -> str:
     """Return a docstring that also tells the parameters of setups, behind those of its own."""
-    told = [PARAMETERS.search(inspect.getdoc(setup) or "") for setup in setups]
+    told = [PARAMETERS.search(inspect.getdoc(type(setup)) or "") for setup in setups]
     more = "\n".join(found[1].rstrip() for found in told if found)
     if not more:
         return words
@@ -168,7 +163,7 @@ def _documented(words: str, setups: Iterable[type]) -> str:
     return f"{words[: own.end(1)].rstrip()}\n{more}\n{words[own.end(1) :]}"
 
 
-def _flat(signature: inspect.Signature, setups: Mapping[str, type]) -> inspect.Signature:
+def _flat(signature: inspect.Signature, setups: Mapping[str, Any]) -> inspect.Signature:
     """Return a signature with the fields of setups in their place, and what follows from the bat marked so."""
     hitter = any(each.annotation in HITTERS for each in signature.parameters.values())
     own = [
@@ -179,7 +174,9 @@ def _flat(signature: inspect.Signature, setups: Mapping[str, type]) -> inspect.S
         if name not in setups
     ]
     of_setups = [
-        inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, default=field.default, annotation=field.type)
+        inspect.Parameter(
+            field.name, inspect.Parameter.KEYWORD_ONLY, default=getattr(setup, field.name), annotation=field.type
+        )
         for setup in setups.values()
         for field in fields(setup)
     ]

@@ -22,7 +22,36 @@ from sweetspot.units import to_si
 
 
 @dataclass(frozen=True, kw_only=True)
-class Weather:
+class FieldAir:
+    """The air over a field.
+
+    Parameters
+    ----------
+    temperature, humidity : of the air, degC, and relative, 0 to 1.
+    pressure : barometer reduced to sea level, Pa.
+    elevation : of the field above the sea, m; None: the park's, or 0 without one.
+    """
+
+    temperature: float = to_si("70 degF", "temperature")
+    humidity: float = 0.5
+    pressure: float = to_si("29.92 inHg", "pressure")
+    elevation: float | None = None
+
+    @property
+    def above_sea(self) -> float:
+        """Elevation of the field, m."""
+        return self.elevation or 0.0
+
+    @property
+    def air(self) -> Air:
+        """The air over the field."""
+        return Air(
+            temperature=self.temperature, pressure=self.pressure, humidity=self.humidity, elevation=self.above_sea
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Weather(FieldAir):
     """Air, wind and field.
 
     Parameters
@@ -36,10 +65,6 @@ class Weather:
     park : a ball park, or its name in the catalogue, whose fence, roof and elevation count; None: none does.
     """
 
-    temperature: float = to_si("70 degF", "temperature")
-    humidity: float = 0.5
-    pressure: float = to_si("29.92 inHg", "pressure")
-    elevation: float | None = None
     wind_speed: float = 0.0
     wind_direction: float = 0.0
     wind_profile: float = 0.0
@@ -56,13 +81,6 @@ class Weather:
         """Elevation of the field, m."""
         park = self.field
         return self.elevation if self.elevation is not None else 0.0 if park is None else park.elevation
-
-    @property
-    def air(self) -> Air:
-        """The air over the field."""
-        return Air(
-            temperature=self.temperature, pressure=self.pressure, humidity=self.humidity, elevation=self.above_sea
-        )
 
     @property
     def wind(self) -> Wind:
@@ -227,3 +245,5 @@ class SentSetup:
 
 
 FAIR_WEATHER = Weather()
+GAMES_AIR = FieldAir(temperature=to_si("72 degF", "temperature"))
+"""Of games whose table does not give it."""

@@ -19,7 +19,8 @@ KINDS: Mapping[Kind, str] = {
     "length": (
         "position lateral at beside offset pivot hands measured_at bat_speed_at spacing length diameter depth "
         "choke moi_axis balance_point radius plug bore_diameter bore_depth rod_hands hands_moved elevation "
-        "reference_height calm_below height forward drop_height thickness block_thickness size"
+        "reference_height calm_below height forward drop_height thickness block_thickness size pivot_of_table line "
+        "ruler camera_distance"
     ),
     "pressure": "longitudinal_modulus shear_modulus transverse_modulus pressure strength",
     "density": "density air",
@@ -29,7 +30,7 @@ KINDS: Mapping[Kind, str] = {
     "temperature": "temperature ball_temperature",
     "ratio": (
         "humidity wind_profile ball_cor ball_humidity standard_ball_cor ball_restitution wood_restitution "
-        "metal_restitution wood_share metal_share"
+        "metal_restitution wood_share metal_share diameter_error"
     ),
 }
 """Names of parameters and fields by what they are."""
