@@ -10,7 +10,7 @@ import scipy.signal
 
 from studies.recorder_taps import beam_frequencies, plate_frequencies
 from sweetspot import all_modes, beam_model, catalog
-from sweetspot.calibration.bar import ROOTS, SHEAR_SHAPE, Bar, bar_modulus, frequency_factor, moduli_along, named_bar
+from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_factor, moduli_along, named_bar
 from sweetspot.calibration.combined_tones import REPEATABILITY, Tone, tones_of
 from sweetspot.calibration.hum import hum_taken_out
 from sweetspot.calibration.measured import Measured
@@ -18,18 +18,16 @@ from sweetspot.calibration.naming import ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, stands_out
 from sweetspot.calibration.synthetic import synthesised, tap_sound
-from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test
+from sweetspot.calibration.tap_analysis import TapTest, tap_test
 from sweetspot.calibration.tap_faults import (
     LOUDER,
     MOST_CANCELLED,
     MOST_DRIVEN,
-    SUCCESSIVE,
     blows,
     breaks_off,
     cancelled,
     driven_part,
     louder_later,
-    pitch_of,
     step_of,
 )
 from sweetspot.calibration.taps import Tap, find_taps
@@ -369,30 +367,6 @@ def test_a_held_note_is_no_tap() -> None:
         (tap,) = find_taps(Recording("chord", sound, rate), band=BAT_BAND)
         assert tap.good == good
         assert good or "Hz does not die away" in (tap.fault or "")
-
-
-@pytest.mark.parametrize(("pitch", "numbers"), [(137.0, (1, 2, 3, 4)), (260.0, (2, 3, 5, 6))])
-def test_multiples_of_one_frequency_are_a_voice(pitch: float, numbers: tuple[int, ...]) -> None:
-    """A vowel that fades out is a sum of damped sinusoids too, but one whose frequencies are successive multiples."""
-    rate = 16000.0
-    time = np.arange(round(0.6 * rate)) / rate
-    vowel = sum(np.sin(2 * np.pi * number * pitch * time + number) for number in numbers) * np.exp(-9 * time)
-    sound = 0.1 * np.concatenate([np.zeros(round(0.3 * rate)), vowel])
-    sound += 1e-4 * np.random.default_rng(1).standard_normal(len(sound))
-    (tap,) = find_taps(Recording("vowel", sound, rate), band=BAT_BAND)
-    assert f"multiples of {pitch:.0f} Hz" in (tap.fault or "")
-
-
-def test_no_implement_rings_in_multiples_of_one_frequency() -> None:
-    """The modes of every bat, racket, club and stick of the catalogue, and of bars, taken as loud as each other."""
-    bodies = [170.0 * (np.array(ROOTS) / ROOTS[0]) ** 2]
-    for name in [*catalog.bat_names(), *catalog.implement_names()]:
-        frequency = modes_to_name(catalog.load_implement(name)).frequency
-        bodies.append(np.sort(frequency[(frequency > BAT_BAND.low) & (frequency < BAT_BAND.high)]))
-    for body in bodies:
-        tones = tuple(Sinusoid(Measured(float(one), 0.1), Measured(0.005, 1e-4), 1.0) for one in body)
-        for count in range(SUCCESSIVE, len(tones) + 1):
-            assert pitch_of(Fit(tones[:count], 0.0, np.zeros(8000), np.zeros(8000), 16000.0)) is None
 
 
 def test_a_room_s_tones_do_not_stand_out(modes: Modes) -> None:

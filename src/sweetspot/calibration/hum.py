@@ -18,12 +18,8 @@ from sweetspot.calibration.recording import Recording
 from sweetspot.calibration.sinusoids import Fit, Sinusoid
 from sweetspot.numerics.arrays import Array
 
-MAINS, MAINS_SPREAD = (50.0, 60.0), 0.3
-"""Hz of the mains, and how far a multiple may seem to lie from it."""
-HIGHEST_HUM, HUM_LEVEL, HUM_DAMPING = 1000.0, 0.3, 2e-4
-"""Hz up to which hum is looked for, the part of the loudest tone's amplitude that it has at most unless it was there
-before the tap, and the damping ratio below which a tone may not die away at all; bats have five times that and more
-(all assumed)."""
+MAINS, HIGHEST_HUM = (50.0, 60.0), 1000.0
+"""Hz of the mains, and up to where their multiples are looked for (assumed)."""
 AS_LOUD = 0.5
 """Amplitude of hum before a tap over that after it, at least."""
 WANDERS, LONGEST_BEFORE, SHORTEST_BEFORE = 0.01, 0.5, 0.1
@@ -110,25 +106,6 @@ def _steady(parts: Array, starts: Array, rate: float, base: float) -> tuple[Arra
     return np.asarray(number[kept] * (base + tried[best])), float(steady[best][kept].sum())
 
 
-def without_hum(fit: Fit, earlier: Array) -> Fit:
-    """Return a fit without the mains: tones at a multiple of 50 or 60 Hz that do not die away.
-
-    They are fainter than what rings, or were there before.
-
-    Parameters
-    ----------
-    earlier : the sound before the tap; may be empty.
-    """
-    loudest = max((one.amplitude for one in fit.sinusoids if not _hums(one)), default=0.0)
-    kept = tuple(
-        one
-        for one in fit.sinusoids
-        if not _hums(one)
-        or (one.amplitude > HUM_LEVEL * loudest and _amplitude(earlier, one, fit.rate) < AS_LOUD * one.amplitude)
-    )
-    return replace(fit, sinusoids=kept)
-
-
 def risen(fit: Fit, earlier: Array) -> Fit:
     """Return a fit without the tones that were there before anything was tapped: of a fan, a motor, rushing air.
 
@@ -151,16 +128,3 @@ def risen(fit: Fit, earlier: Array) -> Fit:
         return float(np.sqrt(power[np.abs(frequency - one.frequency.value) < reach].sum()))
 
     return replace(fit, sinusoids=tuple(one for one in fit.sinusoids if before(one) < AS_LOUD * one.amplitude))
-
-
-def _amplitude(samples: Array, one: Sinusoid, rate: float) -> float:
-    """Return how loud a tone is in a sound that is too short for nothing: 0 below two of its periods."""
-    if len(samples) < 2 * rate / one.frequency.value:
-        return 0.0
-    turning = np.exp(-2j * np.pi * one.frequency.value * np.arange(len(samples)) / rate)
-    return float(2 * abs(np.mean(samples * turning)))
-
-
-def _hums(one: Sinusoid) -> bool:
-    near = min(abs(one.frequency.value - base * round(one.frequency.value / base)) for base in MAINS)
-    return one.frequency.value < HIGHEST_HUM and near < MAINS_SPREAD and one.damping_ratio.low < HUM_DAMPING

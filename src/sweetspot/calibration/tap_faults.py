@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from sweetspot.calibration.sinusoids import AUDIBLE, LOUD_PART, NEAR, WEIGHTY, Fit, stands_out
+from sweetspot.calibration.sinusoids import LOUD_PART, WEIGHTY, Fit, stands_out
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import ROBUST_SCALE
 
@@ -55,10 +55,6 @@ LOUDER = 6.0
 """dB by which a later 20 ms may be louder than the blow's. Of a free body the energy only falls, and a microphone hears
 each mode's two planes: cos b cos(b - a) e^(-i w1 t) + sin b sin(b - a) e^(-i w2 t), the planes at b and the microphone
 at a to the blow. That begins with cos a and is never more than 1: 1 / cos^2 a, 6 dB at 60 degrees."""
-COMB, SUCCESSIVE, OFF_COMB = (60.0, 500.0), 4, 0.1
-"""Hz between the tones of a voice, tones that make it one, and how far each may lie from its multiple, as a part of
-that (assumed). A voice is driven once a period: its tones are the multiples of one frequency, one after the other, and
-a body's are not. Two tones choose the comb; the others, and its beginning, each fit by chance with odds of 2 x 0.1."""
 FEWEST_STEPS = 20.0
 """Steps of a recording that its loudest sample has at least: at 13, made-up taps seem held for the rounding alone."""
 HELD = 0.02
@@ -137,30 +133,6 @@ def _no_free_body(fit: Fit, background: float) -> str | None:
         )
     if cancelled(fit) > MOST_CANCELLED:
         return "no ring: its tones glide instead of keeping their pitch; a whistle or a voice"
-    if pitch := pitch_of(fit):
-        return f"no ring: its tones are multiples of {pitch:.0f} Hz, those of a free body are not; a voice, or music"
-    return None
-
-
-def pitch_of(fit: Fit) -> float | None:
-    """Return the frequency in Hz of which all tones are successive multiples, at most one left out; or None.
-
-    A tone counts when it has a thousandth of the greatest energy and none within `NEAR` of it has more: a pitch that
-    glides is fitted by several tones beside each other, so a multiple is known to half of `NEAR`, or to `OFF_COMB`.
-    """
-    seconds = len(fit.samples) / fit.rate
-    frequency = np.array([one.frequency.value for one in fit.sinusoids])
-    energy = np.array([one.energy(seconds) for one in fit.sinusoids])
-    beside = np.abs(frequency[:, None] - frequency) < NEAR * frequency[:, None]
-    heard = frequency[energy >= np.maximum(np.max(beside * energy, axis=1), AUDIBLE * energy.max())]
-    if len(heard) < SUCCESSIVE:
-        return None
-    for lowest in range(1, int(heard[0] / COMB[0]) + 1):
-        number = np.round(heard * lowest / heard[0])
-        pitch = float(heard @ number / (number @ number))
-        fits = np.all(np.abs(heard - number * pitch) < np.minimum(NEAR / 2 * number, OFF_COMB) * pitch)
-        if fits and number[-1] - number[0] <= len(heard) and COMB[0] <= pitch <= COMB[1]:
-            return pitch
     return None
 
 

@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from sweetspot.calibration.hum import hum_taken_out, risen, without_hum
+from sweetspot.calibration.hum import hum_taken_out, risen
 from sweetspot.calibration.recording import Band, Recording, in_band
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, in_their_room
 from sweetspot.calibration.tap_faults import APART, CROWDED, HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
@@ -26,8 +26,8 @@ ABOVE_FLOOR = 10.0
 """dB of a tap's beginning above the quietest tenth of the recording, at least."""
 WINDOW = 0.5
 """s of ringing that are used at most."""
-BEFORE = (0.3, 0.004)
-"""s before a tap between which hum is looked for that was not steady enough to be taken out."""
+BEFORE = 0.004
+"""s before the first tap in which its filtered sound may begin."""
 HUMLESS, CLEARER = 400.0, 6.0
 """Hz from which on taps are looked for where they stand out by this many dB more: mains and steps are below."""
 FEWER_TONES = 1000.0
@@ -77,7 +77,7 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     sound = in_band(clear, band)
     starts = _starts(_where_taps_stand_out(clear, sound, band))
     spans = list(pairwise([*starts, sound.duration]))
-    quiet = starts[0] - BEFORE[1]
+    quiet = starts[0] - BEFORE
     taps = [_tap(recording, sound, span, band, held=held, quiet=quiet) for span in spans]
     crowded = [index for index, tap in enumerate(taps) if tap.fault and CROWDED in tap.fault]
     if crowded and 2 * band.low < FEWER_TONES < band.high:
@@ -166,8 +166,7 @@ def _tap(
     if fault := fault_of_sound(raw, whole, struck, sound.rate, step=step, lasts=end - start):
         return Tap(recording.name, start, fault, None)
     window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
-    earlier = sound.samples[int(max(start - BEFORE[0], 0.0) * sound.rate) : int(max(start - BEFORE[1], 0) * sound.rate)]
-    fit = without_hum(fit_sinusoids(window, sound.rate, band=band), earlier)
+    fit = fit_sinusoids(window, sound.rate, band=band)
     fit = risen(fit, sound.samples[: max(int(quiet * sound.rate), 0)])
     tones = in_their_room(_louder_than_losses(fit.sinusoids, recording))
     fit = replace(fit, sinusoids=tuple(one for one in tones if one.amplitude >= STEPS * step))
