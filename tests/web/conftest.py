@@ -23,7 +23,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, Page, ViewportSize, expect
 from playwright.sync_api import Error as PlaywrightError
 
-from sweetspot.web import answers, jobs, protocols
+from sweetspot.web import answers, jobs
 from sweetspot.web.run_server import listening, server_for
 
 LATE = 600.0
@@ -70,7 +70,6 @@ def _no_hurry() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(answers, "TIME_LIMIT", LATE)
         patch.setattr(jobs, "UNWATCHED", LATE)
-        patch.setattr(protocols, "REQUEST_TIME", LATE)
         yield
 
 

@@ -282,33 +282,6 @@ def test_files_travel_packed_to_those_who_can_unpack(server: str) -> None:
     assert answer.headers["content-encoding"] == "gzip" and answer.json()["bat"]
 
 
-HALVES = {
-    "nothing": b"",
-    "half a head": b"GET / HTTP/1.1\r\nhost: localhost\r\n",
-    "half a body": b"POST /api/v1/bat HTTP/1.1\r\nhost: localhost\r\ncontent-length: 100\r\n\r\n{",
-}
-
-
-def test_half_a_request_is_not_waited_for(server: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What is begun and not ended would hold a place for ever; a whole request keeps its line for the next one."""
-    import socket
-
-    from sweetspot.web import protocols
-
-    usual = protocols.REQUEST_TIME
-    monkeypatch.setattr(protocols, "REQUEST_TIME", 0.3)
-    address = ("127.0.0.1", int(server.rsplit(":", 1)[1]))
-    lines = {name: socket.create_connection(address, timeout=600) for name in HALVES}
-    for name, line in lines.items():
-        line.sendall(HALVES[name])
-    for name, line in lines.items():
-        assert b"200" not in line.recv(1000), name  # closed, or refused; without a limit this would time out
-        line.close()
-    monkeypatch.setattr(protocols, "REQUEST_TIME", usual)
-    with httpx.Client(base_url=server, timeout=600) as client:
-        assert all(client.get("/static/icon.svg").status_code == 200 for _ in range(2))
-
-
 def test_only_this_server_by_name_and_its_own_pages(client: httpx.Client, server: str) -> None:
     assert client.get("/", headers={"host": "evil.example"}).status_code == 421
     assert client.get("/", headers={"host": "[::1"}).status_code == 421

@@ -17,7 +17,6 @@ from schemathesis.specs.openapi.checks import (
     status_code_conformance,
 )
 
-from sweetspot.web import limits
 from sweetspot.web.server import create_app
 from sweetspot.web.views import VIEWS
 
@@ -28,8 +27,7 @@ SLOW = ("fit", "sure", "rules_sure", "describe", "parks", "maps")
 
 
 @pytest.mark.parametrize("mode", list(GenerationMode))
-def test_no_example_breaks_the_server(mode: GenerationMode, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(limits.Bucket, "take", lambda _: True)  # the rate limit would answer most examples
+def test_no_example_breaks_the_server(mode: GenerationMode) -> None:
     schema = schemathesis.openapi.from_asgi("/api/v1/openapi.json", create_app())
     operations = [found.ok() for found in schema.get_all_operations() if isinstance(found, Ok)]
     assert {f"/api/v1/{name}" for name in VIEWS} <= {operation.path for operation in operations}

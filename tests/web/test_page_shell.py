@@ -11,7 +11,7 @@ from typing import Any
 from urllib.parse import quote
 
 import pytest
-from playwright.sync_api import Browser, Page, Route, expect
+from playwright.sync_api import Browser, Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
@@ -121,20 +121,6 @@ def test_the_first_visit_is_guided(browser: Browser, server: str, answered: Answ
     page.keyboard.press("Escape")
     expect(page.locator("dialog")).to_have_count(0)
     context.close()
-
-
-def test_a_page_that_is_told_to_wait_asks_again(page: Page, server: str, settled: Callable[[Page], None]) -> None:
-    told: list[str] = []
-
-    def wait(route: Route) -> None:
-        told.append(route.request.url)
-        route.fulfill(status=429, headers={"retry-after": "0"}, json={"error": {"field": "", "message": "wait"}})
-
-    page.route("**/api/v1/bats", wait, times=2)
-    page.goto(f"{server}/explorer")
-    settled(page)
-    assert len(told) == 2
-    assert page.locator("[data-field=bat] select option").count() == len(catalog.bat_names())
 
 
 @contextmanager

@@ -16,7 +16,6 @@ from pydantic import ValidationError
 
 from sweetspot.answers.records import plain_data
 from sweetspot.web.catalogue import load_lists
-from sweetspot.web.crowd import Crowd
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.first_answers import kept_answer, work_out
 from sweetspot.web.states import ViewState
@@ -39,7 +38,7 @@ class TooSlowError(FieldError):
 
 
 class Answers:
-    """A pool of threads that answers; the collision kernel works without the interpreter's lock. See `Crowd` for more.
+    """A pool of threads that answers; the collision kernel works without the interpreter's lock.
 
     The first answers are kept on disk or worked out at the start, which also loads or compiles the kernels. Until that
     is done, ``prepared`` is False and an answer may take as long as it takes.
@@ -50,8 +49,6 @@ class Answers:
         self._closed = False
         self._asked = threading.Event()
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="answer")
-        first = tuple((name, view.state()) for name, view in VIEWS.items() if view.anywhere)
-        self._crowd = Crowd(answer_json, first, self._pool)
 
     async def json(self, name: str, state: ViewState, aside: str = "") -> bytes:
         """Return a view's answer, or one of its asides, as JSON text.
@@ -67,8 +64,6 @@ class Answers:
             return kept
         try:
             async with asyncio.timeout(TIME_LIMIT if self.prepared else None):
-                if self.prepared and not aside and VIEWS[name].anywhere:
-                    return await asyncio.wrap_future(self._crowd.ask((name, state)))
                 return await asyncio.wrap_future(self._pool.submit(answer_json, name, state, aside))
         except TimeoutError:
             raise TooSlowError from None
@@ -97,7 +92,6 @@ class Answers:
         """Stop taking work."""
         self._closed = True
         self._asked.set()
-        self._crowd.close()
         self._pool.shutdown(wait=False, cancel_futures=True)
 
 

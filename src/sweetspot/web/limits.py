@@ -1,11 +1,9 @@
-"""Limits of the server: who may ask, how much, how often; and the headers that keep a browser to this page."""
+"""Limits of the server: who may ask, and how much; and the headers that keep a browser to this page."""
 
 from __future__ import annotations
 
 import ipaddress
 import json
-import time
-from collections import OrderedDict
 from collections.abc import Awaitable, Callable, Iterable, MutableMapping
 from typing import Any
 from urllib.parse import urlsplit
@@ -17,19 +15,7 @@ LARGEST_PIECE = 4 * 1024 * 1024
 PIECES = "/api/v1/uploads/"
 """Where pieces of files go; everything else is a message."""
 LONGEST_QUERY = 32 * 1024
-QUESTIONS = "/api/"
-"""Where questions go; what is asked for elsewhere is a file of the page, or the line."""
-REQUESTS_PER_SECOND, REQUESTS_AT_ONCE = 100.0, 600.0
-"""Questions of one address, after which it is told to wait. A visit begins with six to eight, and a class of sixty
-opens the page at once behind one address."""
-FILES_PER_SECOND, FILES_AT_ONCE = 1000.0, 6000.0
-"""The page's files, of one address: about eighty a visit.
-A page that lacks one of its modules stays empty, so this allowance is apart from that of questions."""
-MESSAGES_PER_SECOND, MESSAGES_AT_ONCE = 120.0, 240.0
-"""On one socket, which is read no faster than that."""
 MOST_SOCKETS = 200
-ADDRESSES_KEPT = 10_000
-"""Each with two allowances at most; those not heard of for longest are forgotten."""
 
 _POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
@@ -55,29 +41,6 @@ Message = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[Message]]
 Send = Callable[[Message], Awaitable[None]]
 App = Callable[[Scope, Receive, Send], Awaitable[None]]
-
-
-class Bucket:
-    """Allowance that refills at a steady rate."""
-
-    def __init__(self, rate: float, size: float) -> None:
-        self._rate, self._size = rate, size
-        self._left, self._seen = size, time.monotonic()
-
-    def take(self) -> bool:
-        """Take one; False when there is none."""
-        now = time.monotonic()
-        self._left = min(self._size, self._left + self._rate * (now - self._seen))
-        self._seen = now
-        if self._left < 1:
-            return False
-        self._left -= 1
-        return True
-
-    @property
-    def wait(self) -> float:
-        """How long until there is one, s."""
-        return max(0.0, (1 - self._left) / self._rate)
 
 
 NO_HOST = frozenset("@#/?\\")
@@ -133,12 +96,11 @@ def _name(host: str) -> str | None:
 
 
 class Guard:
-    """Middleware before everything else: checks Host, Origin, rate and size, and adds the security headers."""
+    """Middleware before everything else: checks Host, Origin and size, and adds the security headers."""
 
     def __init__(self, app: App, *, names: Iterable[str]) -> None:
         self._app = app
         self._names = frozenset(name.lower() for name in names)
-        self._buckets: OrderedDict[tuple[str, bool], Bucket] = OrderedDict()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request, or refuse it."""
@@ -168,20 +130,7 @@ class Guard:
         length = headers.get("content-length", "0")
         if not length.isdecimal() or int(length[:20]) > _most(scope):
             return _too_large(_most(scope))
-        if not self._bucket(scope).take():
-            return 429, "too many requests from one address; wait a second"
         return None
-
-    def _bucket(self, scope: Scope) -> Bucket:
-        """Return what is left of an address' allowance, that of questions or that of files."""
-        asks = str(scope.get("path", "")).startswith(QUESTIONS)
-        key = (str((scope.get("client") or ("", 0))[0]), asks)
-        rate, size = (REQUESTS_PER_SECOND, REQUESTS_AT_ONCE) if asks else (FILES_PER_SECOND, FILES_AT_ONCE)
-        bucket = self._buckets.pop(key, None) or Bucket(rate, size)
-        self._buckets[key] = bucket
-        while len(self._buckets) > ADDRESSES_KEPT:
-            self._buckets.popitem(last=False)
-        return bucket
 
 
 def _most(scope: Scope) -> int:
@@ -237,7 +186,5 @@ def _with_headers(send: Send) -> Send:
 async def _refuse(send: Send, status: int, message: str) -> None:
     body = json.dumps({"error": {"field": "", "message": message}}).encode()
     headers = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
-    if status == 429:
-        headers.append((b"retry-after", b"1"))
     await send({"type": "http.response.start", "status": status, "headers": headers})
     await send({"type": "http.response.body", "body": body})

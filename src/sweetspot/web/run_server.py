@@ -59,14 +59,13 @@ def server_for(*, names: Iterable[str] = ()) -> uvicorn.Server:
     """Return a server for the application with this project's limits."""
     import uvicorn
 
-    from sweetspot.web.protocols import CheckedSocketProtocol, TimedProtocol
     from sweetspot.web.server import create_app
 
     return uvicorn.Server(
         uvicorn.Config(
             create_app(names=names),
-            http=TimedProtocol,
-            ws=CheckedSocketProtocol,
+            http="h11",
+            ws="websockets-sansio",
             log_level="warning",
             access_log=False,
             server_header=False,

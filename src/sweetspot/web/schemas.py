@@ -89,7 +89,6 @@ REFUSALS = {
     413: "The message is too large.",
     421: "The server is not called that.",
     422: "A control has a value that does not work.",
-    429: "Too many requests; wait a second.",
 }
 """What every route may answer with a `Refusal`, and why."""
 UNFINISHED: dict[int | str, dict[str, Any]] = {

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import Answers, TooSlowError, state_of
 from sweetspot.web.errors import FieldError, fault
-from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, MESSAGES_PER_SECOND, MOST_SOCKETS, Bucket
+from sweetspot.web.limits import LARGEST_BODY, MOST_SOCKETS
 
 TRY_AGAIN_LATER = 1013
 
@@ -55,7 +55,6 @@ class _Conversation:
         self._socket, self._answers = socket, answers
         self._waiting: dict[str, Question] = {}
         self._arrived = asyncio.Event()
-        self._bucket = Bucket(MESSAGES_PER_SECOND, MESSAGES_AT_ONCE)
 
     async def run(self) -> None:
         worker = asyncio.create_task(self._answer())
@@ -65,8 +64,6 @@ class _Conversation:
                 if message["type"] == "websocket.disconnect":
                     break
                 await self._take(message.get("text"))
-                while not self._bucket.take():  # who sends faster is read later
-                    await asyncio.sleep(self._bucket.wait)
         except (WebSocketDisconnect, RuntimeError):  # gone while we were speaking
             pass
         finally:

@@ -24,7 +24,6 @@ class View:
     recipe : from its controls to the lines that give the same numbers without the page; see `web.recipes`.
     slow : states whose first answer takes long, worked out once before anyone asks.
     jobs : by name, work of minutes that POST /api/v1/VIEW/NAME begins in a process of its own; see `web.jobs`.
-    anywhere : whether another process of the server can answer as well; not where it needs what was handed in here.
     asides : by name, what is asked apart once the answer is drawn, since it may take longer: POST /api/v1/VIEW/NAME.
     """
 
@@ -34,6 +33,5 @@ class View:
     answer: Callable[[Any], Any]
     recipe: Callable[[Any], dict[str, str]] | None = None
     slow: tuple[ViewState, ...] = ()
-    anywhere: bool = True
     asides: Mapping[str, Callable[[Any], Any]] = field(default_factory=dict)
     jobs: Mapping[str, LongWork] = field(default_factory=dict)

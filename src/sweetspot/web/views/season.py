@@ -203,7 +203,7 @@ def recipe(state: SeasonState) -> dict[str, str]:
 
 
 VIEW = View(
-    "season", "Season", SeasonState, answer, recipe, anywhere=False,
+    "season", "Season", SeasonState, answer, recipe,
     asides={"summary": summary, "maps": maps, "player": player, "contacts": contacts},
     jobs={"read": LongWork(read_season, begun)},
 )  # fmt: skip
