@@ -50,8 +50,8 @@ from sweetspot.catalog.standard_hit import standard_analysis
 from sweetspot.cli import main as command
 from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.kernel import hits_with_motion
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS, STANDARD_GRAVITY
 from sweetspot.numerics.piecewise import cubic_spline

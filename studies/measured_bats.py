@@ -20,7 +20,7 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError

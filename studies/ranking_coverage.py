@@ -23,7 +23,7 @@ from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw

@@ -25,7 +25,7 @@ from sweetspot.analysis.position_scan import scan
 from sweetspot.answers.hit import HitAnswer, HitQuestion, hit_answer
 from sweetspot.calibration.unknowns import as_described, deviated
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement

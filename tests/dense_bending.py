@@ -14,14 +14,12 @@ from itertools import pairwise
 import numpy as np
 import scipy.linalg
 
-from sweetspot.dynamics.batch.mesh import ELEMENTS, MODES, apart, least_elements, least_parts
+from sweetspot.dynamics.batch.mesh import ELEMENTS, MODES, apart, at_gauss_points, least_elements, least_parts, powers
 from sweetspot.dynamics.beam import BeamModel, moments, section
-from sweetspot.dynamics.beam_elements import at_gauss_points, powers
-from sweetspot.dynamics.excitation import MOST_MODES, excited_frequency
 from sweetspot.dynamics.face_vibration import face_modes
 from sweetspot.dynamics.hoop import hoop_modes
 from sweetspot.dynamics.local_compliance import blade_compliance, solid_bat_compliance
-from sweetspot.dynamics.modes import Family, Modes, joined
+from sweetspot.dynamics.modes import MOST_MODES, Family, Modes, excited_frequency, joined
 from sweetspot.dynamics.patch import patch_law
 from sweetspot.dynamics.residual_flexibility import (
     CELLS,

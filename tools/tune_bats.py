@@ -26,8 +26,7 @@ from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.catalog.records import unwrapped
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED

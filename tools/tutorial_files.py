@@ -24,7 +24,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.cli import main as run
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions

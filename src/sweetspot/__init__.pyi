@@ -43,11 +43,11 @@ from .collision.kernel import hits as hits
 from .collision.oblique_contact import Friction as Friction
 from .dynamics.beam import BeamModel as BeamModel
 from .dynamics.beam import beam_model as beam_model
-from .dynamics.bending import bending_modes as bending_modes
 from .dynamics.hands import held_modes as held_modes
 from .dynamics.hoop import hoop_modes as hoop_modes
-from .dynamics.mode_assembly import all_modes as all_modes
 from .dynamics.reduction import ReducedBat as ReducedBat
+from .dynamics.reduction import all_modes as all_modes
+from .dynamics.reduction import bending_modes as bending_modes
 from .dynamics.reduction import reduced_bat as reduced_bat
 from .dynamics.rigid import RigidBody as RigidBody
 from .dynamics.rigid import centre_of_percussion as centre_of_percussion

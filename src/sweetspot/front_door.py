@@ -351,8 +351,7 @@ def _made_of(value: Any, kind: str, ball: Ball | None) -> Any:
 
 def _reduced_of(value: Any, tool: Implement, ball: Ball | None) -> ReducedBat[Implement]:
     """Return a bat reduced, from what was made of it already."""
-    from sweetspot.dynamics.mode_assembly import all_modes
-    from sweetspot.dynamics.reduction import ReducedBat
+    from sweetspot.dynamics.reduction import ReducedBat, all_modes
     from sweetspot.dynamics.rigid import rigid_body
 
     if isinstance(value, ReducedBat):

@@ -24,9 +24,8 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.modal_propagator import moved
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material

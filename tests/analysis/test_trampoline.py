@@ -19,8 +19,8 @@ from sweetspot.analysis.trampoline import (
 )
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.kernel import hits
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError

@@ -22,8 +22,7 @@ from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.files.write_implement import implement_toml
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import OF_CENTRE, OF_SWING, moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import OF_CENTRE, OF_SWING, moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.confidence import REACH

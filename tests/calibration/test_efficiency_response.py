@@ -18,7 +18,7 @@ from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat

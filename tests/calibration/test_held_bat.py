@@ -10,8 +10,7 @@ from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.calibration.recording import Recording
 from sweetspot.calibration.tap_analysis import tap_test
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.tap import tapped
+from sweetspot.dynamics.modes import Modes, tapped
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError

@@ -20,7 +20,7 @@ from sweetspot.calibration.unknowns import as_described, described, deviated, un
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_frequencies
+from sweetspot.dynamics.reduction import bending_frequencies
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError

@@ -12,7 +12,7 @@ from sweetspot.calibration.recording import BAT_BAND
 from sweetspot.calibration.sinusoids import fit_sinusoids
 from sweetspot.calibration.synthetic import tap_sound
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 
 RATE = 8192.0
 

@@ -32,8 +32,8 @@ from sweetspot.calibration.tap_faults import (
 )
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.calibration.written import parse_measured
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.section import shear_coefficient

@@ -18,7 +18,7 @@ from sweetspot.answers.compare import CompareQuestion
 from sweetspot.answers.report import ReportQuestion
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_frequencies
+from sweetspot.dynamics.reduction import bending_frequencies
 
 Run = Callable[..., tuple[int, str, str]]
 WEIGHED = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--pendulum", "1.4545s±0.003s")

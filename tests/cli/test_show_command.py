@@ -9,7 +9,7 @@ import pytest
 
 from sweetspot import catalog, implement
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_frequencies
+from sweetspot.dynamics.reduction import bending_frequencies
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError

@@ -21,10 +21,8 @@ from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.dynamics.reduction import ReducedBat, all_modes, bending_modes, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat

@@ -20,10 +20,9 @@ from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.collision.time_step import first_kick_after_touch
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import held_modes
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, joined
+from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.equipment.ball import RestitutionLaw
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.piecewise import Piecewise, cubic_spline

@@ -18,7 +18,7 @@ from sweetspot.collision.coupled import check_step, hit
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import effective_mass, rigid_body
 from sweetspot.equipment.ball import RestitutionLaw
 from sweetspot.errors import InputError

@@ -22,10 +22,9 @@ from sweetspot.collision.impact import Impact, Impacts, Outcome
 from sweetspot.collision.kernel import CHUNK, hits, hits_with_motion
 from sweetspot.collision.one_hit import quick_hit
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import held_modes
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.motion.swing import Hands
 
 BALL = catalog.ball()

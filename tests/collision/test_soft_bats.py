@@ -19,8 +19,8 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.bat import Bat
 from tests.random_bats import examples, solid_bats
 

@@ -17,10 +17,9 @@ from sweetspot.collision.modal_propagator import moved
 from sweetspot.collision.modal_response import free_motion, replayed
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import held_modes
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Hands
 

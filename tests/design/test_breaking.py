@@ -14,7 +14,7 @@ from sweetspot.design.breaking import handle_bending
 from sweetspot.design.contacts import FROM_TIP, normal_contact
 from sweetspot.design.measures import Bench
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Swing
 from sweetspot.units import INCH

@@ -11,7 +11,7 @@ from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import bending_batch
 from sweetspot.dynamics.beam import beam_model, section
-from sweetspot.dynamics.bending import bending_frequencies, bending_modes
+from sweetspot.dynamics.reduction import bending_frequencies, bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.gauss_legendre import quadrature

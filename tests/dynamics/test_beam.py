@@ -14,7 +14,7 @@ from studies.measured_bats import simulated
 from sweetspot import catalog
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.dynamics.beam import beam_model, density_scale
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from sweetspot import catalog
 from sweetspot.dynamics.batch.mesh import ELEMENTS
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import shear_coefficient

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sweetspot.dynamics.beam_elements import polynomials
+from sweetspot.dynamics.batch.mesh import polynomials
 from tests.dense_bending import Basis, gauss_places
 
 EDGES = np.array([0.0, 0.1, 0.13, 0.4, 0.86])

@@ -7,8 +7,8 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.dynamics.beam import beam_model, section
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 

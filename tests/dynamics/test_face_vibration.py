@@ -17,12 +17,11 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.face_vibration import face_modes, softness
 from sweetspot.dynamics.hands import held_modes
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, Surface, joined
 from sweetspot.dynamics.patch import contact_patch
+from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.dynamics.rigid import effective_mass, rigid_body
 from sweetspot.equipment.ball import Ball, RestitutionLaw
 from sweetspot.equipment.cricket_bat import CricketBat

@@ -12,9 +12,8 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.collision.modal_propagator import modal_propagator_of, moved
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import check_hands, held_modes
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Hands

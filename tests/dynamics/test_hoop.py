@@ -8,15 +8,12 @@ import pytest
 from sweetspot import catalog
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hoop import barrel_range, hoop_frequency, hoop_modes
+from sweetspot.dynamics.hoop import barrel_range, hoop_frequency, hoop_modes, wall_pushes
 from sweetspot.dynamics.local_compliance import round_compliance
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import joined
 from sweetspot.dynamics.patch import contact_patch, patch_law, transform
-from sweetspot.dynamics.shell_elements import OF_V, OF_W, barrel_elements
-from sweetspot.dynamics.shell_kernel import STEP, UNKNOWNS, Solved, solved_walls
-from sweetspot.dynamics.wall_push import wall_pushes
+from sweetspot.dynamics.reduction import all_modes, bending_modes
+from sweetspot.dynamics.shell_elements import OF_V, OF_W, STEP, UNKNOWNS, Solved, barrel_elements, solved_walls
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 from tests.dense_bending import lowest

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sweetspot.dynamics.long_tube import _breathing, _shifting
+from sweetspot.dynamics.hoop import _breathing, _shifting
 from sweetspot.dynamics.patch import transform
 
 WALL, MIDDLE, OUTER, PATCH = 2.9e-3, 0.0319, 0.03335, 0.014

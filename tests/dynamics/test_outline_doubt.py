@@ -8,8 +8,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.certification.rules import construction_findings
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import OF_CENTRE, OF_SWING, moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import OF_CENTRE, OF_SWING, moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH
 

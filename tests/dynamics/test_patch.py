@@ -13,9 +13,9 @@ from sweetspot.collision.kernel import hits
 from sweetspot.collision.modal_propagator import modal_propagator_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hoop import OtherPatch
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import ByPatch, contact_patch, patch_law
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 

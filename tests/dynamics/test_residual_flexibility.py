@@ -7,8 +7,8 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.local_compliance import round_compliance
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.equipment.material import Material
 from tests.dense_bending import static_compliance
 

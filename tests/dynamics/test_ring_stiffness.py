@@ -9,7 +9,7 @@ from sweetspot import catalog
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.dynamics.ring_stiffness import ring_at_edge
+from sweetspot.dynamics.wall import ring_at_edge
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.ring import Ring

@@ -10,8 +10,8 @@ import pytest
 from sweetspot import catalog
 from sweetspot.collision.modal_propagator import modal_propagator_of
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.tap import half_sine_gain, tapped
+from sweetspot.dynamics.modes import half_sine_gain, tapped
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.errors import InputError
 
 MODES = bending_modes(beam_model(catalog.bat("r161-ash")))

@@ -10,7 +10,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.dynamics.beam import BeamModel, beam_model, section
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.dynamics.wall import wall_stiffness
 from sweetspot.equipment.bat import Bat

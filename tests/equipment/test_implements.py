@@ -15,7 +15,7 @@ from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.impact import Outcome
 from sweetspot.dynamics.beam import bat_of_beam, beam_model, section
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat

@@ -28,7 +28,7 @@ from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.records import unwrapped
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.plausibility import parse
 from sweetspot.player.swings import read_swings

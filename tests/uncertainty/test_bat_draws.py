@@ -14,7 +14,7 @@ from sweetspot.calibration.unknowns import Unknown, deviated, unknowns_of
 from sweetspot.calibration.unknowns import described as described_beam
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.hit.ledger import ENERGY_NAMES

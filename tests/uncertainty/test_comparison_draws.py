@@ -13,8 +13,7 @@ from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.catalog.implements import loaded_implement
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.uncertainty.comparison_draws import drawn_comparison

@@ -273,7 +273,7 @@ def taps(tmp_path_factory: pytest.TempPathFactory) -> Path:
     from sweetspot.calibration.synthetic import synthesised
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.dynamics.beam import beam_model
-    from sweetspot.dynamics.mode_assembly import all_modes
+    from sweetspot.dynamics.reduction import all_modes
     from sweetspot.units import INCH
 
     bat = catalog.bat("r161-ash")

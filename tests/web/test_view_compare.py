@@ -16,7 +16,7 @@ from sweetspot.analysis.comparison import compare
 from sweetspot.answers.compare import compare_of
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.dynamics.outline_doubt import OF_SWING
+from sweetspot.dynamics.rigid import OF_SWING
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.comparison.words import changes
 from sweetspot.units import MPH

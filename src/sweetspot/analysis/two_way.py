@@ -13,7 +13,7 @@ from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hands import held_modes
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.equipment.bat import USUAL_CUP, WIDEST_CUP, Bat

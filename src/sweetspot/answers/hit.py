@@ -27,7 +27,7 @@ from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts, Outcome
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement, check_lateral, check_on_face, check_position

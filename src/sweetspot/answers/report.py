@@ -33,8 +33,7 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import effective_mass
+from sweetspot.dynamics.rigid import effective_mass, moi_doubt
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array

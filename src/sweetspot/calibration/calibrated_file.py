@@ -17,8 +17,7 @@ from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, devia
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.catalog.files.write_implement import implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.errors import InputError

@@ -13,9 +13,8 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import MOST_BENDING, ModeName, NamedTone
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.dynamics.hoop import hoop_frequency
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes, bending_frequencies
 from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError

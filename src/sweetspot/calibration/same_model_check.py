@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import pendulum_period, rigid_body
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError

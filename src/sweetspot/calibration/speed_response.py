@@ -18,7 +18,7 @@ from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw

@@ -1,6 +1,6 @@
 """The sound of a tapped implement, made from its modes: the inverse of reading a recording.
 
-A half-sine tap leaves mode i with a speed in proportion to s_i(x) G(w_i) (`sweetspot.dynamics.tap.tapped`); a
+A half-sine tap leaves mode i with a speed in proportion to s_i(x) G(w_i) (`sweetspot.dynamics.modes.tapped`); a
 microphone near the place y hears the surface's acceleration there, w_i s_i(y) times it.
 """
 
@@ -9,8 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.calibration.recording import Recording
-from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.tap import tapped
+from sweetspot.dynamics.modes import Modes, tapped
 from sweetspot.numerics.arrays import Array
 
 RATE = 44100.0

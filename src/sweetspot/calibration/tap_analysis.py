@@ -29,8 +29,8 @@ from sweetspot.calibration.tap_faults import HEARD, HELD
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Family, Modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError

@@ -22,7 +22,7 @@ import numpy as np
 
 from sweetspot.catalog.materials import material_spreads
 from sweetspot.dynamics.beam import BeamModel, beam_model, density_scale
-from sweetspot.dynamics.bending import bending_frequencies
+from sweetspot.dynamics.reduction import bending_frequencies
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat, PointMass
 from sweetspot.equipment.cricket_bat import CricketBat

@@ -34,7 +34,9 @@ def doubts(implement: Implement) -> tuple[str, ...]:
         ),
     ]
     if not any(found):
-        from sweetspot.dynamics.bending import bending_frequencies  # brings numba, which takes as long as all the rest
+        from sweetspot.dynamics.reduction import (
+            bending_frequencies,  # brings numba, which takes as long as all the rest
+        )
 
         found = [_outside("rings at", float(bending_frequencies(beam, count=1)[0]), list(usual.frequency), "Hz")]
     return tuple(text for text in found if text)

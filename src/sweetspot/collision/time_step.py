@@ -8,8 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from sweetspot.collision.contact_law import loading_force, unloading_exponent
-from sweetspot.dynamics.excitation import WALL_SPEED
-from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.modes import WALL_SPEED, Modes
 from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.numerics.arrays import Array
 

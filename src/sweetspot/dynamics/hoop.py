@@ -1,22 +1,196 @@
-"""Hoop modes of a hollow barrel, felt through the ball's patch, and what of the wall's give they leave out."""
+"""Hoop modes of a hollow barrel, felt through the ball's patch, and what of the wall's give they leave out.
+
+How a hollow barrel gives way as a breathing and as a shifted ring: harmonics 0 and 1 of a long tube.
+
+Both die out within a centimetre or two, so the barrel counts as a long tube of the local wall: one wave along it,
+cos(k x), at a time, Sanders' strains, integrated over k. Of harmonic 1 the tube as a beam is taken away, which the
+bending modes hold: with the pressure's transform P and the tube's bending and shear compliances B and S for slow waves
+
+    c = (1/pi) int_0^inf (h_0(k) + h_1(k) - P(0, k)^2 (B / k^4 + S / k^2)) dk - K,
+
+K being what a beam gives way less under the patch than under a push at one point, as in `local_compliance`.
+
+The ball's patch pushing on a barrel's wall: what its pressure does in every harmonic of the way around.
+
+Every part of the patch is pushed along the ball's path: outwards by cos(theta) and around by -sin(theta).
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss
 
 from sweetspot.dynamics.beam import BeamModel, bat_of_beam
-from sweetspot.dynamics.long_tube import local_compliance
+from sweetspot.dynamics.local_compliance import blunting
 from sweetspot.dynamics.modes import Family, Modes, Surface
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
-from sweetspot.dynamics.shell_elements import ShellElements, barrel_elements
-from sweetspot.dynamics.shell_kernel import Pushes, Solved, solved_walls
-from sweetspot.dynamics.wall import wall_stiffness
-from sweetspot.dynamics.wall_push import wall_pushes
+from sweetspot.dynamics.shell_elements import (
+    EVEN_PART,
+    Pushes,
+    ShellElements,
+    Solved,
+    barrel_elements,
+    outward_functions,
+    plane_functions,
+    solved_walls,
+)
+from sweetspot.dynamics.wall import WallSection, wall_stiffness
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise, cubic_spline
+
+SLOWEST = 0.12
+"""k R below which the tube is a beam."""
+EDGES = np.concatenate([np.linspace(SLOWEST, 1.0, 6), np.linspace(1.5, 14.0, 16)])
+"""k R between which the integral is taken piece by piece; beyond them the patch no longer pushes."""
+GAUSS = leggauss(8)
+SLOWER = 0.02
+"""k R at which the tube's bending compliance is read off."""
+
+
+def local_compliance(wall: WallSection, *, outer: Array, radii: Array) -> Array:
+    """Return c in m/N at the places of a wall under patches, shape (places, radii).
+
+    Parameters
+    ----------
+    outer : radius of the outside there, m, shape (places,).
+    radii : of the ball's contact, m, > 0, shape (radii,).
+    """
+    law = np.block([[wall.stretching, wall.coupling], [wall.coupling, wall.bending]]) * EVEN_PART
+    nodes, weights = GAUSS
+    half, centre = np.diff(EDGES) / 2, (EDGES[1:] + EDGES[:-1]) / 2
+    middle = wall.mean_radius[:, None]
+    waves = np.concatenate([[SLOWEST], (centre[:, None] + half[:, None] * nodes).ravel()]) / middle
+    weights = np.concatenate([[SLOWEST], (half[:, None] * weights).ravel()]) / middle  # constant below the slowest
+    bending, shearing = _beam(law, middle, outer[:, None])
+    tube = sum(work(law, waves, middle, outer[:, None], radii) for work in (_breathing, _shifting))
+    beam = transform(radii[:, None, None] * waves) ** 2 * (bending / waves**4 + shearing / waves**2)
+    blunt = blunting(radii, bending=bending, shearing=shearing)
+    return np.asarray(np.sum((tube - beam) * weights, axis=-1).T / np.pi - blunt)
+
+
+def _beam(law: Array, middle: Array, outer: Array) -> tuple[Array, Array]:
+    """Return B in 1/(N m^2) and S in 1/N of the tube under slow waves, pushed at a point; shapes (places, 1)."""
+    slow = np.array([SLOWER, SLOWEST]) / middle
+    give = _shifting(law, slow, middle, outer, np.zeros(1))[0]
+    both = np.linalg.solve(np.stack([slow**-4.0, slow**-2.0], axis=-1), give[..., None])
+    return both[:, 0], both[:, 1]
+
+
+def _breathing(law: Array, waves: Array, middle: Array, outer: Array, radii: Array) -> Array:
+    """Return the work of harmonic 0 under pressures of 1 N along the ball's path, m/N times 1/m, by wave.
+
+    Parameters
+    ----------
+    law : stiffnesses of the wall, shape (places, 6, 6).
+    waves : k in 1/m, shape (places, waves).
+    middle, outer : radii of the wall's middle and of the outside, m, shape (places, 1).
+    radii : of the patches, m, shape (radii,); the answer has shape (radii, places, waves).
+    """
+    strain = np.zeros((len(waves), 6, 2, waves.shape[1]))  # of (U sin kx, W cos kx); there is no twist
+    strain[:, 0, 0] = waves
+    strain[:, 1, 1], strain[:, 3, 1] = 1 / middle, waves**2
+    outwards = transform(radii[:, None, None] * np.hypot(1 / outer, waves))
+    return _work(2 * law, strain, middle, np.stack([np.zeros_like(outwards), outwards]))
+
+
+def _shifting(law: Array, waves: Array, middle: Array, outer: Array, radii: Array) -> Array:
+    """Return the work of harmonic 1; see `_breathing`.
+
+    With R the middle's radius the unknowns are U + k R V, V + W and (k R)^2 W instead of U sin kx, V cos kx and
+    W cos kx: a section that is only shifted, which costs nothing, is then one of them alone, and rounding does not
+    drown it.
+    """
+    turn = waves * middle
+    strain = np.zeros((len(waves), 6, 3, waves.shape[1]))
+    strain[:, 0, 0], strain[:, 0, 1], strain[:, 0, 2] = waves, -waves * turn, 1 / middle
+    strain[:, 1, 1], strain[:, 2, 0] = 1 / middle, -1 / middle
+    strain[:, 3, 2], strain[:, 4, 1] = 1 / middle**2, 1 / middle**2
+    strain[:, 5, 0], strain[:, 5, 1] = 1 / (2 * middle**2), -2 * waves / middle
+    before, after = (transform(radii[:, None, None] * np.hypot(m / outer, waves)) for m in (0, 2))
+    around = (after - before) / 2 * outer / middle
+    return _work(law, strain, middle, np.stack([np.zeros_like(before), around, before / turn**2]))
+
+
+def _work(law: Array, strain: Array, middle: Array, push: Array) -> Array:
+    """Return p^T K^-1 p of a ring of wall, one unknown after the other eliminated.
+
+    Parameters
+    ----------
+    strain : by unknown, shape (places, 6, unknowns, waves).
+    push : by unknown, shape (unknowns, radii, places, waves).
+    """
+    stress = (law @ strain.reshape(*law.shape[:2], -1)).reshape(strain.shape)
+    stiffness = np.einsum("piuw,pivw->uvpw", strain, stress) * np.pi * middle
+    work = np.zeros(push.shape[1:])
+    while len(push):
+        share = stiffness[1:, 0] / stiffness[0, 0]
+        work += push[0] ** 2 / stiffness[0, 0]
+        push = push[1:] - share[:, None] * push[0]
+        stiffness = stiffness[1:, 1:] - share[:, None] * stiffness[0, 1:]
+    return work
+
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
+"""Where along the bat, from -1 to 1 of the patch's radius, it pushes."""
+
+
+def wall_pushes(shell: ShellElements, places: Array, radii: Array) -> Pushes:
+    """Return pushes of 1 N through round patches at places, one after the other for every radius.
+
+    Parameters
+    ----------
+    places : m from the knob end, shape (places,).
+    radii : of the patch, m, shape (radii,).
+    """
+    outer = np.asarray(bat_of_beam(shell.beam).diameter_at(places)) / 2
+    middle = wall_stiffness(shell.beam, places).mean_radius
+    lift = ((outer - middle) / middle)[:, None]
+    point = np.clip(places[:, None] + radii[:, None, None] * NODES, shell.edges[0], shell.edges[-1])
+    element = np.clip(np.searchsorted(shell.edges, point, side="right") - 1, 0, len(shell.edges) - 2)
+    size = np.diff(shell.edges)[element]
+    t = (point - shell.edges[element]) / size
+    orders = np.unique(np.concatenate([shell.harmonics - 1, shell.harmonics + 1]))
+    span = radii[:, None] * np.sqrt(1 - NODES[len(NODES) // 2 :] ** 2)  # as wide before the patch's middle as after it
+    waves = orders[:, None, None, None] / outer[:, None]
+    weights = WEIGHTS[len(NODES) // 2 :] * radii[:, None, None]
+    across = weights * _across(waves, span[:, None, :], radii[:, None, None])
+    before, after = (across[np.searchsorted(orders, shell.harmonics + side)] for side in (-1, 1))
+    around, n = (after - before) / 2, shell.harmonics[:, None, None, None]
+    outwards = (before + after) / 2 + around * n * lift
+    points, forces = (-1, len(NODES)), (len(shell.harmonics), -1, len(NODES))
+
+    def mirrored(force: Array) -> Array:
+        return np.concatenate([force[..., ::-1], force], axis=-1).reshape(forces)
+
+    return Pushes(
+        element.reshape(points),
+        plane_functions(t).reshape(*points, 4),
+        outward_functions(t, size).reshape(*points, 4),
+        mirrored(around * (1 + lift)),
+        mirrored(outwards),
+    )
+
+
+def _across(wave: Array, span: Array, radius: Array) -> Array:
+    """Return the integral of a Hertz pressure of 1 N across the bat times cos(q y), N/m.
+
+    3 / (2 pi a^3) int sqrt(c^2 - y^2) cos(q y) dy = 3 c J_1(q c) / (2 a^3 q), with c the half width there.
+
+    Parameters
+    ----------
+    wave : q in 1/m.
+    span : c in m.
+    radius : a in m.
+    """
+    from scipy.special import j1  # here: only hollow barrels need it
+
+    phase = wave * span
+    ratio = np.where(phase < 1e-6, 0.5, j1(phase) / np.where(phase < 1e-6, 1.0, phase))
+    return np.asarray(1.5 / radius**3 * span**2 * ratio)
+
 
 HARMONICS = (2, 3, 4)
 STATIC_HARMONICS = (5, 6, 7, 8)
@@ -41,7 +215,7 @@ def hoop_modes(
     """Return the hoop modes of a hollow bat's barrel, with shapes averaged over the ball's patch.
 
     What they leave out of the wall's give under a slow push is in `Modes.compliances`: higher axial modes, harmonics 5
-    to 8, and what the wall gives way as a breathing and a shifted ring (`long_tube`).
+    to 8, and what the wall gives way as a breathing and a shifted ring.
 
     Parameters
     ----------

@@ -20,9 +20,9 @@ from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, joined
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.hoop import OtherPatch, hoop_modes
 from sweetspot.dynamics.local_compliance import solid_bat_compliance
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat

@@ -14,8 +14,8 @@ from sweetspot.collision.impact import Impacts
 from sweetspot.collision.kernel import STEP
 from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.patch import contact_patch
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array

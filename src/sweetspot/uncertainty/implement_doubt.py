@@ -22,8 +22,7 @@ from sweetspot.calibration.unknowns import Unknown, as_described, described, dev
 from sweetspot.catalog.bats import other_files
 from sweetspot.catalog.implements import implement
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import OF_CENTRE, is_balanced, is_swung, moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import OF_CENTRE, is_balanced, is_swung, moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError

@@ -12,9 +12,8 @@ from sweetspot import catalog
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import Length, Mass, MomentOfInertia, Ratio
 from sweetspot.answers.setups import SwungWith
-from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array

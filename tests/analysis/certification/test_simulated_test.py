@@ -23,7 +23,7 @@ from sweetspot.analysis.certification.simulated_test import (
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hands import held_modes
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat

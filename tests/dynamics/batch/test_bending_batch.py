@@ -9,7 +9,7 @@ from sweetspot import catalog
 from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_frequencies, bending_modes
+from sweetspot.dynamics.reduction import bending_frequencies, bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat, Cup
 from sweetspot.equipment.implement import AddedMass

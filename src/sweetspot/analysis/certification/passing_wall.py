@@ -8,7 +8,7 @@ import numpy as np
 
 from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED, BPF_SPEED, bat_test, bpf
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.dynamics.weight_match import barrel_start, with_barrel_wall
 from sweetspot.equipment.ball import Ball

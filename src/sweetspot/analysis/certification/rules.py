@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Literal
 
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement

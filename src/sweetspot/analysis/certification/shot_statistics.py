@@ -21,8 +21,7 @@ from sweetspot.analysis.certification.simulated_test import (
     swung_test,
 )
 from sweetspot.collision.closed_form import collision_efficiency, restitution_from_efficiency
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import RigidBody, effective_mass
+from sweetspot.dynamics.rigid import RigidBody, effective_mass, moi_doubt
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError

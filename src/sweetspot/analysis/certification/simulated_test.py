@@ -16,12 +16,10 @@ from sweetspot.analysis.certification.rules import Finding
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel, beam_model, turning_as
-from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, joined
-from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.patch import PATCH_SPREAD
-from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.reduction import all_modes, bending_modes
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
 from sweetspot.dynamics.weight_match import with_barrel_wall
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.base import Real

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.dynamics.beam_elements import at_gauss_points, powers
+from sweetspot.dynamics.batch.mesh import at_gauss_points, powers
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.banded import WIDTH, lowest_pairs
 from sweetspot.numerics.gauss_legendre import GAUSS_POINTS

@@ -12,11 +12,10 @@ from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, even_splines, on_even_splines
 from sweetspot.dynamics.batch.mesh import MODES
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.excitation import MOST_MODES, excited_frequency
 from sweetspot.dynamics.face_vibration import face_modes
 from sweetspot.dynamics.hoop import hoop_modes
 from sweetspot.dynamics.local_compliance import PLACES, blade_compliance, round_compliance, solid_bat_compliance
-from sweetspot.dynamics.modes import Modes, joined
+from sweetspot.dynamics.modes import MOST_MODES, Modes, excited_frequency, joined
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat

@@ -12,8 +12,7 @@ from sweetspot.answers.report import ReportAnswer
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS

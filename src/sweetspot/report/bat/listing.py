@@ -12,8 +12,7 @@ from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.sports import sport_implements, sport_names
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Table

@@ -13,9 +13,7 @@ from sweetspot.answers.implement import MassProperties
 from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.modes import Family
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import RigidBody
-from sweetspot.dynamics.swing_weight import SwingWeight
+from sweetspot.dynamics.rigid import RigidBody, SwingWeight, moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array

@@ -13,7 +13,7 @@ from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, RuleCheck,
 from sweetspot.catalog.balls import ball
 from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.dynamics.outline_doubt import moi_doubt
+from sweetspot.dynamics.rigid import moi_doubt
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.bat.tables import moment
 from sweetspot.report.certification.limits_shown import (

@@ -11,7 +11,7 @@ from sweetspot.analysis.comparison import Comparison
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, compare_of
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
-from sweetspot.dynamics.outline_doubt import moi_doubt
+from sweetspot.dynamics.rigid import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS

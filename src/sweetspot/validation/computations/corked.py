@@ -10,7 +10,7 @@ from sweetspot import catalog
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH

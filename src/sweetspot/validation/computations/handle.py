@@ -8,9 +8,9 @@ from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.modal_propagator import modal_propagator_of
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH

@@ -9,9 +9,9 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.dynamics.beam import beam_model, section
-from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import centre_of_percussion
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Hands

@@ -8,8 +8,8 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.analysis.certification.simulated_test import BatTest, bat_test
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, MPH

@@ -15,8 +15,7 @@ from sweetspot.analysis.sweet_spot import barrel_node
 from sweetspot.answers.records import Frequency, Length, Ratio, Time
 from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.hoop import barrel_range
-from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.tap import tapped
+from sweetspot.dynamics.modes import Modes, tapped
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.page_words import motion_words
@@ -275,7 +274,7 @@ def recipe(state: ModesState) -> dict[str, str]:
     """Return the lines that give the motions and the tap; the command line knows no hands that weigh something."""
     python = conditions_lines(state) + (
         "from sweetspot import all_modes, beam_model\n"
-        "from sweetspot.dynamics.tap import tapped\n\n"
+        "from sweetspot.dynamics.modes import tapped\n\n"
         f"{modes_line(held=state.held)}"
         "modes.frequency, modes.damping_ratio, modes.nodes(2)  # Hz, ratios, m from the knob end\n"
         f"tapped(modes, position=bat.length - {state.tap_from_tip_in!r} * INCH, duration={state.tap_ms!r} * 1e-3)\n"

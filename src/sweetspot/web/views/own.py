@@ -18,8 +18,7 @@ from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.design.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt, pendulum_period, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.confidence import REACH
