@@ -112,7 +112,11 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
     def door(*args: Any, **kwargs: Any) -> Any:
         if several is not None and several not in kwargs and not (len(args) == 1 and _is_list(args[0])):
             args = (list(args),)
-        given = signature.bind(*args, **kwargs).arguments
+        try:
+            given = signature.bind(*args, **kwargs).arguments
+        except TypeError as error:
+            takes = ", ".join(signature.parameters)
+            raise TypeError(f"sweetspot.{function.__name__}() {error}; it takes {takes}") from None
         for name in hitters:
             if kinds[name].startswith("Loaded") and given.get(name) is not None:
                 given[name] = _loaded(given[name], name)

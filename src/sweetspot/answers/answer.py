@@ -57,8 +57,26 @@ def uncertainty_of(
     return Uncertainty(LEVEL, len(normal) - 1, of, shares, dict(sources))
 
 
+SHORT = 6
+"""Numbers and texts of an answer that stand in its `repr`."""
+
+
 class Answer(ShownInNotebooks):
-    """An answer: a record that a notebook shows as its report, and that becomes a dictionary or a frame."""
+    """An answer: a record that prints as on the command line, and that becomes a dictionary or a frame."""
+
+    def __init_subclass__(cls) -> None:
+        """Give every kind of answer a short `repr`: the decorator of a dataclass writes none where one stands."""
+        super().__init_subclass__()
+        if "__repr__" not in cls.__dict__:
+            cls.__repr__ = Answer.__repr__  # type: ignore[method-assign]
+
+    def __repr__(self) -> str:
+        single = [f"{key}={value!r}" for key, (value,) in _cells(self.to_dict())]
+        rest = ["..."] if len(single) > SHORT else []
+        return f"{type(self).__name__}({', '.join([*single[:SHORT], *rest])})"
+
+    def __str__(self) -> str:
+        return ShownInNotebooks.renderer().text_of(self)
 
     def to_dict(self, units: System = "si") -> dict[str, Any]:
         """Return all numbers, lists and texts with the unit in every key: "si" or "us"."""

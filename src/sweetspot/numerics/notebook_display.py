@@ -15,6 +15,9 @@ class Renderer(Protocol):
     def html_of(self, answer: Any, /) -> str:
         """Return an answer as HTML."""
 
+    def text_of(self, answer: Any, /) -> str:
+        """Return an answer as the command line prints it."""
+
 
 class ShownInNotebooks:
     """Base of everything that a notebook shows as HTML.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from io import StringIO
 from typing import TYPE_CHECKING, Any
 
 from sweetspot.errors import InputError
@@ -24,6 +25,18 @@ def html_of(answer: Any) -> str:
     """
     document = document_of(answer)
     return notebook_cell(document, document.reader)
+
+
+def text_of(answer: Any) -> str:
+    """Return an answer as the command line prints it."""
+    from rich.console import Console
+
+    from sweetspot.report.terminal import ROOM, to_terminal
+
+    document = document_of(answer)
+    console = Console(width=ROOM, highlight=False, file=StringIO(), record=True)
+    console.print(to_terminal(document, document.reader))
+    return "\n".join(line.rstrip() for line in console.export_text().splitlines())
 
 
 def figure_of(answer: Any) -> Figure:
