@@ -2,8 +2,8 @@
 Lesson 1: What is a sweet spot?
 ===============================
 
-Ask five people where a bat's sweet spot is, and five places come back, because the words mean several things. We
-take one bat and mark them all.
+Ask five people where a bat's sweet spot is, and you get five answers, because the words mean several things. This
+lesson takes one bat and marks them all.
 """
 
 import sweetspot
@@ -14,7 +14,7 @@ result.plot()
 
 # %%
 # Everything above is one hit: a 90 mph pitch, and a bat that moves at 70 mph six inches from its tip. Each meaning
-# is a function of its own. Inside the package places are metres from the knob end; from the tip, in inches, they
+# has its own function. Inside the package, places are in meters from the knob end. In inches from the tip, they
 # are:
 
 for name in ("max_exit_speed", "max_collision_efficiency", "center_of_percussion", "node_1", "node_2", "min_sting"):
@@ -22,10 +22,10 @@ for name in ("max_exit_speed", "max_collision_efficiency", "center_of_percussion
     print(f"{name:26} {(result.bat.length - place) / INCH:5.1f} in")
 
 # %%
-# They lie close together, and they are not one place. The ball cares for the first two. The hands care for the
-# others: at the centre of percussion the top hand feels no jolt, at a node that mode does not ring.
+# They lie close together, but they are not one place. The first two matter to the ball. The others matter to the
+# hands: at the center of percussion the top hand feels no jolt, and at a node the hit does not excite that mode.
 #
-# What is a miss worth? The curve of exit speed is flat on top and falls away:
+# What does a miss cost? The curve of exit speed is flat at the top and falls away on both sides:
 
 import matplotlib.pyplot as plt
 
@@ -40,4 +40,4 @@ plt.show()
 
 # %%
 # **Exercises.** Put the ball on a tee, ``standard_analysis("r161-ash", pitch_speed=0.0)``. Which places move, and
-# which cannot? Then take ``"youth-30"``, and a bat of your own from a file.
+# which cannot? Then try ``"youth-30"``, and a bat of your own from a file.

@@ -2,31 +2,31 @@
 Lesson 2: Why not the end?
 ==========================
 
-The end moves fastest, so why does it not hit hardest? First momentum, then bending. The :doc:`implemented paper
-</paper>` asks the same in its equations 5 to 12, with a thin rod.
+The end moves fastest, so why does it not hit hardest? There are two reasons: momentum, then bending. The
+:doc:`implemented paper </paper>` asks the same question in its equations 5 to 12, with a thin rod.
 """
 
 from sweetspot import RigidBody, bat, beam_model, centre_of_percussion, effective_mass, rigid_body
 from sweetspot.units import INCH, OUNCE
 
 rod = RigidBody(mass=1.0, balance_point=0.5, moi_cm=1 / 12, roll_moi=0.0)
-print(f"a rod of 1 m held at its end: centre of percussion at {centre_of_percussion(rod, pivot=0.0):.4f} m (2/3)")
-print(f"mass that a ball meets: middle {effective_mass(rod, 0.5):.2f} kg, end {effective_mass(rod, 1.0):.2f} kg")
+print(f"a rod of 1 m held at its end: center of percussion at {centre_of_percussion(rod, pivot=0.0):.4f} m (2/3)")
+print(f"effective mass: middle {effective_mass(rod, 0.5):.2f} kg, end {effective_mass(rod, 1.0):.2f} kg")
 
 # %%
-# A ball at the end of the rod meets a quarter of it: the rest is turned out of the way. For a real bat the same sum
-# runs over its outline:
+# At the end of the rod the effective mass is a quarter of the rod's: the rod spins away. For a real bat the same
+# calculation uses its outline:
 
 wood = bat("r161-ash")
 body = rigid_body(beam_model(wood))
 for inches in (0, 2, 4, 6, 8, 10):
     place = wood.length - inches * INCH
     met = effective_mass(body, place) / OUNCE
-    print(f"{inches:2} in from the tip the ball meets {met:4.1f} oz of {body.mass / OUNCE:.1f}")
+    print(f"{inches:2} in from the tip the effective mass is {met:4.1f} oz of {body.mass / OUNCE:.1f}")
 
 # %%
-# The blow that the hands feel has the paper's sign change: zero at the centre of percussion. Slide the hit along
-# the bat:
+# The impulse at the hands changes sign, as the paper says: it is zero at the center of percussion. Move the hit
+# along the bat:
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -38,12 +38,12 @@ ratio = [hand_impulse_ratio(body, float(place), hands=6 * INCH) for place in pla
 figure, axes = plt.subplots(figsize=(7, 3), layout="constrained")
 axes.plot((wood.length - places) / INCH, ratio)
 axes.axhline(0, color="grey", lw=0.8)
-axes.set(xlabel="inches from the tip", ylabel="blow at the top hand / blow of the ball", xlim=(14, 0))
+axes.set(xlabel="inches from the tip", ylabel="impulse at the top hand / impulse of the ball", xlim=(14, 0))
 plt.show()
 
 # %%
-# Momentum alone moves the best place to where a rigid bat is best, and that is still not where this bat is. The
-# rest is bending: near the end most of what is missing stays in the bat as vibration.
+# Momentum alone gives the best place of a rigid bat, and this bat's best place is still elsewhere. The rest is
+# bending: near the end, most of the missing energy stays in the bat as vibration.
 
 import sweetspot
 from sweetspot.units import MPH
@@ -55,5 +55,5 @@ print(
 )
 
 # %%
-# **Exercises.** At which place is a rigid bat best, and why not at the centre of percussion? Choke up two inches
+# **Exercises.** Where does a rigid bat hit best, and why not at the center of percussion? Choke up two inches
 # (``wood.replaced(choke=2 * INCH)``): which of the two curves moves?

@@ -1,10 +1,10 @@
 """
-Lesson 3: A published argument, taken apart
-===========================================
+Lesson 3: A published argument, step by step
+============================================
 
 The :doc:`implemented paper </paper>` says where a bat's sweet spot is, and why corked and metal bats would hit
-farther. Here is its chain: what it states, what its own formula gives, and what the full model says of the same
-thing.
+farther. Here is its chain of claims: what it states, what its own formula gives, and what the full model gives for
+the same quantity.
 """
 
 import sweetspot
@@ -12,8 +12,8 @@ import sweetspot
 sweetspot.paper("r161-ash")
 
 # %%
-# One step of it by hand. Equation 11 puts the best place where the hands feel nothing, x = J / (m l) beyond the
-# centre of mass. For a rod held at its end that is two thirds of its length:
+# Here is one step by hand. Equation 11 puts the best place where the hands feel nothing, x = J / (m l) beyond the
+# center of mass. For a rod held at its end that is two thirds of its length:
 
 from sweetspot.paper.formulas import best_point_beyond_centre, rod
 
@@ -22,13 +22,14 @@ beyond = best_point_beyond_centre(thin, hands=0.0)
 print(f"{thin.balance_point + beyond:.3f} m of 0.840 m; two thirds are {2 / 3 * 0.84:.3f} m")
 
 # %%
-# And the claim on cork: a lighter barrel is swung faster. It is, and the ball meets less. Which wins?
+# Next, the claim about cork: a lighter barrel is swung faster. That is true, but it hits with less mass. Which
+# effect wins?
 
 sweetspot.compare_corked("r161-ash").plot()
 
 # %%
-# The lower panel is the difference: below zero along the barrel. Measured corked bats say the same (Nathan and
-# others, 2011).
+# The lower panel shows the difference: it is below zero along the barrel. Measurements of corked bats agree (Nathan
+# and others, 2011).
 #
 # **Exercises.** The formula W for the energy returned takes the share z as given, 2 % for wood and 10 % for metal.
-# Find both shares in the table above as the full model has them. What wall would a metal bat need to hold a tenth?
+# Find both shares from the full model in the table above. What wall would a metal bat need to store a tenth?

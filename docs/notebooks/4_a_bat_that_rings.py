@@ -1,9 +1,9 @@
 """
-Lesson 4: A bat that rings
-==========================
+Lesson 4: A bat that vibrates
+=============================
 
 Tap a bat at different places and listen: at a node a tone is missing. A bat is a beam with free ends, and its
-tones follow from outline and wood.
+outline and wood determine its tones.
 """
 
 import matplotlib.pyplot as plt
@@ -23,20 +23,20 @@ for index in bending:
     shape = shapes[:, index]
     axes.plot(places / INCH, shape / abs(shape).max(), label=f"{modes.frequency[index]:.0f} Hz")
 axes.axhline(0, color="grey", lw=0.8)
-axes.set(xlabel="inches from the knob", ylabel="how far it swings")
+axes.set(xlabel="inches from the knob", ylabel="displacement")
 axes.legend(loc="lower left")
 plt.show()
 
 # %%
-# Where the curves cross zero are the nodes. From the tip, in inches:
+# The nodes are where the curves cross zero. In inches from the tip:
 
 for index in bending:
     nodes = [(wood.length - node) / INCH for node in modes.nodes(index)]
     print(f"{modes.frequency[index]:6.0f} Hz  " + "  ".join(f"{node:4.1f}" for node in nodes))
 
 # %%
-# A hit on the node of the first mode, and one at the tip. The same blow; see where the energy goes. The ball also dents
-# the wood, so the hits take all modes, not only the bending ones:
+# Compare a hit on the node of the first mode with one at the tip. See where the energy goes. The ball also dents the
+# wood, so the hits use all modes, not only the bending ones:
 
 from sweetspot import all_modes, standard_conditions
 from sweetspot.analysis.bat_analysis import hit_at
@@ -51,7 +51,7 @@ hit_at(wood.length - 6.7 * INCH, modes=struck, conditions=conditions)
 hit_at(wood.length - 1 * INCH, modes=struck, conditions=conditions)
 
 # %%
-# Is the computation itself fine enough? A plain rod has few sections of its own, so it shows what the elements do:
+# Is the computation fine enough? A plain rod has few sections of its own, so it shows the effect of the elements:
 
 rod = beam_model(bat("uniform-rod"))
 for elements in (4, 8, 16, 32):
@@ -60,5 +60,5 @@ for elements in (4, 8, 16, 32):
 
 # %%
 # **Exercises.** Hold the handle in a vice: :func:`sweetspot.held_modes` with ``Hands(mass=50, stiffness=5e6)``. What
-# becomes of the tones, and what of the ball's speed? Record a tapped bat with your telephone and give it to
+# happens to the tones and to the ball's speed? Record a tapped bat with your phone and give the file to
 # ``sweetspot tap``.

@@ -2,8 +2,8 @@
 Lesson 5: Does it agree with measurements?
 ==========================================
 
-A model that explains everything and predicts nothing is worth little. Every published number that this one was
-held against is kept with its source, misses included.
+A model that explains everything but predicts nothing is worth little. sweetspot keeps every published number that
+it was compared with, and its source, misses included.
 """
 
 from sweetspot import validation
@@ -13,7 +13,7 @@ found = validation.results()
 print(headline(found))
 
 # %%
-# What each kind of row is worth, and how many miss:
+# The kinds of evidence, and how many rows miss:
 
 from sweetspot.validation.table import summary
 
@@ -22,7 +22,7 @@ for part in summary(found):
     print(f"{part['evidence']:34} {part['rows']:5} {part['hold']:5} {part['explained_misses']:10} {part['fail']:5}")
 
 # %%
-# Predictions about bats, computed against printed. On the line they agree:
+# Predictions about bats, computed over printed. On the line the two agree:
 
 import matplotlib.pyplot as plt
 
@@ -36,11 +36,9 @@ ratio = [one.computed / float(one.printed) for one in bats]
 missed = [bool(one.expected_miss) for one in bats]
 axes.axhline(1, color="grey", lw=0.8)
 axes.scatter(range(len(bats)), ratio, s=12, c=["tab:red" if one else "tab:blue" for one in missed])
-axes.set(
-    xlabel="predictions, source by source (red: a miss that is explained)", ylabel="computed / printed", ylim=(0.5, 1.5)
-)
+axes.set(xlabel="predictions, source by source (red: an explained miss)", ylabel="computed / printed", ylim=(0.5, 1.5))
 plt.show()
 
 # %%
-# **Exercises.** Take one red point. Which source, and what does :doc:`the page on validation </validation>` say is
-# the reason? What measurement would decide?
+# **Exercises.** Pick one red point. Which source is it, and what reason does :doc:`the page on validation
+# </validation>` give? What measurement would decide?

@@ -2,9 +2,9 @@
 Coach: one player's swings
 ==========================
 
-A file of swings goes in, and out comes what they can tell, with intervals, and what they cannot. The swings here
-are made up, so that we know the truth: 24 of them, half with each of two bats, met 6.5 in from the tip with a
-scatter of 1.8 in.
+Give the program a file of swings. It returns what the swings show, with intervals, and what they do not show. The
+swings here are made up, so that we know the truth: 24 of them, half with each of two bats, hit the ball 6.5 in from
+the tip with a scatter of 1.8 in.
 """
 
 from pathlib import Path
@@ -48,8 +48,8 @@ for name in ("bat_speed", "position", "position_spread"):
     print(f"{name:16} {interval.value / size:5.1f} {unit} ({interval.low / size:.1f} to {interval.high / size:.1f})")
 
 # %%
-# The intervals hold the truth, and the place along the bat is wide: exit speed hardly shows on which side of the
-# best place a ball was met. What would serve this player?
+# The intervals contain the truth. The interval of the place along the bat is wide, because exit speed hardly shows
+# on which side of the best place a ball was hit. What would help this player?
 
 advice = advise(fitted, goal=Goal("exit-speed"), aerodynamics=catalog.aerodynamics(), air=Air())
 sheet = player_document(fitted, advice, read, player="made up")
@@ -61,5 +61,5 @@ sheet
 sheet.plot()
 
 # %%
-# **Try.** Twenty swings more, contact marked with tape: put ``position_in_from_tip`` into the file and see which
-# interval shrinks.
+# **Try it.** Add twenty swings with the contact marked by tape: put ``position_in_from_tip`` into the file and see
+# which interval shrinks.

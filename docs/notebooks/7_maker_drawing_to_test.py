@@ -2,7 +2,7 @@
 Maker: from a drawing to the test
 =================================
 
-Stations of a drawing go in; weight, balance, swing weight, tones and the test come out before any wood is turned.
+Give the stations of a drawing. You get weight, balance, swing weight, tones and the test before any wood is turned.
 """
 
 from pathlib import Path
@@ -26,7 +26,7 @@ bat = sweetspot.bat(drawing)
 bat
 
 # %%
-# A cup takes weight from where it counts most. How much, and what does it do?
+# A cup removes weight where it matters most. How much, and what is the effect?
 
 cupped = bat.cupped(diameter="1.4 in", depth="0.9 in")
 for one in (bat, cupped):
@@ -41,9 +41,9 @@ found
 found.plot()
 
 # %%
-# The torpedo is better inside and worse outside: who meets the ball where decides.
+# The torpedo is better inside and worse outside: it depends on where a batter meets the ball.
 #
-# Would an alloy bat of ours pass? The simulated test, and the wall that would:
+# Would an alloy bat of ours pass? Here is the simulated test, and the wall that would pass:
 
 from sweetspot.analysis.certification.passing_wall import wall_that_passes
 
@@ -56,5 +56,5 @@ print(f"{1e3 * wall.thickness:.2f} mm, {wall.factor:.2f} times the drawing's")
 print(f"the bat would weigh {wall.mass / OUNCE:.1f} oz")
 
 # %%
-# To the lathe: ``sweetspot outline drawing-12.toml --out bat.dxf --out bat.svg`` writes the drawing, and :doc:`the
-# maker's page </users/maker>` says how to read one back.
+# For the lathe, ``sweetspot outline drawing-12.toml --out bat.dxf --out bat.svg`` writes the drawing, and :doc:`the
+# maker's page </users/maker>` explains how to read one back.

@@ -2,8 +2,8 @@
 Analyst: a season of batted balls
 =================================
 
-A table of balls in play goes in, and every ball comes back with its contact, its flight and its chance of a home
-run. The season is made up, so that the truth stands beside: 8 players, 60 balls each.
+Give the program a table of balls in play. It returns every ball with its contact, its flight and its probability of
+a home run. The season is made up, so that the truth is known: 8 players, 60 balls each.
 """
 
 from pathlib import Path
@@ -18,7 +18,7 @@ table.write_csv(folder / "made.csv")
 table.select("batter", "launch_speed", "launch_angle", "hc_x", "hc_y", "bat_speed", "home_team").head(4)
 
 # %%
-# One call reads any number of such files, whatever their columns are called:
+# One call reads any number of such files, whatever the names of their columns:
 
 from sweetspot.season.season_table import analyse_season
 
@@ -29,21 +29,21 @@ balls.select(
 ).head(6)
 
 # %%
-# Is the place on the bat right? The made-up season knows. Nine intervals of ten should hold it:
+# Is the place on the bat right? The made-up season knows. Nine intervals of ten should contain it:
 
 import matplotlib.pyplot as plt
 
 inside = balls["true_from_tip_in"].is_between(balls["from_tip_low90_in"], balls["from_tip_high90_in"])
-print(f"{100 * inside.mean():.0f} % of the 90 % intervals hold the true place")
+print(f"{100 * inside.mean():.0f} % of the 90 % intervals contain the true place")
 figure, axes = plt.subplots(figsize=(5, 4.4), layout="constrained")
 axes.scatter(balls["true_from_tip_in"], balls["from_tip_in"], s=8)
 axes.plot([0, 14], [0, 14], color="grey", lw=0.8)
-axes.set(xlabel="true place, in from the tip", ylabel="told place, in from the tip", xlim=(0, 14), ylim=(0, 14))
+axes.set(xlabel="true place, in from the tip", ylabel="estimated place, in from the tip", xlim=(0, 14), ylim=(0, 14))
 plt.show()
 
 # %%
-# The bow is honest: exit speed falls to both sides of the best place, so a single ball cannot say on which side it
-# was met. Players are told apart by many balls, partly pooled:
+# The bow is expected: exit speed falls on both sides of the best place, so a single ball cannot show on which side
+# it was hit. Many balls, partly pooled, distinguish players:
 
 from sweetspot.season.pooling import pooled
 
@@ -52,4 +52,4 @@ players.select("batter", "balls", "mean", "pooled", "low90", "high90")
 
 # %%
 # The command does the same for whole seasons and many machines: ``sweetspot season statcast_2024.csv.gz --out
-# season``. See :doc:`the analyst's page </users/analyst>` and :doc:`what is assumed </theory/season>`.
+# season``. See :doc:`the analyst's page </users/analyst>` and :doc:`the assumptions </theory/season>`.

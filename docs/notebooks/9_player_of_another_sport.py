@@ -2,7 +2,7 @@
 Another sport: lead tape on a racket
 ====================================
 
-The same collision, another sport. A racket of the catalogue, and the same with 6 g of lead at 3 and 9 o'clock.
+The same collision in another sport: a racket of the catalog, with and without 6 g of lead at 3 and 9 o'clock.
 """
 
 from pathlib import Path
@@ -30,8 +30,8 @@ beside = "12 cm"
 sweetspot.compare("tennis-racket", mine)
 
 # %%
-# Beside the middle line the lead does more, for there the racket twists. Where does it help, and where does the
-# swing slow down more than the ball gains? The lower panel of the picture says it place for place.
+# Beside the middle line the lead has more effect, because there the racket twists. Where does it help, and where does
+# the slower swing cost more than the ball gains? The lower panel of the picture shows it for every place.
 #
-# ``sweetspot bats`` lists everything there is, ``sweetspot show golf-driver`` prints any of it as a file to start
+# ``sweetspot bats`` lists the whole catalog, and ``sweetspot show golf-driver`` prints an entry as a file to start
 # from.
