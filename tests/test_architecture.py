@@ -52,7 +52,7 @@ HOMES = {
     "uvicorn": ("web/",),
     "jinja2": ("report/",),
     "pint": ("units/",),
-    "tomllib": ("catalog/", "tables/", "validation/", "references.py"),
+    "tomllib": ("catalog/", "tables/", "season/", "validation/", "references.py"),
     "skfem": (),  # it sets the level of its logger for the whole process
     "emcee": ("player/",),
     "pymoo": ("design/",),

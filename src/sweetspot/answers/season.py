@@ -329,9 +329,11 @@ class SeasonPlayer(Answer):
 
 
 def season_answer(
-    question: SeasonQuestion, *, run: Callable[[Plan, Progress | None], None] | None = None,
+    question: SeasonQuestion,
+    *,
+    run: Callable[[Plan, Progress | None], None] | None = None,
     progress: Progress | None = None,
-) -> SeasonAnswer:  # fmt: skip
+) -> SeasonAnswer:
     """Return what is told of a season; groups that no ball has are left out.
 
     Parameters
@@ -427,16 +429,20 @@ def _league(counted: pl.LazyFrame, drag: Sequence[DragOfMonth], balls: int) -> S
         pl.col(name).cast(pl.Float64) if name in names else missing
         for name in ("squared_up", "league_squared_up", "from_best")
     )
-    row = counted.select(
-        home_runs=known_sum(is_home_run(pl.col("event"))),
-        home_runs_expected=known_sum(pl.col("home_run_here").cast(pl.Float64)),
-        from_best=from_best.mean(),
-        squared_up=squared_up.mean(),
-        squared_up_balls=squared_up.count(),
-        league_squared_up=by_league.mean(),
-        league_squared_up_balls=by_league.count(),
-        squared_up_of_the_same=squared_up.filter(by_league.is_not_null()).mean(),
-    ).collect(engine="streaming").row(0, named=True)  # fmt: skip
+    row = (
+        counted.select(
+            home_runs=known_sum(is_home_run(pl.col("event"))),
+            home_runs_expected=known_sum(pl.col("home_run_here").cast(pl.Float64)),
+            from_best=from_best.mean(),
+            squared_up=squared_up.mean(),
+            squared_up_balls=squared_up.count(),
+            league_squared_up=by_league.mean(),
+            league_squared_up_balls=by_league.count(),
+            squared_up_of_the_same=squared_up.filter(by_league.is_not_null()).mean(),
+        )
+        .collect(engine="streaming")
+        .row(0, named=True)
+    )
     with_drag = home_runs_with(counted, drag[0]) if drag else None
     return SeasonMeans(balls=balls, **row, home_runs_with_own_drag=with_drag)
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -60,60 +62,16 @@ class OutputColumn:
         return self.name + ENDINGS[self.kind][system][0]
 
 
-def _part(part: str, rows: str) -> tuple[OutputColumn, ...]:
-    columns = []
-    for line in rows.strip().splitlines():
-        name, kind, meaning = (cell.strip() for cell in line.split("|"))
-        columns.append(OutputColumn(name, kind, meaning, part))
-    return tuple(columns)
+def columns_in(part: str) -> dict[str, tuple[str, str]]:
+    """Return kind and meaning of each column in a part of `columns.toml`, by its name."""
+    with Path(__file__).with_name("columns.toml").open("rb") as file:
+        return {name: (kind, meaning) for name, (kind, meaning) in tomllib.load(file)[part].items()}
 
 
-FLIGHT = _part("flight", """
-flight_outcome     | text     | flown; direction unknown: flown to centre field, no chances; no launch angle: no flight
-launch_direction   | angle    | in which it set out, from centre field, positive to right field; solved from its bearing
-carry              | distance | to the ground, of the mean ball launched so in that park; what fly says
-carry_spread       | distance | standard deviation of single flights about it
-hang_time          | time     | to the ground
-apex               | distance | highest point
-landing_angle      | angle    | how steeply it comes down
-carry_above        | distance | tracked distance less carry; fly balls and line drives only, caught ones to a glove
-home_run_here      | ratio    | chance of a home run in the park it was hit in
-home_runs_in_30    | count    | expected number of home runs over the thirty parks of that season
-home_run_parks     | count    | in how many of the thirty parks a home run is likelier than not
-home_run_kind      | text     | by those parks: no doubter all thirty; mostly gone 8 to 29; doubter fewer
-""")  # fmt: skip
-
-CONTACT = _part("contact", """
-bat                | text     | the bat it was taken to be hit with
-contact_outcome    | text     | ok, or why nothing can be told; grazed: no place of the barrel sends a ball off so
-pitch_at_plate     | speed    | of the pitch over the front edge of the plate
-ceiling            | speed    | greatest exit speed of this bat for this swing and pitch
-squared_up_ratio   | ratio    | exit speed over that
-squared_up         | yes      | whether that is at least 0.80
-above_ceiling      | ratio    | chance that the ball truly was above the ceiling, measuring errors considered
-above_improbable   | ratio    | chance that a perfect hit would be measured so far above the ceiling
-league_ceiling     | speed    | greatest exit speed by the league's formula, which knows no bat
-league_ratio       | ratio    | exit speed over that
-league_squared_up  | yes      | whether that is at least 0.80
-blast              | yes      | the league's: percent of its ceiling and mph of bat speed make 164 or more
-kept_vertically    | ratio    | part of the ceiling that hitting over or under the ball leaves at the best place
-offset             | length   | of the ball's centre above the bat's axis; positive: the bat came under it
-offset_spread      | length   | standard deviation of that
-from_tip           | length   | place along the bat, median; the next four are ends of its 50 and 90 % intervals
-from_tip_low50     | length   | see from_tip
-from_tip_high50    | length   | see from_tip
-from_tip_low90     | length   | see from_tip
-from_tip_high90    | length   | see from_tip
-best_from_tip      | length   | where this bat hits best in this swing
-from_best          | length   | distance from there, median; the next four are ends of its 50 and 90 % intervals
-from_best_low50    | length   | see from_best
-from_best_high50   | length   | see from_best
-from_best_low90    | length   | see from_best
-from_best_high90   | length   | see from_best
-tip_side           | ratio    | chance that it was hit on the tip's side of the best place; 0.5: cannot be told
-exit_speed_usual   | speed    | mean exit speed of such swings at such pitches, whatever place was met
-exit_speed_rank    | ratio    | part of such balls that are hit less hard
-""")  # fmt: skip
+FLIGHT, CONTACT = (
+    tuple(OutputColumn(name, *column, part) for name, column in columns_in(part).items())
+    for part in ("flight", "contact")
+)
 SIDES = ("", "_low", "_high")
 
 

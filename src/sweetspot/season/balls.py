@@ -116,8 +116,12 @@ def _nearest(parks: tuple[Park, ...]) -> Array:
     """Return the nearest fences for every degree from one foul line to the other."""
     ways = np.arange(-FOUL_LINE, FOUL_LINE + DEGREE / 2, DEGREE)
     aside = np.linspace(-ASIDE, ASIDE, 41)
-    return np.asarray(np.min([fence_at(park, np.clip(ways[:, None] + aside, -FOUL_LINE, FOUL_LINE))[0].min(axis=1)
-                              for park in parks], axis=0))  # fmt: skip
+    return np.asarray(
+        np.min(
+            [fence_at(park, np.clip(ways[:, None] + aside, -FOUL_LINE, FOUL_LINE))[0].min(axis=1) for park in parks],
+            axis=0,
+        )
+    )
 
 
 @cache
@@ -270,7 +274,10 @@ def _spin(pitch: NineParameters, tracked: NDArray[np.bool_]) -> Array:
         return np.zeros_like(pitch.velocity)
     _, velocity = pitch.at((REFERENCE + PLATE) / 2)
     spin = spin_from_movement(
-        velocity, acceleration=pitch.acceleration, ball=ball(), aerodynamics=aerodynamics("pitched-baseball"),
+        velocity,
+        acceleration=pitch.acceleration,
+        ball=ball(),
+        aerodynamics=aerodynamics("pitched-baseball"),
         density=np.full(len(tracked), Air().density),
-    )  # fmt: skip
+    )
     return np.where(tracked[:, None] & np.isfinite(spin), spin, 0.0)

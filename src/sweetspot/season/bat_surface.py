@@ -14,6 +14,7 @@ from __future__ import annotations
 import hashlib
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -232,9 +233,11 @@ def surface_errors(surface: BatSurface, model: ReducedBat[Bat], ball: Ball, *, s
     struck = _hit(model, ball, there=there, pitch=(0 * speed, ahead, up), spin=spin, place=place, offset=offset)
     turned = np.arctan2(struck.velocity[:, 2], struck.velocity[:, 1])
     left = np.hypot(struck.velocity[:, 1], struck.velocity[:, 2])
-    swings: dict[str, Any] = {"bat_speed": speed, "pitch": (ahead, up), "tangent": ball.radius * spin, "place": place}
-    fast, above = exit_speeds(surface, turned=turned, **swings)
-    _, further = exit_speeds(surface, turned=turned + 0.01, **swings)
+    look_up_at = partial(
+        exit_speeds, surface, bat_speed=speed, pitch=(ahead, up), tangent=ball.radius * spin, place=place
+    )
+    fast, above = look_up_at(turned=turned)
+    _, further = look_up_at(turned=turned + 0.01)
     with np.errstate(invalid="ignore", divide="ignore"):
         missed = (above - offset) / ((further - above) / 0.01)
     solved = np.isfinite(fast) & np.isfinite(missed) & (np.abs(turned) < np.radians(50))

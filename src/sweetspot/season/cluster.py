@@ -64,9 +64,13 @@ def _started(dask: Any, workers: int) -> Any:
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if holds else set()
     try:  # what is held back here is held back in the processes that are started, too
         return dask.LocalCluster(
-            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
-            scheduler_kwargs={"dashboard": False}, silence_logs=logging.CRITICAL,
-        )  # fmt: skip
+            n_workers=workers,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address="127.0.0.1:0",
+            scheduler_kwargs={"dashboard": False},
+            silence_logs=logging.CRITICAL,
+        )
     finally:
         if holds:
             signal.pthread_sigmask(signal.SIG_SETMASK, mask)

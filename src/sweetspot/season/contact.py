@@ -121,8 +121,9 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
     outcome = np.full(count, OUTCOMES.index("no bat speed"), np.int64)
     ceiling, best, chance, improbable = np.full((4, count), np.nan)
     results = np.full((kernel.ROWS, count), np.nan).T  # columns are asked for one by one
-    others = {other.name: (np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan))
-              for other in setting.others}  # fmt: skip
+    others = {
+        other.name: (np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan)) for other in setting.others
+    }
 
     def work(number: int, everyone: NDArray[np.int64], part: slice) -> None:
         mine = everyone[part]
@@ -152,8 +153,10 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
 
 def asked_of(plane: InPlane) -> Array:
     """Return what the kernel asks a table with, shape (n, 7)."""
-    return np.stack([plane.bat_speed, plane.ahead, plane.up, plane.tangent, plane.turned, plane.angle_error,
-                     plane.speed_error], axis=-1)  # fmt: skip
+    return np.stack(
+        [plane.bat_speed, plane.ahead, plane.up, plane.tangent, plane.turned, plane.angle_error, plane.speed_error],
+        axis=-1,
+    )
 
 
 def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> PlaceRelation:
@@ -183,10 +186,14 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
     used = taken(balls, everyone)
     speeds = likeliest_speeds(used.bat_speed)
     relation = learn_places(
-        circumstances(used, speeds), places=setting.surfaces[0].axes[2],
-        predicted=np.concatenate(tables), measured=np.concatenate(outs), error=np.concatenate(widths),
-        turned=turn_term(np.concatenate(turns)), measured_places=_measured_places(used, setting.errors),
-    )  # fmt: skip
+        circumstances(used, speeds),
+        places=setting.surfaces[0].axes[2],
+        predicted=np.concatenate(tables),
+        measured=np.concatenate(outs),
+        error=np.concatenate(widths),
+        turned=turn_term(np.concatenate(turns)),
+        measured_places=_measured_places(used, setting.errors),
+    )
     relation = replace(relation, bat_speeds=speeds)
     if relation.balls < RANKED_FROM:
         return relation
@@ -252,8 +259,12 @@ def _above(
     coming = np.hypot(plane.ahead, plane.up)
     per_speed = (ceiling + coming) / np.maximum(plane.bat_speed + coming, 1.0)
     perfect = conditions, np.zeros(len(balls))
-    parts = (setting.errors.exit_speed, plane.speed_error, per_speed * setting.errors.bat_speed,
-             setting.relation.noise_of(*perfect))  # fmt: skip
+    parts = (
+        setting.errors.exit_speed,
+        plane.speed_error,
+        per_speed * setting.errors.bat_speed,
+        setting.relation.noise_of(*perfect),
+    )
     spread = np.sqrt(sum(np.square(part) for part in parts))
     off = (balls.exit_speed - (1 + setting.relation.level_of(*perfect)) * ceiling) / spread
     return np.asarray(ndtr(off)), np.asarray(ndtr(-off))

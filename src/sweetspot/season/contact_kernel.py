@@ -111,9 +111,11 @@ def predict(
 def _mix(values: Array, first: int, place: int, weights: tuple[float, ...]) -> None:
     """Fill a place from the four looked-up ones that begin with the first."""
     values[place] = (
-        weights[0] * values[first] + weights[1] * values[first + STRIDE]
-        + weights[2] * values[first + 2 * STRIDE] + weights[3] * values[first + 3 * STRIDE]
-    )  # fmt: skip
+        weights[0] * values[first]
+        + weights[1] * values[first + STRIDE]
+        + weights[2] * values[first + 2 * STRIDE]
+        + weights[3] * values[first + 3 * STRIDE]
+    )
 
 
 @compiled(nogil=True, error_model="numpy")
@@ -165,8 +167,11 @@ def fill_posteriors(
     """
     longest, step = len(arm), axes[2][1] - axes[2][0]
     every_fast, every_above, every_part, work = (
-        np.empty(longest), np.empty(longest), np.empty(longest), np.empty((4, longest))
-    )  # fmt: skip
+        np.empty(longest),
+        np.empty(longest),
+        np.empty(longest),
+        np.empty((4, longest)),
+    )
     for i in range(len(measured)):
         results[i] = math.nan
         farthest = max(prior[i, 0] + FARTHEST * prior[i, 1], best[i, 0] + BESIDE)

@@ -140,8 +140,11 @@ def _left_out(headings: Headings, schema: pl.Schema) -> dict[str, pl.Expr]:
     nothing = pl.all_horizontal(pl.col([column.heading for column in headings.columns.values()]).is_null())
     speed = headings.columns["exit_speed"].heading
     who = [headings.columns[name].heading for name in ("date", "batter", "batter_name") if headings.has(name)]
-    words = {name: pl.col(name).str.strip_chars(" ()[]").str.to_lowercase()
-             for name in (speed, schema.names()[0], *who) if schema[name] == pl.String}  # fmt: skip
+    words = {
+        name: pl.col(name).str.strip_chars(" ()[]").str.to_lowercase()
+        for name in (speed, schema.names()[0], *who)
+        if schema[name] == pl.String
+    }
     sums = [words[name].is_in(SUMMARIES) for name in words if name != speed]
     again = [words[speed].is_in([speed.strip().lower(), *KNOWN_UNITS, "km/h", "m/s"])] if speed in words else []
     beside = pl.any_horizontal(*sums, *again, pl.lit(value=False)).fill_null(value=False)

@@ -146,13 +146,17 @@ def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Air
     reach = np.where(directed, reach, 0.0)
     here, everywhere, count = _chances(balls, solved, fields, airs, setting, bearing=flown.bearing, reach=reach)
     return FlightColumns(
-        launch_direction=np.where(directed, solved, np.nan), carry=flown.carry,
-        carry_spread=carry_spread, hang_time=flown.hang_time, apex_height=flown.apex_height,
-        landing_angle=flown.landing_angle, carry_per_drag=per_drag,
+        launch_direction=np.where(directed, solved, np.nan),
+        carry=flown.carry,
+        carry_spread=carry_spread,
+        hang_time=flown.hang_time,
+        apex_height=flown.apex_height,
+        landing_angle=flown.landing_angle,
+        carry_per_drag=per_drag,
         home_run_here=np.where(directed & flown.landed & (fields.index >= 0), here, np.nan),
         home_runs=np.where(directed & flown.landed, everywhere, np.nan),
         home_run_parks=np.where(directed & flown.landed, count, np.nan),
-    )  # fmt: skip
+    )
 
 
 @lru_cache(maxsize=8)

@@ -155,9 +155,11 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     out = _out_of_park(parks, club, bearing, carry, flown[3])
     on_map = carry / FOOT / MAP_SCALE
     return table.with_columns(
-        hc_x=pl.Series(HOME_X + on_map * np.sin(bearing)), hc_y=pl.Series(HOME_Y - on_map * np.cos(bearing)),
-        hit_distance_sc=pl.Series(carry / FOOT), events=pl.Series(np.where(out, "home_run", "field_out")),
-    ).filter(pl.Series(in_play))  # fmt: skip
+        hc_x=pl.Series(HOME_X + on_map * np.sin(bearing)),
+        hc_y=pl.Series(HOME_Y - on_map * np.cos(bearing)),
+        hit_distance_sc=pl.Series(carry / FOOT),
+        events=pl.Series(np.where(out, "home_run", "field_out")),
+    ).filter(pl.Series(in_play))
 
 
 def _more_of_players(how: MadeSeason, seed: int) -> tuple[Array, Array]:

@@ -114,9 +114,11 @@ def learn_places(
     everywhere = summed(sample.place, now.weights)[conditions.placed if conditions.placed.any() else slice(None)]
     spread = np.sqrt(np.mean(np.exp(2 * summed(sample.spread, now.spread_weights))))
     return replace(
-        now, evidence=evidence, balls=int(good.sum()),
+        now,
+        evidence=evidence,
+        balls=int(good.sum()),
         marginal=(float(everywhere.mean()), float(np.hypot(spread, everywhere.std()))),
-    )  # fmt: skip
+    )
 
 
 def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:

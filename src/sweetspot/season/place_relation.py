@@ -120,11 +120,14 @@ def circumstances(balls: Balls, bat_speeds: SwingSpeeds) -> Circumstances:
     outside = np.where(balls.sided, balls.outside, np.nan)
     faster, lost = bat_speeds.parts(balls.bat_speed)
     return Circumstances(
-        scaled(outside, CENTRE[0], SCALE[0], 2), scaled(balls.plate_height, CENTRE[1], SCALE[1], 2),
-        scaled(faster, 0.0, SPEED, 5), scaled(lost, bat_speeds.lost_speed, SPEED, 5),
-        scaled(balls.attack_angle, USUAL_ATTACK, ATTACK_SPREAD, 3), scaled(balls.tilt, USUAL_TILT, TILT, 3),
+        scaled(outside, CENTRE[0], SCALE[0], 2),
+        scaled(balls.plate_height, CENTRE[1], SCALE[1], 2),
+        scaled(faster, 0.0, SPEED, 5),
+        scaled(lost, bat_speeds.lost_speed, SPEED, 5),
+        scaled(balls.attack_angle, USUAL_ATTACK, ATTACK_SPREAD, 3),
+        scaled(balls.tilt, USUAL_TILT, TILT, 3),
         np.isfinite(outside) & np.isfinite(balls.plate_height),
-    )  # fmt: skip
+    )
 
 
 def turn_term(turned: Array) -> Array:

@@ -157,8 +157,12 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
     passed = [column for column in source_rows.get_columns() if column.name not in {*names, "table", "table_row"}]
     balls, ledger, counted = plan.paths(task)
     _write(pl.DataFrame([source.new_from_index(0, len(row)), row, *passed, *columns]), balls)
-    _write(every.select(source.new_from_index(0, len(every)), _numbered(every, table),
-                        reason=pl.col("reason").cast(pl.Categorical)), ledger)  # fmt: skip
+    _write(
+        every.select(
+            source.new_from_index(0, len(every)), _numbered(every, table), reason=pl.col("reason").cast(pl.Categorical)
+        ),
+        ledger,
+    )
     _write(counted_rows(rows, answers, table.headings), counted)
     with _room_for(plan.note(task)) as file:
         file.write(_note(plan, task))

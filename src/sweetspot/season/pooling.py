@@ -250,10 +250,14 @@ def pooled(
     """
     value = pl.col(measure).cast(pl.Float64)
     table = (
-        frame.lazy().select(key, measure).drop_nulls().group_by(key)
+        frame.lazy()
+        .select(key, measure)
+        .drop_nulls()
+        .group_by(key)
         .agg(pl.len().alias(BALLS), value.mean().alias(MEAN), ((value - value.mean()) ** 2).sum().alias(SQUARES))
-        .sort(key).collect()
-    )  # fmt: skip
+        .sort(key)
+        .collect()
+    )
     return pooled_groups(table, key=key, bounds=bounds)
 
 
@@ -275,10 +279,14 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
     if bounds is None or bounds == POSITIVE:
         middle, error = _mean_moments(counts, means, centre, spread)
         reaches = {percent: error * wider for percent, wider in _wider(spread).items()}
-        apart = _positive_ends(middle, reaches) if bounds == POSITIVE else {
-            percent: (middle - REACHES[percent] * reach, middle + REACHES[percent] * reach)
-            for percent, reach in reaches.items()
-        }  # fmt: skip
+        apart = (
+            _positive_ends(middle, reaches)
+            if bounds == POSITIVE
+            else {
+                percent: (middle - REACHES[percent] * reach, middle + REACHES[percent] * reach)
+                for percent, reach in reaches.items()
+            }
+        )
         ends = {percent: (np.minimum(low, centre), np.maximum(high, centre)) for percent, (low, high) in apart.items()}
     else:
         within, between = (0.0 if np.isnan(part) else part for part in (spread.within, spread.between))
@@ -298,8 +306,10 @@ def _wider(spread: Spread) -> dict[int, float]:
     from scipy.special import stdtrit
 
     freedom = spread.balls - spread.groups
-    return {percent: float(stdtrit(freedom, upper)) / REACHES[percent] if freedom else np.nan
-            for percent, (_, upper) in TAILS.items()}  # fmt: skip
+    return {
+        percent: float(stdtrit(freedom, upper)) / REACHES[percent] if freedom else np.nan
+        for percent, (_, upper) in TAILS.items()
+    }
 
 
 def _positive_ends(centre: Array, errors: dict[int, Array]) -> dict[int, tuple[Array, Array]]:

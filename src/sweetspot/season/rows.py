@@ -203,8 +203,12 @@ def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:
     found = rows.select(
         *(pl.col(name).min() for name in names), *(pl.col(name).max().alias(f"{name} most") for name in names)
     ).row(0, named=True)
-    beyond = [name for name in names if found[name] is not None
-              and not POSSIBLE[name][0] <= found[name] <= found[f"{name} most"] <= POSSIBLE[name][1]]  # fmt: skip
+    beyond = [
+        name
+        for name in names
+        if found[name] is not None
+        and not POSSIBLE[name][0] <= found[name] <= found[f"{name} most"] <= POSSIBLE[name][1]
+    ]
     wrong = {name: ~pl.col(name).is_between(*POSSIBLE[name]) for name in beyond}
     on_map = [found.get(name) for name in ("map_x", "map_y")]
     if all(least is not None and least <= 0 for least in on_map):
@@ -305,8 +309,11 @@ def _day(text: pl.Expr, *, day_first: bool) -> pl.Expr:
     words = text.str.replace(CLOCK, "")
     forms = [SWAPPED.get(form, form) for form in DATES] if day_first else DATES
     serial = pl.lit(SERIAL_ZERO) + pl.duration(days=first.str.extract(SERIAL).cast(pl.Int32))
-    days = (serial, *(first.str.to_date(form, strict=False) for form in forms),
-            *(words.str.to_date(form, strict=False) for form in WORDED_DATES))  # fmt: skip
+    days = (
+        serial,
+        *(first.str.to_date(form, strict=False) for form in forms),
+        *(words.str.to_date(form, strict=False) for form in WORDED_DATES),
+    )
     return pl.coalesce(*(pl.when(day.dt.year() >= FIRST_YEAR).then(day) for day in days))
 
 

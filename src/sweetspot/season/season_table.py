@@ -254,8 +254,10 @@ def _require_balls(survey: Survey) -> None:
     if not survey.tables:
         raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
     if not any(counts[USED] for counts in survey.counts):
-        why = (f"{sum(counts.get(reason, 0) for counts in survey.counts)} {reason} ({words})"
-               for reason, words in {**REASONS, **LEFT_OUT}.items())  # fmt: skip
+        why = (
+            f"{sum(counts.get(reason, 0) for counts in survey.counts)} {reason} ({words})"
+            for reason, words in {**REASONS, **LEFT_OUT}.items()
+        )
         raise InputError(
             f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
             f"{'; '.join(words for words in why if not words.startswith('0 '))}{_unread(survey)}. Look at its "
@@ -316,8 +318,11 @@ def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
     survey : the first look at the tables.
     """
     assert setting.contact is not None
-    swung = sum(counts[USED] for table, counts in zip(survey.tables, survey.counts, strict=True)
-                if table.headings.has("bat_speed"))  # fmt: skip
+    swung = sum(
+        counts[USED]
+        for table, counts in zip(survey.tables, survey.counts, strict=True)
+        if table.headings.has("bat_speed")
+    )
     frames = list(_sampled(survey, swung))
     balls, bats = [balls_of(rows) for rows in frames], [bats_of(rows, setting) for rows in frames]
     if not balls:
@@ -327,8 +332,12 @@ def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
 
 def _sampled(survey: Survey, swung: int) -> Iterator[pl.DataFrame]:
     """Yield about `LEARNT_FROM` rows with a swing, of evenly drawn parts of the tables where these are many."""
-    places = [(number, start) for number, table in enumerate(survey.tables) if table.headings.has("bat_speed")
-              for start in range(0, table.rows, PART)]  # fmt: skip
+    places = [
+        (number, start)
+        for number, table in enumerate(survey.tables)
+        if table.headings.has("bat_speed")
+        for start in range(0, table.rows, PART)
+    ]
     every = max(1, -(-len(places) // MOST_PARTS))
     step = max(1, swung // every // LEARNT_FROM)
     for number, table in enumerate(survey.tables):

@@ -10,7 +10,7 @@ from typing import Annotated
 import numpy as np
 import polars as pl
 
-from sweetspot.season.ball_columns import ENDINGS, columns_of_other
+from sweetspot.season.ball_columns import ENDINGS, columns_in, columns_of_other
 from sweetspot.season.ball_maps import is_home_run
 from sweetspot.season.pooling import BALLS, MEAN, POSITIVE, SQUARES, Bounds, Spread, pooled_groups
 from sweetspot.season.rows import by_value
@@ -28,9 +28,13 @@ TOP = 0.8
 NAMES = {"batter": "batter_name", "pitcher": "pitcher_name"}
 """Columns that hold the names of what is grouped by."""
 TOLD_BY = {
-    "home_runs_expected": "home_run_here", "home_runs": "home_runs", "home_runs_average_park": "home_runs_in_30",
-    "doubters": "home_runs_in_30", "mostly_gone": "home_runs_in_30", "no_doubters": "home_runs_in_30",
-}  # fmt: skip
+    "home_runs_expected": "home_run_here",
+    "home_runs": "home_runs",
+    "home_runs_average_park": "home_runs_in_30",
+    "doubters": "home_runs_in_30",
+    "mostly_gone": "home_runs_in_30",
+    "no_doubters": "home_runs_in_30",
+}
 """What a group's home runs are counted by: where it is known of none of its balls, their number is missing, not 0."""
 TOLD = "told "
 ALSO = ("exit_speed", "home_run_here", "home_runs_in_30", "home_run_kind", "event")
@@ -39,10 +43,12 @@ COUNTED = (
     pl.col("home_run_here").sum().alias("home_runs_expected"),
     (pl.col("home_runs_in_30").sum() / 30).alias("home_runs_average_park"),
     pl.col("home_runs").sum(),
-    *((pl.col("home_run_kind") == number).sum().alias(name)
-      for number, name in ((1, "doubters"), (2, "mostly_gone"), (3, "no_doubters"))),
+    *(
+        (pl.col("home_run_kind") == number).sum().alias(name)
+        for number, name in ((1, "doubters"), (2, "mostly_gone"), (3, "no_doubters"))
+    ),
     *(pl.col(name).count().alias(TOLD + name) for name in dict.fromkeys(TOLD_BY.values())),
-)  # fmt: skip
+)
 
 
 def group_sums(
@@ -89,8 +95,11 @@ class _Sums:
         asked = list(COUNTED)
         for measure in measures:
             value = pl.col(measure)
-            asked += [value.count().alias(f"{measure} {BALLS}"), value.sum().alias(f"{measure} sum"),
-                      (value * value).sum().alias(f"{measure} square")]  # fmt: skip
+            asked += [
+                value.count().alias(f"{measure} {BALLS}"),
+                value.sum().alias(f"{measure} sum"),
+                (value * value).sum().alias(f"{measure} square"),
+            ]
         if self.name in columns:
             asked.append(pl.col(self.name).drop_nulls().first().alias("name"))
         self.asked = asked
@@ -118,13 +127,19 @@ class _Sums:
         self.add_up()
         table = self.counts[0].join(self._hardest(), on=self.key, how="left").sort(self.key)
         several = [pl.col(f"{measure} {BALLS}") for measure in measures]
-        means = [(pl.col(f"{measure} sum") / count).alias(f"{measure} {MEAN}")
-                 for measure, count in zip(measures, several, strict=True)]  # fmt: skip
-        about = [(pl.col(f"{measure} square") - pl.col(f"{measure} sum") ** 2 / count).clip(0)
-                 .alias(f"{measure} {SQUARES}") for measure, count in zip(measures, several, strict=True)]  # fmt: skip
+        means = [
+            (pl.col(f"{measure} sum") / count).alias(f"{measure} {MEAN}")
+            for measure, count in zip(measures, several, strict=True)
+        ]
+        about = [
+            (pl.col(f"{measure} square") - pl.col(f"{measure} sum") ** 2 / count).clip(0).alias(f"{measure} {SQUARES}")
+            for measure, count in zip(measures, several, strict=True)
+        ]
         counted = [pl.when(pl.col(TOLD + by) > 0).then(pl.col(name)).alias(name) for name, by in TOLD_BY.items()]
-        gone = [*(f"{measure} {what}" for measure in measures for what in ("sum", "square")),
-                *(name for name in table.columns if name.startswith(TOLD))]  # fmt: skip
+        gone = [
+            *(f"{measure} {what}" for measure in measures for what in ("sum", "square")),
+            *(name for name in table.columns if name.startswith(TOLD)),
+        ]
         return table.with_columns(*means, *about, *counted).drop(gone)
 
     def _hardest(self) -> pl.DataFrame:
@@ -144,27 +159,7 @@ GROUPS: Mapping[str, str] = {
 """Columns that balls are grouped by, and what their tables are called."""
 ABOVE = "squared_up_above"
 """By how much more often a ball is squared up than balls of its bat speed."""
-MEASURES: Mapping[str, tuple[str, str]] = {
-    "exit_speed": ("speed", "exit speed"),
-    "bat_speed": ("speed", "bat speed"),
-    "squared_up_ratio": ("ratio", "exit speed over this bat's ceiling"),
-    "squared_up": ("share", "squared up against this bat"),
-    "league_ratio": ("ratio", "exit speed over the league's ceiling"),
-    "league_squared_up": ("share", "squared up by the league's formula"),
-    ABOVE: ("share", "squared up by the league's formula, above expected for the bat speed"),
-    "blast": ("share", "blasts"),
-    "kept_vertically": ("share", "kept vertically"),
-    "from_best": ("offset", "distance from the best place along the bat"),
-    "centred": ("share", "centred: within 4 in along the bat"),
-    "lined_up": ("share", "lined up: within 2 in over or under"),
-    "on_time": ("share", "on time: within 7 ms, where a table has the place of contact before the batter"),
-    "perfect": ("share", "met perfectly: centred, lined up and on time"),
-    "tip_side": ("share", "met on the tip's side"),
-    "offset": ("offset", "ball's centre above the bat's axis"),
-    "above_usual": ("speed", "exit speed above what such swings usually give"),
-    "carry_above": ("distance", "tracked distance above carry"),
-    "home_run_here": ("share", "expected home runs per ball in play"),
-}
+MEASURES: Mapping[str, tuple[str, str]] = columns_in("measures")
 """What is averaged over balls: scale and meaning."""
 BOUNDS: Mapping[str, Bounds] = {
     name: (-1.0, 1.0) if name == ABOVE else (0.0, 1.0) for name, (scale, _) in MEASURES.items() if scale == "share"
@@ -260,9 +255,13 @@ def _standing(summed: pl.DataFrame, key: str, measures: Sequence[str], others: l
         measured, spreads[measure] = pooled_groups(moments, key=key, bounds=BOUNDS.get(measure))
         if "pooled" not in measured.columns:
             continue
-        renamed = measured.rename({"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure} | {
-            name: f"{measure}_{name}" for name in ("spread", "low50", "high50", "low90", "high90", "reliability",
-                                                   "percentile")})  # fmt: skip
+        renamed = measured.rename(
+            {"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure}
+            | {
+                name: f"{measure}_{name}"
+                for name in ("spread", "low50", "high50", "low90", "high90", "reliability", "percentile")
+            }
+        )
         table = table.join(renamed, on=key, how="left")
     if others:
         table = table.with_columns(_best_bat(table, others))
@@ -271,8 +270,12 @@ def _standing(summed: pl.DataFrame, key: str, measures: Sequence[str], others: l
 
 def _best_bat(table: pl.DataFrame, others: list[str]) -> pl.Series:
     """Return the bat that would serve each group best in exit speed; its own where every other gives less."""
-    gains = np.stack([table[name].fill_null(-np.inf).to_numpy() if name in table.columns else
-                      np.full(len(table), -np.inf) for name in others])  # fmt: skip
+    gains = np.stack(
+        [
+            table[name].fill_null(-np.inf).to_numpy() if name in table.columns else np.full(len(table), -np.inf)
+            for name in others
+        ]
+    )
     best = gains.argmax(axis=0)
     names = [others[number].removeprefix(WITH) if gains[number, row] > 0 else "own" for row, number in enumerate(best)]
     return pl.Series("best_bat", names)

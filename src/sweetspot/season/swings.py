@@ -206,8 +206,10 @@ def ceilings(plane: InPlane, surface: BatSurface) -> tuple[Array, Array]:
     coming = np.hypot(plane.ahead, plane.up)
     swung = np.where(plane.bat_speed > 1, plane.bat_speed, np.nan)
     asked = (swung, coming / swung, np.arctan2(-plane.up, -plane.ahead))
-    where = [np.clip(np.interp(values, nodes, np.arange(len(nodes))), 0, len(nodes) - 1.000001)
-             for values, nodes in zip(asked, (SPEEDS, RATIOS, SLANTS), strict=True)]  # fmt: skip
+    where = [
+        np.clip(np.interp(values, nodes, np.arange(len(nodes))), 0, len(nodes) - 1.000001)
+        for values, nodes in zip(asked, (SPEEDS, RATIOS, SLANTS), strict=True)
+    ]
     where = [np.nan_to_num(values) for values in where]
     low = [values.astype(np.int64) for values in where]
     top, place = np.zeros((2, len(coming)))

@@ -30,9 +30,13 @@ SHOWN = 15
 FEWEST = 5
 """Balls of a player in the printed table."""
 LISTED = {
-    "exit_speed": "exit speed", "bat_speed": "bat speed", "squared_up_ratio": "over the ceiling",
-    "squared_up": "squared up", "from_best": "from the best place", "home_run_here": "home runs a ball",
-}  # fmt: skip
+    "exit_speed": "exit speed",
+    "bat_speed": "bat speed",
+    "squared_up_ratio": "over the ceiling",
+    "squared_up": "squared up",
+    "from_best": "from the best place",
+    "home_run_here": "home runs a ball",
+}
 """Measures in the printed table of players, and what they are called there."""
 PICTURED = (
     "A season: exit speed against ceilings, where bats met the ball, and what is left over of tracked distances by "
@@ -205,9 +209,12 @@ def _players(players: Standing) -> Block:
     if table.is_empty():
         return Paragraph(f"No batter has {FEWEST} balls in play, so none is listed here; the tables have all.", "note")
     listed = [name for name in LISTED if name in table.columns and table[name].count()]
-    columns = [Column("batter"), Column("balls", right=True),
-               *(Column(LISTED[name], MEASURES[name][0], right=True) for name in listed),
-               Column("home runs expected", right=True)]  # fmt: skip
+    columns = [
+        Column("batter"),
+        Column("balls", right=True),
+        *(Column(LISTED[name], MEASURES[name][0], right=True) for name in listed),
+        Column("home runs expected", right=True),
+    ]
     rows: list[list[Cell]] = [
         [
             str(row.get("name") or row["batter"]),

@@ -16,14 +16,17 @@ from sweetspot.report.season.document import few_of_a_kind
 from sweetspot.report.sentences import Slot, joined, say
 from sweetspot.season.standings import MEASURES
 from sweetspot.season.stat_rows import WITH
-from sweetspot.season.table_warnings import NO_FOULS
+from sweetspot.season.table_warnings import CANNOT_TELL
 from sweetspot.units import grouped
 
 TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""
 ENDS = ("low90", "high90")
-KINDS = (("doubters", "doubter", "doubters"), ("mostly_gone", "mostly gone", "mostly gone"),
-         ("no_doubters", "no-doubter", "no-doubters"))  # fmt: skip
+KINDS = (
+    ("doubters", "doubter", "doubters"),
+    ("mostly_gone", "mostly gone", "mostly gone"),
+    ("no_doubters", "no-doubter", "no-doubters"),
+)
 """Kinds of home runs: column, and what one and several are called."""
 
 
@@ -41,7 +44,7 @@ def player_page(player: SeasonPlayer) -> Document:
     balls = "1 ball" if row["balls"] == 1 else f"{grouped(row['balls'])} balls"
     words = "{balls} in play with an exit speed, the hardest fifth at {ev20} on average."
     headline = joined([say(words, balls=balls, ev20=Slot(row["ev20"], "speed")), *_home_runs(row)])
-    cannot = answer.cannot_tell if row.get("squared_up") is not None else (NO_FOULS,)
+    cannot = answer.cannot_tell if row.get("squared_up") is not None else (CANNOT_TELL["fouls"],)
     rare = [Paragraph(sentence, "note") for sentence in few_of_a_kind(answer.rare_shares["batter"])]
     return Document(
         name=f"player-{number}",
@@ -61,15 +64,22 @@ def _home_runs(row: Mapping[str, Any]) -> list[str]:
         counts.append(f"{row['home_runs_expected']:.1f} expected in the parks they were hit in")
     if row["home_runs"] is not None:
         counts.append(f"{grouped(row['home_runs'])} hit")
-    kinds = [f"{grouped(row[key])} {singular if row[key] == 1 else several}"
-             for key, singular, several in KINDS if row[key] is not None]  # fmt: skip
+    kinds = [
+        f"{grouped(row[key])} {singular if row[key] == 1 else several}"
+        for key, singular, several in KINDS
+        if row[key] is not None
+    ]
     return [f"Home runs: {'; '.join(filter(None, (', '.join(counts), ', '.join(kinds))))}."] if counts or kinds else []
 
 
 def _measures(row: Mapping[str, Any]) -> Table:
     heads = ("pooled", "50 %", "90 %", "own mean")
-    columns = [Column("measure"), *(Column(head, right=True) for head in heads), Column("reliability", "ratio", 2),
-               Column("percentile", right=True)]  # fmt: skip
+    columns = [
+        Column("measure"),
+        *(Column(head, right=True) for head in heads),
+        Column("reliability", "ratio", 2),
+        Column("percentile", right=True),
+    ]
     rows: list[list[Cell]] = []
     for name, (scale, words) in MEASURES.items():
         if row.get(name) is None:
@@ -88,8 +98,11 @@ def _measures(row: Mapping[str, Any]) -> Table:
 
 
 def _bats(row: Mapping[str, Any]) -> list[Paragraph]:
-    gains = {name.removeprefix(WITH): value for name, value in row.items()
-             if name.startswith(WITH) and f"{name}_balls" in row and value is not None}  # fmt: skip
+    gains = {
+        name.removeprefix(WITH): value
+        for name, value in row.items()
+        if name.startswith(WITH) and f"{name}_balls" in row and value is not None
+    }
     if not gains:
         return []
     best = max(gains, key=lambda name: gains[name])
@@ -105,8 +118,11 @@ def _bats(row: Mapping[str, Any]) -> list[Paragraph]:
     words = say(
         "Of the bats tried {bat} would serve best: {gain} of exit speed on average ({low} to {high} in 90 % by chance "
         "alone; the error of the swing law comes on top).",
-        bat=best, gain=gain, low=low.bare, high=high,
-    )  # fmt: skip
+        bat=best,
+        gain=gain,
+        low=low.bare,
+        high=high,
+    )
     return [Paragraph(words)]
 
 

@@ -137,9 +137,11 @@ def maps(state: SeasonState) -> dict[str, Any]:
     chosen = {name: value for name in ("batter", *ball_maps.CHOICES) if (value := getattr(state, name)) is not None}
     counted = ball_maps.chosen_balls(counted_in(folder), chosen)
     return {
-        "means": ball_maps.ball_means(counted), "ceilings": ball_maps.ceiling_counts(counted),
-        "barrel": _map(ball_maps.barrel_counts(counted)), "field": _map(ball_maps.field_counts(counted)),
-    }  # fmt: skip
+        "means": ball_maps.ball_means(counted),
+        "ceilings": ball_maps.ceiling_counts(counted),
+        "barrel": _map(ball_maps.barrel_counts(counted)),
+        "field": _map(ball_maps.field_counts(counted)),
+    }
 
 
 def _map(ball_map: BallMap | None) -> dict[str, Any] | None:
@@ -170,8 +172,11 @@ def contacts(state: SeasonState) -> dict[str, Any]:
         return {}
     with about("batter"):
         contacts = contacts_at(contact_places(folder, state.batter))
-    values = {"position": contacts.mean, "position_spread": max(contacts.spread, LEAST_SPREAD),
-              "position_doubt": math.hypot(contacts.mean_doubt, PLACES_DOUBT)}  # fmt: skip
+    values = {
+        "position": contacts.mean,
+        "position_spread": max(contacts.spread, LEAST_SPREAD),
+        "position_doubt": math.hypot(contacts.mean_doubt, PLACES_DOUBT),
+    }
     found = kept_summary(folder)
     players: list[dict[str, Any]] = [] if found is None else found["players"]
     player = next((listed for listed in players if listed["batter"] == state.batter), dict[str, Any]())
@@ -198,8 +203,10 @@ def _answer(folder: Path) -> SeasonAnswer:
 def recipe(state: SeasonState) -> dict[str, str]:
     """Return the command line that reads the same tables, and the bat's file."""
     page = "" if state.batter is None else " " + option("--player", state.batter)
-    return {"command": f"sweetspot season TABLE.csv --bat {bat_name(state)}{page} --out season",
-            "toml": bat_text(state)}  # fmt: skip
+    return {
+        "command": f"sweetspot season TABLE.csv --bat {bat_name(state)}{page} --out season",
+        "toml": bat_text(state),
+    }
 
 
 VIEW = View(

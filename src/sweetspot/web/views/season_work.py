@@ -151,10 +151,14 @@ def players_of(answer: SeasonAnswer) -> list[dict[str, Any]]:
     table = players.table.sort(["balls", "batter"], descending=[True, False]).head(LISTED)
     measures = [name for name in MEASURES if name in table.columns]
     return [
-        {"batter": str(row["batter"]), "name": str(row.get("name") or row["batter"]), "balls": row["balls"],
-         **{name: row[name] for name in measures}}
+        {
+            "batter": str(row["batter"]),
+            "name": str(row.get("name") or row["batter"]),
+            "balls": row["balls"],
+            **{name: row[name] for name in measures},
+        }
         for row in table.iter_rows(named=True)
-    ]  # fmt: skip
+    ]
 
 
 def kept_summary(folder: Path) -> dict[str, Any] | None:
