@@ -9,8 +9,7 @@ from cases import analysed, best_contact, from_tip
 from scipy.optimize import brentq
 
 from sweetspot import Pitch, analyse, bending_modes, catalog, references, standard_conditions
-from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
-from sweetspot.analysis.miss_cost import viscous_scan
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at, viscous_scan
 from sweetspot.analysis.sweet_spot import miss_cost
 from sweetspot.catalog.records import read_table
 from sweetspot.cli.page_command import PORT
@@ -20,7 +19,7 @@ from sweetspot.collision.impact import Impact
 from sweetspot.collision.oblique_contact import oblique
 from sweetspot.dynamics.rigid import effective_mass, pendulum_period
 from sweetspot.equipment.ball import Ball
-from sweetspot.numerics.parabola import top
+from sweetspot.numerics.interpolants import top
 from sweetspot.player.expected_gain import DRAWS, SWINGS
 from sweetspot.player.posterior import NOTHING_LEARNED, WALKERS
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM

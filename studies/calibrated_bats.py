@@ -52,8 +52,8 @@ from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import all_modes
-from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS, STANDARD_GRAVITY
+from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.piecewise import cubic_spline
 from sweetspot.uncertainty.implement_doubt import doubt_of_piece
 from sweetspot.uncertainty.linear_doubt import speed_doubt

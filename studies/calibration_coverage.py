@@ -22,7 +22,7 @@ from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 
 SCALE = (("mass", 0.001), ("balance_point", 0.0015), ("period", 0.002))
 """Kinds and errors, SI: a kitchen scale, a balance on an edge, a pendulum timed over ten swings."""

@@ -23,7 +23,7 @@ from scipy.ndimage import gaussian_filter
 from sweetspot.calibration.outline.photo.photo_outline import read_photo
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.units import INCH
 
 Ground = Literal["green", "white", "black", "transparent", "paper"]

@@ -28,7 +28,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 
 CASES = (("mlb-c", (), False), ("mlb-c", (1,), False), ("single-wall", (1, 2), True))
 DOZEN = 12

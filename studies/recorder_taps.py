@@ -30,7 +30,7 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.recording import BAT_BAND, Recording, read_recording
 from sweetspot.calibration.tap_analysis import TapTest, tap_test
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 
 Array = NDArray[np.float64]
 DEGREES = 14

@@ -29,9 +29,8 @@ from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.interval import Interval, Number
+from sweetspot.numerics.interval import REACH, Interval, Number
 from sweetspot.uncertainty.linear_doubt import speed_doubt
 from sweetspot.uncertainty.sources import OF_BALL, PATCH, Sources, sources_of
 

@@ -16,8 +16,7 @@ from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.racket import Racket
-from sweetspot.equipment.ring import Ring
-from sweetspot.equipment.shell import InnerWall, Shell, Stations
+from sweetspot.equipment.shell import InnerWall, Ring, Shell, Stations
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, MPH, OUNCE
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from benchmarks.cases import Array
-from sweetspot.collision.modal_propagator import modal_propagator_of
+from sweetspot.collision.free_motion import modal_propagator_of
 from sweetspot.collision.time_step import first_kick_after_touch, give_of_steps, impulse_of_the_turn
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import COR_FLOOR, Ball

@@ -17,8 +17,7 @@ from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import MPH
 

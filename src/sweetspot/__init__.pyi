@@ -62,8 +62,8 @@ from .errors import InputError as InputError
 from .errors import SweetspotError as SweetspotError
 from .flight.air import Air as Air
 from .flight.air import Wind as Wind
-from .flight.all_parks import fly_all_parks as fly_all_parks
 from .flight.conditions import FlightConditions as FlightConditions
+from .flight.fence import fly_all_parks as fly_all_parks
 from .flight.flying import trajectory as trajectory
 from .flight.park import Park as Park
 from .flight.trajectory import Flight as Flight

@@ -12,7 +12,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.motion.swing_law import SwingLaw
-from sweetspot.numerics.parabola import peak
+from sweetspot.numerics.interpolants import peak
 from sweetspot.units import INCH, MPH, OUNCE
 
 HOLE = {"diameter": 1 * INCH, "depth": 10 * INCH}

@@ -7,8 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.analysis.miss_cost import miss_costs, viscous_scan
+from sweetspot.analysis.bat_analysis import Analysis, miss_costs, viscous_scan
 from sweetspot.analysis.sweet_spot import miss_cost
 from sweetspot.collision.contact_law import HuntCrossley
 from sweetspot.collision.coupled import hit

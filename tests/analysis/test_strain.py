@@ -21,8 +21,8 @@ from sweetspot.analysis.strain import (
 )
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.coupled import hit
+from sweetspot.collision.free_motion import moved
 from sweetspot.collision.impact import Impact
-from sweetspot.collision.modal_propagator import moved
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import all_modes, bending_modes

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, analyse, check_conditions, exit_speed_of, hit_at
-from sweetspot.analysis.hand_weighting import acceleration_weight, velocity_weight
-from sweetspot.analysis.position_scan import Scan
+from sweetspot.analysis.position_scan import Scan, acceleration_weight, velocity_weight
 from sweetspot.analysis.sweet_spot import barrel_node, max_collision_efficiency, max_exit_speed, miss_cost, sweet_zone
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.impact import Outcome

@@ -15,8 +15,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.motion.ball_motion import batted_ball
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 LAW = catalog.aerodynamics()

@@ -11,8 +11,7 @@ import pytest
 
 from sweetspot.answers.pendulum import PendulumQuestion, pendulum_answer
 from sweetspot.calibration.measured import Measured
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 
 HUNG = PendulumQuestion(
     mass=Measured(0.88, 0.003), balance_point=Measured(0.56, 0.001), pivot=Measured(0.1524, 0.0),

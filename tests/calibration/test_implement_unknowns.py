@@ -24,7 +24,7 @@ from sweetspot.dynamics.reduction import bending_frequencies
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.implement_doubt import expected_deviations
 
 Run = Callable[..., tuple[int, str, str]]

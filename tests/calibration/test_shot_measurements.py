@@ -14,7 +14,7 @@ from sweetspot.calibration.posterior import OF_BALL, calibrate
 from sweetspot.calibration.shot_measurements import MEASURED_BALLS, of_shots, shot_ball_unknown
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.units import INCH, MPH
 
 BALL = catalog.ball("baseball")

@@ -9,7 +9,7 @@ from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.recording import BAT_BAND
 from sweetspot.calibration.sinusoids import Sinusoid, fit_sinusoids
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 
 RATE = 12800.0
 BAT = ((171.8, 0.0075, 0.3), (572.4, 0.0070, 0.7), (1117.9, 0.0080, 1.0), (1787.6, 0.0085, 0.8))

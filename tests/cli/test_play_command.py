@@ -22,7 +22,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath
-from sweetspot.uncertainty.ball_doubt import speed_by_ball
+from sweetspot.uncertainty.sources import speed_by_ball
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 Run = Callable[..., tuple[int, str, str]]

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.collision.coupled import hit
+from sweetspot.collision.free_motion import moved
 from sweetspot.collision.impact import EnergyLedger, Impact, bat_energy
-from sweetspot.collision.modal_propagator import moved
 from sweetspot.collision.modal_response import free_motion, replayed
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
 from sweetspot.dynamics.beam import beam_model

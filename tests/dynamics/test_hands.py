@@ -10,7 +10,7 @@ import scipy.linalg
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
-from sweetspot.collision.modal_propagator import modal_propagator_of, moved
+from sweetspot.collision.free_motion import modal_propagator_of, moved
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hands import check_hands, held_modes
 from sweetspot.dynamics.reduction import all_modes, bending_modes

@@ -9,8 +9,8 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.collision.contact_law import Hysteretic, pressed_in_series
+from sweetspot.collision.free_motion import modal_propagator_of
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.modal_propagator import modal_propagator_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hoop import OtherPatch
 from sweetspot.dynamics.modes import Modes

@@ -12,7 +12,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.dynamics.wall import ring_at_edge
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.ring import Ring
+from sweetspot.equipment.shell import Ring
 from sweetspot.errors import InputError
 
 ALLOY = Material(name="alloy", family="metal", density=2800, longitudinal_modulus=71e9, poisson_ratio=0.33)

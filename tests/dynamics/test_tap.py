@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.collision.modal_propagator import modal_propagator_of
+from sweetspot.collision.free_motion import modal_propagator_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.modes import half_sine_gain, tapped
 from sweetspot.dynamics.reduction import bending_modes

@@ -14,8 +14,7 @@ from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.dynamics.wall import wall_stiffness
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.laminate import Laminate, Ply
-from sweetspot.equipment.laminate_theory import effective_moduli
+from sweetspot.equipment.laminate import Laminate, Ply, effective_moduli
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import InnerWall
 from sweetspot.errors import InputError

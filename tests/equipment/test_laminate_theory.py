@@ -10,8 +10,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sweetspot.equipment.laminate import Laminate, Ply
-from sweetspot.equipment.laminate_theory import effective_moduli, laminate_stiffness, ply_stiffness, rotated, sheet
+from sweetspot.equipment.laminate import (
+    Laminate,
+    Ply,
+    effective_moduli,
+    laminate_stiffness,
+    ply_stiffness,
+    rotated,
+    sheet,
+)
 from sweetspot.equipment.material import Material
 
 METAL = Material(name="metal", family="metal", density=2800, longitudinal_modulus=71e9, poisson_ratio=0.33)

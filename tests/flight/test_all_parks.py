@@ -10,9 +10,8 @@ import pytest
 from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.flight.all_parks import fly_all_parks
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.fence import landing
+from sweetspot.flight.fence import fly_all_parks, landing
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import BallMotions, batted_ball
 from sweetspot.units import FOOT, MPH

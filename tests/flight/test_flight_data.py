@@ -14,11 +14,11 @@ import pytest
 from numpy.typing import NDArray
 
 from sweetspot import catalog
+from sweetspot.flight.aerodynamics import drag_and_lift
 from sweetspot.flight.air import CALM, MEAN_BREEZE, Air
 from sweetspot.flight.batted_spin import SHEET, TRACKED, batted_ball_spin
 from sweetspot.flight.bearing import bearing_of_place, launched_to
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.pitch import aimed

@@ -11,11 +11,10 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
+from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics, acceleration, drag_and_lift
 from sweetspot.flight.air import CALM, Air
 from sweetspot.flight.batted_spin import check_usual_spin
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.forces import acceleration, drag_and_lift
 from sweetspot.units import DEGREE
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")

@@ -12,10 +12,10 @@ from scipy.special import ndtri
 
 from sweetspot import catalog
 from sweetspot.flight.air import Air, Wind
-from sweetspot.flight.all_parks import fly_all_parks
 from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.fence import fly_all_parks
 from sweetspot.flight.fence_compiled import TABLE_STEP
 from sweetspot.flight.home_runs import NONE, CarryScatter, HomeRuns, home_run_chances
 from sweetspot.flight.sweep import BattedBall

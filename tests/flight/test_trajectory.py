@@ -17,7 +17,7 @@ from sweetspot.flight.air import CALM, VACUUM, Air, Wind
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import TIME_LIMIT, Flight, FlightOutcome, fly
 from sweetspot.motion.ball_motion import BallMotion, batted_ball
-from sweetspot.numerics.hermite_cubic import first_crossing, on_cubic, root_on_cubic, turn_on_cubic
+from sweetspot.numerics.interpolants import first_crossing, on_cubic, root_on_cubic, turn_on_cubic
 from sweetspot.units import FOOT, MPH, RPM
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("baseball")

@@ -14,8 +14,7 @@ import pytest
 import sweetspot
 from sweetspot.collision import compiled as loop
 from sweetspot.flight import compiled as lanes
-from sweetspot.numerics import hermite_cubic as cubic
-from sweetspot.numerics import kernel_cache, vector_math
+from sweetspot.numerics import interpolants, kernel_cache, vector_math
 from sweetspot.numerics.kernel_cache import _KernelFiles, compiled, fingerprint, kernel_folder
 from sweetspot.player import likelihood
 
@@ -96,7 +95,7 @@ def test_every_reached_constant_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Constants from four other modules, imported by name, and one that a helper's helper reads."""
     plain = fingerprint(lanes.solve)
     for module, name in ((lanes, "STANDARD_GRAVITY"), (lanes, "TIME_LIMIT"), (lanes, "SMALLEST_SPIN_FACTOR"),
-                         (vector_math, "LOG2_E"), (cubic, "ROUNDS")):  # fmt: skip
+                         (vector_math, "LOG2_E"), (interpolants, "ROUNDS")):  # fmt: skip
         with monkeypatch.context() as change:
             change.setattr(module, name, getattr(module, name) * 2)
             assert fingerprint(lanes.solve) != plain, name
@@ -114,8 +113,8 @@ def test_the_text_of_every_reached_file_counts(monkeypatch: pytest.MonkeyPatch) 
     for function in (lanes.solve, loop.solve, likelihood.log_likelihoods):
         fingerprint(function)
     assert {module.removeprefix("sweetspot.") for module in read} == {
-        "flight.compiled", "flight.aerodynamics", "numerics.hermite_cubic", "numerics.vector_math",
-        "collision.compiled", "collision.contact_law", "collision.time_step", "equipment.ball", "numerics.parabola",
+        "flight.compiled", "flight.aerodynamics", "numerics.interpolants", "numerics.vector_math",
+        "collision.compiled", "collision.contact_law", "collision.time_step", "equipment.ball",
         "player.likelihood", "player.contact_rate",
     }  # fmt: skip
 

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from sweetspot import catalog
-from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import sure_sign
 from sweetspot.player.goal import NO_GAIN
 from sweetspot.report.document import Document, Table
 from sweetspot.report.quantities import SI, SYSTEMS, US

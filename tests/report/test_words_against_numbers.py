@@ -15,8 +15,7 @@ from sweetspot.analysis.comparison import compare
 from sweetspot.answers.compare import compare_of
 from sweetspot.answers.report import misses_of
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import NO_SPEED, sure_sign
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import NO_SPEED, Interval, sure_sign
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.tables import spots_table
 from sweetspot.report.bat.words import answer_words

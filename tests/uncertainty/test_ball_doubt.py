@@ -10,7 +10,7 @@ from sweetspot.calibration.speed_response import response_of_efficiency
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.uncertainty.ball_doubt import speed_by_ball
+from sweetspot.uncertainty.sources import speed_by_ball
 
 
 def test_spreads_of_the_catalogue(baseball: Ball) -> None:

@@ -10,7 +10,7 @@ import pytest
 import scipy.stats
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ENDS, LEVEL, REACH
+from sweetspot.numerics.interval import ENDS, LEVEL, REACH
 from sweetspot.uncertainty.intervals import TOGETHER, interval_ends, reach_of_draws, variance_shares
 
 NAMES = ("a", "b", "c")

@@ -17,7 +17,7 @@ from sweetspot.answers.compare import compare_of
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.rigid import OF_SWING
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.comparison.words import changes
 from sweetspot.units import MPH
 from sweetspot.web.errors import FieldError

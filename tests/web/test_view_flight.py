@@ -16,7 +16,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
-from sweetspot.flight.all_parks import fly_all_parks
+from sweetspot.flight.fence import fly_all_parks
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.units import FOOT, MPH
 from sweetspot.web.errors import FieldError

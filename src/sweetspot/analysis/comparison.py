@@ -26,9 +26,9 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw, turned_faster
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interpolants import peak, top
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.notebook_display import ShownInNotebooks
-from sweetspot.numerics.parabola import peak, top
 from sweetspot.plausibility import insisted
 from sweetspot.plausibility.table import MAX_SPEED
 

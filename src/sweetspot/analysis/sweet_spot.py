@@ -16,7 +16,7 @@ from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.parabola import top
+from sweetspot.numerics.interpolants import top
 from sweetspot.units import INCH, MPH
 
 ZONE_LOSS = 3 * MPH

@@ -23,7 +23,7 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.parabola import peak
+from sweetspot.numerics.interpolants import peak
 from sweetspot.units import INCH, format_mass
 
 Variation = Literal["mass", "bore_diameter", "bore_depth", "cup_depth", "wall_factor", "bat_speed", "pitch_speed"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from sweetspot.answers.records import to_dict
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import LEVEL
+from sweetspot.numerics.interval import LEVEL
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.uncertainty.intervals import variance_shares
 from sweetspot.units.dimensions import System

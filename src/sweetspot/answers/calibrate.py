@@ -21,7 +21,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import LEVEL
+from sweetspot.numerics.interval import LEVEL
 from sweetspot.units.dimensions import DENSITY, FREQUENCY, LENGTH, MASS, MODULUS, MOI, RATIO, TIME, Dimension
 
 DIMENSIONS: Mapping[MeasuredKind, Dimension] = {

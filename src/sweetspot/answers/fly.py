@@ -27,7 +27,7 @@ from sweetspot.flight.home_runs import USUAL, home_run_chances, is_likely
 from sweetspot.flight.park import Park
 from sweetspot.flight.sweep import BattedBall, directed
 from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.sources import DRAWS, Sources
 from sweetspot.units.dimensions import DENSITY
 

@@ -33,13 +33,10 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement, check_lateral, check_on_face, check_position
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Number
-from sweetspot.uncertainty.ball_doubt import error_by_ball
-from sweetspot.uncertainty.drawn_energy import drawn_ledger
-from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, draws_of, hits_along
+from sweetspot.numerics.interval import REACH, Number
+from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, drawn_ledger, draws_of, hits_along
 from sweetspot.uncertainty.intervals import reach_of_draws
-from sweetspot.uncertainty.sources import DRAWS, Sources
+from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
 from sweetspot.units.dimensions import ENERGY, FORCE, LENGTH, TIME
 
 OF_DRAWS = (

@@ -29,9 +29,9 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.flight.trajectory import FlightOutcome
-from sweetspot.numerics.confidence import REACH
-from sweetspot.uncertainty.ball_doubt import error_by_ball
+from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.intervals import reach_of_draws
+from sweetspot.uncertainty.sources import error_by_ball
 
 
 @dataclass(frozen=True, kw_only=True)

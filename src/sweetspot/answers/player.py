@@ -29,8 +29,7 @@ from sweetspot.answers.records import (
     Speed,
 )
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import LEVEL
-from sweetspot.numerics.interval import Interval, Number
+from sweetspot.numerics.interval import LEVEL, Interval, Number
 from sweetspot.player.advice import PLACES, Advice, Option
 from sweetspot.player.bat_pairs import BatPair, MeasuredBat, measured_bats
 from sweetspot.player.expected_gain import Change

@@ -29,7 +29,7 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import LEVEL
+from sweetspot.numerics.interval import LEVEL
 from sweetspot.units.dimensions import LENGTH, MASS, MOI, SPEED
 
 DRAWS = 4000

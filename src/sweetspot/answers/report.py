@@ -8,9 +8,8 @@ from typing import Annotated
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
+from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse, exit_speed_of, miss_costs
 from sweetspot.analysis.face_maps import FaceMap, face_map
-from sweetspot.analysis.miss_cost import Loss, miss_costs
 from sweetspot.analysis.sweet_spot import SweetSpots
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
 from sweetspot.answers.conditions import HitConditions, hit_conditions
@@ -37,13 +36,11 @@ from sweetspot.dynamics.rigid import effective_mass, moi_doubt
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.interval import Curve, Interval
-from sweetspot.uncertainty.ball_doubt import error_by_ball
+from sweetspot.numerics.interval import REACH, Curve, Interval
 from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.linear_doubt import SpeedDoubt, speed_doubt
-from sweetspot.uncertainty.sources import DRAWS, Sources
+from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import IMPULSE, LENGTH, SPEED
 

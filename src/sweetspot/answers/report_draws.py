@@ -17,7 +17,7 @@ from sweetspot.answers.records import Columns
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.parabola import tops
+from sweetspot.numerics.interpolants import tops
 from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, draws_of, hits_along
 from sweetspot.uncertainty.drawn_spots import MissCost, drawn_nodes, highest, missed, zones
 from sweetspot.uncertainty.sources import DRAWS, Sources

@@ -7,7 +7,7 @@ import numpy as np
 from sweetspot.analysis.certification.rules import Check, Rule
 from sweetspot.analysis.certification.shot_statistics import Estimate, ShotStatistics
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.drawn_tests import DrawnTest
 
 OF_SHOTS = ("bbcor", "bpf", "batted_ball_speed")

@@ -16,7 +16,7 @@ from sweetspot.calibration.recording import Band, Recording
 from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test, telling, usual_band, usual_held
 from sweetspot.calibration.taps import Tap
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import LEVEL
+from sweetspot.numerics.interval import LEVEL
 from sweetspot.units.dimensions import FREQUENCY, MODULUS, TIME
 
 

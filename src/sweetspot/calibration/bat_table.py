@@ -30,8 +30,8 @@ from sweetspot.catalog.implements import load_implement
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError, UnusualWarning
-from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import check
 from sweetspot.tables.cells import require_units, with_unit

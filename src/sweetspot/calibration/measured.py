@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from sweetspot.calibration.posterior import OF_BALL
 from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.equipment.ball import Ball
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 
 ONE_PLACE = 0.0064
 """m; shots within a quarter of an inch are at one place."""

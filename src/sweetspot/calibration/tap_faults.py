@@ -13,7 +13,7 @@ import numpy as np
 
 from sweetspot.calibration.sinusoids import LOUD_PART, WEIGHTY, Fit, stands_out
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ROBUST_SCALE
+from sweetspot.numerics.interval import ROBUST_SCALE
 
 SETTLE = 0.006
 """s from the blow to the window: the contact itself and its nearest echoes."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
-from sweetspot.equipment.rubber import Rubber
+from sweetspot.equipment.face import Rubber
 from sweetspot.errors import InputError
 from sweetspot.units import Kind
 

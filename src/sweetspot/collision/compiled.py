@@ -31,7 +31,7 @@ from sweetspot.collision.kernel_arrays import (
 )
 from sweetspot.collision.time_step import impulse_of_the_turn
 from sweetspot.equipment.ball import restitution_at
-from sweetspot.numerics import parabola
+from sweetspot.numerics import interpolants
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.vector_math import exp, log
@@ -70,8 +70,8 @@ class Lanes(NamedTuple):
 # for whoever calls these functions holds the arrays anyway.
 
 # the readable functions, compiled where compiled code calls them
-_crossing = register_jitable(parabola.crossing)
-_vertex = register_jitable(parabola.vertex)
+_crossing = register_jitable(interpolants.crossing)
+_vertex = register_jitable(interpolants.vertex)
 _impulse_of_the_turn = register_jitable(impulse_of_the_turn)
 _unloading_power = register_jitable(contact_law.unloading_power)
 register_jitable(restitution_at)

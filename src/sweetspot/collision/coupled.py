@@ -35,9 +35,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from sweetspot.collision.contact_law import ContactLaw, Hysteretic
-from sweetspot.collision.free_motion import Flow, Motion, Struck, struck_place
+from sweetspot.collision.free_motion import Flow, Motion, Struck, moved, struck_place
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
-from sweetspot.collision.modal_propagator import moved
 from sweetspot.collision.time_step import (
     contact_step,
     first_kick_after_touch,
@@ -47,7 +46,7 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.parabola import crossing, vertex
+from sweetspot.numerics.interpolants import crossing, vertex
 from sweetspot.plausibility import check_place
 
 STEP = 4e-6

@@ -6,12 +6,15 @@ The loop itself is `compiled.solve`.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sweetspot.collision.compiled import LANES, solve
 from sweetspot.collision.coupled import TIME_LIMIT, check_step
+from sweetspot.collision.free_motion import dashpot_factors, free_steps, modal_propagator_of, moved, moved_freely
 from sweetspot.collision.impact import Impacts
 from sweetspot.collision.kernel_arrays import (
     LATE,
@@ -22,7 +25,6 @@ from sweetspot.collision.kernel_arrays import (
     Steps,
     output_of,
 )
-from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
 from sweetspot.collision.time_step import (
     contact_step,
     first_kick_after_touch,
@@ -175,3 +177,75 @@ def contiguous(values: Array) -> Array:
     True
     """
     return np.require(values, requirements=["C", "W"])
+
+
+BATS = 8
+"""Per task handed to a thread."""
+
+
+class ManyBats(Protocol):
+    """Many free bats, as `ReducedBats` are: frequencies and damping of their motions, and what a ball feels of them."""
+
+    @property
+    def angular_frequency(self) -> Array:
+        """rad/s, shape (bats, n)."""
+
+    @property
+    def damping_rate(self) -> Array:
+        """2 zeta omega in 1/s, shape (bats, n)."""
+
+    def shapes_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
+        """Return the shapes at places (bats, places) in m, shape (bats, places, n), 1/sqrt(kg)."""
+
+    def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
+        """Return how far the surface gives way at once, m/N at places (bats, places) in m."""
+
+
+def struck(
+    bats: ManyBats,
+    *,
+    ball: Ball | Sequence[Ball],
+    position: Array,
+    closing_speed: Array,
+    step: float = STEP,
+    keep_motion: bool = False,
+    threads: int | None = None,
+) -> Impacts:
+    """Return hits with many free bats, every array shaped (bats, places); motions (bats, places, n).
+
+    Parameters
+    ----------
+    ball : one for all bats, or one for each.
+    position, closing_speed : m from the knob end and m/s, shape (bats, places).
+    step : s; round bats do not need shorter ones than `STEP` (see `contact_step`).
+    keep_motion : whether to return the bats' modal motion at release.
+    threads : workers; None: one per core.
+    """
+    shapes = bats.shapes_at(position, closing_speed=closing_speed)
+    give = bats.compliance_at(position, closing_speed=closing_speed)
+    omega, drift = bats.angular_frequency, free_steps(bats.angular_frequency, bats.damping_rate, step)
+    shapes, give = with_quick_modes_as_springs(shapes, give, omega[:, None, :], step)
+    step_give = give_of_steps(omega, step)
+    count, places, size = shapes.shape
+    outcome = np.empty((count, places), np.int64)
+    results = np.empty((RESULT_ROWS, count, places))
+    motion = np.empty((2, count, places if keep_motion else 0, size))
+    balls = {one: (numbers_of(one), steps_of(one, step)) for one in ({ball} if isinstance(ball, Ball) else {*ball})}
+    constants = [balls[one] for one in ([ball] * count if isinstance(ball, Ball) else ball)]
+    lanes = min(LANES, 4 * math.ceil(places / 4))
+    nothing, none = np.zeros((0, size)), np.zeros(0)
+    speeds = contiguous(closing_speed)
+    shapes, give, omega, step_give, drift = map(contiguous, (shapes, give, omega, step_give, drift))
+
+    def work(part: slice) -> None:
+        for i in range(part.start, part.stop):
+            bat = BatNumbers(shapes[i], give[i], omega[i], step_give[i], drift[i], nothing, none)
+            output = output_of(places, size, keep_motion=keep_motion)
+            solve(lanes, speeds[i], bat, *constants[i], output)
+            outcome[i], results[:, i], motion[:, i] = output
+
+    in_parts(work, count, size=BATS, threads=threads)
+    if keep_motion:
+        late, (displacement, velocity) = np.nan_to_num(results[LATE]), motion
+        motion = np.array(moved_freely(omega[:, None], bats.damping_rate[:, None], displacement, velocity, -late))
+    return Impacts(outcome, *results[:LATE], *motion)

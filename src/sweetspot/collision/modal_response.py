@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from sweetspot.collision.coupled import check_step
+from sweetspot.collision.free_motion import dashpot_factors, modal_propagator_of
 from sweetspot.collision.impact import Impact, bat_energy
-from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled

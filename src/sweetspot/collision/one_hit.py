@@ -19,8 +19,8 @@ from sweetspot.collision.time_step import contact_step, impulse_of_the_turn
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interpolants import vertex
 from sweetspot.numerics.kernel_cache import compiled
-from sweetspot.numerics.parabola import vertex
 from sweetspot.plausibility import check_place
 
 # numbers that change from kick to kick; the compression from which the ball springs back is nan while it is pressed on

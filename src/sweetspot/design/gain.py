@@ -25,7 +25,7 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.units import INCH, MPH
 
 TURNED_ALIKE = 0.02

@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sweetspot.analysis.certification.simulated_test import BPF_SPEED, bpf, swung_test
-from sweetspot.analysis.hand_weighting import velocity_weight
+from sweetspot.analysis.position_scan import velocity_weight
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.collision.closed_form import restitution_from_efficiency
-from sweetspot.collision.hits_of_bats import struck
-from sweetspot.collision.kernel import STEP
+from sweetspot.collision.kernel import STEP, struck
 from sweetspot.collision.time_step import contact_step
 from sweetspot.design.batter import Batter
 from sweetspot.design.contacts import FROM_TIP

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 from sweetspot.dynamics.beam import BeamModel, bat_of_beam, density_scale
-from sweetspot.equipment.laminate_theory import Plate, laminate_stiffness, sheet
+from sweetspot.equipment.laminate import Plate, laminate_stiffness, sheet
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import WallPart
 from sweetspot.errors import InputError

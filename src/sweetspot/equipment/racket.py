@@ -14,12 +14,11 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import Positive
-from sweetspot.equipment.face import Face, FaceOutline
+from sweetspot.equipment.face import Face, FaceOutline, StringBed
 from sweetspot.equipment.implement import Implement, Look
 from sweetspot.equipment.mass_fit import maximum_entropy_mass
 from sweetspot.equipment.section import CrossSection
 from sweetspot.equipment.shell import Stations, between, check_order
-from sweetspot.equipment.string_bed import StringBed
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.gauss_legendre import quadrature
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.equipment.laminate_theory import effective_moduli
+from sweetspot.equipment.laminate import effective_moduli
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import WallPart
 from sweetspot.numerics.arrays import Array

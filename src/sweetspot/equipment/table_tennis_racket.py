@@ -13,12 +13,10 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import Positive
-from sweetspot.equipment.face import Face, FaceOutline
+from sweetspot.equipment.face import Face, FaceOutline, Rubber
 from sweetspot.equipment.implement import DensityRange, Implement, Look
-from sweetspot.equipment.laminate import Laminate
-from sweetspot.equipment.laminate_theory import effective_moduli, laminate_stiffness
+from sweetspot.equipment.laminate import Laminate, effective_moduli, laminate_stiffness
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.rubber import Rubber
 from sweetspot.equipment.section import FLAT_SHEAR, CrossSection
 from sweetspot.numerics.arrays import Array
 

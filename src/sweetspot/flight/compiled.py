@@ -14,10 +14,9 @@ import numpy as np
 from numba.extending import register_jitable
 
 from sweetspot.flight import aerodynamics
-from sweetspot.flight.aerodynamics import SMALLEST_SPIN_FACTOR
-from sweetspot.flight.forces import SLOWEST
+from sweetspot.flight.aerodynamics import SLOWEST, SMALLEST_SPIN_FACTOR
 from sweetspot.flight.trajectory import MOST_STEPS, SLOW, TIME_LIMIT, FlightOutcome
-from sweetspot.numerics import hermite_cubic as cubic
+from sweetspot.numerics import interpolants
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.numerics.kernel_cache import compiled, inner
@@ -61,10 +60,10 @@ SPIN_X, SPIN_Y, SPIN_Z, SPIN, STRENGTH, WIND_X, WIND_Y, OPEN, TAKEN, TIME, EVENT
 ROWS = 29
 
 # the readable functions, compiled where compiled code calls them
-_on_cubic = register_jitable(cubic.on_cubic)
-_turn_on_cubic = register_jitable(cubic.turn_on_cubic)
-_first_crossing = register_jitable(cubic.first_crossing)
-register_jitable(cubic.root_on_cubic)
+_on_cubic = register_jitable(interpolants.on_cubic)
+_turn_on_cubic = register_jitable(interpolants.turn_on_cubic)
+_first_crossing = register_jitable(interpolants.first_crossing)
+register_jitable(interpolants.root_on_cubic)
 _inlined = inner(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
 _drag_with_spin = _inlined(aerodynamics.drag_with_spin)
 _lift_by_power = _inlined(aerodynamics.lift_by_power)

@@ -14,12 +14,12 @@ from enum import IntEnum
 import numpy as np
 
 from sweetspot.errors import InputError
+from sweetspot.flight.aerodynamics import SLOWEST, acceleration, drag_and_lift
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.forces import SLOWEST, acceleration, drag_and_lift
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.numerics.hermite_cubic import first_crossing, on_cubic, turn_on_cubic
+from sweetspot.numerics.interpolants import first_crossing, on_cubic, turn_on_cubic
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 
 STEP = 0.05

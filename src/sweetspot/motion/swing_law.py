@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Swing
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 
 GREATEST_EXPONENT = 0.5
 """A player who gives every bat the same energy; more would mean that a heavier bat gets less [nathan_slides]."""

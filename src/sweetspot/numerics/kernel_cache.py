@@ -33,8 +33,7 @@ from numba.core.serialize import dumps
 from numba.extending import register_jitable
 from numba.misc.appdirs import AppDirs
 
-from sweetspot.numerics.digests import DIGEST_SIZE, digest
-from sweetspot.numerics.whole_files import written_whole
+from sweetspot.numerics.whole_files import DIGEST_SIZE, digest, written_whole
 
 PACKAGE = Path(__file__).parents[1]
 FINGERPRINT = 32

@@ -7,6 +7,7 @@ from one under way; a process number would tell neither of another machine nor o
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import secrets
@@ -15,6 +16,26 @@ from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
 from typing import Any, BinaryIO
+
+ALGORITHM, DIGEST_SIZE = "sha256", 32
+"""Twice as fast as any other of Python's where the processor has it built in, 1.4 GB/s and more; and its bytes."""
+
+
+def digest(content: bytes) -> bytes:
+    """Return the digest of some bytes; any other bytes have another."""
+    return hashlib.new(ALGORITHM, content).digest()
+
+
+def file_digest(path: Path) -> str:
+    """Return the digest of a whole file, in hexadecimal digits; it is read piece by piece.
+
+    Parameters
+    ----------
+    path : of a file that can be read.
+    """
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, ALGORITHM).hexdigest()
+
 
 locks: Any
 try:

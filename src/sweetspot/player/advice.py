@@ -13,9 +13,8 @@ from sweetspot.errors import SweetspotError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import sure_sign
-from sweetspot.numerics.interval import Interval
-from sweetspot.numerics.parabola import top
+from sweetspot.numerics.interpolants import top
+from sweetspot.numerics.interval import Interval, sure_sign
 from sweetspot.player.bat_pairs import BatPair, compared_pairs, measured_bats
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.contact_tables import contact_table

@@ -12,8 +12,7 @@ import numpy as np
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ENDS, sure_sign
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import ENDS, Interval, sure_sign
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import interval

@@ -10,8 +10,7 @@ from typing import Literal
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ENDS
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import ENDS, Interval
 from sweetspot.player.importance import Weighted, drawn_further, importance_draws
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.prior import NAMES, Population, natural, prior_draws, standardised

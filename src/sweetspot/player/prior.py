@@ -13,8 +13,7 @@ from sweetspot.catalog.records import quantity, read_table
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.motion.swing_law import GREATEST_EXPONENT
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.units import Kind
 
 FILE = "player_priors.toml"

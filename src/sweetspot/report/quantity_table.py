@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, Literal
 
 from sweetspot.equipment.sport import Terms
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.plausibility import parse
 from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, SYSTEMS, Reader, System, Unit
 from sweetspot.report.sentences import Slot

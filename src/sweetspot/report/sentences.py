@@ -7,8 +7,7 @@ import string
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval, Number
+from sweetspot.numerics.interval import REACH, Interval, Number
 from sweetspot.report.quantities import NOTHING, US, Reader
 from sweetspot.units import grouped
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from sweetspot.answers.setups import SwungWith
-from sweetspot.numerics.confidence import NO_SPEED
+from sweetspot.numerics.interval import NO_SPEED
 from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.sentences import Sentence, Slot, say
 

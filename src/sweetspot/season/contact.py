@@ -17,7 +17,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.threads import in_parts
 from sweetspot.season import contact_kernel as kernel
 from sweetspot.season.balls import Balls, taken

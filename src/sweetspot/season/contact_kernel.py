@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ENDS
+from sweetspot.numerics.interval import ENDS
 from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.season.place_kernel import FARTHEST, weigh
 from sweetspot.season.surface_kernel import Axes, hit_towards, part_of, velocity_after

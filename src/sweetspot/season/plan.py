@@ -21,8 +21,7 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
-from sweetspot.numerics.digests import file_digest
-from sweetspot.numerics.whole_files import refusal, sweep, written_whole
+from sweetspot.numerics.whole_files import file_digest, refusal, sweep, written_whole
 from sweetspot.season.ball_columns import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.parquet_pieces import MOST_CELLS, rows_together

@@ -27,7 +27,7 @@ import numpy as np
 import polars as pl
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ENDS, REACH
+from sweetspot.numerics.interval import ENDS, REACH
 
 NODES = 24
 """Values that are summed over; two to three within a standard deviation of tau."""

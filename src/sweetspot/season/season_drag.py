@@ -12,8 +12,7 @@ from sweetspot.catalog.ballparks import park
 from sweetspot.errors import InputError
 from sweetspot.flight.home_runs import USUAL
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH, ROBUST_SCALE
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, ROBUST_SCALE, Interval
 from sweetspot.season.ball_maps import is_home_run
 from sweetspot.units import DEGREE, MPH
 

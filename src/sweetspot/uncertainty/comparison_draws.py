@@ -15,7 +15,7 @@ from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.parabola import peak
+from sweetspot.numerics.interpolants import peak
 from sweetspot.uncertainty.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.uncertainty.sources import DRAWS, Source, Sources, even_normal
 

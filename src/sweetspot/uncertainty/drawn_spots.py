@@ -14,8 +14,8 @@ from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import bending_batch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interpolants import tops
 from sweetspot.numerics.interval import Interval, Number
-from sweetspot.numerics.parabola import tops
 from sweetspot.uncertainty.bat_draws import DrawnBats
 from sweetspot.uncertainty.drawn_hits import Draws
 

@@ -25,7 +25,7 @@ from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.parabola import top
+from sweetspot.numerics.interpolants import top
 from sweetspot.uncertainty.drawn_hits import Draws, draws_of
 from sweetspot.uncertainty.sources import DRAWS, OF_BALL, PITCH, SWING, Sources
 

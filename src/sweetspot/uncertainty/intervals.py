@@ -16,7 +16,7 @@ from itertools import combinations
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ENDS
+from sweetspot.numerics.interval import ENDS
 
 TOGETHER = "together"
 """What sources cause only together with others, or more crookedly than the second degree."""

@@ -16,7 +16,7 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Comparison
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.comparison_draws import DrawnComparison, drawn_comparison, drawn_names
 from sweetspot.uncertainty.drawn_hits import draws_of, hits_along
 from sweetspot.uncertainty.intervals import Reach

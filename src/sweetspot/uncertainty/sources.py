@@ -8,16 +8,21 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.analysis.position_scan import scan
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.sports import sport
+from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import PATCH_SPREAD
+from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT, ImplementDoubt, doubt_of
 
 BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
@@ -189,3 +194,34 @@ def patch_sources(bat: Implement) -> tuple[Source, ...]:
 def _speeds(bat: float, pitch: float) -> list[Source]:
     where = "as the speed was written"
     return [Source(name, error, where) for name, error in ((SWING, bat), (PITCH, pitch)) if error > 0]
+
+
+def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:
+    """Return the best hit's exit speed in m/s with what the ball alone leaves open; None where no spread is known."""
+    conditions, place = analysis.conditions, analysis.sweet_spots.max_exit_speed
+    error = error_by_ball(analysis.bat, body=analysis.body, modes=analysis.modes, conditions=conditions, position=place)
+    return None if error is None else Measured(exit_speed_of(analysis.best, conditions), error)
+
+
+def error_by_ball(
+    bat: Implement, *, body: RigidBody, modes: Modes, conditions: Conditions, position: float
+) -> float | None:
+    """Return the standard deviation in m/s that the ball alone leaves to an exit speed; None: no spread is known.
+
+    Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
+
+    Parameters
+    ----------
+    position : where the ball is met head-on, m from the knob end.
+    """
+    place, spreads = np.array([position]), ball_spreads(conditions.ball)
+    if not spreads:
+        return None
+
+    def speed(name: str, off: float) -> float:
+        with_ball = conditions.replaced(ball=conditions.ball.deviated({name: off}))
+        hit = scan(bat, body=body, modes=modes, conditions=with_ball, positions=place)
+        return float(hit.exit_speed[0])
+
+    halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
+    return float(np.linalg.norm(halves))

@@ -17,8 +17,8 @@ from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.swung_with import effort_words
 from sweetspot.units.dimensions import LENGTH, System
 from sweetspot.web.bat_bounds import Range, bounds

@@ -12,7 +12,7 @@ from sweetspot.catalog.rules import league
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.ring import Ring
+from sweetspot.equipment.shell import Ring
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, OUNCE
 

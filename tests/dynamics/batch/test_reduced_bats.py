@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.collision.hits_of_bats import struck
-from sweetspot.collision.kernel import STEP, hits_with_motion
+from sweetspot.collision.kernel import STEP, hits_with_motion, struck
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_beams
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.reduction import reduced_bat

@@ -17,10 +17,9 @@ from numpy.typing import NDArray
 from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY
+from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, drag_and_lift
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.pitch import (
     PLATE,
     REFERENCE,

@@ -17,8 +17,7 @@ from sweetspot.answers.report import misses_of, report_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.references import keys
 from sweetspot.report import file_set
 from sweetspot.report.bat.beside_published import _predicts, chosen

@@ -25,7 +25,7 @@ from sweetspot.dynamics.rigid import RigidBody, effective_mass, moi_doubt
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.numerics.confidence import ENDS, REACH, ROBUST_SCALE
+from sweetspot.numerics.interval import ENDS, REACH, ROBUST_SCALE
 from sweetspot.plausibility import check
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import INCH, MPH

@@ -27,10 +27,10 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interpolants import top
+from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.notebook_display import ShownInNotebooks
-from sweetspot.numerics.parabola import top
 from sweetspot.units import INCH, MPH, format_length
 
 CLAMP = STANDARD_AXIS

@@ -16,7 +16,7 @@ from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import Park, fence_at
 from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotions, batted_ball
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.parabola import top
+from sweetspot.numerics.interpolants import top
 from sweetspot.units import DEGREE, MPH
 
 LAUNCH_ANGLES = (5 * DEGREE, 60 * DEGREE)

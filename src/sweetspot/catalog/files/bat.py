@@ -20,8 +20,7 @@ from sweetspot.dynamics.weight_match import weight_matched
 from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.ring import Ring
-from sweetspot.equipment.shell import InnerWall, Shell, check_count
+from sweetspot.equipment.shell import InnerWall, Ring, Shell, check_count
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
 from sweetspot.plausibility import check, insisted, insisting, parse

@@ -37,12 +37,11 @@ from sweetspot.catalog.racket_stiffness import frequency_of_ra
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.rubbers import rubber
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.face import Face, FaceOutline
+from sweetspot.equipment.face import Face, FaceOutline, StringBed
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import AddedMass, Implement
 from sweetspot.equipment.racket import Racket
-from sweetspot.equipment.string_bed import StringBed
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.plausibility import check, insisted, insisting

@@ -14,9 +14,9 @@ from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.catalog.rubbers import FILE as RUBBER_FILE
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.face import Rubber
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.rubber import Rubber
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 
 METHOD_SOURCES = (

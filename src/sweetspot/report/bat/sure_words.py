@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sweetspot.equipment.sport import Terms
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.sentences import Sentence, Slot, say
 from sweetspot.uncertainty.linear_doubt import SpeedDoubt
 from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING

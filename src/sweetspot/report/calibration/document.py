@@ -16,7 +16,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.calibration.intervals import measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns

@@ -8,7 +8,7 @@ from sweetspot.answers.outline import OutlineAnswer, PhotoOutlineAnswer
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.outline.photo.photo_outline import HOOKED
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.calibration.intervals import measured_words
 from sweetspot.report.document import Block, Column, Document, Paragraph, Table
 from sweetspot.report.sentences import Sentence, Slot, joined, say

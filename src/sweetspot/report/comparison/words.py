@@ -9,8 +9,7 @@ from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.answers.compare import BatGain, CompareAnswer, ComparedBat
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
-from sweetspot.numerics.confidence import ENDS, NO_SPEED, sure_sign
-from sweetspot.numerics.interval import Interval, Number, interval_of
+from sweetspot.numerics.interval import ENDS, NO_SPEED, Interval, Number, interval_of, sure_sign
 from sweetspot.report.sentences import Sentence, Slot, joined, say, within
 from sweetspot.report.uncertainty.probability import chance_words
 from sweetspot.units import MPH

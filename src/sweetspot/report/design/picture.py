@@ -13,7 +13,7 @@ from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.style import (
     GRID,

@@ -9,8 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sweetspot.numerics.confidence import sure_sign
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import Interval, sure_sign
 from sweetspot.player.advice import PLACES, Advice
 from sweetspot.player.prior import NAMES
 from sweetspot.report.pictures.style import (

@@ -10,9 +10,8 @@ from textwrap import shorten
 from sweetspot.answers.player import FitPlayerAnswer
 from sweetspot.catalog.bats import bat_names
 from sweetspot.errors import maybe_meant
-from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import Interval, sure_sign
 from sweetspot.player.advice import Advice, Option
 from sweetspot.player.bat_pairs import measured_bats
 from sweetspot.player.model import PlayerModel

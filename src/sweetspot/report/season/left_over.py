@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from sweetspot.answers.season import SeasonMeans
-from sweetspot.numerics.confidence import REACH
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.season_drag import DragOfMonth, LeftOver
 

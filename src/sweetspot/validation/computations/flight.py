@@ -10,8 +10,8 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import usual_spin_line
+from sweetspot.flight.aerodynamics import drag_and_lift
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import BallMotion

@@ -6,8 +6,8 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.collision.coupled import hit
+from sweetspot.collision.free_motion import modal_propagator_of
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.modal_propagator import modal_propagator_of
 from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import bending_modes

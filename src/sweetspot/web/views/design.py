@@ -29,7 +29,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.design.document import compared
 from sweetspot.report.design.sizes import drawing, tolerance_words
 from sweetspot.report.design.words import (

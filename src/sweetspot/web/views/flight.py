@@ -18,9 +18,9 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air, Wind
-from sweetspot.flight.all_parks import PATH_POINTS
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.fence import PATH_POINTS
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import Park
 from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, batted_ball

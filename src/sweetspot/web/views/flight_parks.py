@@ -15,9 +15,8 @@ from sweetspot.answers.flight import FlightEnd
 from sweetspot.answers.records import GRID, Distance, Ratio
 from sweetspot.catalog.aerodynamic_laws import STILL_AIR
 from sweetspot.equipment.bat import Bat
-from sweetspot.flight.all_parks import PATH_POINTS
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.fence import landing
+from sweetspot.flight.fence import PATH_POINTS, landing
 from sweetspot.flight.home_runs import THIN, home_run_chances
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at

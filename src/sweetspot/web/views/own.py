@@ -21,7 +21,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import RigidBody, moi_doubt, pendulum_period, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.confidence import REACH
+from sweetspot.numerics.interval import REACH
 from sweetspot.report.calibration.document import (
     SCALE_OF,
     VALUES,

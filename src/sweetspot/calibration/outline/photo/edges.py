@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from sweetspot.calibration.outline.photo.silhouette import Shape
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.confidence import ROBUST_SCALE
+from sweetspot.numerics.interval import ROBUST_SCALE
 
 STEP = 0.5
 """Pixels between samples across the bat."""
