@@ -12,9 +12,15 @@ from typing import Any
 
 import pytest
 
+from sweetspot.answers.records import to_dict
 from sweetspot.paper.chain import PARTS
 from sweetspot.web.errors import FieldError
-from sweetspot.web.views.paper import VIEW, PaperState, answer
+from sweetspot.web.views.paper import VIEW, PaperState
+from sweetspot.web.views.paper import answer as paper_answer
+
+
+def answer(state: PaperState) -> dict[str, Any]:
+    return to_dict(paper_answer(state))
 
 
 def asked(**controls: Any) -> dict[str, Any]:

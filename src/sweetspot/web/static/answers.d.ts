@@ -29,7 +29,7 @@ export interface Answers {
   design: Record<string, any>;
   season: Record<string, any>;
   sports: SportsAnswer;
-  paper: Record<string, any>;
+  paper: PaperPicture;
 }
 
 /** What is asked apart, by view and name. */
@@ -263,6 +263,19 @@ export interface ComparisonUncertainty {
   gains: BatGain[];
 }
 
+/** The force of both hits over time, and the exit speeds along both bats at the same bat speed. */
+export interface CorkingPicture {
+  time_s: number[];
+  force_n: number[];
+  corked_time_s: number[];
+  corked_force_n: number[];
+  position_m: number[];
+  exit_speed_m_s: number[];
+  corked_position_m: number[];
+  corked_exit_speed_m_s: number[];
+  corked_bat: BatShape;
+}
+
 /** Hits along an implement, shape (n,). */
 export interface CurvesAlongTool {
   position_m: number[];
@@ -410,12 +423,48 @@ export interface DrawnWeight {
   mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
 }
 
+/** Rebound heights of both blocks, and rebound over fall of blocks of every thickness held so. */
+export interface DropPicture {
+  drop_height_m: number; drop_height_low_m?: number; drop_height_high_m?: number;
+  thickness_m: number[];
+  block_thickness_m: number; block_thickness_low_m?: number; block_thickness_high_m?: number;
+  wood: DroppedOn;
+  metal: DroppedOn;
+}
+
+/** Rebound from a block of one material, None: not in one contact; and rebound over fall by thickness. */
+export interface DroppedOn {
+  rebound_m: number | null; rebound_low_m?: number; rebound_high_m?: number;
+  limit_rebound_m: number; limit_rebound_low_m?: number; limit_rebound_high_m?: number;
+  rebound_ratios: number[];
+}
+
 /** The law by which bats are swung with the same effort; see `SwingLaw`. */
 export interface EffortLaw {
   name: string;
   exponent: { value: number; low: number; high: number };
   axis_from_grip_m: number; axis_from_grip_low_m?: number; axis_from_grip_high_m?: number;
   lightest_moi_kg_m2: number; lightest_moi_low_kg_m2?: number; lightest_moi_high_kg_m2?: number;
+}
+
+/** Exit speeds along the bat, and the stretch S from the tip that the paper's limits leave. */
+export interface EndPicture {
+  position_m: number[];
+  exit_speed_m_s: number[];
+  rigid_exit_speed_m_s: number[];
+  sweet_spots: SweetSpotPlaces;
+  elastic_travel_m: number; elastic_travel_low_m?: number; elastic_travel_high_m?: number;
+  travel_m: number; travel_low_m?: number; travel_high_m?: number;
+}
+
+/** W over z for wood and metal, and what aluminium bats with other walls give. */
+export interface EnergyPicture {
+  share: number[];
+  wood_returned: number[];
+  metal_returned: number[];
+  wood: SpringPair;
+  metal: SpringPair;
+  walls: WallsOfBats;
 }
 
 /** Bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why. */
@@ -843,6 +892,18 @@ export interface OwnState {
   recordings: string[];
 }
 
+/** The paper's statements on one question with its formula's number and the full model's, and a picture. */
+export interface PaperPicture {
+  question: "end" | "percussion" | "corking" | "drop" | "energy" | "verdict";
+  rows: Statement[];
+  picture: EndPicture | PercussionPicture | CorkingPicture | DropPicture | EnergyPicture | VerdictPicture;
+  truth: Record<"us" | "si", string[]>;
+  live: Record<"us" | "si", string[]>;
+  ball: BallPicture;
+  bat: BatPicture;
+  conditions: HitConditions;
+}
+
 /** The question, what the paper leaves open, and the bat and swing of the full model. */
 export interface PaperState {
   bat: string;
@@ -881,6 +942,18 @@ export interface PaperState {
   metal_restitution: number;
   wood_share: number;
   metal_share: number;
+}
+
+/** Equation 9 along the paper's rod and the bat, each held where its control says. */
+export interface PercussionPicture {
+  position_m: number[];
+  rod_ratio: number[];
+  bat_ratio: number[];
+  moved_ratio: number[];
+  rod_percussion_m: number; rod_percussion_low_m?: number; rod_percussion_high_m?: number;
+  bat_percussion_m: number; bat_percussion_low_m?: number; bat_percussion_high_m?: number;
+  moved_percussion_m: number; moved_percussion_low_m?: number; moved_percussion_high_m?: number;
+  best_m: number; best_low_m?: number; best_high_m?: number;
 }
 
 /** The player's swings, the bat they were made with, and what is wanted. */
@@ -1064,6 +1137,30 @@ export interface SportsWords {
   sentences: Record<"us" | "si", string[]>;
 }
 
+/** The bat's share of the energy, and its restitution. */
+export interface SpringPair {
+  share: number; share_low?: number; share_high?: number;
+  restitution: number; restitution_low?: number; restitution_high?: number;
+}
+
+/** One statement of the paper, with its words for readers of either system. */
+export interface Statement {
+  equation: string;
+  quantity: string;
+  unit: string;
+  paper: number | string | null;
+  computed: number | string | null;
+  full_model: number | string | null;
+  comment: string;
+  words: Record<"us" | "si", StatementWords>;
+}
+
+/** Statement and comment of a row as readers of one system see them. */
+export interface StatementWords {
+  quantity: string;
+  comment: string;
+}
+
 /** One diameter of a bat that is drawn by stations. */
 export interface Station {
   position_m: number; position_low_m?: number; position_high_m?: number;
@@ -1163,6 +1260,14 @@ export interface UsualHit {
   park: string;
 }
 
+/** Exit speeds along the bat with every place that is called sweet. */
+export interface VerdictPicture {
+  position_m: number[];
+  exit_speed_m_s: number[];
+  rigid_exit_speed_m_s: number[];
+  sweet_spots: SweetSpotPlaces;
+}
+
 /** What a hollow bat's wall does in its best hit. */
 export interface WallInBestHit {
   thickness_m: number; thickness_low_m?: number; thickness_high_m?: number;
@@ -1177,6 +1282,15 @@ export interface WallMotion {
   dent_m: number[][];
   radius_m: number; radius_low_m?: number; radius_high_m?: number;
   wall_m: number; wall_low_m?: number; wall_high_m?: number;
+}
+
+/** What aluminium bats with other walls give in the full model. */
+export interface WallsOfBats {
+  thickness_m: number[];
+  share: number[];
+  returned: number[];
+  restitution: number[];
+  exit_speed_m_s: number[];
 }
 
 /** Mass properties, with half the 90 % interval of the swing weight; 0: it was measured. */

@@ -3,47 +3,42 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import asdict
-from functools import lru_cache
+from collections.abc import Mapping
+from dataclasses import dataclass
 from shlex import quote
-from typing import Any, Literal
+from typing import Literal
 
-import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.analysis.drop_test import bounce
-from sweetspot.answers.conditions import hit_conditions
-from sweetspot.answers.records import to_dict
-from sweetspot.dynamics.block import Block, Support
-from sweetspot.dynamics.rigid import centre_of_percussion, hand_impulse_ratio
-from sweetspot.equipment.ball import Ball
-from sweetspot.paper import formulas as paper
+from sweetspot.answers.conditions import HitConditions, hit_conditions
+from sweetspot.dynamics.block import Support
 from sweetspot.paper.chain import PARTS
-from sweetspot.paper.choices import RATIOS, Choices, can_be_drilled, corked_analysis
+from sweetspot.paper.choices import RATIOS, Choices
 from sweetspot.paper.formulas import Row
-from sweetspot.paper.metal_wall import metal_wall_point
 from sweetspot.paper.words import Number, Words
-from sweetspot.report.json_shapes import cleaned
-from sweetspot.report.quantities import SYSTEMS, Reader
+from sweetspot.report.paper.page_words import paper_words
+from sweetspot.report.quantities import SYSTEMS, Reader, System
 from sweetspot.report.sentences import Slot
 from sweetspot.units import INCH
 from sweetspot.web.bats import analysed
-from sweetspot.web.drawings import ball_picture, bat_picture, outline
-from sweetspot.web.errors import FieldError, about
+from sweetspot.web.documents import Sentences, in_both_systems
+from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
+from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import Name, SwungState
 from sweetspot.web.view import View
+from sweetspot.web.views.paper_pictures import (
+    PICTURES,
+    CorkingPicture,
+    DropPicture,
+    EndPicture,
+    EnergyPicture,
+    PercussionPicture,
+    VerdictPicture,
+)
 
 Question = Literal["end", "percussion", "corking", "drop", "energy", "verdict"]
-PLACES = 121
-MATERIALS = {"wood": "white-ash", "metal": "aluminium-7xxx"}
-THICKNESSES = (0.002, 0.003, 0.005, 0.008, 0.015, 0.03, 0.1)
-"""m, of the blocks in the picture of the drop experiment."""
-WALLS = (1.2, 1.0, 0.95, 0.9, 0.85, 0.7)
-"""Factors on the wall of the catalogue's aluminium bat in the picture of the energy."""
 
 
 class PaperState(SwungState):
@@ -66,7 +61,41 @@ class PaperState(SwungState):
     metal_share: float = Field(0.1, ge=0, le=1, description="z2")
 
 
-def answer(state: PaperState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class StatementWords:
+    """Statement and comment of a row as readers of one system see them."""
+
+    quantity: str
+    comment: str
+
+
+@dataclass(frozen=True)
+class Statement(Row):
+    """One statement of the paper, with its words for readers of either system."""
+
+    words: Mapping[System, StatementWords]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperPicture:
+    """The paper's statements on one question with its formula's number and the full model's, and a picture.
+
+    Parameters
+    ----------
+    truth, live : what the full model says, and the formulas with the numbers of now.
+    """
+
+    question: Question
+    rows: tuple[Statement, ...]
+    picture: EndPicture | PercussionPicture | CorkingPicture | DropPicture | EnergyPicture | VerdictPicture
+    truth: Sentences
+    live: Sentences
+    ball: BallPicture
+    bat: BatPicture
+    conditions: HitConditions
+
+
+def answer(state: PaperState) -> PaperPicture:
     """Return the paper's statements on one question with its formula's number and the full model's, and a picture."""
     analysis = analysed(state)
     choices = choices_of(state)
@@ -74,28 +103,32 @@ def answer(state: PaperState) -> dict[str, Any]:
     with about(control.get(state.question, "")):
         rows = list(PARTS[state.question](analysis, choices))
         picture = PICTURES[state.question](analysis, choices, rows)
+    truth, live = paper_words(state.question, analysis, choices, rows)
+    return PaperPicture(
+        question=state.question,
+        rows=tuple(Statement(**vars(row), words=_words(row)) for row in rows),
+        picture=picture,
+        truth=in_both_systems(truth),
+        live=in_both_systems(live),
+        ball=ball_picture(state, analysis.conditions.ball),
+        bat=bat_picture(state, analysis.reduced),
+        conditions=hit_conditions(analysis.conditions),
+    )
+
+
+def _words(row: Row) -> dict[System, StatementWords]:
     return {
-        "question": state.question,
-        "rows": [asdict(row) | {"words": _words(row)} for row in rows],
-        "picture": cleaned(picture),
-        "ball": ball_picture(state, analysis.conditions.ball),
-        "bat": bat_picture(state, analysis.reduced),
-        "conditions": to_dict(hit_conditions(analysis.conditions)),
+        system: StatementWords(_read(row.quantity, reader), _read(row.comment, reader))
+        for system, reader in SYSTEMS.items()
     }
 
 
-def _words(row: Row) -> dict[str, dict[str, str]]:
-    """Return statement and comment of a row as readers of either system see them."""
-    texts = {"quantity": row.quantity, "comment": row.comment}
-    return {system: {name: _read(text, reader) for name, text in texts.items()} for system, reader in SYSTEMS.items()}
-
-
 def _read(text: str, reader: Reader) -> str:
-    told = text.template.format(*(_told(one, reader) for one in text.numbers)) if isinstance(text, Words) else text
-    return told.replace(" - ", " \N{MINUS SIGN} ")
+    words = text.template.format(*(_number(part, reader) for part in text.numbers)) if isinstance(text, Words) else text
+    return words.replace(" - ", " \N{MINUS SIGN} ")
 
 
-def _told(number: Number, reader: Reader) -> str:
+def _number(number: Number, reader: Reader) -> str:
     """Return a number as the chain has it where that is the reader's unit, else in the reader's own."""
     slot = Slot(number.value, number.scale, digits=number.digits, round=True)
     return number.text if number.text.endswith(reader.behind(number.scale)) else slot.read(reader)
@@ -121,136 +154,6 @@ def choices_of(state: PaperState) -> Choices:
         wood_share=state.wood_share,
         metal_share=state.metal_share,
     )
-
-
-def _along(analysis: Analysis) -> dict[str, Any]:
-    along = analysis.scan
-    return {
-        "position_m": along.position,
-        "exit_speed_m_s": along.exit_speed,
-        "rigid_exit_speed_m_s": along.rigid_exit_speed,
-        "best_m": analysis.sweet_spots.max_exit_speed,
-        "zone_m": analysis.sweet_spots.zone,
-        "percussion_m": analysis.sweet_spots.center_of_percussion,
-    }
-
-
-def _end(analysis: Analysis, _choices: Choices, rows: list[Row]) -> dict[str, Any]:
-    """Return exit speeds along the bat, and the stretch S from the tip that the paper's limits leave."""
-    elastic = [row for row in rows if row.equation == "S"][-1]
-    assert isinstance(elastic.computed, float) and isinstance(elastic.full_model, float)
-    return {**_along(analysis), "elastic_travel_m": elastic.computed / 1e3, "travel_m": elastic.full_model / 1e3}
-
-
-def _percussion(analysis: Analysis, choices: Choices, _rows: list[Row]) -> dict[str, Any]:
-    """Return equation 9 along the paper's rod and the bat, each held where its control says."""
-    bat, body = analysis.bat, analysis.body
-    rod = paper.rod(bat.length, body.mass)
-    hands = analysis.conditions.hands.position
-    places = np.linspace(0, bat.length, PLACES)
-    moved = min(hands + choices.hands_moved, bat.length / 2)
-    return {
-        "position_m": places,
-        "rod_ratio": [paper.hand_force_ratio(rod, place, hands=choices.rod_hands) for place in places],
-        "bat_ratio": [hand_impulse_ratio(body, place, hands=hands) for place in places],
-        "moved_ratio": [hand_impulse_ratio(body, place, hands=moved) for place in places],
-        "rod_percussion_m": centre_of_percussion(rod, pivot=choices.rod_hands),
-        "bat_percussion_m": centre_of_percussion(body, pivot=hands),
-        "moved_percussion_m": centre_of_percussion(body, pivot=moved),
-        "rod_hands_m": choices.rod_hands,
-        "hands_m": hands,
-        "best_m": analysis.sweet_spots.max_exit_speed,
-    }
-
-
-def _corking(analysis: Analysis, choices: Choices, _rows: list[Row]) -> dict[str, Any]:
-    """Return the force of both hits over time, and the exit speeds along both bats at the same bat speed."""
-    if not can_be_drilled(analysis.bat):
-        raise FieldError(
-            "bat", f"{analysis.bat.name} is hollow, drilled already or without an outline; choose a solid wood bat"
-        )
-    other = corked_analysis(analysis.bat, choices, analysis.conditions)
-    return {
-        "time_s": analysis.best.times,
-        "force_n": analysis.best.force,
-        "corked_time_s": other.best.times,
-        "corked_force_n": other.best.force,
-        "position_m": analysis.scan.position,
-        "exit_speed_m_s": analysis.scan.exit_speed,
-        "corked_position_m": other.scan.position,
-        "corked_exit_speed_m_s": other.scan.exit_speed,
-        "corked_bat": outline(other.bat),
-    }
-
-
-def _drop(analysis: Analysis, choices: Choices, rows: list[Row]) -> dict[str, Any]:
-    """Return rebound heights of both blocks, and rebound over fall of blocks of every thickness held so."""
-    ball, height = analysis.conditions.ball, choices.drop_height
-    data: dict[str, Any] = {
-        "drop_height_m": height,
-        "thickness_m": THICKNESSES,
-        "block_thickness_m": choices.block_thickness,
-    }
-    for (name, key), row in zip(MATERIALS.items(), rows, strict=True):
-        data[name] = {
-            "rebound_m": row.full_model,
-            "limit_rebound_m": row.computed,
-            "rebound_ratios": _rebounds(key, choices.block_support, ball),
-        }
-    return data
-
-
-@lru_cache(maxsize=64)
-def _rebounds(material: str, support: Support, ball: Ball) -> list[float]:
-    """Return the rebound over the fall, from 1 m, for blocks of every thickness."""
-    blocks = (
-        Block(material=catalog.material(material), thickness=thickness, support=support) for thickness in THICKNESSES
-    )
-    return [bounce(block, ball=ball, height=1.0)[0] for block in blocks]
-
-
-def _energy(_analysis: Analysis, choices: Choices, _rows: list[Row]) -> dict[str, Any]:
-    """Return W over z for wood and metal, and what aluminium bats with other walls give in the full model."""
-    shares = np.linspace(0, 0.3, 61)
-
-    def returned(restitution: float) -> list[float]:
-        ball = choices.ball_restitution
-        return [
-            paper.energy_returned(bat_restitution=restitution, ball_restitution=ball, share=float(share))
-            for share in shares
-        ]
-
-    walls = [metal_wall_point(factor) for factor in WALLS]
-    return {
-        "share": shares,
-        "wood_returned": returned(choices.wood_restitution),
-        "metal_returned": returned(choices.metal_restitution),
-        "wood": {"share": choices.wood_share, "restitution": choices.wood_restitution},
-        "metal": {"share": choices.metal_share, "restitution": choices.metal_restitution},
-        "walls": {
-            "thickness_m": [wall.thickness for wall in walls],
-            "share": [wall.energy.share for wall in walls],
-            "returned": [wall.bbcor**2 for wall in walls],
-            "restitution": [wall.energy.restitution for wall in walls],
-            "exit_speed_m_s": [wall.exit_speed for wall in walls],
-        },
-    }
-
-
-def _verdict(analysis: Analysis, _choices: Choices, _rows: list[Row]) -> dict[str, Any]:
-    """Return exit speeds along the bat with every place that is called sweet."""
-    spots = asdict(analysis.sweet_spots)
-    return {**_along(analysis), "sweet_spots": {f"{name}_m": place for name, place in spots.items() if name != "zone"}}
-
-
-PICTURES: dict[str, Callable[[Analysis, Choices, list[Row]], dict[str, Any]]] = {
-    "end": _end,
-    "percussion": _percussion,
-    "corking": _corking,
-    "drop": _drop,
-    "energy": _energy,
-    "verdict": _verdict,
-}
 
 
 def recipe(state: PaperState) -> dict[str, str]:

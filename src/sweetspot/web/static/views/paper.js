@@ -7,7 +7,8 @@ import { inReadersUnit, make, tableOf, tell } from "../controls/parts.js";
 import { unbroken } from "../controls/tables.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
-/** @import { Answer, View } from "../shell/main.js" */
+/** @import { Statement } from "../answers.js" */
+/** @import { View } from "../shell/main.js" */
 /** @import { Asked } from "./paper_steps.js" */
 
 /** @type {View<"paper">} */
@@ -72,15 +73,17 @@ export const view = {
     this.steps[STEPS.indexOf(next)].focus();
   },
 
-  update(answer, state) {
+  update(answer) {
     const step = STEPS.find(({ key }) => key === answer.question) ?? STEPS[0];
+    this.answer = answer;
     this.bench.update(answer);
     if (this.shown !== step.key) this.show(step);
-    this.live.replaceChildren(...step.live(answer, state, this.app).map((source) => formulaRow("now", source, "")));
-    const truth = step.truth(answer, state, this.app);
+    const { units } = this.app;
+    this.live.replaceChildren(...answer.live[units].map((source) => formulaRow("now", source, "")));
+    const truth = answer.truth[units].join(" ");
     tell(this.truth, truth);
     this.app.announce(truth);
-    this.drawing.draw(answer, state);
+    this.drawing.draw(answer);
     this.app.afterwards(this.rows, () => {
       this.rows.replaceChildren(this.table_(answer.rows));
       typeset(this.rows);
@@ -105,9 +108,9 @@ export const view = {
     this.picture.replaceChildren(...this.drawing.elements);
   },
 
-  /** @param {Answer[]} rows */
+  /** @param {Statement[]} rows */
   table_(rows) {
-    const show = (/** @type {number} */ value, /** @type {string} */ unit) => (typeof value === "string" ? value : inReadersUnit(value, unit, this.app));
+    const show = (/** @type {Statement["paper"]} */ value, /** @type {string} */ unit) => (typeof value === "string" ? value : inReadersUnit(value, unit, this.app));
     return tableOf("Each statement: the paper's number or claim, its formula evaluated here, the full model", [
       "Statement", "Paper", "Its formula", "Full model",
     ], rows.map((row) => [
@@ -122,8 +125,8 @@ export const view = {
   },
 
   table() {
-    const { rows } = this.app.answer;
-    return Object.fromEntries(["equation", "quantity", "unit", "paper", "computed", "full_model", "comment"].map((key) => [key, rows.map((/** @type {Answer} */ row) => row[key])]));
+    const { rows } = this.answer;
+    return Object.fromEntries(/** @type {const} */ (["equation", "quantity", "unit", "paper", "computed", "full_model", "comment"]).map((key) => [key, rows.map((row) => row[key])]));
   },
 };
 
