@@ -17,6 +17,7 @@ import pytest
 from distributed.utils import get_mp_context
 
 from sweetspot.errors import InputError
+from sweetspot.season import cluster
 from sweetspot.season.cluster import run_on_cluster
 from sweetspot.season.plan import Plan, do_task, is_done
 from sweetspot.season.season_table import Season, analyse_season, run_here, season_columns, season_setting
@@ -40,18 +41,18 @@ def test_a_plan_has_every_row_once(alone: dict[str, str]) -> None:
     assert len(alone) == 3 * (5 + 4)
 
 
-def test_seven_workers_of_which_one_is_killed_give_the_same_bytes(
+def test_three_workers_of_which_one_is_killed_give_the_same_bytes(
     compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The first that does a task dies in the middle of it by its own real SIGKILL; the usual port is taken."""
-    monkeypatch.setattr("sweetspot.season.cluster._do", partial(dies_once, tmp_path / "died"))
+    monkeypatch.setattr(cluster, "_do", partial(dies_once, tmp_path / "died"))
     with ExitStack() as held:
         for host in ("127.0.0.1", "0.0.0.0"):
             taken = held.enter_context(socket.socket())
             with suppress(OSError):  # somebody has it already
                 taken.bind((host, USUAL_PORT))
                 taken.listen()
-        compute(tmp_path / "out", partial(run_on_cluster, workers=7))
+        compute(tmp_path / "out", partial(run_on_cluster, workers=3))
     assert (tmp_path / "died").exists()
     assert files_of(tmp_path / "out") == alone
     assert not list((tmp_path / "out").rglob(".*"))
@@ -61,7 +62,7 @@ def test_all_workers_lost_at_once_cost_nothing(
     compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With its last worker a cluster loses what was given to all of them, and forgets its tasks."""
-    monkeypatch.setattr("sweetspot.season.cluster._do", partial(dies_once, tmp_path / "died"))
+    monkeypatch.setattr(cluster, "_do", partial(dies_once, tmp_path / "died"))
     compute(tmp_path / "out", partial(run_on_cluster, workers=1))
     assert (tmp_path / "died").exists()
     assert files_of(tmp_path / "out") == alone

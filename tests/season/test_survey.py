@@ -14,7 +14,7 @@ import pytest
 from sweetspot.answers.season import SeasonQuestion, season_answer
 from sweetspot.errors import InputError
 from sweetspot.report.season.document import season_document
-from sweetspot.season import csv_copy, duplicates, rows
+from sweetspot.season import csv_copy, duplicates, plan, rows
 from sweetspot.season.balls import balls_of
 from sweetspot.season.batters import require_batter
 from sweetspot.season.rows import REASONS, USED, rows_of
@@ -177,7 +177,7 @@ def test_rows_of_csv_are_numbered_as_a_spreadsheet_shows_them(
              "Total,1182,", "c,95,12", "d,998,12"]  # fmt: skip
     path.write_bytes(ends.join([*lines, ""]).encode())
     sheet = {"90": 4, "999": 7, "95": 9, "998": 10}  # the remark of two lines is one row of the sheet
-    monkeypatch.setattr("sweetspot.season.plan.TASK_ROWS", 2)
+    monkeypatch.setattr(plan, "TASK_ROWS", 2)
     answer = season_answer(SeasonQuestion(paths=[path], contact=False, folder=tmp_path / "out"))
     season, rows = answer.season, {warning.name: warning.first_rows for warning in answer.warnings}
     assert rows["impossible"] == [sheet["999"], sheet["998"]]
