@@ -21,7 +21,7 @@ from sweetspot.dynamics.rigid import effective_mass, pendulum_period
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.interpolants import top
 from sweetspot.player.expected_gain import DRAWS, SWINGS
-from sweetspot.player.posterior import NOTHING_LEARNED, WALKERS
+from sweetspot.player.posterior import NOTHING_LEARNED
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.collision import rigid_wall
 from sweetspot.validation.computations.optimum import best
@@ -56,7 +56,6 @@ def facts() -> dict[str, str]:
 def _player() -> dict[str, str]:
     """Return how a player is fitted."""
     return {
-        "player_walkers": str(WALKERS),
         "player_nothing": f"{NOTHING_LEARNED:g}",
         "player_draws": str(DRAWS),
         "player_swings": str(SWINGS),

@@ -12,20 +12,11 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.player import posterior
 from sweetspot.player.prior import natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import MPH
 
 Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture(autouse=True)
-def short_fits(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Fewer steps than people get: the command's way is tested here, the fit elsewhere."""
-    monkeypatch.setattr(posterior.fit_player, "__kwdefaults__", {
-        "seed": 1, "steps": 60, "warm_up": 40, "progress": None,
-    })  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -34,7 +34,7 @@ from sweetspot.player.expected_gain import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table
 from sweetspot.player.model import player_model
 from sweetspot.player.player_swing import PlayerSwing, fault_of
-from sweetspot.player.posterior import PlayerPosterior, fit_player, walked
+from sweetspot.player.posterior import PlayerPosterior, fit_player
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.player.swings import SwingFile, read_swings
@@ -54,7 +54,7 @@ AIR, DRAG = Air(), aerodynamics()
 @pytest.fixture(scope="module")
 def posterior() -> PlayerPosterior:
     swings = simulated_swings(natural(np.zeros(10)), bats=[OWN], ball=BALL, count=40, pitch_speed=PITCH, seed=2)
-    return walked(player_model(swings, bat=OWN, ball=BALL), steps=150, warm_up=150)
+    return fit_player(player_model(swings, bat=OWN, ball=BALL))
 
 
 @pytest.fixture(scope="module")

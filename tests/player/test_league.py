@@ -10,7 +10,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
 from sweetspot.player import league
-from sweetspot.player.league import Told, own_share, population_of, population_told
+from sweetspot.player.league import SwingEvidence, likeliest_population, own_share, population_of
 from sweetspot.player.model import player_model
 from sweetspot.player.posterior import PlayerPosterior, fit_player, refitted
 from sweetspot.player.prior import ANYBODY, NAMES, Population, natural, standardised
@@ -26,7 +26,7 @@ def test_the_slope_is_that_of_the_height() -> None:
     """Exact: central differences of the height in every mean and logarithm of a variance."""
     draw = np.random.default_rng(3).standard_normal
     roots = draw((6, 3, 3))
-    told = Told(roots @ roots.transpose(0, 2, 1), draw((6, 3)))
+    told = SwingEvidence(roots @ roots.transpose(0, 2, 1), draw((6, 3)))
     place = np.array([0.3, -0.2, 0.5, -0.7, 0.1, -1.2])
 
     def height(at: Array) -> tuple[float, Array]:
@@ -39,7 +39,7 @@ def test_the_slope_is_that_of_the_height() -> None:
 
 def test_what_no_swing_tells_keeps_its_prior() -> None:
     """Exact: half of the prior's variance between leagues and half within are the prior, but for the model's doubt."""
-    found = population_told(Told(np.zeros((30, 2, 2)), np.zeros((30, 2))))
+    found = likeliest_population(SwingEvidence(np.zeros((30, 2, 2)), np.zeros((30, 2))))
     assert found.mean == pytest.approx(np.zeros(2), abs=1e-6)
     assert found.spread**2 == pytest.approx(np.full(2, 1 + league.MODEL_DOUBT**2), abs=1e-3)
 
@@ -49,7 +49,7 @@ def test_a_told_league_comes_back_through_noise() -> None:
     generator = np.random.default_rng(5)
     truth, precision = generator.normal(0.8, 0.3, 600), generator.uniform(4, 16, 600)
     seen = truth + generator.standard_normal(600) / np.sqrt(precision)
-    found = population_told(Told(precision[:, None, None], (precision * seen)[:, None]))
+    found = likeliest_population(SwingEvidence(precision[:, None, None], (precision * seen)[:, None]))
     assert found.mean[0] == pytest.approx(0.8, abs=0.07)
     assert np.sqrt(found.spread[0] ** 2 - league.MODEL_DOUBT**2) == pytest.approx(0.3, abs=0.08)
 

@@ -103,7 +103,6 @@ class FittedParameter(ParameterRange):
     prior: ParameterRange
     width_ratio: float
     told_by_data: bool
-    split_r_hat: float
     independent_draws: float
 
 
@@ -210,7 +209,7 @@ class FitPlayerAnswer(Answer):
     ----------
     pitch_speed : at the plate, that the answers hold for.
     bat_speed_from_tip : where bat speed is measured.
-    converged : whether the draws have mixed well.
+    converged : whether enough of the draws count.
     parameters : of the player, by name.
     now : what is expected with the player's own bat.
     options : bats tried, the best first.
@@ -287,11 +286,9 @@ def fit_player_answer(question: FitPlayerQuestion, *, progress: Progress | None 
     InputError
         for a file that cannot be read, or tells too little of one player.
     """
-    begin = progress or (lambda _: nullcontext())
     swings = read_player(question)
-    with begin("reading the swings") as report:
-        posterior = player_posterior(swings, report)
-    with begin("trying bats") as report:
+    posterior = player_posterior(swings)
+    with (progress or (lambda _: nullcontext()))("trying bats") as report:
         advice = player_advice(question, posterior, report)
     return player_answer(swings, advice)
 
@@ -355,7 +352,6 @@ def _fitted_parameter(learned: Learned) -> FittedParameter:
         prior=parameter_range(learned.name, learned.before),
         width_ratio=learned.width_ratio,
         told_by_data=learned.told,
-        split_r_hat=learned.mixing,
         independent_draws=learned.independent_draws,
     )
 

@@ -17,7 +17,7 @@ from sweetspot.player.advice import Advice, advise
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import PlayerModel, bats_of, player_model
 from sweetspot.player.player_swing import check_enough
-from sweetspot.player.posterior import Method, PlayerPosterior, fit_player
+from sweetspot.player.posterior import PlayerPosterior, fit_player
 from sweetspot.player.swing_table import one_name
 from sweetspot.player.swings import MOST_SWINGS, SwingFile, evenly, read_swings
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
@@ -45,7 +45,7 @@ class FitPlayerQuestion:
     goal : what the player wants more of.
     other_bats : to try, besides changes of the player's own and the bats of the file.
     air : that balls fly in.
-    method, seed : of the draws; see `sweetspot.player.posterior.fit_player`.
+    seed : of the random numbers.
     """
 
     file: Path
@@ -61,7 +61,6 @@ class FitPlayerQuestion:
     goal: Goal = field(default_factory=Goal)
     other_bats: Sequence[Bat] = ()
     air: Air = field(default_factory=Air)
-    method: Method = "draws"
     seed: int = 1
 
     def ball_for(self, bat: Bat) -> str:
@@ -153,10 +152,9 @@ def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> P
     return PlayerSwings(question, file, own, {name: bat for name, bat in bats.items() if name not in same})
 
 
-def player_posterior(swings: PlayerSwings, progress: Callable[[int, int], None] | None = None) -> PlayerPosterior:
+def player_posterior(swings: PlayerSwings) -> PlayerPosterior:
     """Return what swings say about the player's parameters."""
-    question = swings.question
-    return fit_player(swings.model(), method=question.method, seed=question.seed, progress=progress)
+    return fit_player(swings.model(), seed=swings.question.seed)
 
 
 def player_advice(

@@ -53,10 +53,6 @@ class WantedOptions:
     try_bat: Annotated[
         list[str] | None, Parameter(name="--try", help="Another bat to try on the player; may be given again.")
     ] = None
-    sampler: Annotated[
-        Literal["draws", "walkers"],
-        Parameter(help="draws: weighted ones, in about a second; walkers: an ensemble that walks, ten times longer."),
-    ] = "draws"
     seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same answers.")] = 1
 
 
@@ -102,7 +98,6 @@ def fit_player(
         goal=goal,
         other_bats=[catalog.load_bat(name) for name in wanted.try_bat or []],
         air=air_of(air),
-        method=wanted.sampler,
         seed=wanted.seed,
     )
     if given.batter == ALL:

@@ -149,17 +149,17 @@ def advise(
     progress : called with (bats done, bats in all).
     """
     model = posterior.model
-    speeds = [one.pitch_speed for one in model.swings if one.pitch_speed is not None]
+    speeds = [swing.pitch_speed for swing in model.swings if swing.pitch_speed is not None]
     pitch = pitch_speed if pitch_speed is not None else median(speeds or [0.0])
     carries = None
     if goal.name != "exit-speed":
         carries = carry_table(model, pitch_speed=pitch, aerodynamics=aerodynamics, air=air)
     asked = expectation(posterior, goal=goal, pitch_speed=pitch, carries=carries, seed=posterior.seed)
-    own = model.bats[0]
-    now = asked.of(own)
-    tried, not_read = candidates(own.bat, others, swung=[table.bat for table in model.bats[1:]])
+    reference = model.bats[0]
+    now = asked.of(reference)
+    tried, not_read = candidates(reference.bat, others, swung=[table.bat for table in model.bats[1:]])
     options, with_key, not_met = _tried(asked, tried, now, progress)
-    by_key = {f"bat:{own.bat.name}": now, **with_key}
+    by_key = {f"bat:{reference.bat.name}": now, **with_key}
     named = {key.removeprefix("bat:"): gained for key, gained in by_key.items() if key.startswith("bat:")}
     pairs, seldom = compared_pairs(measured_bats(model), named, goal=goal)
     place, place_gain, curve = _best_place(asked, PLACES, "position", now)
@@ -179,7 +179,9 @@ def advise(
         contact_curve=curve,
         height_point=height,
         height_gain=height_gain,
-        worth={key: Worth(key, change, interval(asked.of(own, change) - now)) for key, change in _changes().items()},
+        worth={
+            key: Worth(key, change, interval(asked.of(reference, change) - now)) for key, change in _changes().items()
+        },
     )
 
 
@@ -187,11 +189,11 @@ def _tried(
     asked: Expectation, bats: Sequence[Candidate], now: Array, progress: Callable[[int, int], None] | None
 ) -> tuple[list[Option], dict[str, Array], list[str]]:
     """Return what is expected with each bat: as options, by key over the draws; and what was wrong with the others."""
-    own, model = asked.model.bats[0], asked.model
+    reference, model = asked.model.bats[0], asked.model
     options, by_key, faults = [], {}, []
     for number, candidate in enumerate(bats, start=1):
         try:
-            table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
+            table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=reference)
         except SweetspotError as error:
             faults.append(f"{candidate.label}: {error}")
             continue
@@ -222,9 +224,9 @@ def _changes() -> dict[str, Change]:
 
 def _best_place(asked: Expectation, grid: Array, what: str, now: Array) -> tuple[Interval, Interval, Array]:
     """Return where the mean contact should lie, what that brings, and the expected goal all over the grid."""
-    own = asked.model.bats[0]
+    reference = asked.model.bats[0]
     mean = asked.draws[:, NAMES.index(what)]
-    values = np.array([asked.of(own, NO_CHANGE, **{what: np.full_like(mean, place)}) for place in grid])
+    values = np.array([asked.of(reference, NO_CHANGE, **{what: np.full_like(mean, place)}) for place in grid])
     best, height = np.empty(len(mean)), np.empty(len(mean))
     for draw in range(len(mean)):
         index, shift, height[draw] = top(values[:, draw])

@@ -46,8 +46,8 @@ def measured_bats(model: PlayerModel) -> tuple[MeasuredBat, ...]:
         if swings:
             swung.append(
                 MeasuredBat(
-                    table.bat, len(swings), mean_with_interval([one.bat_speed for one in swings]),
-                    mean_with_interval([one.exit_speed for one in swings]),
+                    table.bat, len(swings), mean_with_interval([swing.bat_speed for swing in swings]),
+                    mean_with_interval([swing.exit_speed for swing in swings]),
                 )
             )  # fmt: skip
     return tuple(swung)
@@ -63,11 +63,11 @@ def mean_with_interval(values: Sequence[float | None]) -> Interval | None:
     """
     from scipy.special import stdtrit
 
-    known = np.array([value for value in values if value is not None])
-    if len(known) < FEWEST_OF_A_BAT:
+    measured = np.array([value for value in values if value is not None])
+    if len(measured) < FEWEST_OF_A_BAT:
         return None
-    half = float(stdtrit(len(known) - 1, ENDS[1])) * float(known.std(ddof=1)) / math.sqrt(len(known))
-    middle = float(known.mean())
+    half = float(stdtrit(len(measured) - 1, ENDS[1])) * float(measured.std(ddof=1)) / math.sqrt(len(measured))
+    middle = float(measured.mean())
     return Interval(middle, middle - half, middle + half)
 
 
@@ -126,10 +126,10 @@ def compared_pairs(
     gained : of every bat by name, the expected goal for every draw, shape (draws,), with the same draws and swings.
     goal : what is wanted.
     """
-    known = [one for one in swung if one.count >= FEWEST_OF_A_BAT and one.bat.name in gained]
-    known.sort(key=lambda one: -float(np.median(gained[one.bat.name])))
+    comparable = [bat for bat in swung if bat.count >= FEWEST_OF_A_BAT and bat.bat.name in gained]
+    comparable.sort(key=lambda bat: -float(np.median(gained[bat.bat.name])))
     pairs = []
-    for first, second in combinations(known, 2):
+    for first, second in combinations(comparable, 2):
         more = gained[first.bat.name] - gained[second.bat.name]
         pairs.append(
             BatPair(
@@ -137,7 +137,7 @@ def compared_pairs(
                 difference(first.exit_speed, second.exit_speed), goal,
             )
         )  # fmt: skip
-    return tuple(pairs), tuple(one.bat.name for one in swung if one.count < FEWEST_OF_A_BAT)
+    return tuple(pairs), tuple(bat.bat.name for bat in swung if bat.count < FEWEST_OF_A_BAT)
 
 
 def difference(first: Interval | None, second: Interval | None) -> Interval | None:

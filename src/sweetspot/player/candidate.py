@@ -96,7 +96,7 @@ def lengthened(bat: Bat, distance: float, *, mass: float) -> Bat:
     Parameters
     ----------
     distance : m, added to the length.
-    mass : kg of the bat, kept; hollow bats keep their wall instead.
+    mass : kg of the bat, which stays; hollow bats keep their wall instead.
     """
     length = bat.length + distance
     factor = length / bat.length

@@ -30,9 +30,9 @@ NEEDED = ("bat_speed", "exit_speed")
 DATE_FORMATS = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%b %d, %Y", "%B %d, %Y", "%d.%m.%Y")
 
 
-def is_heading_line(cells: Sequence[str], told: frozenset[str] = frozenset()) -> bool:
+def is_heading_line(cells: Sequence[str], named: frozenset[str] = frozenset()) -> bool:
     """Return whether a line holds column names: one of them names bat speed or exit speed, or a person named it."""
-    return names_one_of(cells, NEEDED) or any(cell.strip() in told for cell in cells)
+    return names_one_of(cells, NEEDED) or any(cell.strip() in named for cell in cells)
 
 
 def columns_of(headings: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, file_name: str) -> Headings:

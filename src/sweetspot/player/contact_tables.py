@@ -48,7 +48,7 @@ MISSED = math.pi
 MIDDLE = 2
 """Which of the swings is the usual one."""
 SLOWEST, MOST_KEPT = 3.0, 3.0
-"""m/s head-on, and part kept, beyond which a place gives nothing back and is hit by accident only."""
+"""m/s head-on, and part retained, beyond which a place gives nothing back and is hit by accident only."""
 MEASURED = 6 * INCH
 """m from the tip where bat speed is measured, near enough for a ratio of speeds."""
 SPREADS = ("swing_tilt", "pitch_descent", "pitch_backspin")
@@ -60,7 +60,7 @@ KEPT_TABLES = 256
 
 @dataclass(frozen=True, eq=False)
 class ContactTable:
-    """One bat's answers; the same object for the same bat, so it is compared and kept by what it is.
+    """One bat's answers; the same object for the same bat, so it is compared and retained by what it is.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ class ContactTable:
     efficiency, efficiency_slope : q at no closing speed, as the straight line would have it, and its change per m/s;
         shape of ``from_tip``.
     offset : m of the ball's centre above the bat's axis, increasing, evenly spaced.
-    kept : part of the exit speed in line with the swing that is left, shape (steeper, places / 4, ratios, offsets).
+    retained : part of the exit speed in line with the swing that is left, shape (steeper, places / 4, ratios, offsets).
     deflection : rad, launch angle minus attack angle, same shape; `MISSED` where there is no hit.
     unsteady : rad, by how much the deflection scatters since tilt, descent and spin differ from swing to swing, shape
         (ratios, offsets).
@@ -82,7 +82,7 @@ class ContactTable:
     efficiency: Array
     efficiency_slope: Array
     offset: Array
-    kept: Array
+    retained: Array
     deflection: Array
     unsteady: Array
 
@@ -98,8 +98,8 @@ class ContactTable:
 
     @property
     def usual(self) -> tuple[Array, Array]:
-        """Part kept and deflection of the usual attack angle at `BARREL`, each of shape (ratios, offsets)."""
-        return self.kept[MIDDLE, self.barrel], self.deflection[MIDDLE, self.barrel]
+        """Part retained and deflection of the usual attack angle at `BARREL`, each of shape (ratios, offsets)."""
+        return self.retained[MIDDLE, self.barrel], self.deflection[MIDDLE, self.barrel]
 
 
 def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | None = None) -> ContactTable:
@@ -132,31 +132,31 @@ def _made(bat: Bat, ball: Ball, axis: float, like: ContactTable | None) -> Conta
     slope = (fast - slow) / (FAST - SLOW)
     if like is None:
         q = (slow - slope * SLOW)[::EVERY], slope[::EVERY]
-        offset, kept, deflection, unsteady = _off_centre(model, ball, from_tip[::EVERY], q)
+        offset, retained, deflection, unsteady = _off_centre(model, ball, from_tip[::EVERY], q)
     else:
-        offset, kept, deflection, unsteady = like.offset, like.kept, like.deflection, like.unsteady
+        offset, retained, deflection, unsteady = like.offset, like.retained, like.deflection, like.unsteady
     return ContactTable(
         bat=bat, moi=model.body.moi(bat.choke + axis), from_tip=from_tip, efficiency=slow - slope * SLOW,
-        efficiency_slope=slope, offset=offset, kept=kept, deflection=deflection, unsteady=unsteady,
+        efficiency_slope=slope, offset=offset, retained=retained, deflection=deflection, unsteady=unsteady,
     )  # fmt: skip
 
 
 def _efficiency(model: ReducedBat[Bat], ball: Ball, from_tip: Array, speed: float) -> Array:
     place = model.bat.length - np.minimum(from_tip, 0.6 * model.bat.length)
-    done = hits(model.modes, ball=ball, position=place, closing_speed=speed)
-    known = np.isfinite(done.collision_efficiency)
-    if known.sum() < PLACES // 2:
+    impacts = hits(model.modes, ball=ball, position=place, closing_speed=speed)
+    found = np.isfinite(impacts.collision_efficiency)
+    if found.sum() < PLACES // 2:
         raise InputError(f"{model.bat.name} does not send the ball back on most of its barrel; check its wall")
-    return np.interp(from_tip, from_tip[known], done.collision_efficiency[known])
+    return np.interp(from_tip, from_tip[found], impacts.collision_efficiency[found])
 
 
 def _off_centre(
     model: ReducedBat[Bat], ball: Ball, places: Array, q: tuple[Array, Array]
 ) -> tuple[Array, Array, Array, Array]:
-    """Return offsets, part kept, deflection, and what the deflection scatters by; shapes of `ContactTable`.
+    """Return offsets, part retained, deflection, and what the deflection scatters by; shapes of `ContactTable`.
 
-    What is kept is a part of what q, at no closing speed and its change with that, gives a ball met in line with the
-    swing: so hits of the table are those of the collision, whatever their angle.
+    What is retained is a part of what q, at no closing speed and its change with that, gives a ball met in line with
+    the swing: so hits of the table are those of the collision, whatever their angle.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def _off_centre(
     there = BAT_SPEEDS * _arm(model, places)[:, None]
     closing = RATIOS * BAT_SPEEDS + there
     head_on = (q[0][:, None] + q[1][:, None] * closing) * closing + there
-    kept = np.clip(speed / np.maximum(head_on, SLOWEST)[..., None], 0.0, MOST_KEPT)
+    retained = np.clip(speed / np.maximum(head_on, SLOWEST)[..., None], 0.0, MOST_KEPT)
     middle = [part[MIDDLE : MIDDLE + 1, np.argmin(np.abs(places - BARREL))][:, None] for part in grid]
     changes = []
     for name in SPREADS:
@@ -179,7 +179,7 @@ def _off_centre(
         ends = [_turned(model, ball, middle, {name: fixed(name) + sign * spread})[1] for sign in (-1, 1)]
         changes.append(np.where(np.abs(np.array(ends)).max(axis=0) < MISSED, ends[1] - ends[0], 0.0)[0, 0] / 2)
     deflection = np.where(launch < MISSED, launch - grid[0], MISSED)
-    return offset, kept, deflection, np.sqrt(np.sum(np.square(changes), axis=0))
+    return offset, retained, deflection, np.sqrt(np.sum(np.square(changes), axis=0))
 
 
 def _turned(
@@ -196,17 +196,17 @@ def _turned(
     lifting = np.array([-usual["pitch_backspin"], 0.0, 0.0])  # of a ball that comes in along -y
     axes = path_axes(attack, 0.0, tilt=steep_enough(usual["swing_tilt"], attack), left=False)
     ahead = np.array([0.0, -math.cos(usual["pitch_descent"]), -math.sin(usual["pitch_descent"])])
-    done = strikes(
+    struck = strikes(
         model,
         ball=ball,
         swings=Swings(bat_speed * _arm(model, place), axes),
         pitches=BallMotions(velocity=(ratio * bat_speed)[:, None] * ahead, spin=(ratio > 0)[:, None] * lifting),
         contact=Contact(model.bat.length - place, above),
     )
-    out = done.velocity
+    out = struck.velocity
     launch = np.where(out[:, 1] > 0, np.arctan2(out[:, 2], np.hypot(out[:, 0], out[:, 1])), MISSED)
     shape = grid[0].shape
-    return np.nan_to_num(done.exit_speed).reshape(shape), launch.reshape(shape)
+    return np.nan_to_num(struck.exit_speed).reshape(shape), launch.reshape(shape)
 
 
 def _arm(model: ReducedBat[Bat], place: Array) -> Array:

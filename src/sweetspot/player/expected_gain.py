@@ -111,14 +111,14 @@ class Expectation:
 
     def _in_hand(self, table: ContactTable) -> BatInHand:
         """Return a bat's tables; what counts as a hit is the own bat's, so that the same swings count for all."""
-        own, arm = self.model.bats[0], table.bat.length - table.bat.choke
+        reference, arm = self.model.bats[0], table.bat.length - table.bat.choke
         return BatInHand(
-            arm=arm, measured_arm=arm - self.model.speed_from_tip, reach=float(own.from_tip[-1]),
-            farthest=farthest_offset(own), place_step=float(table.from_tip[1] - table.from_tip[0]),
+            arm=arm, measured_arm=arm - self.model.speed_from_tip, reach=float(reference.from_tip[-1]),
+            farthest=farthest_offset(reference), place_step=float(table.from_tip[1] - table.from_tip[0]),
             efficiency=table.efficiency, efficiency_slope=table.efficiency_slope, offset_start=float(table.offset[0]),
             offset_step=float(table.offset[1] - table.offset[0]), ratio_start=float(RATIOS[0]),
             ratio_step=float(RATIOS[1] - RATIOS[0]), kept_step=float(table.places[1] - table.places[0]),
-            kept=table.kept[MIDDLE], barrel=table.barrel,
+            retained=table.retained[MIDDLE], barrel=table.barrel,
         )  # fmt: skip
 
     def _wanted(self) -> WantedOfHit:

@@ -13,7 +13,7 @@ SPEED, CARRY, LINE = 0, 1, 2
 INSIDE = 1.000001
 """The last place of a grid that has a neighbour is so many steps before its end."""
 LEAST_KEPT = 0.1
-"""Of the exit speed at the barrel: less is kept by grazing hits alone."""
+"""Of the exit speed at the barrel: less is retained by grazing hits alone."""
 SLOWEST = 1.0
 """m/s of the bat, below which pitch over bat speed is not followed."""
 
@@ -30,7 +30,7 @@ class BatInHand(NamedTuple):
     offset_start, offset_step : m.
     ratio_start, ratio_step : of pitch speed over bat speed.
     kept_step : m between the places of the next.
-    kept : (places, ratios, offsets).
+    retained : (places, ratios, offsets).
     barrel : which of these places the carries are made for.
     """
 
@@ -46,7 +46,7 @@ class BatInHand(NamedTuple):
     ratio_start: float
     ratio_step: float
     kept_step: float
-    kept: Array
+    retained: Array
     barrel: int
 
 
@@ -113,7 +113,7 @@ def _bracket(at: float, count: int) -> tuple[int, float]:
 
 
 @inner(inline="always", error_model="numpy")
-def _kept(table: Array, i: int, down: float, j: int, side: float) -> float:
+def _retained(table: Array, i: int, down: float, j: int, side: float) -> float:
     """Return the straight line between four neighbours of a table of ratios and offsets."""
     left = table[i, j] * (1 - down) + table[i + 1, j] * down
     right = table[i, j + 1] * (1 - down) + table[i + 1, j + 1] * down
@@ -139,8 +139,8 @@ def _carry(grid: CarryGrid, exit_speed: float, offset: float, attack: float) -> 
 @compiled(nogil=True, error_model="numpy")
 def fill_carries(grid: CarryGrid, exit_speed: Array, offset: Array, attack_angle: Array, carry: Array) -> None:
     """Fill the carry in m of hits, all of one shape (n,)."""
-    for one in range(len(carry)):
-        carry[one] = _carry(grid, exit_speed[one], offset[one], attack_angle[one])
+    for hit in range(len(carry)):
+        carry[hit] = _carry(grid, exit_speed[hit], offset[hit], attack_angle[hit])
 
 
 @compiled(nogil=True, error_model="numpy")
@@ -158,13 +158,13 @@ def fill_gains(bat: BatInHand, wanted: WantedOfHit, swings: Scattered, pitch: fl
     per_ratio, per_offset = 1 / bat.ratio_step, 1 / bat.offset_step
     for row in range(draws):
         total, hits = 0.0, 0
-        for one in range(count):
-            place = swings.position[row] + swings.position_spread[row] * swings.normal[1, row, one]
-            above = swings.offset[row] + swings.offset_spread[row] * swings.normal[2, row, one]
+        for swing in range(count):
+            place = swings.position[row] + swings.position_spread[row] * swings.normal[1, row, swing]
+            above = swings.offset[row] + swings.offset_spread[row] * swings.normal[2, row, swing]
             if not (0 <= place <= bat.reach and abs(above) <= bat.farthest):
                 continue
             hits += 1
-            speed = swings.speed[row] + swings.speed_spread[row] * swings.normal[0, row, one]
+            speed = swings.speed[row] + swings.speed_spread[row] * swings.normal[0, row, swing]
             there = speed * (bat.arm - place) * per_arm
             closing = pitch + there
             low, part = _bracket(place * per_place, len(bat.efficiency))
@@ -172,16 +172,18 @@ def fill_gains(bat: BatInHand, wanted: WantedOfHit, swings: Scattered, pitch: fl
             rise = bat.efficiency_slope[low] + part * (bat.efficiency_slope[low + 1] - bat.efficiency_slope[low])
             head_on = max((still + swings.shift[row] + closing * rise) * closing + there, 0.0)
             ratio = pitch / max(speed, SLOWEST)
-            i, down = _bracket((ratio - bat.ratio_start) * per_ratio, bat.kept.shape[1])
-            j, side = _bracket((above - bat.offset_start) * per_offset, bat.kept.shape[2])
-            k, along = _bracket(place / bat.kept_step, bat.kept.shape[0])
-            here = (1 - along) * _kept(bat.kept[k], i, down, j, side) + along * _kept(bat.kept[k + 1], i, down, j, side)
+            i, down = _bracket((ratio - bat.ratio_start) * per_ratio, bat.retained.shape[1])
+            j, side = _bracket((above - bat.offset_start) * per_offset, bat.retained.shape[2])
+            k, along = _bracket(place / bat.kept_step, bat.retained.shape[0])
+            near = _retained(bat.retained[k], i, down, j, side)
+            far = _retained(bat.retained[k + 1], i, down, j, side)
+            here = (1 - along) * near + along * far
             if wanted.kind == SPEED:
                 total += head_on * here
                 continue
-            attack = swings.attack[row] + swings.attack_spread * swings.normal[3, row, one]
+            attack = swings.attack[row] + swings.attack_spread * swings.normal[3, row, swing]
             # the carries are those of hits at the barrel, that keep another part
-            usual = _kept(bat.kept[bat.barrel], i, down, j, side)
+            usual = _retained(bat.retained[bat.barrel], i, down, j, side)
             carry = _carry(wanted.grid, head_on * here / max(usual, LEAST_KEPT), above, attack)
             if wanted.kind == CARRY:
                 total += carry

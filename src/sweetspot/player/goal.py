@@ -111,28 +111,32 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     ----------
     pitch_speed : m/s at the plate.
     """
-    own = model.bats[0]
-    bat = reduced_bat(own.bat, ball=model.ball)
-    offset = np.linspace(own.offset[0], own.offset[-1], OFFSET_COUNT)
+    reference = model.bats[0]
+    bat = reduced_bat(reference.bat, ball=model.ball)
+    offset = np.linspace(reference.offset[0], reference.offset[-1], OFFSET_COUNT)
     attack, above = (grid.ravel() for grid in np.meshgrid(ATTACKS, offset, indexing="ij"))
     descent = fixed("pitch_descent")
     pitch = pitch_speed * np.array([0.0, -math.cos(descent), -math.sin(descent)])
-    done = strikes(
+    struck = strikes(
         bat,
         ball=model.ball,
         swings=Swings(BAT_SPEED, path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False)),
         pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
-        contact=Contact(own.bat.length - BARREL, above),
+        contact=Contact(reference.bat.length - BARREL, above),
     )
     efficiency = float(
-        np.interp(BARREL, own.from_tip, own.efficiency + (pitch_speed + BAT_SPEED) * own.efficiency_slope)
+        np.interp(
+            BARREL,
+            reference.from_tip,
+            reference.efficiency + (pitch_speed + BAT_SPEED) * reference.efficiency_slope,
+        )
     )
     head_on = efficiency * (pitch_speed + BAT_SPEED) + BAT_SPEED
     scale = np.repeat(SPEEDS / head_on, len(above))[:, None]
     flown = flights(
         BallMotions(
-            velocity=np.tile(done.velocity, (len(SPEEDS), 1)) * scale,
-            spin=np.tile(done.spin, (len(SPEEDS), 1)) * scale,
+            velocity=np.tile(struck.velocity, (len(SPEEDS), 1)) * scale,
+            spin=np.tile(struck.spin, (len(SPEEDS), 1)) * scale,
             position=np.array([0.0, FORWARD, HEIGHT]),
         ),
         FlightConditions(ball=model.ball, aerodynamics=aerodynamics, air=air),

@@ -4,7 +4,7 @@ From the likeliest parameters and the curvature there (Laplace) begins a mixture
 along the contact point, which swings tell worst: it has two sides, and what else is likely bends with it. The mixture
 is fitted to the weighted draws, round by round [cappe2008]. No draw is thrown away: each is weighted by how likely it
 is against how often the mixtures of all rounds together give it [cornuet2012]. Their effective number says when that is
-enough; `posterior.fit_player` walks where it never is.
+enough.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ def importance_draws(log_density: Density, *, along: int, skewed: int, size: int
     return _drawn_on(nothing, mixture, log_density, rounds=ROUNDS, seed=seed)
 
 
-def drawn_further(known: Weighted, heights: Array, log_density: Density, *, seed: int) -> Weighted:
+def drawn_further(before: Weighted, heights: Array, log_density: Density, *, seed: int) -> Weighted:
     """Return weighted draws of another density not far from that of draws that there are, which count again.
 
     Parameters
@@ -110,16 +110,16 @@ def drawn_further(known: Weighted, heights: Array, log_density: Density, *, seed
     heights : shape (draws,), logarithm of the other density at each of them.
     log_density : of rows of parameters, the other density.
     """
-    again = _weighted(known.draws, heights, known.mixtures)
+    again = _weighted(before.draws, heights, before.mixtures)
     if again.effective > GOOD:
         return again
-    return _drawn_on(again, _fitted(known.mixtures[-1], again), log_density, rounds=1, seed=seed)
+    return _drawn_on(again, _fitted(before.mixtures[-1], again), log_density, rounds=1, seed=seed)
 
 
-def _drawn_on(known: Weighted, mixture: Mixture, log_density: Density, *, rounds: int, seed: int) -> Weighted:
+def _drawn_on(before: Weighted, mixture: Mixture, log_density: Density, *, rounds: int, seed: int) -> Weighted:
     """Return draws with so many rounds at least beyond those known, begun with a mixture, until enough count."""
     generator = np.random.default_rng(seed)
-    weighted = known
+    weighted = before
     for turn in range(1, MOST_ROUNDS + 1):
         fresh = _drawn(mixture, DRAWS, generator)
         weighted = _weighted(

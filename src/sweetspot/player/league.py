@@ -38,7 +38,7 @@ TELLS = 0.1
 
 
 @dataclass(frozen=True)
-class Told:
+class SwingEvidence:
     """What players' own swings say, without any prior.
 
     Parameters
@@ -60,43 +60,44 @@ def population_of(fits: Sequence[PlayerPosterior]) -> Population | None:
     ----------
     fits : of every player, each without the league.
     """
-    weighted = [one.weighted for one in fits if one.weighted is not None]
+    weighted = [fit.weighted for fit in fits if fit.weighted is not None]
     if len(weighted) < FEWEST_PLAYERS:
         return None
-    return population_told(told_by(weighted))
+    return likeliest_population(evidence_of(weighted))
 
 
-def told_by(weighted: Sequence[Weighted]) -> Told:
+def evidence_of(weighted: Sequence[Weighted]) -> SwingEvidence:
     """Return what the swings of players say: their posteriors less the prior."""
     prior = prior_draws(20_000, seed=0)
     before = np.linalg.inv(np.cov(prior.T))
     precisions, pulls = [], []
-    for one in weighted:
-        mean = one.weights @ one.draws
-        apart = one.draws - mean
-        after = np.linalg.inv((apart * one.weights[:, None]).T @ apart)
+    for fit in weighted:
+        mean = fit.weights @ fit.draws
+        apart = fit.draws - mean
+        after = np.linalg.inv((apart * fit.weights[:, None]).T @ apart)
         size, axes = np.linalg.eigh(after - before)
-        told = size > TELLS
+        informed = size > TELLS
         along = axes.T @ (after @ mean - before @ prior.mean(axis=0))
-        precisions.append((axes * np.where(told, size, 0.0)) @ axes.T)
-        pulls.append(axes @ np.where(told, along, 0.0))
-    return Told(np.array(precisions), np.array(pulls))
+        precisions.append((axes * np.where(informed, size, 0.0)) @ axes.T)
+        pulls.append(axes @ np.where(informed, along, 0.0))
+    return SwingEvidence(np.array(precisions), np.array(pulls))
 
 
-def population_told(told: Told) -> Population:
+def likeliest_population(evidence: SwingEvidence) -> Population:
     """Return mean and spread of a league that are likeliest.
 
-    >>> told = Told(np.tile(1e6 * np.eye(1), (400, 1, 1)), 1e6 * np.random.default_rng(1).normal(2, 0.5, (400, 1)))
-    >>> population = population_told(told)
+    >>> pull = 1e6 * np.random.default_rng(1).normal(2, 0.5, (400, 1))
+    >>> evidence = SwingEvidence(np.tile(1e6 * np.eye(1), (400, 1, 1)), pull)
+    >>> population = likeliest_population(evidence)
     >>> bool(abs(population.mean[0] - 2) < 0.1), bool(abs(population.spread[0] - 0.5) < 0.05)
     (True, True)
     """
     from scipy.optimize import minimize
 
-    size = told.pull.shape[1]
+    size = evidence.pull.shape[1]
 
     def low(places: Array) -> tuple[float, Array]:
-        value, slope = _height(told, places[:size], np.exp(places[size:]))
+        value, slope = _height(evidence, places[:size], np.exp(places[size:]))
         return -value, -slope
 
     within = 1 - BETWEEN_LEAGUES
@@ -105,16 +106,16 @@ def population_told(told: Told) -> Population:
     mean, variance = best[:size], np.exp(best[size:])
     # (T + P^-1)^-1 = T^-1 - T^-1 (P + T^-1)^-1 T^-1, also where P has no inverse
     knowing = np.diag(1 / variance)
-    marginal = knowing - knowing @ np.linalg.inv(told.precision + knowing) @ knowing
+    marginal = knowing - knowing @ np.linalg.inv(evidence.precision + knowing) @ knowing
     unsure = np.linalg.inv(marginal.sum(axis=0) + np.eye(size) / BETWEEN_LEAGUES)
     return Population(mean, np.sqrt(variance + np.diag(unsure) + MODEL_DOUBT**2))
 
 
-def _height(told: Told, mean: Array, variance: Array) -> tuple[float, Array]:
-    """Return the logarithm of what `population_told` makes highest, and its slope by mean and log variance."""
-    count, within = len(told.pull), 1 - BETWEEN_LEAGUES
-    posterior = told.precision + np.diag(1 / variance)
-    pull = told.pull + mean / variance
+def _height(evidence: SwingEvidence, mean: Array, variance: Array) -> tuple[float, Array]:
+    """Return the logarithm of what `likeliest_population` makes highest, and its slope by mean and log variance."""
+    count, within = len(evidence.pull), 1 - BETWEEN_LEAGUES
+    posterior = evidence.precision + np.diag(1 / variance)
+    pull = evidence.pull + mean / variance
     scatter = np.linalg.inv(posterior)
     centre = np.einsum("pij,pj->pi", scatter, pull)
     value = 0.5 * (np.einsum("pi,pi->", centre, pull) - np.linalg.slogdet(posterior)[1].sum())

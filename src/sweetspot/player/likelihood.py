@@ -59,10 +59,10 @@ def swung(
     top = max(usual, other)
     whole = top + math.log(math.exp(usual - top) + math.exp(other - top))
     share = math.exp(other - whole)
-    one, one_variance = combined(value, noise, mean, spread)
-    two, two_variance = combined(value, noise, mean - by, wide)
-    middle = (1 - share) * one + share * two
-    variance = (1 - share) * one_variance + share * two_variance + share * (1 - share) * (two - one) ** 2
+    full, full_variance = combined(value, noise, mean, spread)
+    slower, slower_variance = combined(value, noise, mean - by, wide)
+    middle = (1 - share) * full + share * slower
+    variance = (1 - share) * full_variance + share * slower_variance + share * (1 - share) * (slower - full) ** 2
     return whole, middle, variance
 
 
@@ -91,7 +91,7 @@ def _fill_heights(
 
 
 @inner(fastmath={"contract", "nsz"}, error_model="numpy")
-def _density(out: float, kept: Array, ball_out: Array, narrow: Array, height: Array, part: Array) -> float:
+def _density(out: float, retained: Array, ball_out: Array, narrow: Array, height: Array, part: Array) -> float:
     """Return the density of an exit speed summed over places; the last two arrays are used up.
 
     Short loops from 0 that touch few arrays: the compiler turns these into vector instructions. It must not be let to
@@ -104,7 +104,7 @@ def _density(out: float, kept: Array, ball_out: Array, narrow: Array, height: Ar
     """
     count = len(part)
     for j in range(count):
-        height[j] -= 0.5 * ((out - ball_out[j] * kept[j]) * narrow[j]) ** 2
+        height[j] -= 0.5 * ((out - ball_out[j] * retained[j]) * narrow[j]) ** 2
     for j in range(count):
         height[j] = exp(height[j])
     for j in range(count):
@@ -113,10 +113,10 @@ def _density(out: float, kept: Array, ball_out: Array, narrow: Array, height: Ar
 
 
 @inner(fastmath={"contract", "nsz"}, error_model="numpy")
-def _fill_narrow(noise: float, speed_variance: float, kept: Array, slope: Array, narrow: Array) -> None:
+def _fill_narrow(noise: float, speed_variance: float, retained: Array, slope: Array, narrow: Array) -> None:
     """Fill one over the standard deviation of exit speed at every place."""
     for j in range(len(narrow)):
-        narrow[j] = 1 / math.sqrt(noise**2 + (slope[j] * kept[j]) ** 2 * speed_variance)
+        narrow[j] = 1 / math.sqrt(noise**2 + (slope[j] * retained[j]) ** 2 * speed_variance)
 
 
 @inner(fastmath={"contract", "nsz"}, error_model="numpy")
@@ -124,7 +124,7 @@ def _density_untold(
     out: float,
     noise: float,
     speed_variance: float,
-    kept: Array,
+    retained: Array,
     variance: Array,
     share: Array,
     weight: Array,
@@ -138,7 +138,7 @@ def _density_untold(
 
     Parameters
     ----------
-    kept, variance : (offsets, places), what is kept and its variance.
+    retained, variance : (offsets, places), what is retained and its variance.
     share : (offsets, places), which add to one when each counts as its place's weight.
     part, narrow, height : room to work in.
     """
@@ -148,9 +148,9 @@ def _density_untold(
             height[j] = 0.0
             part[j] = weight[j] * share[k, j]
         for j in range(len(weight)):
-            own = (slope[j] * kept[k, j]) ** 2 * speed_variance + ball_out[j] ** 2 * variance[k, j]
-            narrow[j] = 1 / math.sqrt(noise**2 + own)
-        total += _density(out, kept[k], ball_out, narrow, height, part)
+            spread = (slope[j] * retained[k, j]) ** 2 * speed_variance + ball_out[j] ** 2 * variance[k, j]
+            narrow[j] = 1 / math.sqrt(noise**2 + spread)
+        total += _density(out, retained[k], ball_out, narrow, height, part)
     return total
 
 
@@ -208,8 +208,8 @@ def log_likelihoods(parameters: Array, speeds: Array, table: LikelihoodTable, lo
         for i in range(len(table.bat_speed)):
             bat, pitch, out = table.bat[i], table.pitch_speed[i], table.exit_speed[i]
             mean_speed = speeds[row, bat]
-            said, speed, speed_variance = swung(table.bat_speed[i], speed_noise, mean_speed, speed_spread, slow)
-            total += said
+            log_density, speed, speed_variance = swung(table.bat_speed[i], speed_noise, mean_speed, speed_spread, slow)
+            total += log_density
             if not math.isnan(table.attack_angle[i]):
                 total += normal(table.attack_angle[i], attack, attack_spread**2)
             weight, first, last = usual_weight, usual[0], usual[1]
@@ -270,12 +270,14 @@ def log_likelihoods(parameters: Array, speeds: Array, table: LikelihoodTable, lo
                 angle += table.points.share[i, k, nearest] * math.exp(height[nearest])
                 if math.isnan(out):
                     continue
-                # a launch angle's points lie close together: what is kept at the middle one scatters them all
+                # a launch angle's points lie close together: what is retained at the middle one scatters them all
                 if apart or k == 0:
                     middle = k if apart else POINTS // 2
-                    _fill_narrow(noise, speed_variance, table.points.kept[i, middle, here], slope[here], narrow[here])
+                    _fill_narrow(
+                        noise, speed_variance, table.points.retained[i, middle, here], slope[here], narrow[here]
+                    )
                 both += _density(
-                    out, table.points.kept[i, k, here], ball_out[here], narrow[here], height[here], part[here]
+                    out, table.points.retained[i, k, here], ball_out[here], narrow[here], height[here], part[here]
                 )
             found = angle if math.isnan(out) else (1 - WRONG) / ROOT_TWO_PI * both + WRONG / WRONG_RANGE * angle
             total += COUNTED * (math.log(max(found, TINY) / (ROOT_TWO_PI * offset_spread)) - counted[bat])

@@ -71,10 +71,10 @@ class PlayerModel:
         ----------
         parameters : shape (rows, 10), SI.
         """
-        own = self.bats[0]
+        reference = self.bats[0]
         speeds = np.repeat(parameters[:, :1], len(self.bats), axis=1)
         for index, other in enumerate(self.bats[1:], start=1):
-            speeds[:, index] *= speed_ratio(other, own, law=self.law, speed_from_tip=self.speed_from_tip,
+            speeds[:, index] *= speed_ratio(other, reference, law=self.law, speed_from_tip=self.speed_from_tip,
                                            exponent=parameters[:, NAMES.index("exponent")])  # fmt: skip
         return speeds
 
@@ -115,7 +115,7 @@ def arm_ratio(table: ContactTable, place: Array, *, speed_from_tip: float) -> Ar
 
 
 def speed_ratio(
-    other: ContactTable, own: ContactTable, *, law: SwingLaw, speed_from_tip: float, exponent: Array
+    other: ContactTable, reference: ContactTable, *, law: SwingLaw, speed_from_tip: float, exponent: Array
 ) -> Array:
     """Return bat speed with another bat over that with the player's own, for many exponents.
 
@@ -126,11 +126,11 @@ def speed_ratio(
     other, own : tables of the two bats.
     exponent : shape (rows,); values outside 0 to 1/2 count as the nearest end.
     """
-    arms = [table.bat.length - speed_from_tip - table.bat.choke for table in (other, own)]
-    if other.moi == own.moi:
+    arms = [table.bat.length - speed_from_tip - table.bat.choke for table in (other, reference)]
+    if other.moi == reference.moi:
         return np.full(len(exponent), arms[0] / arms[1])
     powers = np.linspace(0.0, GREATEST_EXPONENT, 51)
-    ratios = [law.speed_ratio(other.moi, reference_moi=own.moi, exponent=float(power)) for power in powers]
+    ratios = [law.speed_ratio(other.moi, reference_moi=reference.moi, exponent=float(power)) for power in powers]
     # log of the ratio is a straight line in the exponent but for bats lighter than the law's
     return np.exp(np.interp(exponent, powers, np.log(ratios))) * arms[0] / arms[1]
 
@@ -161,10 +161,10 @@ def player_model(
     if not swings:
         raise InputError("no swing was given; give at least one")
     used = law or swing_law()
-    named = {name: other for name, other in (others or {}).items() if any(one.bat == name for one in swings)}
-    tables = [contact_table(one, ball=ball, axis=used.axis) for one in (bat, *named.values())]
+    named = {name: other for name, other in (others or {}).items() if any(swing.bat == name for swing in swings)}
+    tables = [contact_table(swung_bat, ball=ball, axis=used.axis) for swung_bat in (bat, *named.values())]
     index = {name: number for number, name in enumerate(named, start=1)}
-    bat_of = tuple(index.get(one.bat, 0) for one in swings)
+    bat_of = tuple(index.get(swing.bat, 0) for swing in swings)
     table = _table(swings, tables, bat_of, speed_from_tip)
     return PlayerModel(tuple(swings), tuple(tables), bat_of, ball, used, speed_from_tip, table)
 
@@ -184,7 +184,7 @@ def bats_of(
     load : gives a bat by its name or raises `InputError`.
     stand_in_for : gives the bat that one of several unknown names is taken for; None: their rows are left out.
     """
-    names = sorted({one.bat for one in swings} - {""})
+    names = sorted({swing.bat for swing in swings} - {""})
     bats: dict[str, Bat] = {}
     unknown: dict[str, str] = {}
     for name in names:
@@ -206,8 +206,8 @@ def bats_of(
         taken = ", ".join(f"{name!r} for {bat.name}" for name, bat in of_like.items())
         notes = (f"Bats that are not known here are taken for others: {taken}. Their own weights and lengths do not "
                  "count until you say --bat-is NAME=FILE.",)  # fmt: skip
-    bad = tuple(BadRow(one.row, unknown[one.bat]) for one in swings if one.bat in unknown)
-    good = tuple(one for one in swings if one.bat not in unknown)
+    bad = tuple(BadRow(swing.row, unknown[swing.bat]) for swing in swings if swing.bat in unknown)
+    good = tuple(swing for swing in swings if swing.bat not in unknown)
     if not good:
         raise InputError(f"none of the bats in the file is known: {'; '.join(unknown.values())}")
     return good, bats, bad, notes
@@ -222,7 +222,7 @@ def _table(
     swings: Sequence[PlayerSwing], tables: Sequence[ContactTable], bat_of: Sequence[int], speed_from_tip: float
 ) -> LikelihoodTable:
     def column(name: str) -> Array:
-        return np.array([NAN if getattr(one, name) is None else getattr(one, name) for one in swings], float)
+        return np.array([NAN if getattr(swing, name) is None else getattr(swing, name) for swing in swings], float)
 
     pitch, bat_speed, attack = column("pitch_speed"), column("bat_speed"), column("attack_angle")
     launch, out = column("launch_angle"), column("exit_speed")
@@ -232,12 +232,14 @@ def _table(
     hit = ~(np.isnan(launch) & np.isnan(out)) & ~(np.abs(launch) > STEEPEST_LAUNCH)
     first, bat = tables[0], np.array(bat_of, np.int64)
     place = first.from_tip[::PLACES_TAKEN]
-    met = float(np.median(ratio[hit])) if hit.any() else 0.0
+    usual_ratio = float(np.median(ratio[hit])) if hit.any() else 0.0
     # a launch angle without the attack angle leaves an inch of offsets open, more than a few points can stand for
-    told = hit & ~np.isnan(launch) & ~np.isnan(attack)
-    untold = hit & ~told
-    points = offset_points(tables, bat, ratio=ratio, launch=np.where(told, launch, NAN), attack=attack, places=place)
-    kept, variance = untold_kept(tables, bat[untold], ratio=ratio[untold], attack=attack[untold], places=place)
+    measured = hit & ~np.isnan(launch) & ~np.isnan(attack)
+    untold = hit & ~measured
+    points = offset_points(
+        tables, bat, ratio=ratio, launch=np.where(measured, launch, NAN), attack=attack, places=place
+    )
+    retained, variance = untold_kept(tables, bat[untold], ratio=ratio[untold], attack=attack[untold], places=place)
     return LikelihoodTable(
         bat_speed=bat_speed, exit_speed=out, pitch_speed=pitch, attack_angle=attack,
         position=column("position"), hit=hit, bat=bat,
@@ -246,9 +248,9 @@ def _table(
         arm=np.array([arm_ratio(table, place, speed_from_tip=speed_from_tip) for table in tables]),
         points=OffsetPoints(*map(_padded, points)),
         untold=np.where(untold, np.cumsum(untold) - 1, -1),
-        untold_kept=_padded(kept), untold_variance=_padded(variance),
+        untold_kept=_padded(retained), untold_variance=_padded(variance),
         place_start=float(place[0]), place_step=float(place[1] - place[0]),
-        selected=np.array([part_of_hits(table, ratio=met) for table in tables]),
+        selected=np.array([part_of_hits(table, ratio=usual_ratio) for table in tables]),
         selected_step=float(first.places[1] - first.places[0]),
         attack_start=float(MEAN_ATTACKS[0]), attack_step=float(MEAN_ATTACKS[1] - MEAN_ATTACKS[0]),
         offset_start=np.array([table.offset[0] for table in tables]),

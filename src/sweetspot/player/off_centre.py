@@ -43,12 +43,12 @@ class OffsetPoints(NamedTuple):
     ----------
     offset : m.
     share : m/rad, density of the launch angle that was measured given the offset, times the step between offsets.
-    kept : part of the head-on exit speed that is left.
+    retained : part of the head-on exit speed that is left.
     """
 
     offset: Array
     share: Array
-    kept: Array
+    retained: Array
 
 
 def offset_points(
@@ -76,9 +76,9 @@ def offset_points(
 def untold_kept(
     tables: Sequence[ContactTable], bat: IntArray, *, ratio: Array, attack: Array, places: Array
 ) -> tuple[Array, Array]:
-    """Return what is kept at every `UNTOLD_EVERY` th offset by swings, and its variance, each (n, offsets, places).
+    """Return what is retained at every `UNTOLD_EVERY` th offset by swings, and its variance, each (n, offsets, places).
 
-    What is kept changes up to the next offset, and with the attack angle where that was not measured.
+    What is retained changes up to the next offset, and with the attack angle where that was not measured.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def untold_kept(
     places : m from the tip.
     """
     shape = (len(ratio), len(tables[0].offset[::UNTOLD_EVERY]), len(places))
-    kept, square = np.zeros(shape), np.zeros(shape)
+    retained, square = np.zeros(shape), np.zeros(shape)
     last = len(tables[0].offset) - 1
     cells = [(np.clip(np.arange(0, last + 1, UNTOLD_EVERY) + step, 0, last), part) for step, part in CELL]
     wide = np.sqrt(3) * np.hypot(fixed("attack_angle_spread"), priors()["attack_angle"].width)
@@ -98,9 +98,9 @@ def untold_kept(
             steeper = _steeper(attack[part]) + side * wide * unknown
             swung = at_swings(tables[which], ratio[part], steeper, places)[0].transpose(0, 2, 1)
             for those, counts in cells:
-                kept[part] += share * counts * swung[:, those]
+                retained[part] += share * counts * swung[:, those]
                 square[part] += share * counts * swung[:, those] ** 2
-    return kept, np.maximum(square - kept**2, 0.0)
+    return retained, np.maximum(square - retained**2, 0.0)
 
 
 def _together(bat: IntArray, those: NDArray[np.bool_]) -> Iterator[tuple[int, IntArray]]:
@@ -134,7 +134,7 @@ def part_of_hits(table: ContactTable, *, ratio: float) -> Array:
 
 
 def at_swings(table: ContactTable, ratio: Array, steeper: Array, places: Array) -> tuple[Array, Array]:
-    """Return the part kept and the deflection of swings on the table's offsets, shape (n, places, offsets).
+    """Return the part retained and the deflection of swings on the table's offsets, shape (n, places, offsets).
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ def at_swings(table: ContactTable, ratio: Array, steeper: Array, places: Array) 
     """
     up, right, along = _corners(STEEPER, steeper), _corners(RATIOS, ratio), _corners(table.places, places)
     found = []
-    for whole in (table.kept, table.deflection):
+    for whole in (table.retained, table.deflection):
         swung = np.zeros((len(ratio), *whole.shape[1:2], whole.shape[3]))
         for i, a in up:
             for j, b in right:
@@ -165,7 +165,7 @@ def deflection_noise(table: ContactTable, ratio: Array) -> Array:
 
 
 def _points(table: ContactTable, ratio: Array, launch: Array, attack: Array, places: Array) -> OffsetPoints:
-    kept, deflection = at_swings(table, ratio, _steeper(attack), places)
+    retained, deflection = at_swings(table, ratio, _steeper(attack), places)
     noise = deflection_noise(table, ratio)[:, None]
     away = launch[:, None, None] - (attack[:, None, None] + deflection)
     share = np.exp(-0.5 * (away / noise) ** 2) / (noise * np.sqrt(2 * np.pi))
@@ -173,7 +173,7 @@ def _points(table: ContactTable, ratio: Array, launch: Array, attack: Array, pla
     step = float(table.offset[1] - table.offset[0])
     at = np.clip((offset - table.offset[0]) / step, 0, len(table.offset) - 1.000001)
     low = at.astype(np.int64)
-    first, second = (np.take_along_axis(kept, low + side, axis=-1) for side in (0, 1))
+    first, second = (np.take_along_axis(retained, low + side, axis=-1) for side in (0, 1))
     there = first + (at - low) * (second - first)
     return OffsetPoints(*(values.transpose(0, 2, 1) for values in (offset, share * step, there)))
 

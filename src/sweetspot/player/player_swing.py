@@ -74,8 +74,8 @@ def fault_of(swing: PlayerSwing, length: float, sport: str = "baseball") -> str:
         return ""
     fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat
     if ball > fastest:
-        met = f"against {_mph(pitch)}" if pitch else "off a tee"
-        return f"exit speed {_mph(ball)} {TOO_FAST} at {_mph(bat)} {met} ({_mph(fastest)})"
+        against = f"against {_mph(pitch)}" if pitch else "off a tee"
+        return f"exit speed {_mph(ball)} {TOO_FAST} at {_mph(bat)} {against} ({_mph(fastest)})"
     if swing.position is not None and not insisted():
         there = bat * (length - swing.position) / (length - SPEED_FROM_TIP)  # near enough
         if ball > max(LIVELIEST * pitch + (1 + LIVELIEST) * there, 0.0) and swing.position > SPEED_FROM_TIP:
@@ -92,38 +92,37 @@ def _mph(speed: float) -> str:
 
 def full_swings(swings: list[PlayerSwing]) -> tuple[list[PlayerSwing], list[BadRow]]:
     """Return full swings, and those much slower than the median with the reason."""
-    speeds = [one.bat_speed for one in swings if one.bat_speed is not None]
+    speeds = [swing.bat_speed for swing in swings if swing.bat_speed is not None]
     if len(speeds) < 3:
         return swings, []
     middle = median(speeds)
 
-    def full(one: PlayerSwing) -> bool:
-        return one.bat_speed is None or one.bat_speed >= FULL_SWING * middle
-
-    bad = [
-        BadRow(one.row, f"bat speed is {(one.bat_speed or 0) / MPH:.1f} mph where the median is {middle / MPH:.1f} "
-                        "mph: a bunt or a checked swing")
-        for one in swings if not full(one)
-    ]  # fmt: skip
-    return [one for one in swings if full(one)], bad
+    good, bad = [], []
+    for swing in swings:
+        if swing.bat_speed is None or swing.bat_speed >= FULL_SWING * middle:
+            good.append(swing)
+        else:
+            speeds_words = f"bat speed is {_mph(swing.bat_speed)} where the median is {_mph(middle)}"
+            bad.append(BadRow(swing.row, f"{speeds_words}: a bunt or a checked swing"))
+    return good, bad
 
 
 def check_speeds(swings: Sequence[PlayerSwing], path: Path) -> None:
     """Refuse speeds in another unit than the heading says, and bat and ball in each other's columns."""
     middle: dict[str, float] = {}
     for quantity in NEEDED:
-        values = [value for one in swings if (value := getattr(one, quantity)) is not None]
+        values = [value for swing in swings if (value := getattr(swing, quantity)) is not None]
         if len(values) >= FEWEST:
             middle[quantity] = median(values)
             name = f"median_{quantity}"
             check(middle[quantity], name.replace("_", " "), f"{middle[quantity] / MPH:.1f} mph by {path}")
-    angles = [abs(one.launch_angle) for one in swings if one.launch_angle is not None]
+    angles = [abs(swing.launch_angle) for swing in swings if swing.launch_angle is not None]
     if len(angles) >= FEWEST and 0 < max(angles) < LEVEL and not insisted():
         raise InputError(
             f"{path}: no ball left at more than {math.degrees(max(angles)):.2f} degrees up or down; are the launch "
             "angles in radians? Write _rad behind the heading, or add --force if it is meant"
         )
-    if len(swings) >= FEWEST and len({replace(one, row=0) for one in swings}) == 1 and not insisted():
+    if len(swings) >= FEWEST and len({replace(swing, row=0) for swing in swings}) == 1 and not insisted():
         raise InputError(
             f"{path}: all {len(swings)} swings are the same to the last digit; is one row copied? Give each swing "
             "as it was measured, or add --force if it is meant"

@@ -68,8 +68,8 @@ def _swing(
         if not (0 <= place <= table.from_tip[-1] and abs(offset) < table.offset[-1]):
             continue
         steeper = attack - priors()["attack_angle"].centre
-        met = at_swings(table, np.array([pitch / speed]), np.array([steeper]), np.array([place]))
-        kept, deflection = (float(np.interp(offset, table.offset, part[0, 0])) for part in met)
+        tabled = at_swings(table, np.array([pitch / speed]), np.array([steeper]), np.array([place]))
+        retained, deflection = (float(np.interp(offset, table.offset, part[0, 0])) for part in tabled)
         noise = np.interp(offset, table.offset, deflection_noise(table, np.array([pitch / speed]))[0])
         launch = attack + deflection + noise * draw()
         if abs(launch) <= STEEPEST_LAUNCH:
@@ -82,7 +82,7 @@ def _swing(
     return PlayerSwing(
         row=0,
         bat_speed=float(speed + fixed("bat_speed_noise") * draw()),
-        exit_speed=float((efficiency * closing + there) * kept + scatter * draw()),
+        exit_speed=float((efficiency * closing + there) * retained + scatter * draw()),
         pitch_speed=pitch,
         launch_angle=float(launch),
         attack_angle=float(attack),

@@ -150,8 +150,8 @@ class ScannedTable(SwingTable):
     def narrowed(self, columns: Headings) -> Headings:
         """Return the columns as they stand in the rows: only those that mean something are there."""
         order = {column.index: place for place, column in enumerate(self._needed(columns))}
-        known = {name: replace(column, index=order[column.index]) for name, column in columns.columns.items()}
-        return replace(columns, columns=known)
+        moved = {name: replace(column, index=order[column.index]) for name, column in columns.columns.items()}
+        return replace(columns, columns=moved)
 
     def width(self, columns: Headings) -> int:
         """Return how many cells a whole row has."""
@@ -254,13 +254,13 @@ def _signature(path: Path) -> tuple[int, int]:
 
 
 @lru_cache(maxsize=1)
-def _opened(path: Path, signature: tuple[int, int], told: frozenset[str]) -> SwingTable:  # noqa: ARG001 - a changed file is another file
+def _opened(path: Path, signature: tuple[int, int], named: frozenset[str]) -> SwingTable:  # noqa: ARG001 - a changed file is another file
     if path.suffix.lower() in PARQUET:
         return _scanned_parquet(path)
     if is_larger(path, most=MOST_TABLE_BYTES):
-        return _scanned_csv(path, told)
+        return _scanned_csv(path, named)
     text = read_text(path, most=MOST_TABLE_BYTES, advice=ADVICE)
-    is_heading = partial(is_heading_line, told=told)
+    is_heading = partial(is_heading_line, named=named)
     lines = list(table_rows(text, path, is_heading=is_heading))
     first = next((place for place, (_, cells) in enumerate(lines) if is_heading(cells)), None)
     return TextTable(tuple(lines[:PREAMBLE] if first is None else lines[first:]))
@@ -275,11 +275,11 @@ def _scanned_parquet(path: Path) -> SwingTable:
         return ScannedTable(path, pl.scan_parquet(path, row_index_name=ScannedTable.LINE, row_index_offset=1))
 
 
-def _scanned_csv(path: Path, told: frozenset[str]) -> SwingTable:
+def _scanned_csv(path: Path, named: frozenset[str]) -> SwingTable:
     """Return a large CSV file: every cell as text, for the same rules as a small one's are to hold."""
     import polars as pl
 
-    separator = _separator(path, told)
+    separator = _separator(path, named)
     try:
         frame = pl.scan_csv(
             path, separator=separator, infer_schema=False, truncate_ragged_lines=True, encoding="utf8-lossy",
@@ -290,7 +290,7 @@ def _scanned_csv(path: Path, told: frozenset[str]) -> SwingTable:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
 
 
-def _separator(path: Path, told: frozenset[str]) -> str:
+def _separator(path: Path, named: frozenset[str]) -> str:
     """Return what stands between the cells of a large CSV file, which begins with its headings."""
     try:
         with opened(path) as file:
@@ -298,7 +298,7 @@ def _separator(path: Path, told: frozenset[str]) -> str:
     except (OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} is damaged: {error}") from None
     separator = separator_of(first)
-    if is_heading_line(first.split(separator), told):
+    if is_heading_line(first.split(separator), named):
         return separator
     raise InputError(
         f"{path} is larger than {MOST_TABLE_BYTES / 1e6:g} MB and its first line names no column for bat speed or exit "
@@ -321,20 +321,20 @@ def narrow_csv(path: Path) -> str:
     if not table.headings:
         raise InputError(f"{path} is empty; it needs a line of column names, for example bat_speed_mph, exit_speed_mph")
     columns = columns_of(table.headings, file_name=str(path))
-    kept = [(one.heading, one.index) for one in table.narrowed(columns).columns.values()]
+    remaining = [(column.heading, column.index) for column in table.narrowed(columns).columns.values()]
     marks = {name for system in systems() for marks in system.marks for name in marks}
-    known = {heading for heading, _ in kept}
-    named = [one for one in table.headings if simplified(one) in marks and one.strip() not in known]
+    names = {heading for heading, _ in remaining}
+    named = [heading for heading in table.headings if simplified(heading) in marks and heading.strip() not in names]
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     rows, width = table.rows(columns), table.width(columns)
     first = max(2, rows[0][0]) if rows else 2
     text.write("\n" * (first - 2))
-    writer.writerow([heading for heading, _ in kept] + named)
+    writer.writerow([heading for heading, _ in remaining] + named)
     line = rows[0][0] if rows else first
     for number, cells in rows:
         text.write("\n" * (number - line))
-        row = [cells[index] if index < len(cells) else "" for _, index in kept] + [""] * len(named)
+        row = [cells[index] if index < len(cells) else "" for _, index in remaining] + [""] * len(named)
         writer.writerow([*row[: max(1, len(row) - max(0, width - len(cells)))], *cells[width:]])
         line = number + 1
     return text.getvalue()

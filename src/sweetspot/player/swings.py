@@ -93,14 +93,14 @@ def read_swings(
         _read(line, cells, columns, width=width, length=length, pitch_speed=pitch_speed, sport=sport)
         for line, cells in rows
     ]
-    good = [one for one in read if isinstance(one, PlayerSwing)]
-    bad = [one for one in read if isinstance(one, BadRow)]
+    good = [swing for swing in read if isinstance(swing, PlayerSwing)]
+    bad = [swing for swing in read if isinstance(swing, BadRow)]
     good, partial = full_swings(good)
     good, unknown = _with_pitch(good, path)
     _check_pitch(bad, len(read), pitch_speed, path)
-    bad = sorted([*bad, *partial, *unknown], key=lambda one: one.row)
+    bad = sorted([*bad, *partial, *unknown], key=lambda row: row.row)
     if not good:
-        reasons = "; ".join(f"row {one.row}: {one.reason}" for one in bad[:3])
+        reasons = "; ".join(f"row {line.row}: {line.reason}" for line in bad[:3])
         why = f": {reasons}" if bad else "; no row has a bat speed or an exit speed"
         raise InputError(f"{path} has no swing that can be used{why}")
     check_speeds(good, path)
@@ -108,7 +108,7 @@ def read_swings(
     return SwingFile(
         swings=tuple(good),
         bad_rows=tuple(bad),
-        without_swing=sum(one is None for one in read),
+        without_swing=sum(swing is None for swing in read),
         system=columns.system,
         ignored_columns=columns.passed,
         notes=(*unmeasured, *_notes(good, columns, pitch_speed), *_summaries(table)),
@@ -201,8 +201,8 @@ def _read(
     if pitch is None and release is not None:
         pitch = PLATE_OVER_RELEASE * release
     pitch = pitch_speed if pitch is None else pitch
-    named, told = columns.columns.get("bat"), columns.columns.get("outcome")
-    outcome = cells[told.index].strip().lower() if told else ""
+    named, outcomes = columns.columns.get("bat"), columns.columns.get("outcome")
+    outcome = cells[outcomes.index].strip().lower() if outcomes else ""
     if BUNT in outcome:
         return BadRow(line, f"{outcome.replace('_', ' ')}: not a full swing")
     if FOUL in outcome:  # a glancing hit: its speed says nothing of where fair balls are met
@@ -229,9 +229,9 @@ def _measured(rows: Lines, columns: Headings) -> tuple[Headings, tuple[str, ...]
         and all(cell.lower() in EMPTY or ZERO.fullmatch(cell) for cell in cells)
     ]
     gone = {column.quantity for column in unmeasured}
-    kept = {name: column for name, column in columns.columns.items() if name not in gone}
+    remaining = {name: column for name, column in columns.columns.items() if name not in gone}
     notes = tuple(f"Column {column.heading} is 0 in every row: taken as not measured." for column in unmeasured)
-    return replace(columns, columns=kept), notes
+    return replace(columns, columns=remaining), notes
 
 
 def _summaries(table: SwingTable) -> tuple[str, ...]:
@@ -242,7 +242,7 @@ def _summaries(table: SwingTable) -> tuple[str, ...]:
 
 def _check_pitch(bad: Sequence[BadRow], count: int, pitch_speed: float | None, path: Path) -> None:
     """Refuse a pitch that so many balls outrun that it was another: those left out would be the hardest hit."""
-    fast = [one for one in bad if TOO_FAST in one.reason]
+    fast = [row for row in bad if TOO_FAST in row.reason]
     if pitch_speed is None or insisted() or len(fast) < max(FEWEST_TOO_FAST, PART_TOO_FAST * count):
         return
     was = "was it a tee" if pitch_speed == 0 else f"was it {format_speed(pitch_speed)}"
@@ -265,19 +265,19 @@ def _number(cell: str, column: TableColumn, length: float) -> float | None:
 
 def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing], list[BadRow]]:
     """Return the swings that have a pitch speed or no exit speed, for that says nothing without the other."""
-    if swings and all(one.pitch_speed is None for one in swings):
-        if any(one.exit_speed is not None for one in swings):
+    if swings and all(swing.pitch_speed is None for swing in swings):
+        if any(swing.exit_speed is not None for swing in swings):
             raise InputError(
                 f"{path} has no pitch speeds, and exit speed depends on them; say --pitch-speed 82mph (at the plate) "
                 "or --pitch-speed tee, or add a column pitch_speed_mph"
             )
         return swings, []
     good, bad = [], []
-    for one in swings:
-        if one.pitch_speed is None and one.exit_speed is not None:
-            bad.append(BadRow(one.row, "no pitch speed; give one for such rows with --pitch-speed"))
+    for swing in swings:
+        if swing.pitch_speed is None and swing.exit_speed is not None:
+            bad.append(BadRow(swing.row, "no pitch speed; give one for such rows with --pitch-speed"))
         else:
-            good.append(one)
+            good.append(swing)
     return good, bad
 
 
@@ -287,7 +287,7 @@ def _notes(swings: list[PlayerSwing], columns: Headings, pitch_speed: float | No
     count = len(swings)
     if columns.passed and columns.system == "plain":
         notes.append(f"Columns not understood, and not used: {', '.join(map(maybe_a_column, columns.passed))}.")
-    fouls = sum(one.foul for one in swings)
+    fouls = sum(swing.foul for swing in swings)
     if fouls:
         notes.append(f"{fouls} of {count} swings are fouls; of these only the bat speed is used.")
     if count < FEW:
@@ -296,7 +296,7 @@ def _notes(swings: list[PlayerSwing], columns: Headings, pitch_speed: float | No
             f"Only {count} {noun} usable. The answers lean on what is usual for players; the intervals are wide."
         )
     for quantity, words in WORDS.items():
-        values = [value for one in swings if (value := getattr(one, quantity)) is not None]
+        values = [value for swing in swings if (value := getattr(swing, quantity)) is not None]
         if not values:
             there = columns.has(quantity) or (
                 quantity == "pitch_speed" and (columns.has("plate_speed") or columns.has("release_speed"))
@@ -306,7 +306,7 @@ def _notes(swings: list[PlayerSwing], columns: Headings, pitch_speed: float | No
             notes.append(f"{words[0]} is {_told(quantity, values[0])} in every row: {words[2]}.")
         elif len(values) < count and quantity in ("bat_speed", "exit_speed"):
             notes.append(f"{words[0]} is there for {len(values)} of {count} swings.")
-    lone = sum(one.launch_angle is not None and one.attack_angle is None for one in swings)
+    lone = sum(swing.launch_angle is not None and swing.attack_angle is None for swing in swings)
     if lone:
         notes.append(
             f"{lone} of {count} swings have a launch angle and no attack angle; where over or under the ball those "

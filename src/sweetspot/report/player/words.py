@@ -36,9 +36,9 @@ PARAMETERS: dict[str, tuple[str, str, int | None]] = {
     "exit_noise": ("exit speed beyond the model", "speed", None),
 }
 """Of every parameter: its name in words, its scale, and digits where others than usual."""
-BADLY_MIXED = (
-    "The draws have not mixed well: the intervals may be too narrow. Ask for more steps, or look for rows in the file "
-    "that do not belong together."
+TOO_FEW_DRAWS = (
+    "Few of the draws count, so the intervals may be too narrow. Look for rows in the file that do not belong "
+    "together, or for one row that was copied."
 )
 USUAL_EXPONENT = (
     "How much slower this player swings a heavier bat is not known from these swings: every answer about another bat "
@@ -70,7 +70,7 @@ def findings(answer: FitPlayerAnswer) -> list[Words]:
             f"The data cannot tell: {'; '.join(unknown)}. What is shown for these is what is usual for players."
         )
     if not posterior.converged:
-        words.append(BADLY_MIXED)
+        words.append(TOO_FEW_DRAWS)
     return words
 
 
