@@ -18,8 +18,7 @@ from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import as_described, described, unknowns_of
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table
-from sweetspot.catalog.files.write import bat_toml
-from sweetspot.catalog.files.write_implement import implement_toml
+from sweetspot.catalog.files.write import bat_toml, implement_toml
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import OF_CENTRE, OF_SWING, moi_doubt, rigid_body

@@ -9,7 +9,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.catalog.bats import bat_names
-from sweetspot.catalog.implement_doubts import doubts
+from sweetspot.catalog.files.read import doubts
 from sweetspot.catalog.implements import implement_names
 from sweetspot.errors import UnusualWarning
 

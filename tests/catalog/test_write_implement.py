@@ -8,7 +8,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.catalog.files.read import implement_from_table
-from sweetspot.catalog.files.write_implement import implement_toml
+from sweetspot.catalog.files.write import implement_toml
 from sweetspot.equipment.implement import AddedMass
 
 

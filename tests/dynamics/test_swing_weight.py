@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from sweetspot import beam_model, catalog, rigid_body
 from sweetspot.catalog.records import canonical, read_table
 from sweetspot.catalog.sports import sport_names
-from sweetspot.catalog.swing_weights import FILE, swing_weight
+from sweetspot.catalog.swing_laws import FILE, swing_weight
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, OUNCE

@@ -196,7 +196,7 @@ def test_rubbers_differ_as_players_say() -> None:
     """Inverted rubber grips most; anti-spin grips least and takes the speed off."""
     racket = catalog.implement("table-tennis-racket")
     assert isinstance(racket, TableTennisRacket)
-    from sweetspot.catalog.rubbers import rubber, rubber_names
+    from sweetspot.catalog.materials import rubber, rubber_names
 
     rubbers = {name: rubber(name) for name in rubber_names()}
     assert max(rubbers, key=lambda name: rubbers[name].friction) == "inverted"

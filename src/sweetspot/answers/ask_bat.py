@@ -121,7 +121,7 @@ def compare_corked(
     uncertainty: bool = False,
 ) -> CompareAnswer:
     """Put a bat beside itself drilled, corked, and filled with rubber or foam; see `compare`."""
-    from sweetspot.catalog.corking import LABELS
+    from sweetspot.catalog.bats import LABELS
 
     law = None if setup.same_speed else swing_law or catalog.sport(bat.implement.sport).swing_law
     variants = [Loaded(variant) for variant in corking.variants(round_bat(bat))]

@@ -30,7 +30,7 @@ from sweetspot.answers.records import (
 from sweetspot.answers.report_draws import drawn_report
 from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import effective_mass, moi_doubt
 from sweetspot.equipment.implement import Implement

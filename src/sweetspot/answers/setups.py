@@ -16,7 +16,7 @@ from sweetspot.analysis.same_effort import Changed
 from sweetspot.answers.records import INTERNAL, Speed
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.calibration.measured import Measured
-from sweetspot.catalog.corking import corkings
+from sweetspot.catalog.bats import corkings
 from sweetspot.catalog.implements import Loaded
 from sweetspot.catalog.records import canonical
 from sweetspot.catalog.standard_hit import standard_conditions

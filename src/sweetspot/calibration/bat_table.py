@@ -25,9 +25,9 @@ from sweetspot.calibration.measurements import MeasuredKind, Measurement
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.written import of_swing_weight, parse_measured
 from sweetspot.catalog.files.bat import read_toml
-from sweetspot.catalog.files.calibration import CalibrationTable
+from sweetspot.catalog.files.tables import CalibrationTable
 from sweetspot.catalog.implements import load_implement
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.constants import STANDARD_AXIS

@@ -14,8 +14,7 @@ from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
 from sweetspot.calibration.measurements import Measurement, predicted, said_of_body
 from sweetspot.calibration.posterior import OF_BALL, Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, deviated_bodies
-from sweetspot.catalog.files.write import bat_table
-from sweetspot.catalog.files.write_implement import implement_table
+from sweetspot.catalog.files.write import bat_table, implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
 from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat

@@ -7,7 +7,7 @@ import re
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.catalog.swing_weights import MOMENTS, swing_weight
+from sweetspot.catalog.swing_laws import MOMENTS, swing_weight
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
 from sweetspot.units import NUMBER, Kind

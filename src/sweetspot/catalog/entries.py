@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from functools import cache
+from typing import Any, NamedTuple
 
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import canonical, known_names, read_table, unwrapped
 from sweetspot.errors import InputError, nearest_names
+from sweetspot.references import cite
 
 Tables = dict[str, dict[str, Any]]
 KINDS: dict[str, Callable[[], Tables]] = {
@@ -86,3 +88,30 @@ def _marked(text: str, entry: Any) -> str:
         inside ^= line.count('"""') % 2 == 1
         lines.append(f"{line}  # assumed" if assumed and not inside else line)
     return "\n".join(lines) + "\n"
+
+
+FILE = "terms.toml"
+
+
+class Term(NamedTuple):
+    """A word that needs one: the names under which it stands, what it means, and the key of its source."""
+
+    key: str
+    names: tuple[str, ...]
+    words: str
+    source: str
+
+    @property
+    def cited(self) -> str:
+        """The source as people cite it."""
+        return cite(self.source)
+
+
+@cache
+def terms() -> tuple[Term, ...]:
+    """Return every term.
+
+    >>> next(term.source for term in terms() if term.key == "bbcor")
+    'astm_f2219'
+    """
+    return tuple(Term(key, tuple(one["names"]), one["words"], one["source"]) for key, one in read_table(FILE).items())

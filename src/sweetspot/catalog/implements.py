@@ -11,8 +11,7 @@ from typing import Any
 from sweetspot.catalog.bats import bat_files, bat_tables, is_file, load_bat, other_files, other_tables, refuse_slip
 from sweetspot.catalog.files.bat import bat_of_table, read_toml
 from sweetspot.catalog.files.implement import implement_of_table
-from sweetspot.catalog.files.read import implement_from_table, whole_table
-from sweetspot.catalog.implement_doubts import warn_of_doubts
+from sweetspot.catalog.files.read import implement_from_table, warn_of_doubts, whole_table
 from sweetspot.catalog.records import entry
 from sweetspot.equipment.implement import Implement
 

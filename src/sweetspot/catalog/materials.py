@@ -1,11 +1,13 @@
-"""Materials by name: woods, metal, fillers, laminate."""
+"""Materials by name: woods, metal, fillers, laminate; rubbers of rackets, and a frame's stiffness as RA."""
 
 from __future__ import annotations
 
 from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
+from sweetspot.equipment.face import Rubber
 from sweetspot.equipment.material import Material
+from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
 from sweetspot.units import Kind
 
@@ -71,3 +73,56 @@ def material_spreads(name: str) -> dict[str, float]:
         if isinstance(record, dict) and "spread" in record:
             spreads[field] = parse(record["spread"], kind, f"{name} {field} spread") / getattr(known, field)
     return spreads
+
+
+RUBBERS = "rubbers.toml"
+KINDS_OF_RUBBER: dict[str, Kind] = {
+    "thickness": "length", "areal_density": "areal density", "stiffness": "stiffness", "moving_mass": "mass",
+    "restitution": "ratio", "friction": "ratio", "tangential_restitution": "ratio",
+}  # fmt: skip
+
+
+def rubber_names() -> list[str]:
+    """Return the names of all rubbers in the catalogue."""
+    return [canonical(name) for name in read_table(RUBBERS)]
+
+
+@cache
+def rubber(name: str) -> Rubber:
+    """Return a rubber of the catalogue; raises `InputError` with the nearest names for an unknown one.
+
+    >>> rubber("anti-spin").friction < rubber("inverted").friction
+    True
+    """
+    _, table = entry(read_table(RUBBERS), name, "rubber")
+    values = {field: quantity(table, field, kind, table["name"]) for field, kind in KINDS_OF_RUBBER.items()}
+    return Rubber(name=table["name"], **values)
+
+
+def rubber_key(own: Rubber) -> str:
+    """Return the catalogue's name of a rubber; raises `InputError` when it is none of the catalogue's."""
+    for name in rubber_names():
+        if rubber(name) == own:
+            return name
+    raise InputError(f"{own.name} differs from the catalogue's rubbers; a file can only name one")
+
+
+def frequency_of_ra(ra: float) -> float:
+    """Return the first bending frequency in Hz of a racket hung freely, from its RA.
+
+    f = f_0 + s (RA - RA_0); the numbers are recalled, good to some 10 Hz.
+
+    Parameters
+    ----------
+    ra : 45 to 80.
+
+    >>> round(frequency_of_ra(70))
+    151
+    """
+    table = read_table("racket_stiffness.toml")["ra"]
+    low, high = unwrapped(table["low"]), unwrapped(table["high"])
+    if not low <= ra <= high:
+        raise InputError(f"ra was given as {ra:g}; frames have {low:g} to {high:g}. Give first_frequency in Hz instead")
+    base, slope = quantity(table, "frequency", "frequency", "ra"), quantity(table, "slope", "frequency", "ra")
+    assert base is not None and slope is not None
+    return base + slope * (ra - float(unwrapped(table["reference"])))

@@ -12,8 +12,8 @@ from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.ballparks import field_names
 from sweetspot.catalog.deliveries import delivery_names, other_delivery_names
+from sweetspot.catalog.entries import terms as all_terms
 from sweetspot.catalog.rules import league, league_names
-from sweetspot.catalog.word_meanings import terms as all_terms
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat

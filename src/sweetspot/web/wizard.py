@@ -13,10 +13,9 @@ from pydantic import BaseModel, ConfigDict, Field
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.catalog.files.write_changes import changes_table
-from sweetspot.catalog.racket_stiffness import frequency_of_ra
-from sweetspot.catalog.rubbers import rubber
+from sweetspot.catalog.materials import frequency_of_ra, rubber
 from sweetspot.catalog.scaled_implements import Measures, scaled_to, with_shaft
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat

@@ -8,10 +8,10 @@ from typing import Literal
 from pydantic import BaseModel
 
 from sweetspot import catalog
+from sweetspot.catalog.materials import rubber, rubber_names
 from sweetspot.catalog.records import read_table, unwrapped
-from sweetspot.catalog.rubbers import rubber, rubber_names
 from sweetspot.catalog.scaled_implements import club_weights, with_shaft
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat

@@ -12,8 +12,8 @@ from sweetspot.catalog.bats import IMPLEMENT_FOLDER
 from sweetspot.catalog.files.implement import FILES
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.implements import implement_tables
+from sweetspot.catalog.materials import rubber
 from sweetspot.catalog.records import all_records
-from sweetspot.catalog.rubbers import rubber
 from sweetspot.catalog.sports import sport_names
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError

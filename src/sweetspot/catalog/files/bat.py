@@ -10,9 +10,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from sweetspot.catalog.files.calibration import CalibrationTable
-from sweetspot.catalog.files.sport_kind import check_sport
-from sweetspot.catalog.files.tables import FileTable, parsed
+from sweetspot.catalog.files.tables import CalibrationTable, FileTable, check_sport, parsed
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped

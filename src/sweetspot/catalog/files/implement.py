@@ -15,8 +15,6 @@ from sweetspot.catalog.files.bat import (
     laminate_of,
     with_fitted,
 )
-from sweetspot.catalog.files.calibration import CalibrationTable
-from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import (
     FORCE,
     FREQUENCY,
@@ -25,17 +23,17 @@ from sweetspot.catalog.files.tables import (
     MASS,
     MOI,
     STIFFNESS,
+    CalibrationTable,
     FileTable,
     Length,
     Mass,
     Parts,
     Sizes,
+    check_sport,
     in_si,
 )  # fmt: skip
-from sweetspot.catalog.materials import material
-from sweetspot.catalog.racket_stiffness import frequency_of_ra
+from sweetspot.catalog.materials import frequency_of_ra, material, rubber
 from sweetspot.catalog.records import unwrapped
-from sweetspot.catalog.rubbers import rubber
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, FaceOutline, StringBed
 from sweetspot.equipment.golf_club import ClubHead, GolfClub

@@ -13,7 +13,7 @@ from typing import Any
 
 from sweetspot.catalog.files.bat import MEASURED, read_toml, with_fitted
 from sweetspot.catalog.files.implement import AddedTable, added_masses, implement_of_table
-from sweetspot.catalog.files.write_implement import implement_table
+from sweetspot.catalog.files.write import implement_table
 from sweetspot.catalog.records import FOLDER, canonical, entry, unwrapped
 from sweetspot.catalog.scaled_implements import Measures, scaled_to
 from sweetspot.dynamics.beam import beam_model

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sweetspot.catalog.files.bat import MEASURED
-from sweetspot.catalog.files.write_implement import implement_table
+from sweetspot.catalog.files.write import implement_table
 from sweetspot.catalog.implements import implement as catalogue_implement
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -25,7 +25,7 @@ def changes_table(implement: Implement, *, like: str) -> dict[str, Any]:
 
     >>> from sweetspot import catalog
     >>> changes = changes_table(catalog.implement("tennis-racket").replaced(mass=0.305), like="tennis-racket")
-    >>> changes["mass"], changes["balance_point"]  # what was measured on the pattern does not hold for another weight
+    >>> changes["mass"], changes["balance_point"]  # written again: measurements hold for one weight
     ('0.305 kg', '0.325 m')
     """
     if implement.added:

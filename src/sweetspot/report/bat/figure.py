@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import ReportAnswer
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket

@@ -9,9 +9,9 @@ from sweetspot.catalog.balls import FILE as BALL_FILE
 from sweetspot.catalog.balls import ball
 from sweetspot.catalog.implements import implement, implement_tables
 from sweetspot.catalog.materials import FILE as MATERIAL_FILE
+from sweetspot.catalog.materials import FILE as RUBBER_FILE
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import Record, all_records, read_table
-from sweetspot.catalog.rubbers import FILE as RUBBER_FILE
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.face import Rubber

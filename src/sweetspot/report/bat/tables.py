@@ -11,7 +11,7 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.answers.implement import MassProperties
 from sweetspot.answers.report import ReportAnswer, VibrationMode
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.modes import Family
 from sweetspot.dynamics.rigid import RigidBody, SwingWeight, moi_doubt
 from sweetspot.equipment.bat import Bat

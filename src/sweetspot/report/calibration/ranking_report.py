@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sweetspot.answers.rank import RankAnswer, RankedBat
 from sweetspot.catalog.sports import sport
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement

@@ -10,7 +10,7 @@ import numpy as np
 from sweetspot.analysis.comparison import Comparison
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, compare_of
 from sweetspot.catalog.sports import sport
-from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.rigid import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement

@@ -10,7 +10,7 @@ import numpy as np
 from sweetspot.answers.design import DesignAnswer
 from sweetspot.answers.design_question import Designed
 from sweetspot.answers.records import to_dict
-from sweetspot.catalog.files.write_implement import implement_toml
+from sweetspot.catalog.files.write import implement_toml
 from sweetspot.catalog.sports import sport
 from sweetspot.design.measures import MEASURES, MeasuredDesigns
 from sweetspot.design.pareto import saved

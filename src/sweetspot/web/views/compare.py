@@ -22,8 +22,7 @@ from sweetspot.answers.certify import CertifyQuestion, RuleCheck, certificate_of
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, ComparedCurves, SpeedWithEnds, compare_of
 from sweetspot.answers.implement import MassProperties
 from sweetspot.answers.records import GAPS, Frequency, Length, MomentOfInertia, Ratio
-from sweetspot.catalog.bats import wall_doubt
-from sweetspot.catalog.corking import FILLS, LABELS
+from sweetspot.catalog.bats import FILLS, LABELS, wall_doubt
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
