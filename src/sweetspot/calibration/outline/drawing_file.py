@@ -238,13 +238,7 @@ def _drawn(path: Path) -> tuple[list[Array], float | None]:
 
 
 def _pieces(things: Iterable[Any], blocks: Any, known: dict[str, int]) -> int:
-    """Return how many things are drawn, those of blocks as often as they are inserted, before any is.
-
-    Raises
-    ------
-    InputError
-        when a block holds itself.
-    """
+    """Return how many things are drawn, those of blocks as often as they are inserted, before any is."""
     count = 0
     for one in things:
         name = one.dxf.get("name", "") if one.dxftype() == "INSERT" else ""

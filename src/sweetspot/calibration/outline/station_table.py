@@ -250,13 +250,7 @@ def _written_length(text: str) -> float:
 
 
 def _metres(row: Sequence[str], column: TableColumn) -> float:
-    """Return what a cell says in m.
-
-    Raises
-    ------
-    InputError
-        for what is no length.
-    """
+    """Return what a cell says in m."""
     text = _cell(row, column)
     try:
         value = column.factor * float(text)

@@ -133,13 +133,7 @@ def read_photo(
 
 
 def _told_by_hue(picture: Picture, edges: Edges) -> Edges | None:
-    """Return the edges where hue alone tells the bat, when a dark shadow was taken for a part of it; None otherwise.
-
-    Raises
-    ------
-    InputError
-        when hue does not tell it.
-    """
+    """Return the edges where hue alone tells the bat, when a dark shadow was taken for a part of it; None otherwise."""
     tint, shade = tint_and_shade(picture)
     if not shadow_at_a_flank(edges, tint, shade):
         return None
@@ -154,13 +148,7 @@ def _told_by_hue(picture: Picture, edges: Edges) -> Edges | None:
 
 
 def _check_no_shadow(picture: Picture, bat: Shape, surely: list[Shape]) -> None:
-    """Refuse a bat that is seen as a shadow would be.
-
-    Raises
-    ------
-    InputError
-        when where shadows do not count no bat as long as this is seen.
-    """
+    """Refuse a bat that is seen as a shadow would be."""
     if any(one.like_a_bat and one.length > WHOLE * bat.length for one in surely):
         return
     if picture.grey:
@@ -179,11 +167,6 @@ def _check_seen(edges: Edges, name: str) -> None:
     """Refuse edges that move with the level at which they are taken by much of what the bat's shape changes.
 
     Refused, too, are edges that jump: they follow something on the bat, and not the bat.
-
-    Raises
-    ------
-    InputError
-        when the bat, or a part of it, is too like its ground, too blurred or too small.
     """
     unsettled, shape = float(np.median(edges.unsettled)), float(np.ptp(edges.width))
     if unsettled > TOO_UNSETTLED * shape:

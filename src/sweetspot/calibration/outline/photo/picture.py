@@ -146,13 +146,7 @@ def read_picture(path: Path) -> Picture:
 
 
 def _refuse_heif(path: Path) -> None:
-    """Refuse what telephones write and only some programs read, whatever its name.
-
-    Raises
-    ------
-    InputError
-        when the file is one.
-    """
+    """Refuse what telephones write and only some programs read, whatever its name."""
     with suppress(OSError), path.open("rb") as file:  # whoever opens it next says why it cannot be read
         begin = file.read(12)
         if begin[4:8] == b"ftyp" and begin[8:] in HEIF:
@@ -163,13 +157,7 @@ def _refuse_heif(path: Path) -> None:
 
 
 def _bytes_of(values: Array, path: Path) -> NDArray[np.uint8]:
-    """Return grey values of 16 bits or as fractions as bytes.
-
-    Raises
-    ------
-    InputError
-        when they are no grey values.
-    """
+    """Return grey values of 16 bits or as fractions as bytes."""
     if not np.isfinite(values).all() or values.min() < 0 or values.max() > RANGES[-1]:
         raise InputError(
             f"{path} holds values that are no grey, {values.min():g} to {values.max():g}; save it as JPEG or PNG"
@@ -179,13 +167,7 @@ def _bytes_of(values: Array, path: Path) -> NDArray[np.uint8]:
 
 
 def _check_shown(colours: NDArray[np.uint8], path: Path) -> None:
-    """Refuse a picture in which nothing is to be seen.
-
-    Raises
-    ------
-    InputError
-        when it has one colour, or is transparent, everywhere.
-    """
+    """Refuse a picture in which nothing is to be seen."""
     if colours.shape[2] == 4 and colours[..., 3].max() < SEEN * 255:
         raise InputError(f"{path} is transparent everywhere; give the photograph as the camera wrote it")
     if (colours.max(axis=(0, 1)) - colours.min(axis=(0, 1))).max() <= FLAT:
