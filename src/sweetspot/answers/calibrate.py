@@ -214,7 +214,7 @@ def calibrate_answer(question: CalibrateQuestion) -> CalibrateAnswer:
     posterior = calibrate(described(bat), unknowns, measurements)
     consistent = not posterior.contradictions
     values = {**properties(posterior), **material_values(posterior)} if consistent else {}
-    told = posterior.unknowns if consistent else ()
+    fitted_unknowns = posterior.unknowns if consistent else ()
     return CalibrateAnswer(
         question=question,
         posterior=posterior,
@@ -224,7 +224,8 @@ def calibrate_answer(question: CalibrateQuestion) -> CalibrateAnswer:
         bat=CalibratedValues(**values),
         damping_ratio=None if damping is None else CalibratedValue(damping, "measured"),
         unknowns=tuple(
-            CalibratedUnknown(unknown.name, unknown.spread, posterior.deviation(unknown.name)) for unknown in told
+            CalibratedUnknown(unknown.name, unknown.spread, posterior.deviation(unknown.name))
+            for unknown in fitted_unknowns
         ),
         measurements=tuple(
             FittedMeasurement(measurement.kind, measurement.name, measurement.value, fitted, pull)
@@ -235,7 +236,7 @@ def calibrate_answer(question: CalibrateQuestion) -> CalibrateAnswer:
                 strict=False,  # behind the measurements' pulls stand those of the expectations
             )
         ),
-        budget={unknown.name: posterior.budget(unknown.name) for unknown in told},
+        budget={unknown.name: posterior.budget(unknown.name) for unknown in fitted_unknowns},
     )
 
 

@@ -340,17 +340,17 @@ def _properties(posterior: Posterior) -> RankedProperties:
     return RankedProperties(**values, modulus=modulus)
 
 
-def _differing(known: Mapping[str, Mapping[str, Measured]], name: str) -> tuple[str, ...]:
+def _differing(properties: Mapping[str, Mapping[str, Measured]], name: str) -> tuple[str, ...]:
     """Return the properties of a bat that lie surely off the mean of the other bats.
 
     So far off that of alike bats any property of any bat is named in one table of twenty (Bonferroni).
     """
     from scipy.special import ndtri
 
-    reach = -float(ndtri(BY_CHANCE / (2 * len(known) * len(known[name]))))
+    reach = -float(ndtri(BY_CHANCE / (2 * len(properties) * len(properties[name]))))
     names = []
-    for which, mine in known[name].items():
-        others = [values[which] for other, values in known.items() if other != name and which in values]
+    for which, mine in properties[name].items():
+        others = [values[which] for other, values in properties.items() if other != name and which in values]
         if not others:
             continue
         mean = float(np.mean([value.value for value in others]))

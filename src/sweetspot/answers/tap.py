@@ -123,7 +123,9 @@ class TapAnswer(Answer):
     @property
     def damping(self) -> Measured | None:
         """Damping ratio of the bending modes; None: no tone is one."""
-        ratios = [tone.tone.damping_ratio for tone in self.test.tones if tone.name and tone.name.family == "bending"]
+        ratios = [
+            named.tone.damping_ratio for named in self.test.tones if named.name and named.name.family == "bending"
+        ]
         return pooled(ratios) if ratios else None
 
 

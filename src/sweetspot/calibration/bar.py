@@ -67,7 +67,7 @@ class Bar:
 
     def __post_init__(self) -> None:
         sizes = (self.length, self.width, self.thickness, self.mass)
-        if min(one.value for one in sizes) <= 0:
+        if min(size.value for size in sizes) <= 0:
             raise InputError("a bar's length, width, thickness and mass must be more than 0")
         if self.thickness.value > THICKEST * self.length.value:
             raise InputError(
@@ -178,13 +178,13 @@ def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
     )  # fmt: skip
     first = named(tones, families, doubt=0.0)  # what is told is E, which another name of a twist does not change
     usual = dict(zip(families[0].names, families[0].frequency, strict=True))
-    scales = [math.log(one.tone.frequency.value / usual[one.name]) for one in first if one.name in usual]
+    scales = [math.log(named.tone.frequency.value / usual[named.name]) for named in first if named.name in usual]
     if not scales:
         return first
     scale = math.exp(sum(scales) / len(scales))
     tied = replace(families[1], frequency=scale * families[1].frequency, spread=bar.usual_ratio.error / 2)
-    again = iter(named([one.tone for one in first if one.name not in usual], [tied], doubt=0.0))
-    return tuple(one if one.name in usual else replace(next(again), expected=None) for one in first)
+    again = iter(named([named.tone for named in first if named.name not in usual], [tied], doubt=0.0))
+    return tuple(named if named.name in usual else replace(next(again), expected=None) for named in first)
 
 
 FORMULA_ERROR = 0.005
@@ -218,15 +218,19 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
     InputError
         when no tone is a bending mode.
     """
-    heard = [(one.name.harmonic - 1, one.tone.frequency) for one in tones if one.name and one.name.family == "bending"]
+    heard = [
+        (named.name.harmonic - 1, named.tone.frequency)
+        for named in tones
+        if named.name and named.name.family == "bending"
+    ]
     if not heard:
         raise InputError("none of the tones is a bending mode of a bar; tap it in the middle, held at its nodes")
     sizes = {"length": bar.length, "width": bar.width, "thickness": bar.thickness, "mass": bar.mass}
     sources = {**sizes, **{f"bending {mode + 1}": tone for mode, tone in heard}, "E/G": bar.usual_ratio}
-    given = np.array([one.value for one in sources.values()])
+    given = np.array([source.value for source in sources.values()])
     ratio_error = bar.usual_ratio.error
     centre = _log_moduli(given, heard, ratio_error)
-    errors = np.array([one.error for one in sources.values()])
+    errors = np.array([source.error for source in sources.values()])
     steps = STEP * errors
     moved = [(_log_moduli(given + step, heard, ratio_error) - centre) / STEP for step in np.diag(steps)]
     effects = np.array(moved)  # of one sigma of every source on ln E and ln E/G
@@ -234,7 +238,7 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
     modulus, ratio = np.exp(centre)
     deviations = np.sqrt(np.sum(effects**2, axis=0))
     return BarModulus(
-        Measured(bar.density, bar.density * math.sqrt(sum(one.relative**2 for one in sizes.values()))),
+        Measured(bar.density, bar.density * math.sqrt(sum(size.relative**2 for size in sizes.values()))),
         Measured(float(modulus), float(modulus * deviations[0])),
         Measured(float(ratio), float(ratio * deviations[1])),
         {name: float(share / shares.sum()) for name, share in zip(sources, shares, strict=True)},
@@ -254,7 +258,11 @@ def moduli_along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Meas
     Tones that would make sound run faster or slower than in solids are left out.
     """
     first = ModeName("bending", 1)
-    moduli = [(one.tone, bar_modulus(bar, [NamedTone(one.tone, first, None)]).modulus) for one in tones if one.tone.own]
+    moduli = [
+        (named.tone, bar_modulus(bar, [NamedTone(named.tone, first, None)]).modulus)
+        for named in tones
+        if named.tone.own
+    ]
     slowest, fastest = SPEEDS
     return tuple(
         (tone, modulus) for tone, modulus in moduli

@@ -124,21 +124,21 @@ def read_bats(
         raise InputError(f"{path} has {len(rows) - 1} bats; allowed are {MOST_BATS}")
     bats: dict[str, dict[str, Measured]] = {}
     for line, (_, cells) in enumerate(rows[1:], start=2):
-        said = {
+        texts = {
             name: cells[column.index].strip()
             for name, column in headings.columns.items()
             if column.index < len(cells) and not _is_blank(cells[column.index])
         }
-        name = said.pop("piece", f"bat {line - 1}")
+        name = texts.pop("piece", f"bat {line - 1}")
         if name in bats:
             raise InputError(f"{path}, line {line}: there are two bats of the name {name!r}; give each its own")
-        swung = said.pop("moi", None) if lettered else None
-        bats[name] = _values(said, headings, f"{path}, line {line}")
+        swung = texts.pop("moi", None) if lettered else None
+        bats[name] = _values(texts, headings, f"{path}, line {line}")
         if swung is not None:
             what = f"{path}, line {line}, swing weight"
-            told = of_swing_weight(swung, sport, mass=bats[name].get("mass"), what=what)
-            if bats[name].setdefault(told.kind, told.value) is not told.value:
-                raise InputError(f"{what} tells the {told.name}, which was given too; give one of them")
+            measurement = of_swing_weight(swung, sport, mass=bats[name].get("mass"), what=what)
+            if bats[name].setdefault(measurement.kind, measurement.value) is not measurement.value:
+                raise InputError(f"{what} tells the {measurement.name}, which was given too; give one of them")
         if not bats[name].keys() - {"moisture"}:
             raise InputError(f"{path}, line {line}: nothing was measured on {name}; its columns may be {HINT}")
     usual = _usual_moisture(bats, path)
@@ -155,8 +155,8 @@ def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
         for name in names
         if PER_MINUTE.search(simplified(name))
     ]
-    told = [f"columns are not understood: {', '.join(slips)}; mend the heading, or rename it"] if slips else []
-    refuse_faults([*found.faults.values(), *per_minute, *told], str(path))
+    misspelled = [f"columns are not understood: {', '.join(slips)}; mend the heading, or rename it"] if slips else []
+    refuse_faults([*found.faults.values(), *per_minute, *misspelled], str(path))
     if unread:
         warnings.warn(
             f"{path}: not understood and not used: {', '.join(unread)}; columns may be {HINT}",
@@ -168,10 +168,10 @@ def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
 
 def _usual_moisture(bats: Mapping[str, Mapping[str, Measured]], path: Path) -> Measured | None:
     """Return how wet a bat is taken to be whose moisture was not measured; None: nobody's was, and none is brought."""
-    known = [values["moisture"].value for values in bats.values() if "moisture" in values]
-    if not known:
+    measured = [values["moisture"].value for values in bats.values() if "moisture" in values]
+    if not measured:
         return None
-    usual = Measured(float(np.mean(known)), math.hypot(float(np.std(known)), MOISTURE_UNKNOWN))
+    usual = Measured(float(np.mean(measured)), math.hypot(float(np.std(measured)), MOISTURE_UNKNOWN))
     if dry := [name for name, values in bats.items() if "moisture" not in values]:
         warnings.warn(
             f"{path}: no moisture was given of {', '.join(dry)}; taken is the mean of the others, {usual.value:.1%} ± "
@@ -186,10 +186,10 @@ def _is_blank(cell: str) -> bool:
     return cell.strip().lower() in BLANKS
 
 
-def _values(said: Mapping[str, str], headings: Headings, what: str) -> dict[str, Measured]:
+def _values(texts: Mapping[str, str], headings: Headings, what: str) -> dict[str, Measured]:
     """Return the cells of a row as values with errors, SI, by quantity."""
     values = {}
-    for name, cell in said.items():
+    for name, cell in texts.items():
         column = headings.columns[name]
         if THOUSANDS.search(cell):
             raise InputError(f"{cell!r} was given; write thousands without a comma, or decimals after a point")
@@ -198,7 +198,7 @@ def _values(said: Mapping[str, str], headings: Headings, what: str) -> dict[str,
         check(values[name].value, {"pendulum": "period"}.get(name, name), f"{written} ({what})")
     moisture = values.get("moisture")
     if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
-        low, high = (100 * one for one in MOISTURES)
+        low, high = (100 * share for share in MOISTURES)
         raise InputError(
             f"{what}: the moisture is {100 * moisture.value:.3g} %; allowed is {low:g} to {high:g} % of the dry wood"
         )
@@ -222,7 +222,9 @@ def _measurements(values: Mapping[str, Measured], usual: Measured | None, axis: 
         elif quantity != "moisture":
             name = ModeName("hoop", 2) if quantity == "hoop" else ModeName("bending", int(quantity[-1]))
             measurements.append(Measurement("frequency", value, mode=name))
-    return measurements if moisture is None else [at_usual_moisture(one, moisture) for one in measurements]
+    return (
+        measurements if moisture is None else [at_usual_moisture(measurement, moisture) for measurement in measurements]
+    )
 
 
 TABLES, BAT_FILE = (".csv", ".tsv", ".txt"), ".toml"
@@ -283,11 +285,11 @@ def measured_of(path: Path, model: Implement) -> list[Measurement]:
     InputError
         where it wrote none, or not what was measured, or the bat is another one.
     """
-    own = load_implement(str(path))
-    if own.sport != model.sport or abs(own.length / model.length - 1) > SAME_LENGTH:
+    implement = load_implement(str(path))
+    if implement.sport != model.sport or abs(implement.length / model.length - 1) > SAME_LENGTH:
         raise InputError(
-            f"{path} is of {own.sport}, {own.length:.3f} m long, and {model.name} of {model.sport}, {model.length:.3f} "
-            "m; a ranking is of bats of one model"
+            f"{path} is of {implement.sport}, {implement.length:.3f} m long, and {model.name} of {model.sport}, "
+            f"{model.length:.3f} m; a ranking is of bats of one model"
         )
     table = read_toml(path).get("calibration")
     values = () if table is None else CalibrationTable.model_validate(table).value
@@ -295,8 +297,8 @@ def measured_of(path: Path, model: Implement) -> list[Measurement]:
         raise InputError(f"{path} does not hold what was measured; write it by `sweetspot calibrate --out`")
     return [
         Measurement(
-            one.quantity, Measured(one.measured, one.error), axis=one.axis,
-            mode=None if one.family is None else ModeName(one.family, one.harmonic),
+            value.quantity, Measured(value.measured, value.error), axis=value.axis,
+            mode=None if value.family is None else ModeName(value.family, value.harmonic),
         )
-        for one in values
+        for value in values
     ]  # fmt: skip

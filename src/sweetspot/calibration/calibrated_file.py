@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
-from sweetspot.calibration.measurements import Measurement, predicted, said_of_body
+from sweetspot.calibration.measurements import Measurement, predicted, prediction_of_body
 from sweetspot.calibration.posterior import OF_BALL, Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, deviated_bodies
 from sweetspot.catalog.files.write import bat_table, implement_table
@@ -44,26 +44,26 @@ def properties(posterior: Posterior) -> dict[str, CalibratedValue]:
     errors[2] = max(errors[2], _doubt_of_moi(posterior))
     not_measured = fitted_names(posterior)
     return {
-        one.kind: CalibratedValue(
-            Measured(float(value), float(error)), "fitted" if one.kind in not_measured else "measured"
+        entry.kind: CalibratedValue(
+            Measured(float(value), float(error)), "fitted" if entry.kind in not_measured else "measured"
         )
-        for one, value, error in zip(wanted, values, errors, strict=True)
+        for entry, value, error in zip(wanted, values, errors, strict=True)
     }
 
 
 def fitted_names(posterior: Posterior) -> tuple[str, ...]:
     """Return which of a written weight, balance point and moment of inertia no measurement tells by itself."""
-    kinds = {one.kind for one in posterior.measurements}
+    kinds = {measurement.kind for measurement in posterior.measurements}
     return tuple(name for name, measuring in MEASURING.items() if not kinds & set(measuring))
 
 
 def _doubt_of_moi(posterior: Posterior) -> float:
     """Return by how much the moment of inertia may be off that was not measured, kg m^2; see `moi_doubt`."""
-    own = posterior.beam.bat
-    if not isinstance(own, Bat):
+    bat = posterior.beam.bat
+    if not isinstance(bat, Bat):
         return 0.0
     body, not_measured = rigid_body(posterior.beam), fitted_names(posterior)
-    as_kept = own.replaced(
+    as_kept = bat.replaced(
         balance_point=body.balance_point, moi=body.moi(STANDARD_AXIS), mass=body.mass, fitted=not_measured
     )
     return moi_doubt(as_kept, body, STANDARD_AXIS)
@@ -72,14 +72,14 @@ def _doubt_of_moi(posterior: Posterior) -> float:
 def _slopes(posterior: Posterior, wanted: Sequence[Measurement]) -> Array:
     """Return what every unknown changes of what is wanted, shape (unknowns, wanted)."""
     beam, unknowns = posterior.beam, posterior.unknowns
-    steps = STEP * np.array([one.spread for one in unknowns])
+    steps = STEP * np.array([unknown.spread for unknown in unknowns])
     places = np.vstack([np.diag(steps), -np.diag(steps)])
     bodies = deviated_bodies(beam, unknowns, places)
     if bodies is None:
-        said = np.array([predicted(deviated(beam, unknowns, place), wanted) for place in places])
+        predictions = np.array([predicted(deviated(beam, unknowns, place), wanted) for place in places])
     else:
-        said = np.array([[said_of_body(body, one) for one in wanted] for body in bodies])
-    ahead, behind = np.split(said, 2)
+        predictions = np.array([[prediction_of_body(body, measurement) for measurement in wanted] for body in bodies])
+    ahead, behind = np.split(predictions, 2)
     return np.asarray((ahead - behind) / (2 * steps[:, None]))
 
 
@@ -90,7 +90,7 @@ def material_values(posterior: Posterior) -> dict[str, CalibratedValue]:
         frequency = bat.frequency
         assert frequency is not None  # guaranteed by as_described
         error = posterior.deviation("first_frequency").error
-        rung = any(one.mode is not None for one in posterior.measurements)
+        rung = any(measurement.mode is not None for measurement in posterior.measurements)
         return {
             "first_frequency": CalibratedValue(
                 Measured(frequency, frequency * error), "measured" if rung else "assumed"
@@ -106,8 +106,8 @@ def material_values(posterior: Posterior) -> dict[str, CalibratedValue]:
         if unknown.name in centre:
             field, value = centre[unknown.name]
             error = posterior.deviation(unknown.name).error
-            told: ValueKind = "fitted" if error < TOLD * unknown.spread else "assumed"
-            values[field] = CalibratedValue(Measured(value, value * error), told)
+            kind: ValueKind = "fitted" if error < TOLD * unknown.spread else "assumed"
+            values[field] = CalibratedValue(Measured(value, value * error), kind)
     return values
 
 
@@ -165,35 +165,45 @@ def _calibration_table(posterior: Posterior) -> dict[str, Any]:
 
     The ball's part is left out: it belongs to the balls that were shot.
     """
-    own = [index for index, one in enumerate(posterior.unknowns) if one.name != OF_BALL]
+    of_bat = [index for index, entry in enumerate(posterior.unknowns) if entry.name != OF_BALL]
     return {
-        "measured": [one.name for one in posterior.measurements],
-        "value": [_measurement_table(one) for one in posterior.measurements if one.shooting is None],
-        "unknowns": [posterior.unknowns[index].name for index in own],
-        "covariance": posterior.covariance[np.ix_(own, own)].tolist(),
+        "measured": [measurement.name for measurement in posterior.measurements],
+        "value": [
+            _measurement_table(measurement) for measurement in posterior.measurements if measurement.shooting is None
+        ],
+        "unknowns": [posterior.unknowns[index].name for index in of_bat],
+        "covariance": posterior.covariance[np.ix_(of_bat, of_bat)].tolist(),
     }
 
 
-def _measurement_table(one: Measurement) -> dict[str, Any]:
+def _measurement_table(measurement: Measurement) -> dict[str, Any]:
     """Return a measurement as a file has it; see `bat_folder.measured_of`."""
-    of_mode = {} if one.mode is None else {"family": one.mode.family, "harmonic": one.mode.harmonic}
-    of_axis = {"axis": one.axis} if one.kind in ("moi", "period") else {}
-    return {"quantity": one.kind, "measured": one.value.value, "error": one.value.error, **of_axis, **of_mode}
+    of_mode = (
+        {} if measurement.mode is None else {"family": measurement.mode.family, "harmonic": measurement.mode.harmonic}
+    )
+    of_axis = {"axis": measurement.axis} if measurement.kind in ("moi", "period") else {}
+    return {
+        "quantity": measurement.kind,
+        "measured": measurement.value.value,
+        "error": measurement.value.error,
+        **of_axis,
+        **of_mode,
+    }
 
 
 def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
     """Return the content of the file of a racket, club or stick; a club has head and grip for its weight."""
-    own = posterior.beam.bat
-    table = implement_table(own.replaced(name=f"{own.name}, calibrated", fitted=fitted_names(posterior)))
+    implement = posterior.beam.bat
+    table = implement_table(implement.replaced(name=f"{implement.name}, calibrated", fitted=fitted_names(posterior)))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"}
     for name, one in {**properties(posterior), **material_values(posterior)}.items():
         if name in table:
             table[name] = _record(f"{one.value.value!r} {units[name]}", one, units[name])
     if damping is not None and "damping" in table:
         table["damping"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
-    if isinstance(own, GolfClub):
+    if isinstance(implement, GolfClub):
         for holder, name, unknown in ((table["head"], "mass", "end_mass"), (table, "grip_mass", "knob_mass")):
-            mass = own.head.mass if name == "mass" else own.grip_mass
+            mass = implement.head.mass if name == "mass" else implement.grip_mass
             error = mass * posterior.deviation(unknown).error
             holder[name] = _record(f"{mass!r} kg", CalibratedValue(Measured(mass, error), "fitted"), "kg")
     return {**table, "calibration": _calibration_table(posterior)}

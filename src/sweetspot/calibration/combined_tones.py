@@ -75,9 +75,9 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
         faults = "; ".join(f"{tap.recording} at {tap.start:.2f} s {tap.fault}" for tap in taps)
         raise InputError(f"no tap can be used: {faults or 'there is none'}")
     heard = sorted(
-        (_Heard(one, number, one.amplitude / max(other.amplitude for other in fit.sinusoids),
-                stands_out(one, fit.sinusoids))
-         for number, (fit, _) in enumerate(used) for one in fit.sinusoids),
+        (_Heard(sinusoid, number, sinusoid.amplitude / max(other.amplitude for other in fit.sinusoids),
+                stands_out(sinusoid, fit.sinusoids))
+         for number, (fit, _) in enumerate(used) for sinusoid in fit.sinusoids),
         key=lambda entry: entry.tone.frequency.value,
     )  # fmt: skip
     groups: list[list[_Heard]] = []
@@ -95,13 +95,13 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
 
 
 def _tone(group: list[_Heard]) -> Tone:
-    frequency = pooled([one.tone.frequency for one in group])
-    damping = pooled([one.tone.damping_ratio for one in group])
-    shared = sum(one.tone.shared_error for one in group) / len(group)  # more taps in one room do not make it less
+    frequency = pooled([heard.tone.frequency for heard in group])
+    damping = pooled([heard.tone.damping_ratio for heard in group])
+    shared = sum(heard.tone.shared_error for heard in group) / len(group)  # more taps in one room do not make it less
     return Tone(
         frequency.widened(REPEATABILITY * frequency.value).widened(shared),
         damping.widened(DAMPING_REPEATABILITY * damping.value).widened(shared / frequency.value),
-        max(one.level for one in group),
+        max(heard.level for heard in group),
         len(group),
-        sum(one.own for one in group) >= OFTEN * len(group),
+        sum(heard.own for heard in group) >= OFTEN * len(group),
     )

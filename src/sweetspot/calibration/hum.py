@@ -102,8 +102,8 @@ def _steady(parts: Array, starts: Array, rate: float, base: float) -> tuple[Arra
     turned = np.exp(-2j * np.pi * tried[:, None, None] * starts[None, :, None] * number)
     steady = np.abs(np.mean(turned * sizes, axis=1)) ** 2
     best = int(np.argmax(steady.sum(axis=1)))
-    kept: NDArray[np.bool_] = steady[best] > STEADY * np.mean(np.abs(sizes) ** 2, axis=0)
-    return np.asarray(number[kept] * (base + tried[best])), float(steady[best][kept].sum())
+    is_steady: NDArray[np.bool_] = steady[best] > STEADY * np.mean(np.abs(sizes) ** 2, axis=0)
+    return np.asarray(number[is_steady] * (base + tried[best])), float(steady[best][is_steady].sum())
 
 
 def risen(fit: Fit, earlier: Array) -> Fit:
@@ -123,8 +123,10 @@ def risen(fit: Fit, earlier: Array) -> Fit:
     power = 4 * np.abs(np.fft.rfft(window * quiet)) ** 2 / (len(quiet) * np.sum(window**2))
     frequency = np.fft.rfftfreq(len(quiet), 1 / fit.rate)
 
-    def before(one: Sinusoid) -> float:
-        reach = WANDERS * one.frequency.value + 2 * fit.rate / len(quiet)
-        return float(np.sqrt(power[np.abs(frequency - one.frequency.value) < reach].sum()))
+    def before(sinusoid: Sinusoid) -> float:
+        reach = WANDERS * sinusoid.frequency.value + 2 * fit.rate / len(quiet)
+        return float(np.sqrt(power[np.abs(frequency - sinusoid.frequency.value) < reach].sum()))
 
-    return replace(fit, sinusoids=tuple(one for one in fit.sinusoids if before(one) < AS_LOUD * one.amplitude))
+    return replace(
+        fit, sinusoids=tuple(sinusoid for sinusoid in fit.sinusoids if before(sinusoid) < AS_LOUD * sinusoid.amplitude)
+    )

@@ -64,8 +64,8 @@ def pooled(values: Sequence[Measured]) -> Measured:
     >>> pooled([Measured(1.0, 0.1), Measured(3.0, 0.1)])  # twenty errors apart: the mean is worth little
     Measured(value=2.0, error=1.0)
     """
-    weights = np.array([1 / one.error**2 for one in values])
-    numbers = np.array([one.value for one in values])
+    weights = np.array([1 / value.error**2 for value in values])
+    numbers = np.array([value.value for value in values])
     mean = float(weights @ numbers / weights.sum())
     spread = math.sqrt(weights @ (numbers - mean) ** 2 / max(len(values) - 1, 1))
     return Measured(mean, float(max(spread, 1.0) / math.sqrt(weights.sum())))

@@ -94,14 +94,18 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
     Of two tones with one name, a mode in two planes, the mean counts, and half their distance is its error.
     """
     by_name: dict[ModeName, list[Measured]] = {}
-    for one in tones:
-        if one.name and (one.name.family == "bending" or one.name.harmonic == 2) and one.name.harmonic <= MOST_BENDING:
-            by_name.setdefault(one.name, []).append(one.tone.frequency)
+    for named in tones:
+        if (
+            named.name
+            and (named.name.family == "bending" or named.name.harmonic == 2)
+            and named.name.harmonic <= MOST_BENDING
+        ):
+            by_name.setdefault(named.name, []).append(named.tone.frequency)
     measurements = []
     for name, frequencies in by_name.items():
         first = frequencies[0]
         if name.family == "bending" and len(frequencies) > 1:
-            values = [one.value for one in frequencies]
+            values = [frequency.value for frequency in frequencies]
             first = Measured(float(np.mean(values)), first.error).widened(float(np.ptp(values)) / 2)
         measurements.append(Measurement("frequency", first, mode=name))
     return measurements
@@ -119,24 +123,33 @@ def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier:
     InputError
         for a frequency without the name of its mode.
     """
-    body = rigid_body(beam) if any(one.kind in OF_BODY for one in measurements) else None
-    known = None if beam.bat.added else beam.bat.frequency
+    body = rigid_body(beam) if any(measurement.kind in OF_BODY for measurement in measurements) else None
+    scaled_to = None if beam.bat.added else beam.bat.frequency
     bending = hoop = None
-    count = max((one.mode.harmonic for one in measurements if one.mode and one.mode.family == "bending"), default=0)
-    efficiencies = _efficiencies(beam, [one.shooting for one in measurements if one.shooting], livelier)
+    count = max(
+        (
+            measurement.mode.harmonic
+            for measurement in measurements
+            if measurement.mode and measurement.mode.family == "bending"
+        ),
+        default=0,
+    )
+    efficiencies = _efficiencies(
+        beam, [measurement.shooting for measurement in measurements if measurement.shooting], livelier
+    )
     values = []
-    for one in measurements:
-        if body is not None and one.kind in OF_BODY:
-            values.append(said_of_body(body, one))
-        elif one.shooting is not None:
-            values.append(efficiencies[one.shooting])
-        elif one.mode is None:
+    for measurement in measurements:
+        if body is not None and measurement.kind in OF_BODY:
+            values.append(prediction_of_body(body, measurement))
+        elif measurement.shooting is not None:
+            values.append(efficiencies[measurement.shooting])
+        elif measurement.mode is None:
             raise InputError("a frequency needs the name of its mode")
-        elif known is not None and one.mode == ModeName("bending", 1):  # what the stiffness is scaled to
-            values.append(known)
-        elif one.mode.family == "bending":
+        elif scaled_to is not None and measurement.mode == ModeName("bending", 1):  # what the stiffness is scaled to
+            values.append(scaled_to)
+        elif measurement.mode.family == "bending":
             bending = _bending(beam, count) if bending is None else bending
-            values.append(float(bending[one.mode.harmonic - 1]))
+            values.append(float(bending[measurement.mode.harmonic - 1]))
         else:
             hoop = hoop_frequency(beam) if hoop is None else hoop
             values.append(hoop)
@@ -149,30 +162,30 @@ def _bending(beam: BeamModel, count: int) -> Array:
     return bending_frequencies(beam, count=count, elements=ELEMENTS)
 
 
-def said_of_body(body: RigidBody, one: Measurement) -> float:
+def prediction_of_body(body: RigidBody, measurement: Measurement) -> float:
     """Return what a rigid body says to a measurement on scale, edge or pendulum, SI."""
-    if one.kind == "mass":
+    if measurement.kind == "mass":
         return body.mass
-    if one.kind == "balance_point":
+    if measurement.kind == "balance_point":
         return body.balance_point
-    turning = body.moi(one.axis)
-    if one.kind == "moi":
+    turning = body.moi(measurement.axis)
+    if measurement.kind == "moi":
         return turning
-    return pendulum_period(turning, mass=body.mass, balance_point=body.balance_point, pivot=one.axis)
+    return pendulum_period(turning, mass=body.mass, balance_point=body.balance_point, pivot=measurement.axis)
 
 
 def _efficiencies(beam: BeamModel, shootings: Sequence[Shooting], livelier: float) -> dict[Shooting, float]:
     """Return q of shots; a hit that does not end is as bad as none."""
     efficiencies: dict[Shooting, float] = {}
     modes = all_modes(beam, shootings[0].ball) if shootings else None
-    for ball in {one.ball for one in shootings}:
+    for ball in {shooting.ball for shooting in shootings}:
         law = ball.restitution
         shot = ball.replaced(restitution=law.replaced(reference=min(law.reference * float(np.exp(livelier)), 1.0)))
-        same = [one for one in shootings if one.ball == ball]
+        same = [shooting for shooting in shootings if shooting.ball == ball]
         assert modes is not None  # there is at least one shooting
         struck = hits(
-            modes, ball=shot, position=[one.position for one in same],
-            closing_speed=[one.closing_speed for one in same],
+            modes, ball=shot, position=[shooting.position for shooting in same],
+            closing_speed=[shooting.closing_speed for shooting in same],
         )  # fmt: skip
         values = np.nan_to_num(struck.collision_efficiency, nan=-1.0).tolist()
         efficiencies |= dict(zip(same, values, strict=True))

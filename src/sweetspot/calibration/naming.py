@@ -215,7 +215,7 @@ def _exchanged(tones: Sequence[Tone], modes: Assignment, index: int, doubt: floa
         if family is not modes[index][0]:
             changed = modes | {index: modes[other], other: modes[index]}
             both = (family, modes[index][0])
-            if sum(_cost_in(tones, one, changed) - _cost_in(tones, one, modes) for one in both) < doubt:
+            if sum(_cost_in(tones, family, changed) - _cost_in(tones, family, modes) for family in both) < doubt:
                 yield family.names[mode]
 
 

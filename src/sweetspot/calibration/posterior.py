@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import OF_BODY, Measurement, predicted, said_of_body
+from sweetspot.calibration.measurements import OF_BODY, Measurement, predicted, prediction_of_body
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, deviated_bodies
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
@@ -72,7 +72,10 @@ class Posterior:
     @property
     def sources(self) -> tuple[str, ...]:
         """Names of measurements and expectations, in the order of `pulls`."""
-        return (*(one.name for one in self.measurements), *(f"expected {one.name}" for one in self.unknowns))
+        return (
+            *(measurement.name for measurement in self.measurements),
+            *(f"expected {unknown.name}" for unknown in self.unknowns),
+        )
 
     @property
     def contradictions(self) -> dict[str, float]:
@@ -83,16 +86,18 @@ class Posterior:
     @property
     def livelier(self) -> float:
         """Logarithm of the shot balls' restitution over that of their law; 0 where none was shot."""
-        return sum(float(off) for one, off in zip(self.unknowns, self.deviations, strict=True) if one.name == OF_BALL)
+        return sum(
+            float(off) for entry, off in zip(self.unknowns, self.deviations, strict=True) if entry.name == OF_BALL
+        )
 
     def deviation(self, name: str) -> Measured:
         """Return an unknown's deviation and its error."""
-        index = [one.name for one in self.unknowns].index(name)  # type: ignore[arg-type]
+        index = [unknown.name for unknown in self.unknowns].index(name)  # type: ignore[arg-type]
         return Measured(float(self.deviations[index]), float(np.sqrt(self.covariance[index, index])))
 
     def budget(self, name: str) -> dict[str, float]:
         """Return the part of an unknown's variance that each source causes, the greatest first; they add up to 1."""
-        index = [one.name for one in self.unknowns].index(name)  # type: ignore[arg-type]
+        index = [unknown.name for unknown in self.unknowns].index(name)  # type: ignore[arg-type]
         shares = self.gains[index] ** 2 / self.covariance[index, index]
         return dict(sorted(zip(self.sources, shares.tolist(), strict=True), key=lambda entry: -entry[1]))
 
@@ -111,11 +116,11 @@ def residuals(x: Array, *, beam: BeamModel, unknowns: Sequence[Unknown], measure
     ----------
     x : deviations in their spreads, shape (n,).
     """
-    spreads = np.array([one.spread for one in unknowns])
-    values = np.array([one.value.value for one in measurements])
-    errors = np.array([one.error for one in measurements])
-    said = _said(beam, unknowns, x * spreads, measurements)
-    return np.concatenate([(said - values) / errors, x])
+    spreads = np.array([unknown.spread for unknown in unknowns])
+    values = np.array([measurement.value.value for measurement in measurements])
+    errors = np.array([measurement.error for measurement in measurements])
+    predictions = _said(beam, unknowns, x * spreads, measurements)
+    return np.concatenate([(predictions - values) / errors, x])
 
 
 def _misses(
@@ -125,8 +130,8 @@ def _misses(
 
     A shot takes the bat's whole vibration, and q hardly bends over the doubt that scale and tap leave.
     """
-    shot = [index for index, one in enumerate(measurements) if one.shooting is not None]
-    others = [one for one in measurements if one.shooting is None]
+    shot = [index for index, entry in enumerate(measurements) if entry.shooting is not None]
+    others = [measurement for measurement in measurements if measurement.shooting is None]
 
     def exact(x: Array) -> Array:
         return residuals(x, beam=beam, unknowns=unknowns, measurements=others)
@@ -134,7 +139,7 @@ def _misses(
     if not shot:
         return exact
     of_shots = [measurements[index] for index in shot]
-    spreads = np.array([one.spread for one in unknowns])
+    spreads = np.array([unknown.spread for unknown in unknowns])
     around = calibrate(beam, unknowns, others).deviations / spreads if others else np.zeros(len(unknowns))
 
     def shot_misses(x: Array) -> Array:
@@ -173,7 +178,7 @@ def _said(
     beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
 ) -> Array:
     """Return what the bat and ball with these deviations say to measurements, SI."""
-    livelier = sum(float(off) for one, off in zip(unknowns, deviations, strict=True) if one.name == OF_BALL)
+    livelier = sum(float(off) for entry, off in zip(unknowns, deviations, strict=True) if entry.name == OF_BALL)
     return predicted(deviated(beam, unknowns, deviations), measurements, livelier=livelier)
 
 
@@ -196,17 +201,19 @@ def calibrate(
     """
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
-    spreads = np.array([one.spread for one in unknowns])
-    quick = all(one.kind in OF_BODY for one in measurements)
+    spreads = np.array([unknown.spread for unknown in unknowns])
+    quick = all(measurement.kind in OF_BODY for measurement in measurements)
     misses = _once(_misses(beam, unknowns, measurements))
 
     def at_all(places: Array) -> Array:
         bodies = deviated_bodies(beam, unknowns, places * spreads) if quick else None
         if bodies is None:
             return np.array([misses(place) for place in places])
-        said = np.array([[said_of_body(body, one) for one in measurements] for body in bodies])
-        values, errors = np.array([(one.value.value, one.error) for one in measurements]).T
-        return np.hstack([(said - values) / errors, places])
+        predictions = np.array(
+            [[prediction_of_body(body, measurement) for measurement in measurements] for body in bodies]
+        )
+        values, errors = np.array([(measurement.value.value, measurement.error) for measurement in measurements]).T
+        return np.hstack([(predictions - values) / errors, places])
 
     try:
         most_likely = _least_squares(at_all, len(unknowns), agreeing=agreeing)

@@ -31,24 +31,25 @@ def check_same_model(
     """
     beam = beam_model(model)
     body, modes = rigid_body(beam), bending_modes(beam)
-    own: dict[str, float] = {
+    of_model: dict[str, float] = {
         "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(axis),
         "period": pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis),
     }  # fmt: skip
     bending = [float(modes.frequency[index]) for index in modes.of_family("bending")]
     for name, measured in bats.items():
-        for one in measured:
-            mode = one.mode
-            expected = own.get(one.kind)
+        for measurement in measured:
+            mode = measurement.mode
+            expected = of_model.get(measurement.kind)
             if mode is not None:
-                known = mode.family == "bending" and mode.harmonic <= len(bending)
-                expected = bending[mode.harmonic - 1] if known else None
+                modelled = mode.family == "bending" and mode.harmonic <= len(bending)
+                expected = bending[mode.harmonic - 1] if modelled else None
             if expected is None or insisted():
                 continue
-            factor = one.value.value / expected
-            if not 1 / SAME_MODEL[one.kind] < factor < SAME_MODEL[one.kind]:
-                what = str(mode) if mode is not None else one.kind.replace("_", " ")
+            factor = measurement.value.value / expected
+            if not 1 / SAME_MODEL[measurement.kind] < factor < SAME_MODEL[measurement.kind]:
+                what = str(mode) if mode is not None else measurement.kind.replace("_", " ")
                 raise InputError(
                     f"{name}: the {what} is {factor:.3g} times that of {model.name}; bats of one model come within a "
-                    f"factor of {SAME_MODEL[one.kind]:g}. Check the unit and the column, or add --force if it is meant"
+                    f"factor of {SAME_MODEL[measurement.kind]:g}. Check the unit and the column, or add --force if it "
+                    "is meant"
                 )

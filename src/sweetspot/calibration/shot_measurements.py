@@ -40,7 +40,7 @@ def of_shots(shots: Sequence[Shot], ball: Ball) -> list[Measurement]:
     ball : their kind; restitution and mass of measured balls replace its own.
     """
     groups: list[list[Shot]] = []
-    for shot in sorted(shots, key=lambda one: one.position):
+    for shot in sorted(shots, key=lambda entry: entry.position):
         if groups and shot.position - groups[-1][0].position <= ONE_PLACE:
             groups[-1].append(shot)
         else:
@@ -77,7 +77,7 @@ def shot_ball_unknown(shots: Sequence[Shot], ball: Ball) -> Unknown:
     spreads, law = ball_spreads(ball), ball.restitution
     measured = all(shot.ball_cor is not None for shot in shots)
     known_at = COR_SPEED if measured else law.reference_speed
-    known = MEASURED_BALLS if measured else spreads.get("restitution", 0.05) / REACH / law.reference
+    spread = MEASURED_BALLS if measured else spreads.get("restitution", 0.05) / REACH / law.reference
     faster = float(np.mean([shot.closing_speed for shot in shots])) - known_at
     by_slope = spreads.get("restitution_slope", 0.0) / REACH * faster / law.reference
-    return Unknown(OF_BALL, math.hypot(known, by_slope))
+    return Unknown(OF_BALL, math.hypot(spread, by_slope))

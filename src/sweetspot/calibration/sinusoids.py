@@ -118,9 +118,9 @@ def fit_sinusoids(samples: Array, rate: float, *, band: Band, most: int = MOST) 
         parameters = parameters[_rings(parameters)]
         parameters = parameters[np.argsort(parameters[:, 0])]
     fitted = _model(parameters, time)
-    sinusoids = [one for one in _with_errors(parameters, samples - fitted, time) if _counts(one, band)]
-    loudest = max((one.amplitude for one in sinusoids), default=0.0)
-    heard = tuple(one for one in sinusoids if one.amplitude > FAINTEST * loudest)
+    sinusoids = [sinusoid for sinusoid in _with_errors(parameters, samples - fitted, time) if _counts(sinusoid, band)]
+    loudest = max((sinusoid.amplitude for sinusoid in sinusoids), default=0.0)
+    heard = tuple(sinusoid for sinusoid in sinusoids if sinusoid.amplitude > FAINTEST * loudest)
     return Fit(heard, _misfit(samples, fitted, rate, band), samples, fitted, rate)
 
 
@@ -174,7 +174,7 @@ def _refined(parameters: Array, samples: Array, time: Array, *, trials: int) -> 
     return unpacked(fit.x)
 
 
-def _next_peak(left: Array, known: Array, rate: float, band: Band) -> Array | None:
+def _next_peak(left: Array, found: Array, rate: float, band: Band) -> Array | None:
     """Return a start (f, d, a, b) for the highest peak that stands out of its surroundings, or None."""
     size = PADDING * len(left)
     power = np.abs(np.fft.rfft(left, size)) ** 2
@@ -182,7 +182,7 @@ def _next_peak(left: Array, known: Array, rate: float, band: Band) -> Array | No
     quiet = np.abs(np.fft.rfft(left[-len(left) // TAIL :], size)) ** 2
     inside = frequency > band.low  # strong tones above the band are taken out too: their skirts reach into it
     allowed = inside.copy()
-    for near in known:
+    for near in found:
         amplitude = np.hypot(near[2], near[3])
         strength = (TWIN_SHARE * amplitude / 2 * rate * min(1 / max(near[1], 1e-9), len(left) / rate)) ** 2
         allowed &= (np.abs(frequency - near[0]) > TWIN * near[0]) | (power > strength)
@@ -218,9 +218,11 @@ def _rings(parameters: Array) -> NDArray[np.bool_]:
     return np.asarray(np.abs(parameters[:, 1]) < FASTEST_DECAY * 2 * np.pi * np.abs(parameters[:, 0]))
 
 
-def _counts(one: Sinusoid, band: Band) -> bool:
+def _counts(sinusoid: Sinusoid, band: Band) -> bool:
     """Say whether a tone lies in the band and its frequency is known."""
-    return band.low < one.frequency.value < band.high and one.frequency.error < WORST * one.frequency.value
+    return (
+        band.low < sinusoid.frequency.value < band.high and sinusoid.frequency.error < WORST * sinusoid.frequency.value
+    )
 
 
 def _with_errors(parameters: Array, left: Array, time: Array) -> tuple[Sinusoid, ...]:
@@ -274,7 +276,7 @@ IN_A_ROOM = 0.5
 give a neighbour or two (assumed)."""
 
 
-def stands_out(one: Sinusoid, tones: Sequence[Sinusoid], *, least: float = AUDIBLE) -> bool:
+def stands_out(sinusoid: Sinusoid, tones: Sequence[Sinusoid], *, least: float = AUDIBLE) -> bool:
     """Say whether a tone is surely what was tapped: no other near it holds more energy, and it holds enough.
 
     A room only gives back what the body rang into it, spread over its own many tones that die away sooner. So the
@@ -285,13 +287,15 @@ def stands_out(one: Sinusoid, tones: Sequence[Sinusoid], *, least: float = AUDIB
     tones : all of the same tap.
     least : of the greatest energy, that it holds.
     """
-    own, energies = one.energy(math.inf), [other.energy(math.inf) for other in tones]
+    energy_of_it, energies = sinusoid.energy(math.inf), [other.energy(math.inf) for other in tones]
     near = (
         energy
         for other, energy in zip(tones, energies, strict=True)
-        if abs(other.frequency.value - one.frequency.value) < ECHO * one.frequency.value
+        if abs(other.frequency.value - sinusoid.frequency.value) < ECHO * sinusoid.frequency.value
     )
-    return own >= max(near, default=own) and own >= least * max(energies, default=own)
+    return energy_of_it >= max(near, default=energy_of_it) and energy_of_it >= least * max(
+        energies, default=energy_of_it
+    )
 
 
 def in_their_room(tones: tuple[Sinusoid, ...]) -> tuple[Sinusoid, ...]:
@@ -306,10 +310,10 @@ def in_their_room(tones: tuple[Sinusoid, ...]) -> tuple[Sinusoid, ...]:
     """
     if len(tones) < 2:
         return tones
-    frequency = np.array([one.frequency.value for one in tones])
+    frequency = np.array([tone.frequency.value for tone in tones])
     near = np.abs(frequency[:, None] - frequency) < NEAR * frequency[:, None]
     if np.mean(near.sum(axis=1) > 1) < IN_A_ROOM:
         return tones
-    energy: Array = near * np.array([one.energy(math.inf) for one in tones])
+    energy: Array = near * np.array([tone.energy(math.inf) for tone in tones])
     spread = np.sqrt(np.sum(energy * (frequency[:, None] - frequency) ** 2, axis=1) / energy.sum(axis=1))
-    return tuple(replace(one, shared_error=float(own)) for one, own in zip(tones, spread, strict=True))
+    return tuple(replace(entry, shared_error=float(item)) for entry, item in zip(tones, spread, strict=True))

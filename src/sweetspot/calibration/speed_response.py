@@ -62,7 +62,7 @@ def response_of_efficiency(
     """
     count = len(unknowns)
     ball = {name: size / REACH for name, size in ball_spreads(conditions.ball).items()}
-    spreads = np.array([*(one.spread for one in unknowns), *ball.values()])
+    spreads = np.array([*(unknown.spread for unknown in unknowns), *ball.values()])
 
     def efficiency(deviations: Array) -> Array:
         other = deviated(beam, unknowns, deviations[:count]) if count else beam
@@ -129,7 +129,7 @@ def response_of_speed(
     def log_moi(deviations: Array) -> float:
         return math.log(predicted(deviated(beam, unknowns, deviations), wanted)[0])
 
-    sizes = np.array([one.spread for one in unknowns]) / STEPS_IN_SPREAD
+    sizes = np.array([unknown.spread for unknown in unknowns]) / STEPS_IN_SPREAD
     steps = np.diag(sizes)
     slopes = [(log_moi(step) - log_moi(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]
     efficiency = response_of_efficiency(beam, conditions, unknowns=unknowns, positions=positions)

@@ -58,9 +58,9 @@ def synthesised(
     seed : of noise and strengths.
     """
     generator = np.random.default_rng(seed)
-    one = tap_sound(modes, position=position, listened=listened, seconds=apart)
-    one = LOUDNESS * one / np.abs(one).max()
+    tap = tap_sound(modes, position=position, listened=listened, seconds=apart)
+    tap = LOUDNESS * tap / np.abs(tap).max()
     strength = generator.uniform(0.6, 1.0, taps)
     quiet = np.zeros(round(0.3 * RATE))
-    sound = np.concatenate([quiet, *(part * one for part in strength)])
+    sound = np.concatenate([quiet, *(part * tap for part in strength)])
     return Recording("synthetic", sound + noise * LOUDNESS * generator.standard_normal(len(sound)), RATE)

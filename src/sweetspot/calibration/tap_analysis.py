@@ -81,10 +81,10 @@ def usual_held(modes: Modes | None) -> float:
     return HELD if modes is None else max(HELD, free_damping(modes))
 
 
-def telling(measurements: Sequence[Measurement], own: Implement) -> list[Measurement]:
+def telling(measurements: Sequence[Measurement], implement: Implement) -> list[Measurement]:
     """Return the tones that tell something: of a racket, club or stick the first, to which its stiffness is scaled."""
     first = ModeName("bending", 1)
-    return [one for one in measurements if isinstance(own, Bat) or one.mode == first]
+    return [measurement for measurement in measurements if isinstance(implement, Bat) or measurement.mode == first]
 
 
 FAMILIES: tuple[Family, ...] = ("bending", "hoop")
@@ -136,13 +136,13 @@ class TapTest:
     @property
     def unlike(self) -> bool:
         """Whether what rang is hardly what was described."""
-        hollow = any(name.family == "hoop" for one in self.expected for name in one.names)
+        hollow = any(name.family == "hoop" for family in self.expected for name in family.names)
         return bool(self.unheard) or self.misfit > (UNLIKE_HOLLOW if hollow else UNLIKE)
 
     @property
     def touched(self) -> Tone | None:
         """The lowest loud tone where it surely dies away sooner than that of a freely hung one; None: it does not."""
-        lowest = next((one.tone for one in self.tones if one.tone.own and one.tone.level > HEARD), None)
+        lowest = next((named.tone for named in self.tones if named.tone.own and named.tone.level > HEARD), None)
         return lowest if lowest and lowest.damping_ratio.low > self.free_damping else None
 
     @property
@@ -151,17 +151,17 @@ class TapTest:
 
         Both are to be expected where the tap moves both and other tones have names.
         """
-        names = {one.name for one in self.tones if one.name}
+        names = {named.name for named in self.tones if named.name}
         lowest = [
             (name, float(frequency), part)
-            for one in self.expected
-            for name, frequency, part in zip(one.names, one.frequency, one.excitation, strict=True)
+            for family in self.expected
+            for name, frequency, part in zip(family.names, family.frequency, family.excitation, strict=True)
             if name.family == "bending" and name.harmonic <= LOWEST
         ]
-        known = len(lowest) == LOWEST and all(part > SILENT for _, _, part in lowest)
+        expected = len(lowest) == LOWEST and all(part > SILENT for _, _, part in lowest)
         return (
             tuple(frequency for _, frequency, _ in lowest)
-            if known and self.bar is None and names and not names & {name for name, _, _ in lowest}
+            if expected and self.bar is None and names and not names & {name for name, _, _ in lowest}
             else ()
         )
 
@@ -222,17 +222,17 @@ def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:
     a brace or a pipe that nobody described has tones, but no names. Nor have a bat's tones above the third, those of
     bending lie among the hoop modes, nor a third that a hoop mode may be.
     """
-    heard = {one.name.harmonic: one.tone.frequency.value for one in tones if one.name and one.tone.own}
-    others = [one.tone for one in tones if one.name is None and one.tone.own]
+    heard = {named.name.harmonic: named.tone.frequency.value for named in tones if named.name and named.tone.own}
+    others = [named.tone for named in tones if named.name is None and named.tone.own]
     like = {1, 2} <= set(heard) and not any(tone.frequency.value < heard[2] for tone in others)
     thirds = (THIRD[0] * heard[2], THIRD[1] * heard[2]) if like else (0.0, 0.0)
 
-    def is_told(one: NamedTone) -> bool:
-        if not like or one.name is None or one.name.harmonic > BY_RATIOS:
+    def is_sure(named: NamedTone) -> bool:
+        if not like or named.name is None or named.name.harmonic > BY_RATIOS:
             return False
-        return one.name.harmonic < BY_RATIOS or thirds[0] < one.tone.frequency.value < thirds[1]
+        return named.name.harmonic < BY_RATIOS or thirds[0] < named.tone.frequency.value < thirds[1]
 
-    return tuple(one if is_told(one) else NamedTone(one.tone, None, None) for one in tones)
+    return tuple(named if is_sure(named) else NamedTone(named.tone, None, None) for named in tones)
 
 
 POINTS = 4000

@@ -109,9 +109,9 @@ def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
     if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
         share = 100 * min(fit.misfit, 1)
         return f"too quiet: {share:.0f} % of the sound is noise; tap harder or nearer the microphone"
-    loudest = max(one.amplitude for one in fit.sinusoids)
-    loud = [one for one in fit.sinusoids if one.amplitude > HEARD * loudest]
-    lowest = next((one for one in loud if stands_out(one, fit.sinusoids, least=WEIGHTY)), loud[0])
+    loudest = max(sinusoid.amplitude for sinusoid in fit.sinusoids)
+    loud = [sinusoid for sinusoid in fit.sinusoids if sinusoid.amplitude > HEARD * loudest]
+    lowest = next((sinusoid for sinusoid in loud if stands_out(sinusoid, fit.sinusoids, least=WEIGHTY)), loud[0])
     ratio = lowest.damping_ratio
     if ratio.value > held and ratio.low > held / 2:
         return (
@@ -122,7 +122,7 @@ def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
 
 
 def _no_free_body(fit: Fit, background: float) -> str | None:
-    longest = max(fit.sinusoids, key=lambda one: one.energy(len(fit.samples) / fit.rate))
+    longest = max(fit.sinusoids, key=lambda sinusoid: sinusoid.energy(len(fit.samples) / fit.rate))
     if longest.damping_ratio.high < STEADIEST:
         return f"no ring: {longest.frequency.value:.0f} Hz does not die away; a held note, or an alarm"
     driven = driven_part(fit, background)
@@ -164,7 +164,7 @@ def driven_part(fit: Fit, background: float) -> float:
 def cancelled(fit: Fit) -> float:
     """Return the energy of a fit's sinusoids, each alone, over that of the sound."""
     seconds = len(fit.samples) / fit.rate
-    return sum(one.energy(seconds) for one in fit.sinusoids) * fit.rate / float(fit.samples @ fit.samples)
+    return sum(sinusoid.energy(seconds) for sinusoid in fit.sinusoids) * fit.rate / float(fit.samples @ fit.samples)
 
 
 def breaks_off(samples: Array, rate: float) -> bool:

@@ -89,7 +89,7 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     for index, (before, after) in enumerate(pairwise(starts)):
         if after - before < APART:
             fault = f"doubled: two taps {1e3 * (after - before):.0f} ms apart; let it ring between taps"
-            taps[index : index + 2] = [replace(one, fault=one.fault or fault) for one in taps[index : index + 2]]
+            taps[index : index + 2] = [replace(tap, fault=tap.fault or fault) for tap in taps[index : index + 2]]
     return tuple(taps)
 
 
@@ -99,8 +99,8 @@ def _where_taps_stand_out(recording: Recording, sound: Recording, band: Band) ->
         return sound
     without = in_band(recording, Band(HUMLESS, band.high))
     gains = []
-    for one in (sound, without):
-        level, floor = _levels(one)
+    for entry in (sound, without):
+        level, floor = _levels(entry)
         gains.append(float(level.max(initial=floor)) - floor)
     return without if gains[1] > gains[0] + CLEARER else sound
 
@@ -169,11 +169,11 @@ def _tap(
     fit = fit_sinusoids(window, sound.rate, band=band)
     fit = risen(fit, sound.samples[: max(int(quiet * sound.rate), 0)])
     tones = in_their_room(_louder_than_losses(fit.sinusoids, recording))
-    fit = replace(fit, sinusoids=tuple(one for one in tones if one.amplitude >= STEPS * step))
+    fit = replace(fit, sinusoids=tuple(tone for tone in tones if tone.amplitude >= STEPS * step))
     return Tap(recording.name, start, fault_of_fit(fit, background=background, held=held), fit)
 
 
 def _louder_than_losses(tones: tuple[Sinusoid, ...], recording: Recording) -> tuple[Sinusoid, ...]:
     """Return the tones of a recording that leaves out what is hard to hear, without those that this itself may make."""
-    least = LOSSY * max((one.amplitude for one in tones), default=0.0) if recording.lossy else 0.0
-    return tuple(one for one in tones if one.amplitude >= least)
+    least = LOSSY * max((tone.amplitude for tone in tones), default=0.0) if recording.lossy else 0.0
+    return tuple(tone for tone in tones if tone.amplitude >= least)

@@ -61,14 +61,14 @@ def as_described(implement: Implement) -> BeamModel:
     """Return an implement's beam with all that is measured on it written down, as far as the description says it."""
     beam = beam_model(implement.replaced(added=()))
     body = rigid_body(beam)
-    known: dict[str, float] = {}
+    written: dict[str, float] = {}
     if not isinstance(implement, Racket):
-        known["first_frequency"] = float(bending_frequencies(beam, count=1)[0])
+        written["first_frequency"] = float(bending_frequencies(beam, count=1)[0])
     if not isinstance(implement, (Racket, GolfClub)):
-        known |= {
+        written |= {
             "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(implement.moi_axis),
         }  # fmt: skip
-    return beam_model(implement.replaced(calibrated=True, original=None, **known))
+    return beam_model(implement.replaced(calibrated=True, original=None, **written))
 
 
 def implement_deviated(beam: BeamModel, deviations: Mapping[str, float]) -> BeamModel:
@@ -184,7 +184,9 @@ def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> 
     if bat.shell is None:
         unknowns.append(Unknown("knob_mass", KNOB_EXTRA_SPREAD))
     else:
-        unknowns = [one for one in unknowns if one.name != "density_gradient"]  # metal is as dense everywhere
+        unknowns = [
+            unknown for unknown in unknowns if unknown.name != "density_gradient"
+        ]  # metal is as dense everywhere
         unknowns += [Unknown("wall", WALL_SPREAD)]
         unknowns += [Unknown("knob_mass", FITTING_SPREAD)] * bool(bat.shell.knob_mass)
         unknowns += [Unknown("end_mass", FITTING_SPREAD)] * bool(bat.shell.end_cap_mass)
@@ -195,7 +197,7 @@ def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> 
 
 def deviated(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> BeamModel:
     """Return a bat's beam with these deviations from it, shape (n,)."""
-    by: dict[str, float] = {one.name: float(off) for one, off in zip(unknowns, deviations, strict=True)}
+    by: dict[str, float] = {entry.name: float(off) for entry, off in zip(unknowns, deviations, strict=True)}
     if not isinstance(beam.bat, Bat):
         return implement_deviated(beam, by)
     bat = _changed(beam.bat, by)
@@ -278,7 +280,7 @@ def deviated_bodies(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Ar
     bat = beam.bat
     if not isinstance(bat, Bat) or bat.shell is not None or bat.profile is None:
         return None
-    by = {one.name: deviations[:, index] for index, one in enumerate(unknowns)}
+    by = {entry.name: deviations[:, index] for index, entry in enumerate(unknowns)}
     nothing = np.zeros(len(deviations))
     edges = bat.breakpoints()
     places, weights = quadrature(edges)
@@ -295,13 +297,13 @@ def deviated_bodies(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Ar
     parts = at.mass, first, second, at.roll_inertia
     mass, balance, turning, roll = (np.sum(weights * values, axis=1) for values in parts)
     balance, turning = balance + beam.unplaced[0], turning + beam.unplaced[1]
-    own, knob = len(bat.lumps()), np.exp(by.get("knob_mass", nothing))
+    lumps, knob = len(bat.lumps()), np.exp(by.get("knob_mass", nothing))
     for index, lump in enumerate(beam.point_masses):
-        heavy = lump.mass * knob if index < own and lump.position == 0 else lump.mass + nothing
+        heavy = lump.mass * knob if index < lumps and lump.position == 0 else lump.mass + nothing
         mass, balance, turning = mass + heavy, balance + heavy * lump.position, turning + heavy * lump.position**2
         turning, roll = turning + lump.moi, roll + lump.roll_moi
     rows = zip(mass.tolist(), balance.tolist(), turning.tolist(), roll.tolist(), strict=True)
-    return [RigidBody(one, first / one, second - first**2 / one, axial) for one, first, second, axial in rows]
+    return [RigidBody(entry, first / entry, second - first**2 / entry, axial) for entry, first, second, axial in rows]
 
 
 @lru_cache(maxsize=16)

@@ -129,14 +129,14 @@ def calibrate(
     return present(calibration_document(found), answer.into(None))
 
 
-def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
+def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]:
     """Return what scale, balance and pendulum say."""
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.written import of_swing_weight, parse_measured
     from sweetspot.plausibility import parse_position
 
     pivot = weighed.pivot
-    axis = own.swing_axis if pivot is None else parse_position(pivot, length=own.length, what="--pivot")
+    axis = described.swing_axis if pivot is None else parse_position(pivot, length=described.length, what="--pivot")
     measurements = []
     if weighed.mass is not None:
         measurements.append(Measurement("mass", parse_measured(weighed.mass, "mass", "--mass")))
@@ -149,9 +149,9 @@ def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
     if weighed.moi is not None:
         measurements.append(Measurement("moi", parse_measured(weighed.moi, "moi", "--moi"), axis=axis))
     if weighed.swing_weight is not None:
-        mass = next((one.value for one in measurements if one.kind == "mass"), None)
-        measurements.append(of_swing_weight(weighed.swing_weight, own.sport, mass=mass, what="--swing-weight"))
-    if len({one.name for one in measurements}) < len(measurements):
+        mass = next((measurement.value for measurement in measurements if measurement.kind == "mass"), None)
+        measurements.append(of_swing_weight(weighed.swing_weight, described.sport, mass=mass, what="--swing-weight"))
+    if len({measurement.name for measurement in measurements}) < len(measurements):
         raise InputError(f"--swing-weight tells the {measurements[-1].name}, which was given too; give one of them")
     return measurements
 
@@ -201,7 +201,7 @@ def _shots(described: Implement, given: ShotOptions) -> tuple[list[Shot], Ball |
     return list(table.shots), None if given.ball is None else catalog.ball(given.ball)
 
 
-def _tone(text: str, own: Implement) -> Measurement:
+def _tone(text: str, described: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.naming import MOST_BENDING, ModeName
@@ -217,9 +217,9 @@ def _tone(text: str, own: Implement) -> Measurement:
     if frequency.value <= 0:
         raise InputError(f"--tone was given as {text!r}; allowed is a frequency of more than 0 Hz")
     given = Measurement("frequency", frequency, mode=names[name.strip()])
-    if not telling([given], own):
+    if not telling([given], described):
         raise InputError(
-            f"--tone was given as {text!r}; of {own.name} only the first bending mode counts, to which its "
+            f"--tone was given as {text!r}; of {described.name} only the first bending mode counts, to which its "
             "stiffness is scaled: bending-1"
         )
     return given

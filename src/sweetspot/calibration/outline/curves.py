@@ -176,10 +176,10 @@ def _axes(chains: Sequence[Array]) -> Array:
     """Return the directions, columns, along and across a bat: those of the paper, or its own where it lies askew."""
     width, height = np.ptp(np.vstack(chains), axis=0)
     paper = np.eye(2) if width >= height else np.array([[0.0, 1.0], [1.0, 0.0]])
-    own = _principal_axes(chains)
-    askew = float(np.abs(own[:, 0] @ paper[:, 1]))
-    if max(width, height) < SLENDER * min(width, height) or (askew > STRAIGHT and _is_alike(chains, own)):
-        return own
+    principal = _principal_axes(chains)
+    askew = float(np.abs(principal[:, 0] @ paper[:, 1]))
+    if max(width, height) < SLENDER * min(width, height) or (askew > STRAIGHT and _is_alike(chains, principal)):
+        return principal
     return paper
 
 
@@ -217,7 +217,7 @@ def _principal_axes(chains: Sequence[Array]) -> Array:
     size = np.hypot(*(ends - starts).T)
     centre = (size @ (starts + ends)) / (2 * size.sum())
     first, second, both = starts - centre, ends - centre, starts + ends - 2 * centre
-    moments = sum((one * size[:, None]).T @ one for one in (first, second, both))
+    moments = sum((entry * size[:, None]).T @ entry for entry in (first, second, both))
     _, axes = np.linalg.eigh(moments)
     return np.asarray(axes[:, ::-1])
 

@@ -54,7 +54,7 @@ def svg_curves(path: Path) -> tuple[list[Array], float | None]:
         with np.errstate(all="ignore"):  # `check_drawn` refuses what is no number
             elements = list(_shapes(root, IDENTITY))
         chosen = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED] or elements
-        if not chosen and any(_tag(one) == "use" for one in root.iter()):
+        if not chosen and any(_tag(element) == "use" for element in root.iter()):
             raise InputError(
                 f"{path} shows only copies of something (clones, symbols); make curves of them (Inkscape: Edit, Clone, "
                 "Unlink; Illustrator: Object, Expand) and save it again"
@@ -81,13 +81,13 @@ def _tag(element: ElementTree.Element) -> str:
 def _unit(root: ElementTree.Element) -> float | None:
     """Return m per user unit; None without a width that has a unit of length."""
     sizes = [SIZE.match(root.get(name, "").lower()) for name in ("width", "height")]
-    known = [None if one is None or one[2] not in UNITS else float(one[1]) * UNITS[one[2]] for one in sizes]
+    known = [None if size is None or size[2] not in UNITS else float(size[1]) * UNITS[size[2]] for size in sizes]
     if known[0] is None or sizes[0] is None or sizes[0][2] in ("", "px"):
         return None
     box = [float(number) for number in NUMBERS.findall(root.get("viewBox", ""))][2:]
     if len(box) != 2 or box[0] <= 0:
         return UNITS["px"]
-    fits = [one / user for one, user in zip(known, box, strict=True) if one and user > 0]
+    fits = [entry / user for entry, user in zip(known, box, strict=True) if entry and user > 0]
     return fits[0] if root.get("preserveAspectRatio") == "none" else min(fits)
 
 
@@ -222,33 +222,33 @@ def _drawn(path: Path) -> tuple[list[Array], float | None]:
     drawing = readfile(path)
     if _pieces(drawing.modelspace(), drawing.blocks, {}) > MOST_PIECES:
         raise InputError(f"{path} shows more than {MOST_PIECES} things; keep only the bat's outline")
-    entities = [one for one in disassemble.recursive_decompose(drawing.modelspace()) if one.dxftype() in DRAWN]
-    outline = [one for one in entities if one.dxf.layer.upper() in LAYERS]
-    chosen = [one for one in map(paths.make_path, outline or entities) if len(one)]
-    points = [np.array([(p.x, p.y) for p in one.control_vertices()]) for one in chosen]
+    entities = [entity for entity in disassemble.recursive_decompose(drawing.modelspace()) if entity.dxftype() in DRAWN]
+    outline = [entity for entity in entities if entity.dxf.layer.upper() in LAYERS]
+    chosen = [curve for curve in map(paths.make_path, outline or entities) if len(curve)]
+    points = [np.array([(p.x, p.y) for p in curve.control_vertices()]) for curve in chosen]
     check_drawn(points, str(path))
-    flatness = FLATNESS * max((float(np.ptp(one, axis=0).max()) for one in points), default=1.0)
+    flatness = FLATNESS * max((float(np.ptp(curve, axis=0).max()) for curve in points), default=1.0)
     curves = [
-        np.array([(point.x, point.y) for point in islice(one.flattening(flatness or 1.0), MOST_POINTS + 1)])
-        for one in chosen
+        np.array([(point.x, point.y) for point in islice(curve.flattening(flatness or 1.0), MOST_POINTS + 1)])
+        for curve in chosen
     ]
     if drawing.units == 0:
         return curves, None
     return curves, units.conversion_factor(InsertUnits(drawing.units), InsertUnits.Meters)
 
 
-def _pieces(things: Iterable[Any], blocks: Any, known: dict[str, int]) -> int:
+def _pieces(things: Iterable[Any], blocks: Any, counts: dict[str, int]) -> int:
     """Return how many things are drawn, those of blocks as often as they are inserted, before any is."""
     count = 0
-    for one in things:
-        name = one.dxf.get("name", "") if one.dxftype() == "INSERT" else ""
+    for thing in things:
+        name = thing.dxf.get("name", "") if thing.dxftype() == "INSERT" else ""
         if not name or name not in blocks:
             count += 1
             continue
-        if known.get(name) == UNDER_WAY:
+        if counts.get(name) == UNDER_WAY:
             raise InputError(f"the block {name[:60]!r} of the drawing holds itself; keep only the bat's outline")
-        if name not in known:
-            known[name] = UNDER_WAY
-            known[name] = max(1, _pieces(blocks[name], blocks, known))
-        count += max(1, one.mcount) * known[name]
+        if name not in counts:
+            counts[name] = UNDER_WAY
+            counts[name] = max(1, _pieces(blocks[name], blocks, counts))
+        count += max(1, thing.mcount) * counts[name]
     return count

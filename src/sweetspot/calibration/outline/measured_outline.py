@@ -90,8 +90,8 @@ def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
     place, diameter : m, shape (n,), places increasing.
     tolerance : m.
     """
-    kept = np.zeros(len(place), bool)
-    kept[[0, -1]] = True
+    chosen = np.zeros(len(place), bool)
+    chosen[[0, -1]] = True
     open_pieces = [(0, len(place) - 1)]
     while open_pieces:
         first, last = open_pieces.pop()
@@ -103,9 +103,9 @@ def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
         farthest = int(np.argmax(off))
         if off[farthest] > tolerance:
             middle = int(inside[farthest])
-            kept[middle] = True
+            chosen[middle] = True
             open_pieces += [(first, middle), (middle, last)]
-    return tuple(zip(place[kept].tolist(), diameter[kept].tolist(), strict=True))
+    return tuple(zip(place[chosen].tolist(), diameter[chosen].tolist(), strict=True))
 
 
 def unlike_bats(profile: Stations) -> tuple[str, ...]:
@@ -119,10 +119,10 @@ def unlike_bats(profile: Stations) -> tuple[str, ...]:
     width = np.interp(place * position[-1], position, diameter)
     handle = float(width[(place >= HANDLE_FROM) & (place <= HANDLE_TO)].min())
     knob, barrel = float(width[place <= KNOB_TO].max()), float(width.max())
-    told = [
+    faults = [
         f"{what} {1e3 * size:.0f} mm thick (bats have {1e3 * low:.0f} to {1e3 * high:.0f} mm)"
         for what, size, (low, high) in (("handle", handle, HANDLE), ("barrel", barrel, BARREL))
         if not low <= size <= high
     ]
-    told += ["no knob"] * (knob < KNOB * handle)
-    return (f"Unlike a bat: {'; '.join(told)}. It was taken as round, turned and whole.",) if told else ()
+    faults += ["no knob"] * (knob < KNOB * handle)
+    return (f"Unlike a bat: {'; '.join(faults)}. It was taken as round, turned and whole.",) if faults else ()

@@ -49,7 +49,7 @@ def tap_document(answer: TapAnswer) -> Document:
     blocks: list[Block] = [Paragraph(f"{len(test.good)} of {len(test.taps)} taps used.")]
     blocks += [Paragraph(_fault(test, number), "warning") for number, tap in enumerate(test.taps) if not tap.good]
     blocks += [Paragraph(_heard_to(tap, tap.heard_to), "note") for tap in test.good if tap.heard_to]
-    if lossy := [one.name for one in test.recordings if one.lossy]:
+    if lossy := [recording.name for recording in test.recordings if recording.lossy]:
         blocks.append(
             Paragraph(
                 f"{', '.join(lossy)}: this format leaves out what is hard to hear and puts faint tones that nothing "
@@ -71,9 +71,9 @@ def tap_document(answer: TapAnswer) -> Document:
         level=Slot(answer.interval_level, "share"),
     )
     notes = [Paragraph(level, "note")]
-    if not all(one.tone.own for one in test.tones):
+    if not all(named.tone.own for named in test.tones):
         notes.append(Paragraph(ROOMS, "note"))
-    if test.by_ratios and any(one.name and one.name.harmonic == HOOP_MAY_BE for one in test.tones):
+    if test.by_ratios and any(named.name and named.name.harmonic == HOOP_MAY_BE for named in test.tones):
         notes.append(Paragraph(BY_RATIOS, "note"))
     picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
     data = answer.to_dict()
@@ -109,26 +109,26 @@ def _tones(test: TapTest) -> Table:
         Column("damping", right=True), Column("Q", right=True), Column("level", "ratio"), Column("taps", "count"),
         Column("whose"),
     ]  # fmt: skip
-    return Table("Tones", columns, [_tone_row(one) for one in test.tones])
+    return Table("Tones", columns, [_tone_row(named) for named in test.tones])
 
 
-def _tone_row(one: NamedTone) -> tuple[Cell, ...]:
-    tone = one.tone
-    quality = f"{tone.quality:.0f}" if tone.damping_ratio.low > 0 else f"> {_least_quality(one):.0f}"
+def _tone_row(named: NamedTone) -> tuple[Cell, ...]:
+    tone = named.tone
+    quality = f"{tone.quality:.0f}" if tone.damping_ratio.low > 0 else f"> {_least_quality(named):.0f}"
     return (
-        str(one.name) if one.name else _rivals(one), measured_words(tone.frequency, "frequency"), one.expected,
+        str(named.name) if named.name else _rivals(named), measured_words(tone.frequency, "frequency"), named.expected,
         measured_words(tone.damping_ratio, "share"), quality, tone.level, tone.taps,
         "its own" if tone.own else "room's?",
     )  # fmt: skip
 
 
-def _rivals(one: NamedTone) -> str:
+def _rivals(named: NamedTone) -> str:
     """Return the modes that a tone without a name may be."""
-    return " or ".join(dict.fromkeys(str(name) for name in one.rivals)) + "?"
+    return " or ".join(dict.fromkeys(str(name) for name in named.rivals)) + "?"
 
 
-def _least_quality(one: NamedTone) -> float:
-    return 0.5 / max(one.tone.damping_ratio.high, 1e-12)
+def _least_quality(named: NamedTone) -> float:
+    return 0.5 / max(named.tone.damping_ratio.high, 1e-12)
 
 
 def _bar(bar: BarModulus) -> Table:
@@ -150,9 +150,9 @@ def _along(moduli: Sequence[tuple[Tone, Measured]]) -> Table:
 
 def _budget(bar: BarModulus) -> Sentence:
     ranked = sorted(bar.budget.items(), key=lambda entry: -entry[1])
-    told = (say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked
+    words = (say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked
             if share >= LEAST_SHARE)  # fmt: skip
-    return say("What the doubt about E comes from: {shares}.", shares=joined(told, ", "))
+    return say("What the doubt about E comes from: {shares}.", shares=joined(words, ", "))
 
 
 def _finer(bar: BarModulus) -> list[Sentence]:

@@ -42,7 +42,7 @@ def tap_figure(test: TapTest, title: str) -> Figure:
 def _waveform(axes: Axes, test: TapTest) -> None:
     """Draw the recording with the first good tap, and where its taps begin."""
     name = next(tap.recording for tap in test.taps if tap.good)
-    recording = next(one for one in test.recordings if one.name == name)
+    recording = next(recording for recording in test.recordings if recording.name == name)
     heading(axes, "The recording", "green: taps that were used; orange: not used")
     axes.fill_between(*waveform(recording), color=MUTED, linewidth=0.3)
     for tap in test.taps:
@@ -60,16 +60,16 @@ def _spectrum(axes: Axes, test: TapTest, fit: Fit) -> None:
     axes.plot(frequency, level, color=INK, linewidth=0.7)
     for mode in expected:
         axes.axvline(mode, color=MUTED, linewidth=0.7, linestyle=(0, (3, 3)), zorder=0)
-    highest = max(one.tone.frequency.value for one in test.tones)
+    highest = max(named.tone.frequency.value for named in test.tones)
     axes.set_xlim(0, 1.15 * highest)
     axes.set_ylim(-75, TOP)
     axes.set_ylabel("dB")
     axes.set_xlabel("Hz")
     light_grid(axes)
     taken: list[Bbox] = []
-    for one, colour in sorted(_coloured(test), key=lambda pair: (pair[0].name is None, -pair[0].tone.level)):
-        tone = one.tone.frequency.value
-        words = f"{one.name}\n{grouped(tone, 1)} Hz" if one.name else f"{grouped(tone)} Hz"
+    for named, colour in sorted(_coloured(test), key=lambda pair: (pair[0].name is None, -pair[0].tone.level)):
+        tone = named.tone.frequency.value
+        words = f"{named.name}\n{grouped(tone, 1)} Hz" if named.name else f"{grouped(tone)} Hz"
         peak = float(level[np.abs(frequency - tone) < NEAR * highest].max())
         taken += _labelled(axes, words, (tone, peak), colour, taken)
 
@@ -105,8 +105,8 @@ def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
     """Draw the amplitude of the tones that have colours as they decay: heard (line) and fitted (dashes)."""
     heading(axes, "How long it rings", "amplitude of the coloured tones, heard (line) and fitted (dashes)")
     time = np.arange(len(fit.samples)) / fit.rate
-    for one, colour in [entry for entry in _coloured(test) if entry[1] in COLOURS]:
-        tone, ratio = one.tone.frequency.value, one.tone.damping_ratio.value
+    for named, colour in [entry for entry in _coloured(test) if entry[1] in COLOURS]:
+        tone, ratio = named.tone.frequency.value, named.tone.damping_ratio.value
         mine = min(fit.sinusoids, key=lambda sinusoid, tone=tone: abs(sinusoid.frequency.value - tone))  # type: ignore[misc]
         width = max(int(0.008 * fit.rate), int(4 * fit.rate / tone))
         turning = fit.samples * np.exp(-2j * np.pi * tone * time)
@@ -116,11 +116,11 @@ def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
             heard[width:-width],
             color=colour,
             linewidth=0.9,
-            label=str(one.name or f"{grouped(tone)} Hz"),
+            label=str(named.name or f"{grouped(tone)} Hz"),
         )
         fitted = mine.amplitude * np.exp(-2 * np.pi * tone * ratio * time)
         axes.semilogy(time, fitted, color=colour, linewidth=0.9, linestyle=(0, (4, 3)))
-    top = max(one.amplitude for one in fit.sinusoids)
+    top = max(sinusoid.amplitude for sinusoid in fit.sinusoids)
     axes.set_ylim(1e-3 * top, 40 * top)  # room for the legend above the curves
     axes.set_xlim(0, time[-1])
     axes.set_xlabel("s after the tap")
@@ -134,6 +134,6 @@ def _coloured(test: TapTest) -> list[tuple[NamedTone, str]]:
 
     Where none has a name, those are the lowest that are surely the body's.
     """
-    named = [one for one in test.tones if one.name] or [one for one in test.tones if one.tone.own]
-    own = dict(zip(map(id, named), COLOURS, strict=False))
-    return [(one, own.get(id(one), INK if one.name else MUTED)) for one in test.tones]
+    named = [named for named in test.tones if named.name] or [named for named in test.tones if named.tone.own]
+    colours = dict(zip(map(id, named), COLOURS, strict=False))
+    return [(named, colours.get(id(named), INK if named.name else MUTED)) for named in test.tones]

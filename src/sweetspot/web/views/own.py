@@ -69,47 +69,47 @@ def answer(state: OwnState) -> dict[str, Any]:
 
     While measurements contradict each other, nothing is told of a fitted bat: it is the one that was described.
     """
-    own, _ = unknown_of(state)
+    described, _ = unknown_of(state)
     found = answer_of(state)
     agreeing = found if found is not None and found.consistent else None
     with about("weighed_oz" if state.balanced_in is None else "balanced_in"):
-        fitted = own if agreeing is None else agreeing.implement
-    body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(own))
+        fitted = described if agreeing is None else agreeing.implement
+    body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(described))
     budget = []
     if agreeing is not None:
         budget = [budget_words(agreeing), *moi_words(agreeing), *density_words(agreeing), *assumption_words(agreeing)]
-    axis = own.swing_axis
+    axis = described.swing_axis
     return {
-        "bat": {**to_dict(mass_properties(own, described_body)), **_picture(state, own)},
-        "tool": None if state.implement is None else {"name": own.name},
-        "words": words_of(own).model_dump(),
-        "grip_end": own.grip_end,
+        "bat": {**to_dict(mass_properties(described, described_body)), **_picture(state, described)},
+        "tool": None if state.implement is None else {"name": described.name},
+        "words": words_of(described).model_dump(),
+        "grip_end": described.grip_end,
         "fitted": {
             **to_dict(mass_properties(fitted, body)),
             "swing_weight_kg_m2": body.moi(axis),
             "swing_weight_half_kg_m2": REACH * moi_doubt(fitted, body, axis),
         },
-        "guesses": _guesses(described_body, state, own),
+        "guesses": _guesses(described_body, state, described),
         "expected": expected_tones(state),
         "values": [] if agreeing is None else _values(agreeing),
         "unknowns": [] if agreeing is None else _unknowns(agreeing),
-        "measurements": _residuals(state, own, found),
+        "measurements": _residuals(state, described, found),
         "contradictions": in_both_systems([] if found is None else contradictions(found)),
         "budget": in_both_systems(budget),
         "rules": _rules(state, fitted, body, agreeing),
     }
 
 
-def _picture(state: OwnState, own: Implement) -> dict[str, Any]:
+def _picture(state: OwnState, described: Implement) -> dict[str, Any]:
     """Return a bat's outline and how far its controls go; of anything else how far from its tip it can be tapped."""
-    if state.implement is None and isinstance(own, Bat):
-        return {**to_dict(outline(own)), "bounds": bounds(state, own)}
-    return {"outline": None, "bounds": {"tap_from_tip_in": (0.0, own.length / INCH)}}
+    if state.implement is None and isinstance(described, Bat):
+        return {**to_dict(outline(described)), "bounds": bounds(state, described)}
+    return {"outline": None, "bounds": {"tap_from_tip_in": (0.0, described.length / INCH)}}
 
 
-def _guesses(body: RigidBody, state: OwnState, own: Implement) -> dict[str, float | None]:
+def _guesses(body: RigidBody, state: OwnState, described: Implement) -> dict[str, float | None]:
     """Return what the bat as described would measure, where its controls stand until somebody has measured."""
-    pivot = pivot_of(state, own)
+    pivot = pivot_of(state, described)
     period = None
     if pivot <= FARTHEST_PIVOT * body.balance_point:
         period = pendulum_period(body.moi(pivot), mass=body.mass, balance_point=body.balance_point, pivot=pivot)
@@ -150,14 +150,14 @@ def _unknowns(found: CalibrateAnswer) -> list[dict[str, Any]]:
     return rows
 
 
-def _residuals(state: OwnState, own: Implement, found: CalibrateAnswer | None) -> list[dict[str, Any]]:
+def _residuals(state: OwnState, described: Implement, found: CalibrateAnswer | None) -> list[dict[str, Any]]:
     """Return every measurement beside what the fitted bat, if there is one, says to it, and how far it lies off.
 
     One that alone contradicts the others has what they say to it, and for a tone the mode that they take it for.
     """
     counted = {} if found is None else {row.name: row for row in found.measurements}
     suspects = {} if found is None else {suspect.name: suspect for suspect in found.suspects}
-    beam = beam_of(own) if found is None else found.posterior.beam
+    beam = beam_of(described) if found is None else found.posterior.beam
     rows = []
     for measurement in measurements_of(state):
         row, suspect, mode = counted.get(measurement.name), suspects.get(measurement.name), measurement.mode
@@ -183,13 +183,13 @@ def _rules(state: OwnState, fitted: Implement, body: RigidBody, found: Calibrate
     with about("league"):
         rules = league(chosen)
     if isinstance(fitted, Bat):
-        known = construction_findings(fitted, body=body)
+        findings = construction_findings(fitted, body=body)
         if found is not None and found.bat.moi is not None and found.bat.moi.kind == "measured":
             moi = found.bat.moi.value
-            known["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
+            findings["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
     else:
-        known = {name: Finding(size) for name, size in sizes_of(fitted).items()}
-    return [to_dict(rule_check(rules, check)) for check in check_rules(rules, bat=fitted, findings=known)]
+        findings = {name: Finding(size) for name, size in sizes_of(fitted).items()}
+    return [to_dict(rule_check(rules, check)) for check in check_rules(rules, bat=fitted, findings=findings)]
 
 
 def file(state: OwnState) -> dict[str, str]:
@@ -211,7 +211,7 @@ def file_if_any(state: OwnState) -> dict[str, str]:
 
 def recipe(state: OwnState) -> dict[str, str]:
     """Return the command line that calibrates in the same way, and the file of the bat as described."""
-    own = own_of(state)
+    described = own_of(state)
     weight, balance, period, swing = (
         None if value is None else f"{value:.12g}{unit}±{error:.12g}{unit}"
         for value, error, unit in (
@@ -223,12 +223,12 @@ def recipe(state: OwnState) -> dict[str, str]:
     )
     parts = {
         "--mass": weight, "--balance-point": balance, "--pendulum": period, "--moi": swing,
-        "--pivot": f"{pivot_of(state, own) / INCH:.12g}in",
-        "--diameter-error": f"{100 * state.diameter_error:.12g}%" if isinstance(own, Bat) else None,
+        "--pivot": f"{pivot_of(state, described) / INCH:.12g}in",
+        "--diameter-error": f"{100 * state.diameter_error:.12g}%" if isinstance(described, Bat) else None,
     }  # fmt: skip
     words = [f"{name} {value}" for name, value in parts.items() if value is not None]
     words += [f"--tone {name}:{hertz:.12g}Hz±{error:.12g}Hz" for name, hertz, error in state.tones]
-    measured = {one.name for one in measurements_of(state)}
+    measured = {measurement.name for measurement in measurements_of(state)}
     words += [option("--leave-out", name) for name in state.left_out if name in measured]
     if state.implement is None:
         name, text = bat_name(state), bat_text(state)

@@ -72,23 +72,23 @@ class OwnState(BatState):
 
 def own_of(state: OwnState) -> Implement:
     """Return what was measured, as it is described: the bat, or what is named in its place."""
-    own = described(state) if state.implement is None else implement_of(state.implement, state.implement_toml)
-    return own.as_drawn()
+    implement = described(state) if state.implement is None else implement_of(state.implement, state.implement_toml)
+    return implement.as_drawn()
 
 
 @lru_cache(maxsize=64)
 def unknown_of(state: OwnState) -> tuple[Implement, tuple[Unknown, ...]]:
     """Return what was measured, as it is described, and what is not known of it."""
-    own = own_of(state)
+    implement = own_of(state)
     with about("bat" if state.implement is None else "implement"):
-        return own, unknowns_of(own, diameter_spread=state.diameter_error)
+        return implement, unknowns_of(implement, diameter_spread=state.diameter_error)
 
 
-def pivot_of(state: OwnState, own: Implement) -> float:
+def pivot_of(state: OwnState, implement: Implement) -> float:
     """Return where it hangs, and what its swing weight is about, in m from the grip's end."""
     if state.pivot_in is not None:
         return state.pivot_in * INCH
-    return own.swing_axis
+    return implement.swing_axis
 
 
 def measurements_of(state: OwnState) -> list[Measurement]:

@@ -42,18 +42,20 @@ HIGHEST = 1.3
 
 def expected_tones(state: OwnState) -> list[dict[str, Any]]:
     """Return the tones that a free bat as described would have, and how strongly the tap excites each."""
-    own, _ = unknown_of(state)
-    modes, place = modes_to_name(own), _place(state, own)
+    described, _ = unknown_of(state)
+    modes, place = modes_to_name(described), _place(state, described)
     tones, highest = [], usual_band(modes).high
     for family in FAMILIES:
         if modes.of_family(family):
-            told = expected_of(modes, family, positions=[place])
+            family_tones = expected_of(modes, family, positions=[place])
             tones += [
                 {"name": str(name), "frequency_hz": float(hertz), "excitation": float(part)}
-                for name, hertz, part in zip(told.names, told.frequency, told.excitation, strict=True)
+                for name, hertz, part in zip(
+                    family_tones.names, family_tones.frequency, family_tones.excitation, strict=True
+                )
                 if hertz < highest
             ]
-    return sorted(tones, key=lambda one: float(one["frequency_hz"]))
+    return sorted(tones, key=lambda tone: float(tone["frequency_hz"]))
 
 
 def tap(state: OwnState) -> dict[str, Any]:
@@ -73,22 +75,22 @@ def tap(state: OwnState) -> dict[str, Any]:
                                "unlike": False, "doubts": []}  # fmt: skip
     if not sounds:
         return nothing
-    own, _ = unknown_of(state)
-    modes = modes_to_name(own)
+    described, _ = unknown_of(state)
+    modes = modes_to_name(described)
     band, held = usual_band(modes), usual_held(modes)
-    taps = [one for sound in sounds for one in _taps(sound, band, held)]
-    head = nothing | {"taps": [_told(one) for one in taps], "waveform": _wave(sounds[-1])}
-    good = [one for one in taps if one.good and one.fit is not None]
+    taps = [tap for sound in sounds for tap in _taps(sound, band, held)]
+    head = nothing | {"taps": [_tap_row(tap) for tap in taps], "waveform": _wave(sounds[-1])}
+    good = [tap for tap in taps if tap.good and tap.fit is not None]
     if not good:
         return head | {"fault": "no tap can be used: the list says what is wrong with each" if taps else
                                 "there is no tap in it"}  # fmt: skip
-    question = TapQuestion([sound.recording for sound in sounds], own, [_place(state, own)])
+    question = TapQuestion([sound.recording for sound in sounds], described, [_place(state, described)])
     try:
         found = tap_answer(question, taps=taps)
     except InputError as error:
         return head | {"fault": str(error)}
     test, damping = found.test, found.damping
-    unlike = test.unlike and isinstance(own, Bat)  # higher tones of other implements are known less well
+    unlike = test.unlike and isinstance(described, Bat)  # higher tones of other implements are known less well
     assert good[-1].fit is not None
     frequency, level = spectrum(good[-1].fit)
     drawn = frequency < HIGHEST * max(tone.frequency.value for tone in found.tones)
@@ -99,7 +101,11 @@ def tap(state: OwnState) -> dict[str, Any]:
              "expected_hz": tone.expected, "taps": tone.taps, "own": tone.own}
             for named, tone in zip(test.tones, found.tones, strict=True)
         ],
-        "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in found.measurements if one.mode],
+        "measured": [
+            [name_of(measurement.mode), measurement.value.value, measurement.value.error]
+            for measurement in found.measurements
+            if measurement.mode
+        ],
         "damping": None if damping is None or test.unheard else [damping.value, damping.error],
         "fault": _fault(test, damping is not None), "unlike": unlike, "doubts": _doubts(test, unlike),
         "spectrum": {"frequency_hz": np.round(frequency[drawn], 2), "level_db": np.round(level[drawn], 2)},
@@ -141,9 +147,9 @@ def _taps(sound: _Sound, band: Band, held: float) -> tuple[Tap, ...]:
     return find_taps(sound.recording, band=band, held=held)
 
 
-def _told(one: Tap) -> dict[str, Any]:
-    fault = None if one.fault is None else one.fault.removesuffix(OF_COMMAND)
-    return {"recording": one.recording, "time_s": one.start, "good": one.good, "fault": fault}
+def _tap_row(found: Tap) -> dict[str, Any]:
+    fault = None if found.fault is None else found.fault.removesuffix(OF_COMMAND)
+    return {"recording": found.recording, "time_s": found.start, "good": found.good, "fault": fault}
 
 
 def _wave(sound: _Sound) -> dict[str, Any]:
@@ -152,8 +158,10 @@ def _wave(sound: _Sound) -> dict[str, Any]:
             "high": np.round(high, 4)}  # fmt: skip
 
 
-def _place(state: OwnState, own: Implement) -> float:
-    place = own.length - state.tap_from_tip_in * INCH
+def _place(state: OwnState, described: Implement) -> float:
+    place = described.length - state.tap_from_tip_in * INCH
     if place < 0:
-        raise FieldError("tap_from_tip_in", f"{own.name} is {own.length / INCH:.4g} in long; tap it nearer the tip")
+        raise FieldError(
+            "tap_from_tip_in", f"{described.name} is {described.length / INCH:.4g} in long; tap it nearer the tip"
+        )
     return place

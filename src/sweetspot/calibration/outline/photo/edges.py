@@ -167,8 +167,8 @@ def _flanks(
     moved, blurred = [np.zeros(0), np.zeros(0)], most
     for _ in range(2):  # first with bands far from the edge; the blur that is seen so says how near they may be
         refined = [
-            _refined(outward, own, edge, shadows=shadows, blurred=blurred)
-            for (outward, _, own), edge in zip(sides, edges, strict=True)
+            _refined(outward, light, edge, shadows=shadows, blurred=blurred)
+            for (outward, _, light), edge in zip(sides, edges, strict=True)
         ]
         moved = [apart for _, apart in refined]
         blurred = min(max(1.0, _blur(moved)), most)
@@ -180,7 +180,7 @@ def _flanks(
 
 def _blur(moved: list[Array]) -> float:
     """Return how blurred edges are by what `LEVELS` lie apart in them, over `SHARP`; a shadow blurs but one."""
-    return min(float(np.median(one)) for one in moved) / APART / SHARP
+    return min(float(np.median(side)) for side in moved) / APART / SHARP
 
 
 def _coarse(reach: Array, signal: Array, expected: Array) -> Array:
@@ -220,7 +220,7 @@ def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool, blurre
     level_out, slope = _level_and_slope(distance, colours, near_out)
     ground = np.broadcast_to(level_out[:, None, :], colours.shape)
     if shadows:
-        level_out, slope = (scipy.ndimage.gaussian_filter1d(one, ALONG, axis=0) for one in (level_out, slope))
+        level_out, slope = (scipy.ndimage.gaussian_filter1d(entry, ALONG, axis=0) for entry in (level_out, slope))
         outward = np.maximum(distance, 0.0) - sum(NEAR_OUT) / 2
         ground = level_out[:, None, :] + slope[:, None, :] * outward[..., None]
     apart = np.sqrt(np.sum((level_in[:, None, :] - ground) ** 2, axis=2))
@@ -267,8 +267,8 @@ def smooth(edge: Array) -> Array:
     running = scipy.ndimage.median_filter(edge, size=windows[0], mode="nearest")
     off = np.abs(edge - running)
     around = scipy.ndimage.percentile_filter(off, 80, size=4 * windows[0], mode="nearest") / 1.28  # one sigma there
-    kept = np.where(off > OUTLIER * np.maximum(around, 0.1), running, edge)
-    curves = [np.asarray(scipy.signal.savgol_filter(kept, window, 2, mode="interp")) for window in windows]
+    believed = np.where(off > OUTLIER * np.maximum(around, 0.1), running, edge)
+    curves = [np.asarray(scipy.signal.savgol_filter(believed, window, 2, mode="interp")) for window in windows]
     usual = float(np.quantile(np.abs(curves[0] - curves[-1]), 0.9)) / 1.645  # knob and tip are the tenth left out
     smoothed, agreed = curves[0], np.ones(len(edge), bool)
     for number, window in enumerate(windows[1:], start=1):

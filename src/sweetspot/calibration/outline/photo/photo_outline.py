@@ -106,7 +106,7 @@ def read_photo(
     with_shadows, without = differences(picture)
     surely = list(find_shapes(without))
     shapes = [*surely, *find_shapes(with_shadows)]
-    if not any(one.like_a_bat for one in shapes) and (cut := cut_off(with_shadows)):
+    if not any(shape.like_a_bat for shape in shapes) and (cut := cut_off(with_shadows)):
         raise InputError(
             f"{picture.name} shows something long that ends at the picture's {' and '.join(cut)} border; take all of "
             "the bat, with some ground around it"
@@ -138,8 +138,8 @@ def _told_by_hue(picture: Picture, edges: Edges) -> Edges | None:
     if not shadow_at_a_flank(edges, tint, shade):
         return None
     hue = np.linalg.norm(tint, axis=2)
-    bats = [one for one in find_shapes(hue) if one.like_a_bat]
-    if not any(one.length > WHOLE * edges.length for one in bats):
+    bats = [shape for shape in find_shapes(hue) if shape.like_a_bat]
+    if not any(bat.length > WHOLE * edges.length for bat in bats):
         raise InputError(
             f"{picture.name} shows a dark shadow along one side of the bat, which cannot be told from it: a part of it "
             "has the ground's hue. Take it in even light, without a flash or the sun"
@@ -149,7 +149,7 @@ def _told_by_hue(picture: Picture, edges: Edges) -> Edges | None:
 
 def _check_no_shadow(picture: Picture, bat: Shape, surely: list[Shape]) -> None:
     """Refuse a bat that is seen as a shadow would be."""
-    if any(one.like_a_bat and one.length > WHOLE * bat.length for one in surely):
+    if any(shape.like_a_bat and shape.length > WHOLE * bat.length for shape in surely):
         return
     if picture.grey:
         raise InputError(
@@ -229,7 +229,7 @@ def _measured(
     inside = (place > 0) & (place < reach)
     place, width = place[inside], np.maximum(width[inside], DIAMETER_RANGE[0])
     place = np.concatenate([[0], place, [reach]])
-    width, unsettled = (np.concatenate([one[:1], one, one[-1:]]) for one in (width, unsettled[inside]))
+    width, unsettled = (np.concatenate([entry[:1], entry, entry[-1:]]) for entry in (width, unsettled[inside]))
     tolerance = TOLERANCE
     while len(profile := simplified(place, width, tolerance)) > STATIONS:
         tolerance *= 1.25

@@ -162,7 +162,7 @@ def _bytes_of(values: Array, path: Path) -> NDArray[np.uint8]:
         raise InputError(
             f"{path} holds values that are no grey, {values.min():g} to {values.max():g}; save it as JPEG or PNG"
         )
-    white = next(one for one in RANGES if values.max() <= one)
+    white = next(white for white in RANGES if values.max() <= white)
     return np.asarray(255 * values / white + 0.5, dtype=np.uint8)
 
 

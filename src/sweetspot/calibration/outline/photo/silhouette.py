@@ -177,20 +177,20 @@ def find_bat(shapes: list[Shape], name: str) -> Shape:
     InputError
         when nothing looks like a bat, or two things do.
     """
-    bats = [one for one in shapes if one.like_a_bat]
+    bats = [shape for shape in shapes if shape.like_a_bat]
     if not bats:
         raise InputError(
             f"{name} shows no bat; lay it alone on a plain ground of another colour, all of it in the picture, from "
             "above and without hard shadows"
         )
-    longest = max(one.length for one in bats)
-    bat = min((one for one in bats if one.length > 0.97 * longest), key=lambda one: one.wander)
-    if any(one.length > NEIGHBOUR * longest and _beside(one, bat) for one in bats):
+    longest = max(bat.length for bat in bats)
+    bat = min((bat for bat in bats if bat.length > 0.97 * longest), key=lambda entry: entry.wander)
+    if any(entry.length > NEIGHBOUR * longest and _beside(entry, bat) for entry in bats):
         raise InputError(f"{name} shows two bats; photograph each alone")
     return bat
 
 
-def _beside(one: Shape, bat: Shape) -> bool:
+def _beside(shape: Shape, bat: Shape) -> bool:
     """Return whether the middle of a shape lies outside the bat, and that of the bat outside the shape."""
 
     def outside(middle: Array, other: Shape) -> bool:
@@ -198,7 +198,7 @@ def _beside(one: Shape, bat: Shape) -> bool:
         reach, aside = (middle - other.start) @ along, (middle - other.start) @ np.array([-along[1], along[0]])
         return not 0 < reach < other.length or abs(aside) > other.width.max() / 2
 
-    return outside((one.start + one.end) / 2, bat) and outside((bat.start + bat.end) / 2, one)
+    return outside((shape.start + shape.end) / 2, bat) and outside((bat.start + bat.end) / 2, shape)
 
 
 def find_ruler(shapes: list[Shape], bat: Shape, name: str) -> Shape:
@@ -211,10 +211,10 @@ def find_ruler(shapes: list[Shape], bat: Shape, name: str) -> Shape:
     """
     middle = (bat.start + bat.end) / 2
     rulers = [
-        one
-        for one in shapes
-        if one.evenness < RULER_EVEN and np.hypot(*((one.start + one.end) / 2 - middle)) > bat.width.max() / 2
+        shape
+        for shape in shapes
+        if shape.evenness < RULER_EVEN and np.hypot(*((shape.start + shape.end) / 2 - middle)) > bat.width.max() / 2
     ]
     if not rulers:
         raise InputError(f"{name} shows no ruler; lay a straight one beside the bat, not touching it, or give --length")
-    return max(rulers, key=lambda one: one.length)
+    return max(rulers, key=lambda entry: entry.length)
