@@ -23,14 +23,14 @@ from sweetspot.cli import UNTIDIED, main, output
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
-from sweetspot.report.pictures import files
+from sweetspot.report.pictures import style
 from tests import browsers
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 FEWER_DOTS = 4
-files.DOTS_PER_INCH //= FEWER_DOTS  # they take long, and one test asks how many there are
+style.DOTS_PER_INCH //= FEWER_DOTS  # they take long, and one test asks how many there are
 sys.dont_write_bytecode = False  # nor the next run
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 FLAGS += ["--in-process-gpu", "--enable-features=NetworkServiceInProcess2"]  # two processes fewer to talk to

@@ -18,7 +18,8 @@ import pytest
 from sweetspot import validation
 from sweetspot.cli import app
 from sweetspot.errors import InputError
-from sweetspot.report import file_set, files
+from sweetspot.report import files
+from sweetspot.report.pictures import style
 from sweetspot.validation.cases import sources
 from sweetspot.validation.run import judged
 from tests.full_disk import no_file_beyond
@@ -71,7 +72,7 @@ FAULTS: dict[str, tuple[Any, str, BaseException]] = {
     "open": (Path, "open", MANY),
     "fsync": (os, "fsync", BROKEN),
     "rename": (Path, "rename replace", FULL),
-    "allocate": (file_set, "_write_to_disk", MemoryError()),
+    "allocate": (files, "_write_to_disk", MemoryError()),
 }
 """What is asked for, and how it fails."""
 
@@ -144,16 +145,15 @@ def test_every_command_under_every_fault(
         ]
 
     words = words_of(command, tmp_path)
-    monkeypatch.setattr(files, "png_bytes", lambda _: b"a picture, which would take long and is not what fails")
-    monkeypatch.setattr(files, "svg_bytes", lambda _: b'<svg xmlns="http://www.w3.org/2000/svg"/>')
+    monkeypatch.setattr(style, "png_bytes", lambda _: b"a picture, which would take long and is not what fails")
+    monkeypatch.setattr(style, "svg_bytes", lambda _: b'<svg xmlns="http://www.w3.org/2000/svg"/>')
     monkeypatch.setattr(validation, "results", some_cases)
     monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 3)  # a bat found sooner is written like any other
     monkeypatch.setattr(threading.Thread, "start", refused)
     monkeypatch.setattr(os, "fork", refused)
     before, met = sorted(tmp_path.rglob("*")), list[str]()
-    for module in (file_set, files):
-        for name in {"write_folder", "write_all"} & vars(module).keys():
-            monkeypatch.setattr(module, name, faulty(getattr(module, name), tmp_path, met))
+    for name in ("write_folder", "write_all"):
+        monkeypatch.setattr(files, name, faulty(getattr(files, name), tmp_path, met))
     code, out, err = run(*words)
     assert (code, out) == (2, ""), err
     assert "Traceback" not in err and "input/output error" in err.splitlines()[-1]

@@ -14,8 +14,8 @@ from typing import Any
 import pytest
 
 from sweetspot.errors import InputError
-from sweetspot.report import file_set
-from sweetspot.report.file_set import write_all, write_folder
+from sweetspot.report import files
+from sweetspot.report.files import write_all, write_folder
 
 NEW = {"report.json": b"new json", "report.png": b"new png", "report.html": b"new html"}
 CALLS = ("open", "write", "fsync", "mkdir", "rename", "replace", "link")
@@ -34,7 +34,7 @@ def failing(monkeypatch: pytest.MonkeyPatch, call: str, at: int) -> None:
     """Make the ``at``-th call of a kind fail as on a full disk."""
     places: dict[str, tuple[Any, str]] = {
         "open": (Path, "open"), "mkdir": (Path, "mkdir"), "rename": (Path, "rename"), "replace": (Path, "replace"),
-        "fsync": (os, "fsync"), "link": (os, "link"), "write": (file_set, "_write_to_disk"),
+        "fsync": (os, "fsync"), "link": (os, "link"), "write": (files, "_write_to_disk"),
     }  # fmt: skip
     owner, name = places[call]
     real: Callable[..., Any] = getattr(owner, name)
@@ -125,7 +125,7 @@ def test_what_a_killed_run_left_goes_with_time(tmp_path: Path) -> None:
     for left in (old, young):
         left.mkdir()
         (left / "report.png").write_text("part of a picture")
-    os.utime(old, (time.time() - 2 * file_set.ABANDONED,) * 2)
+    os.utime(old, (time.time() - 2 * files.ABANDONED,) * 2)
     write_all({tmp_path / "report.json": b"new"})
     assert sorted(path.name for path in tmp_path.iterdir()) == [".sweetspot-young", "report.json"]
 
@@ -135,7 +135,7 @@ def test_killed_runs_leave_whole_files_and_whole_new_folders(tmp_path: Path) -> 
     code = """
 import sys
 from pathlib import Path
-from sweetspot.report.file_set import write_folder
+from sweetspot.report.files import write_folder
 print("ready", flush=True)
 for number in range(10**6):
     content = {name: str(number).encode() * 20000 for name in ("a", "b", "c")}

@@ -14,6 +14,7 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import ReportAnswer, report_of
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.document import Block, Bullets, Cards, Cell, Document, Paragraph, Question, Section, Table
+from sweetspot.report.notebook import document_of
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Bounds, Doubtful, Part, Sentence, Slot, Span, Words, read
 from sweetspot.uncertainty.sources import sources_of
@@ -32,8 +33,8 @@ def tell(run: Run, monkeypatch: pytest.MonkeyPatch) -> Tell:
     """Return a function that runs a command and returns the document it would print."""
     caught: list[Document] = []
 
-    def present(document: Document, *_: object, **__: object) -> int:
-        caught.append(document)
+    def present(answer: object, *_: object, **__: object) -> int:
+        caught.append(document_of(answer))
         return 0
 
     monkeypatch.setattr("sweetspot.cli.output.present", present)

@@ -122,7 +122,7 @@ def calibrate(
     if not found.consistent:
         print("sweetspot: measurements contradict each other; no bat was written", file=sys.stderr)
     elif out is not None:
-        from sweetspot.report.file_set import write_all
+        from sweetspot.report.files import write_all
 
         write_all({out: found.to_toml().encode()})
         print(f"sweetspot: wrote {out}", file=sys.stderr)

@@ -126,7 +126,7 @@ def _table(launch: LaunchSetup, weather: Weather, ranges: list[Varied], cell: st
     from sweetspot import catalog
     from sweetspot.cli.output import patience
     from sweetspot.flight.sweep import flight_table
-    from sweetspot.report.flight.sweep import sweep_document
+    from sweetspot.report.flight.many import sweep_document
 
     first: dict[str, Any] = {name: values[0] for name, values in ranges}
     with patience():

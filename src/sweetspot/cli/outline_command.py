@@ -84,7 +84,7 @@ def outline(
     document = outline_document(found)
     contents = {path: _content(path, found.bat, document.reader_of(answer.units)) for path in out or []}
     if contents:
-        from sweetspot.report.file_set import write_all
+        from sweetspot.report.files import write_all
 
         for folder in dict.fromkeys(path.parent for path in contents):  # those of one folder together
             write_all({path: content for path, content in contents.items() if path.parent == folder})

@@ -19,7 +19,7 @@ def sports(
     from sweetspot.catalog.sports import sport
     from sweetspot.cli.output import patience, present
     from sweetspot.paper.sports import sport_rows
-    from sweetspot.report.sports.document import sport_document, sports_document
+    from sweetspot.report.sports import sport_document, sports_document
 
     if name is None:
         return present(sports_document(), output)

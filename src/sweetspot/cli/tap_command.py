@@ -175,7 +175,7 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     from sweetspot.calibration.synthetic import synthesised
     from sweetspot.calibration.tap_analysis import frame_modes
     from sweetspot.plausibility import parse
-    from sweetspot.report.file_set import write_all
+    from sweetspot.report.files import write_all
 
     seed = 1 if synthesis.seed is None else synthesis.seed
     if seed < 0:

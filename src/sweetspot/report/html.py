@@ -102,8 +102,7 @@ def _environment() -> Environment:
 
 def _drawn(picture: parts.Picture, reader: Reader, colours: dict[str, str] | None, drawing: bytes | None) -> Markup:
     """Return a picture as SVG inside the page: its names its own, its colours the page's unless others are given."""
-    from sweetspot.report.pictures.files import svg_bytes
-    from sweetspot.report.pictures.style import PAGE_COLOURS
+    from sweetspot.report.pictures.style import PAGE_COLOURS, svg_bytes
 
     drawn = (drawing or svg_bytes(picture.draw(reader))).decode()
     return Markup(inlined(drawn, name=picture.name, label=read(picture.label, reader),

@@ -95,25 +95,21 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.equipment.implement import Implement
     from sweetspot.flight.kernel import Flights
     from sweetspot.flight.trajectory import Flight
-    from sweetspot.report.bat.document import described_document, report_document
-    from sweetspot.report.bat.unhit import unhit_document
+    from sweetspot.report.bat.document import described_document, report_document, unhit_document
+    from sweetspot.report.bench import drop_document, paper_document, pendulum_document
     from sweetspot.report.calibration.document import calibration_document
     from sweetspot.report.calibration.outline_report import outline_document
     from sweetspot.report.calibration.ranking_report import ranking_document
     from sweetspot.report.certification.document import certificate_document, certification_document
     from sweetspot.report.comparison.document import compare_document, comparison_document
     from sweetspot.report.design.document import design_document
-    from sweetspot.report.drop.document import drop_document
     from sweetspot.report.flight.document import flight_document, fly_document
-    from sweetspot.report.flight.many_flights import flights_document
+    from sweetspot.report.flight.many import flights_document
     from sweetspot.report.hit.document import hit_document, impact_document
     from sweetspot.report.hit.many_hits import impacts_document
     from sweetspot.report.modes.document import modes_document
     from sweetspot.report.optimum.document import optimum_document
-    from sweetspot.report.paper.document import paper_document
-    from sweetspot.report.pendulum.document import pendulum_document
-    from sweetspot.report.play.bare_play import bare_play_document, strike_document
-    from sweetspot.report.play.document import play_document
+    from sweetspot.report.play.document import bare_play_document, play_document, strike_document
     from sweetspot.report.player.document import player_document
     from sweetspot.report.player.team import team_document
     from sweetspot.report.season.document import season_document

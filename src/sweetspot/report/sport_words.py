@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from sweetspot.catalog.sports import sport
+from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import Number
 from sweetspot.report.quantities import Reader, reader
-from sweetspot.report.sentences import Part, Sentence, Slot, say
+from sweetspot.report.sentences import Part, Sentence, Slot, Words, say
 
 LIGHT = 0.02
 """kg below which a mass is shown to a tenth of a gram."""
@@ -42,3 +44,12 @@ def arriving(words: Terms, speed: float) -> Sentence:
 def weight(mass: Number) -> Slot:
     """Return a mass (kg), with a digit more where it is that of a small ball."""
     return Slot(mass, "mass", 1 if float(mass) < LIGHT else None)
+
+
+def made_of_words(tool: Implement) -> Words:
+    """Return what an implement is made of, with the tension of its strings or the weight of its head."""
+    if isinstance(tool, Racket):
+        return say("{frame}, strings at {tension}", frame=tool.made_of, tension=Slot(tool.bed.tension, "tension"))
+    if isinstance(tool, GolfClub):
+        return say("{material}, head of {mass}", material=tool.made_of, mass=Slot(tool.head.mass, "mass"))
+    return tool.made_of

@@ -35,7 +35,7 @@ def short_rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, str]]
             "source": result.source,
             "case": f"{result.name}: {result.quantity}",
             "printed": _with_unit(result.printed, result.unit),
-            "computed": shown(result),
+            "computed": number_words(result),
             "allowed": result.tolerance,
             "evidence": result.evidence,
             "status": result.status,
@@ -70,7 +70,7 @@ def headline(verdicts: Sequence[Result]) -> str:
     )
 
 
-def shown(result: Result) -> str:
+def number_words(result: Result) -> str:
     """Return the computed value with as many digits as a reader can use."""
     digits = 5 if result.kind == "identity" else 4
     return f"{result.computed:.{digits}g}"
@@ -90,8 +90,8 @@ def markdown(case: Case, verdicts: Sequence[Result]) -> str:
     lines += ["| | case | printed | computed | allowed | kind | read | evidence | verdict |", "|-" * 9 + "|"]
     for number, result in enumerate(own, start=1):
         cells = (
-            str(number), f"{result.name}: {result.quantity}", _with_unit(result.printed, result.unit), shown(result),
-            result.tolerance, result.kind, TAGS[result.tag], result.evidence, result.status,
+            str(number), f"{result.name}: {result.quantity}", _with_unit(result.printed, result.unit),
+            number_words(result), result.tolerance, result.kind, TAGS[result.tag], result.evidence, result.status,
         )  # fmt: skip
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     lines += ["", "Reasons:", ""]

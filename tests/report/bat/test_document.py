@@ -19,13 +19,12 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.references import keys
-from sweetspot.report import file_set
-from sweetspot.report.bat.beside_published import _predicts, chosen
+from sweetspot.report import files
+from sweetspot.report.bat.appendix import _predicts, chosen
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
 from sweetspot.report.document import Section
-from sweetspot.report.file_set import check_folder, files_of, write_folder
-from sweetspot.report.files import write_document
+from sweetspot.report.files import check_folder, files_of, write_document, write_folder
 from sweetspot.report.html import page
 from sweetspot.report.pictures.style import INK
 from sweetspot.report.quantities import SI, US
@@ -294,14 +293,14 @@ def test_no_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 def test_a_full_disk_leaves_nothing(
     contents: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    write = file_set._write_to_disk
+    write = files._write_to_disk
 
     def full(path: Path, content: bytes) -> None:
         if ".json" in path.name:
             raise OSError(28, "No space left on device")
         write(path, content)
 
-    monkeypatch.setattr(file_set, "_write_to_disk", full)
+    monkeypatch.setattr(files, "_write_to_disk", full)
     with pytest.raises(InputError, match=r"report\.json cannot be written: no space left"):
         write_folder(tmp_path / "a" / "b", contents)
     assert not list(tmp_path.iterdir())

@@ -15,7 +15,7 @@ from sweetspot.analysis.comparison import Comparison, compare
 from sweetspot.answers.compare import compare_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.report.comparison.picture import compare_figure
-from sweetspot.report.pictures.files import png_bytes, svg_bytes
+from sweetspot.report.pictures.style import png_bytes, svg_bytes
 from sweetspot.units import MPH
 
 LONG = "a very long name of a bat $with \\frac{signs}$ that no row has room for, ever"

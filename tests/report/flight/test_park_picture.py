@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.report.flight.park_picture import outline, parks_figure
-from sweetspot.report.pictures.files import png_bytes
+from sweetspot.report.flight.picture import outline, parks_figure
+from sweetspot.report.pictures.style import png_bytes
 from sweetspot.units import FOOT
 
 

@@ -13,12 +13,11 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import compare
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.report.bat.figure import report_figure
-from sweetspot.report.bat.sheet_picture import sheet_figure
+from sweetspot.report.bat.figure import report_figure, sheet_figure
 from sweetspot.report.bat.words import answer_words
-from sweetspot.report.flight.park_picture import parks_figure
+from sweetspot.report.flight.picture import parks_figure
 from sweetspot.report.notebook import figure_of
-from sweetspot.report.pictures import ruler
+from sweetspot.report.pictures import marks
 from sweetspot.report.sport_words import reader_of, words_of
 from sweetspot.report.sweet_spots import SPOTS
 from tests.report.pictures.labels import check_labels, texts
@@ -37,7 +36,7 @@ def test_a_report_picture_of_any_sport(analysed: Analysis[Implement]) -> None:
     check_labels(figure)
     words = " ".join(text for text, _ in texts(figure))
     assert ("Shaded" in words) == (analysed.sweet_spots.zone is not None)
-    zoomed = ruler.is_zoomed(analysed.bat)
+    zoomed = marks.is_zoomed(analysed.bat)
     for axes in figure.axes[2:4]:  # the curves take a good part of their panels
         curve = axes.get_lines()[0].get_xdata()
         shown = axes.get_xlim()

@@ -21,12 +21,12 @@ from sweetspot.equipment.shell import Shell
 from sweetspot.errors import InputError
 from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.bat.outline_picture import bat_figure
-from sweetspot.report.file_set import write_all
+from sweetspot.report.files import save, write_all
 from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.hit.picture import hit_figure
-from sweetspot.report.pictures import files
-from sweetspot.report.pictures.files import png_bytes, save, svg_bytes
+from sweetspot.report.pictures import style
 from sweetspot.report.pictures.marks import ladder
+from sweetspot.report.pictures.style import png_bytes, svg_bytes
 from sweetspot.report.sport_words import words_of
 from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH
@@ -186,7 +186,7 @@ def test_files_are_the_same_every_time_and_settings_stay(analysis: Analysis, tmp
 
 
 def test_a_picture_has_200_dots_an_inch(analysis: Analysis, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(files, "DOTS_PER_INCH", FEWER_DOTS * files.DOTS_PER_INCH)
+    monkeypatch.setattr(style, "DOTS_PER_INCH", FEWER_DOTS * style.DOTS_PER_INCH)
     figure = hit_figure(analysis.best)
     png = png_bytes(figure)
     sides = [int.from_bytes(png[place : place + 4], "big") for place in (16, 20)]  # as PNG has them

@@ -7,7 +7,7 @@ import polars as pl
 import pytest
 
 from sweetspot import catalog
-from sweetspot.report.pictures.files import png_bytes
+from sweetspot.report.pictures.style import png_bytes
 from sweetspot.report.quantities import SYSTEMS
 from sweetspot.report.season.picture import season_figure
 from sweetspot.units import DEGREE, MPH

@@ -18,7 +18,7 @@ from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.files import write_document
 from sweetspot.report.html import page
-from sweetspot.report.pictures.files import svg_bytes
+from sweetspot.report.pictures.style import svg_bytes
 from tests.report.told import reported
 
 Run = Callable[..., tuple[int, str, str]]

@@ -17,7 +17,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve
 from sweetspot.report.modes.picture import draw_dot, draw_mode, label_mode
-from sweetspot.report.pictures import ruler
+from sweetspot.report.pictures import marks
 from sweetspot.report.pictures.style import (
     INK,
     MUTED,
@@ -74,7 +74,7 @@ def exit_speed(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
         ha="right", va="center", weight="bold", color=INK,
         arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
     )  # fmt: skip
-    rigid_at = 0.97 if ruler.is_zoomed(analysis.bat) else 0.42
+    rigid_at = 0.97 if marks.is_zoomed(analysis.bat) else 0.42
     curves = {"rigid": (scan.position, rigid), "real": (scan.position, speed)}
     _curve_label(axes, "rigid", curves, f"if the {words.implement} were rigid", at=rigid_at, colour=MUTED, above=True)
     _curve_label(axes, "real", curves, f"this {words.implement}", at=0.42, colour=RED, above=False)
@@ -157,11 +157,11 @@ def mode_shapes(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     analysis = report.analysis
     bat, modes = analysis.bat, analysis.modes
     tones = [one.frequency for one in report.modes if one.family == "bending"]
-    ruler.set_limits(axes, bat.length)
+    marks.set_limits(axes, bat.length)
     hands = analysis.conditions.hands
     held = "held" if any((hands.mass, hands.stiffness, hands.damping)) else "free"
     tool = words_of(bat).implement
-    ruler.show_from_tip(axes, bat.length, reading, labels=False)
+    marks.show_from_tip(axes, bat.length, reading, labels=False)
     heading(axes, "Bending modes", f"how the {held} {tool} rings; a hit at a node does not ring that mode")
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
@@ -189,9 +189,9 @@ def _band(axes: Axes, report: ReportAnswer, curve: Curve, colour: str, *, size: 
 
 
 def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: str, note: str) -> None:
-    ruler.set_window(axes, analysis.bat)
-    ruler.show_from_tip(axes, analysis.bat.length, reading, labels=ruler.is_zoomed(analysis.bat), grid=True)
-    if ruler.is_zoomed(analysis.bat):
+    marks.set_window(axes, analysis.bat)
+    marks.show_from_tip(axes, analysis.bat.length, reading, labels=marks.is_zoomed(analysis.bat), grid=True)
+    if marks.is_zoomed(analysis.bat):
         draw_guides(axes, analysis)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
     light_grid(axes, vertical=False)

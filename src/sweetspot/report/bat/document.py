@@ -9,32 +9,34 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.answers.report import ReportAnswer
+from sweetspot.answers.unhit import UnhitAnswer
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
-from sweetspot.report.bat.made_of import made_of_words
 from sweetspot.report.bat.tables import (
     along_table,
     conditions_table,
     mass_table,
     misses_table,
     modes_table,
+    places_table,
     spots_table,
     stations,
 )
 from sweetspot.report.bat.words import answer_words, from_tip, why_intervals
 from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList
-from sweetspot.report.hit.document import hit_picture, hit_table, masses_words
-from sweetspot.report.hit.second_touch import touched_again_between
+from sweetspot.report.hit.document import hit_picture, hit_table, masses_words, touched_again_between
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
-from sweetspot.report.sport_words import in_words, reader_of, words_of
-from sweetspot.report.uncertainty.uncertainty_section import how_sure
+from sweetspot.report.sport_words import in_words, made_of_words, reader_of, weight, words_of
+from sweetspot.report.uncertainty.section import how_sure
 
 COLUMNS, ROWS = 120, 90
 """Places of the maps of a face: enough for the eye."""
@@ -131,7 +133,7 @@ def _drawn_overview(report: ReportAnswer, reading: Reader) -> Any:
 
 
 def _drawn_sheet(report: ReportAnswer, reading: Reader) -> Any:
-    from sweetspot.report.bat.sheet_picture import sheet_figure
+    from sweetspot.report.bat.figure import sheet_figure
 
     return sheet_figure(report, reading)
 
@@ -174,8 +176,7 @@ def _mass(bat: Implement, body: RigidBody, mass: MassProperties, *, told: bool =
 
 def _appendix(report: ReportAnswer) -> list[Block]:
     """Return what only an opened page shows: maps, misses, limits, published numbers, constants, sources."""
-    from sweetspot.report.bat.appendix import assumptions_section, constants_section
-    from sweetspot.report.bat.beside_published import chosen, published_section
+    from sweetspot.report.bat.appendix import assumptions_section, chosen, constants_section, published_section
     from sweetspot.report.bat.provenance import sources_of, used_records
 
     analysis, drawn = report.analysis, report.uncertainty is not None
@@ -204,7 +205,44 @@ def _face_picture(analysis: Analysis[Implement]) -> Picture:
 
 def _drawn_face(analysis: Analysis[Implement], reading: Reader) -> Any:
     from sweetspot.analysis.face_maps import face_map
-    from sweetspot.report.bat.face_picture import face_figure
+    from sweetspot.report.bat.outline_picture import face_figure
 
     hits = face_map(analysis.reduced, analysis.conditions, columns=COLUMNS, rows=ROWS)
     return face_figure(hits, analysis.bat, reading)
+
+
+def unhit_document(answer: UnhitAnswer) -> Document:
+    """Return the report of an implement that is no heavier than the ball."""
+    bat, data = answer.reduced.bat, answer.to_dict()
+    places = {name: place for name, place in vars(answer.sweet_spots).items() if place is not None}
+    return Document(
+        name="report",
+        title=bat.name,
+        subtitle=made_of_words(bat),
+        kind=f"{sport(bat.sport).name}: without a ball",
+        blocks=[Paragraph(_why(answer.reduced, answer.conditions))],
+        details=[
+            Section("sweet-spots", "What needs no ball", [places_table(bat, places)]),
+            Section("mass", "Weight and balance", [mass_table(bat, answer.reduced.body, answer.bat)]),
+            Section("modes", "How it rings", [modes_table(bat, answer.modes)]),
+        ],
+        data=data,
+        rows={name: [mode[name] for mode in data["modes"]] for name in ("family", "harmonic", "frequency_hz")},
+        reader=reader_of(bat),
+    )
+
+
+def _why(reduced: ReducedBat[Implement], conditions: Conditions) -> Sentence:
+    bat = reduced.bat
+    return in_words(
+        "No hit is computed: the {ball} weighs {ball_mass} and this {implement} {mass}; a {ball} that is not lighter "
+        "sweeps it aside. Its first two tones are {first} and {second}. What else needs no {ball} stands below.",
+        words_of(bat),
+        ball_mass=weight(conditions.ball.mass), mass=weight(reduced.body.mass),
+        first=_tone(reduced, 1), second=_tone(reduced, 2),
+    )  # fmt: skip
+
+
+def _tone(reduced: ReducedBat[Implement], harmonic: int) -> Slot:
+    modes = reduced.modes
+    return Slot(float(modes.frequency[modes.of_family("bending")[harmonic - 1]]), "frequency")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import Any
 
 from matplotlib.figure import Figure
@@ -16,15 +17,24 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat import along_picture as along
-from sweetspot.report.bat.made_of import made_of_words
-from sweetspot.report.bat.outline_picture import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
+from sweetspot.report.bat.outline_picture import (
+    ABOVE,
+    GUIDE_START,
+    RULER,
+    SIDE,
+    WIDTH,
+    bat_panel,
+    draw_bat_panel,
+    shade_zone,
+)
 from sweetspot.report.bat.tables import moment
-from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.ruler import from_the_tip
+from sweetspot.report.pictures import marks
+from sweetspot.report.pictures.marks import from_the_tip
 from sweetspot.report.pictures.style import (
     HUGE,
     MUTED,
     NORMAL,
+    SHEET,
     SMALL,
     ZONE,
     ZONE_EDGE,
@@ -34,7 +44,7 @@ from sweetspot.report.pictures.style import (
 )
 from sweetspot.report.quantities import RED, Reader
 from sweetspot.report.sentences import Slot, read
-from sweetspot.report.sport_words import arriving, reader_of, words_of
+from sweetspot.report.sport_words import arriving, made_of_words, reader_of, words_of
 
 HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34
 """Inches of paper for the title, the rulers at the foot, and between panels."""
@@ -63,7 +73,7 @@ def report_figure(report: ReportAnswer, reading: Reader | None = None) -> Figure
         + panel.height
         + RULER
         + sum(BETWEEN + tall for _, tall in PANELS)
-        + (ZOOMED * len(PANELS) if ruler.is_zoomed(bat) else 0.0)
+        + (ZOOMED * len(PANELS) if marks.is_zoomed(bat) else 0.0)
         + FOOTER
     )
     figure = Figure(figsize=(WIDTH, height))
@@ -72,16 +82,16 @@ def report_figure(report: ReportAnswer, reading: Reader | None = None) -> Figure
     axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
     top += panel.height + RULER
-    zoomed = ruler.is_zoomed(bat)
+    zoomed = marks.is_zoomed(bat)
     between = BETWEEN + (ZOOMED if zoomed else 0.0)
     for draw, tall in PANELS:
         top += between
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
         draw(axes, report, reading)
         top += tall
-    ruler.show_from_tip(axes, bat.length, reading)
+    marks.show_from_tip(axes, bat.length, reading)
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
-    ruler.show_centimetres(axes, bat.length, offset=30, butt=bat.grip_end)
+    marks.show_centimetres(axes, bat.length, offset=30, butt=bat.grip_end)
     foot_of_bat = HEADER + panel.height + RULER
     if not zoomed:
         _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
@@ -127,7 +137,7 @@ def _guides(
 ) -> None:
     """Run the sweet zone from the bat and the best place from below it down the paper, in inches from its top."""
     bat, spots = analysis.bat, analysis.sweet_spots
-    start, span = -ruler.MARGIN * bat.length, (1 + 2 * ruler.MARGIN) * bat.length
+    start, span = -marks.MARGIN * bat.length, (1 + 2 * marks.MARGIN) * bat.length
 
     def across(place: float) -> float:
         return (SIDE + (WIDTH - 2 * SIDE) * (place - start) / span) / WIDTH
@@ -157,8 +167,56 @@ def what_lines_are(analysis: Analysis[Implement], *, banded: bool) -> str:
     words = words_of(analysis.bat)
     shaded = "" if analysis.sweet_spots.zone is None else f"Shaded: {words.zone}.  "
     bands = "Bands: 90 % intervals.  " if banded else ""
-    near = "  Panels: the face alone." if ruler.is_zoomed(analysis.bat) else ""
+    near = "  Panels: the face alone." if marks.is_zoomed(analysis.bat) else ""
     strung = isinstance(analysis.bat, Racket) and analysis.bat.strings is not None
     rigid = f"the same {words.implement} if it were rigid" + (", strings too" if strung else "")
     frame = f"  Steps at the ends: the {words.ball} is on the frame." if strung else ""
     return f"{shaded}{bands}Orange line: best place.  Dashed: {rigid}.{near}{frame}"
+
+
+SHEET_SIDE, SHEET_BETWEEN, SHEET_ZOOMED, SHEET_FOOT = 0.66, 0.3, 0.2, 0.62
+"""Inches of paper: beside the axes, between panels, more of it where panels have numbers of their own, at the foot."""
+SHEET_PANELS = ((along.exit_speed, 1.0), (along.sting, 0.52), (along.hand_impulse, 0.52))
+"""The panels, the most asked for first, and their height in inches of paper."""
+ROOM, ROOM_BESIDE_DOUBT = 6.4, 5.3
+"""Inches of paper that the words leave, and that they leave where the sheet also says how sure it is."""
+NARROW = 0.75
+"""Of the sheet's width, where a face would else be too high for it."""
+LINE = 112
+"""Letters of small print in a line."""
+
+
+@styled
+def sheet_figure(report: ReportAnswer, reading: Reader) -> Figure:
+    """Return bat and curves in letters that can be read on paper; the page around them says whose they are."""
+    analysis, banded = report.analysis, report.uncertainty is not None
+    bat = analysis.bat
+    zoomed = marks.is_zoomed(bat)
+    between = SHEET_BETWEEN + (SHEET_ZOOMED if zoomed else 0.0)
+    room = (ROOM_BESIDE_DOUBT if banded else ROOM) - RULER - SHEET_FOOT
+    across = SHEET - 2 * SHEET_SIDE
+    panel = bat_panel(bat, across)
+    if panel.height > room - SHEET_PANELS[0][1] - between:  # a face as wide as the sheet is high
+        across *= NARROW
+        panel = bat_panel(bat, across)
+    room, side = room - panel.height, (SHEET - across) / 2
+    shown = [one for number, one in enumerate(SHEET_PANELS, 1)
+             if number == 1 or sum(tall + between for _, tall in SHEET_PANELS[:number]) <= room]  # fmt: skip
+    height = panel.height + RULER + sum(tall + between for _, tall in shown) + SHEET_FOOT
+    figure = Figure(figsize=(SHEET, height))
+    axes = axes_in_inches(figure, left=side, top=0.0, width=across, height=panel.height)
+    draw_bat_panel(axes, analysis, panel, reading)
+    shade_zone(axes, analysis, panel)
+    top = panel.height + RULER
+    for draw, tall in shown:
+        top += between
+        axes = axes_in_inches(figure, left=side, top=top, width=across, height=tall)
+        draw(axes, report, reading)
+        if not zoomed:
+            along.draw_guides(axes, analysis)
+        top += tall
+    marks.show_from_tip(axes, bat.length, reading)
+    axes.set_xlabel(marks.from_the_tip(bat, reading), labelpad=2)
+    meaning = textwrap.fill(what_lines_are(analysis, banded=banded), LINE)
+    figure.text(SHEET_SIDE / SHEET, 0.04 / height, meaning, color=MUTED, size=SMALL, parse_math=False)
+    return figure

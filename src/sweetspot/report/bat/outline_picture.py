@@ -8,22 +8,23 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
-from matplotlib.patches import Polygon
+from matplotlib.patches import Ellipse, Patch, Polygon, Rectangle
 
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.face_maps import FaceMap
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.face import FaceOutline
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.marks import draw_marks, draw_notes
-from sweetspot.report.pictures.ruler import from_the_tip
-from sweetspot.report.pictures.style import ZONE, ZONE_EDGE, axes_in_inches, styled
-from sweetspot.report.quantities import Reader
-from sweetspot.report.sport_words import reader_of
+from sweetspot.report.pictures import marks
+from sweetspot.report.pictures.marks import draw_marks, draw_notes, from_the_tip
+from sweetspot.report.pictures.style import INK, MUTED, PAPER, ZONE, ZONE_EDGE, axes_in_inches, heading, styled
+from sweetspot.report.quantities import RED, Reader
+from sweetspot.report.sport_words import reader_of, words_of
 
 WIDTH, SIDE = 8.5, 0.8
 """Inches of paper: the figure, and the room left and right of the axes."""
@@ -56,7 +57,7 @@ class BatPanel:
 
     @property
     def height(self) -> float:
-        """Inches of paper from top to bottom, without the ruler."""
+        """Inches of paper from top to bottom, without the marks."""
         return self.above + self.below
 
 
@@ -69,13 +70,13 @@ def bat_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> 
     draw_bat_panel(axes, analysis, panel, reading)
     shade_zone(axes, analysis, panel)
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
-    ruler.show_centimetres(axes, analysis.bat.length, offset=30, butt=analysis.bat.grip_end)
+    marks.show_centimetres(axes, analysis.bat.length, offset=30, butt=analysis.bat.grip_end)
     return figure
 
 
 def bat_panel(bat: Implement, across: float = WIDTH - 2 * SIDE) -> BatPanel:
     """Return the paper that a bat's drawing needs where its axis is ``across`` inches long."""
-    scale = ruler.metres_per_inch_of_paper(bat.length, across)
+    scale = marks.metres_per_inch_of_paper(bat.length, across)
     half = float(bat.width_at(_places(bat)).max()) / 2 / scale
     return BatPanel(half + ABOVE, half + BELOW, scale)
 
@@ -84,11 +85,11 @@ def bat_panel(bat: Implement, across: float = WIDTH - 2 * SIDE) -> BatPanel:
 def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel, reading: Reader) -> None:
     """Draw bat, marks and notes on axes whose paper size is the panel's, one scale in both directions."""
     bat = analysis.bat
-    ruler.set_limits(axes, bat.length)
+    marks.set_limits(axes, bat.length)
     axes.set_ylim(-panel.below * panel.scale, panel.above * panel.scale)
     axes.spines["left"].set_visible(False)
     axes.set_yticks([])
-    ruler.show_from_tip(axes, bat.length, reading)
+    marks.show_from_tip(axes, bat.length, reading)
     draw_bat(axes, bat)
     draw_marks(axes, analysis, reading, panel.scale, top=panel.above * panel.scale)
     draw_notes(axes, analysis, reading, panel.scale, bottom=-panel.below * panel.scale)
@@ -181,3 +182,89 @@ def _band(axes: Axes, places: Array, low: Array, high: Array, **look: Any) -> No
     """Draw the area between two curves as one closed shape."""
     outline = np.concatenate([np.column_stack([places, high]), np.column_stack([places, low])[::-1]])
     axes.add_artist(Polygon(outline, closed=True, joinstyle="round", **look))
+
+
+FACE_WIDTH, FACE_SIDE, GAP, TOP, FACE_FOOT, BAR = 8.5, 0.75, 0.55, 0.45, 1.05, 0.13
+"""Inches of paper: the figure, its sides, between maps, above and below them, and the height of a colour scale."""
+TALLEST = 4.0
+RISE = LinearSegmentedColormap.from_list("rise", ["#f2f4f7", "#f6d7a7", "#e69f00", "#d55e00", "#7a2e00"])
+FALL = LinearSegmentedColormap.from_list("fall", ["#f2f4f7", "#dfc3d6", "#cc79a7", "#6d2c54"])
+CENTIMETRE = 0.01
+
+
+@styled
+def face_figure(face_hits: FaceMap, bat: Implement, reading: Reader | None = None) -> Figure:
+    """Return three maps side by side, handle to the left: exit speed, efficiency q, vibration at the hands."""
+    reading, outline = reading or reader_of(bat), face_hits.outline
+    speed = reading.units["speed"]
+    across = (FACE_WIDTH - 2 * FACE_SIDE - 2 * GAP) / 3
+    height = min(TALLEST, across * outline.width / (outline.end - outline.start))
+    figure = Figure(figsize=(FACE_WIDTH, TOP + height + FACE_FOOT))
+    maps = (
+        ("Exit speed", speed.name, face_hits.exit_speed / speed.size, RISE),
+        ("Efficiency q", "", face_hits.collision_efficiency, RISE),
+        ("Sting", "m/s", face_hits.sting, FALL),
+    )
+    for number, (title, unit, values, colours) in enumerate(maps):
+        left = FACE_SIDE + number * (across + GAP)
+        axes = axes_in_inches(figure, left=left, top=TOP, width=across, height=height)
+        _map(axes, face_hits, values, colours, reading, bat)
+        heading(axes, title, unit)
+        if number == 0:
+            axes.set_ylabel("cm across")
+            position, lateral = face_hits.best()
+            axes.plot(position, lateral, "o", color=RED, markersize=5, markeredgecolor=PAPER, markeredgewidth=0.8)
+        bar = axes_in_inches(figure, left=left, top=TOP + height + 0.55, width=across, height=BAR)
+        _scale(bar, values, colours)
+    return figure
+
+
+def _map(
+    axes: Axes, face_hits: FaceMap, values: Array, colours: LinearSegmentedColormap, reading: Reader, bat: Implement
+) -> None:
+    outline, place, length = face_hits.outline, reading.units["place"], bat.length
+    half, long = outline.width / 2, outline.end - outline.start
+    shape = _shape(outline)
+    image = axes.imshow(
+        values, cmap=colours, extent=(outline.start, outline.end, -half, half), origin="lower", aspect="equal",
+        interpolation="nearest",
+    )  # fmt: skip
+    axes.add_patch(shape)
+    image.set_clip_path(shape)
+    for side in axes.spines.values():
+        side.set_visible(False)
+    reach = 0.02 * long
+    axes.set_xlim(outline.start - reach, outline.end + reach)
+    axes.set_ylim(-half - reach, half + reach)
+    step = _step(long) / CENTIMETRE * place.size
+    counts = np.arange(np.ceil((length - outline.end) / step), (length - outline.start) / step + 1e-9)
+    axes.set_xticks(length - counts * step, [f"{count * step / place.size:.3g}" for count in counts])
+    axes.set_xlabel(f"{place.name} from the {words_of(bat).tip}", labelpad=1)
+    sideways = _step(max(outline.width, long / 2))
+    places = np.arange(-np.floor(half / sideways), np.floor(half / sideways) + 1) * sideways
+    axes.set_yticks(places, [f"{abs(place) / CENTIMETRE:.3g}" for place in places])
+
+
+def _step(length: float) -> float:
+    """Return the distance in m between ticks along ``length`` m."""
+    return next((step for step in (0.01, 0.02, 0.05, 0.1) if length / step <= 7), 0.2)
+
+
+def _shape(outline: FaceOutline) -> Patch:
+    """Return the face's edge."""
+    look: dict[str, Any] = {"facecolor": "none", "edgecolor": INK, "linewidth": 0.9, "zorder": 3}
+    length = outline.end - outline.start
+    if outline.shape == "oval":
+        return Ellipse((outline.middle, 0.0), length, outline.width, **look)
+    return Rectangle((outline.start, -outline.width / 2), length, outline.width, **look)
+
+
+def _scale(axes: Axes, values: Array, colours: LinearSegmentedColormap) -> None:
+    """Draw what the colours stand for."""
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    axes.imshow(np.linspace(0, 1, 128)[None, :], cmap=colours, extent=(low, high, 0, 1), aspect="auto")
+    axes.set_yticks([])
+    axes.set_xticks(np.linspace(low, high, 3), [f"{value:.3g}" for value in np.linspace(low, high, 3)])
+    axes.tick_params(colors=MUTED)
+    for side in axes.spines.values():
+        side.set_visible(False)

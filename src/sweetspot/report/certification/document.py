@@ -14,7 +14,7 @@ from sweetspot.catalog.balls import ball
 from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.rigid import moi_doubt
-from sweetspot.report.bat.assumed_values import soft_note
+from sweetspot.report.bat.appendix import soft_note
 from sweetspot.report.bat.tables import moment
 from sweetspot.report.certification.limits_shown import (
     broken_words,
@@ -27,8 +27,7 @@ from sweetspot.report.document import Block, Bullets, Cell, Cited, Column, Docum
 from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say
-from sweetspot.report.uncertainty.probability import chance_words
-from sweetspot.report.uncertainty.uncertainty_section import how_sure
+from sweetspot.report.uncertainty.section import chance_words, how_sure
 
 PATCH_NOTE = (
     "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "

@@ -14,7 +14,7 @@ from sweetspot.analysis.certification.shot_statistics import ShotStatistics
 from sweetspot.analysis.certification.simulated_test import BatTest
 from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.pictures.ruler import from_the_tip
+from sweetspot.report.pictures.marks import from_the_tip
 from sweetspot.report.pictures.style import (
     HUGE,
     INK,

@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from sweetspot.analysis.certification.rules import NOT_SURE, Verdict
 from sweetspot.analysis.comparison import Comparison
+from sweetspot.answers.certify import CertifyAnswer, RuleCheck
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, compare_of
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_laws import swing_weight
@@ -17,13 +19,13 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Number, interval_of
 from sweetspot.report.bat.tables import moment
-from sweetspot.report.comparison.legality import legality_table
+from sweetspot.report.certification.limits_shown import MARKS, broken_words, limit_shown, value_shown
 from sweetspot.report.comparison.words import assumed, cork_verdict, gain_words, verdict
-from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.report.document import Block, Cell, Column, Document, Marked, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.quantities import Reader, reader
-from sweetspot.report.sentences import PLUS_MINUS, Slot, Words, joined, read, within
-from sweetspot.report.uncertainty.uncertainty_section import how_sure
+from sweetspot.report.sentences import PLUS_MINUS, Sentence, Slot, Words, joined, read, say, within
+from sweetspot.report.uncertainty.section import how_sure
 from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH
 
@@ -191,3 +193,50 @@ def _row(bat: dict[str, Any]) -> dict[str, Any]:
         elif isinstance(value, float | None):
             row[key] = value
     return row
+
+
+def legality_table(bats: Sequence[ComparedBat]) -> Table:
+    """Return the verdict on every bat that was held against rules, and which rules make it or stay open."""
+    columns = [Column("bat"), Column("rules of"), Column("verdict"), Column("why")]
+    rows: list[list[Cell]] = [
+        [one.label, _leagues(tested), _verdict(tested), _reason(tested)]
+        for one in bats
+        if (tested := one.certificate) is not None
+    ]
+    return Table("By the rules, as the model sees it; no certificate", columns, rows, name="compared")
+
+
+def _verdict(tested: CertifyAnswer) -> Marked:
+    """Return pass, fail or not decidable for all rules together, marked where it is sure."""
+    word = tested.verdict
+    if word is Verdict.NOT_DECIDABLE:
+        return Marked(word.value, "")
+    return Marked(word.value, MARKS[word]) if tested.sure else Marked(f"{word}{NOT_SURE}", "")
+
+
+def _reason(tested: CertifyAnswer) -> Sentence:
+    """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
+    if tested.failed:
+        return joined([broken_words(one) + say(_doubt(one)) for one in tested.failed], "; ")
+    lively = [
+        say("{rule} of the test {value}, allowed {limit}{doubt}", rule=one.title,
+            value=value_shown(one.quantity, one.value), limit=limit_shown(one), doubt=_doubt(one))
+        for one in tested.checks
+        if one.outcome.verdict is Verdict.PASS and one.quantity in ("bbcor", "bpf", "besr")
+    ]  # fmt: skip
+    lively += [
+        say("one piece of wood, which {league} do not hold to {rule}", league=one.league_name, rule=one.title)
+        for one in tested.checks
+        if one.outcome.verdict is Verdict.NOT_APPLICABLE and one.quantity == "bbcor"
+    ]
+    left = [one.title for one in tested.checks if one.outcome.verdict is Verdict.NOT_DECIDABLE]
+    return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
+
+
+def _doubt(check: RuleCheck) -> str:
+    return "" if check.sure else NOT_SURE
+
+
+def _leagues(tested: CertifyAnswer) -> str:
+    names = {one.league: one.league_name for one in tested.checks}
+    return "; ".join(names.values())

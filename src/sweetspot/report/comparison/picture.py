@@ -20,8 +20,8 @@ from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, interval_of
-from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.ruler import from_the_tip
+from sweetspot.report.pictures import marks
+from sweetspot.report.pictures.marks import from_the_tip
 from sweetspot.report.pictures.style import (
     GRID,
     HUGE,
@@ -66,7 +66,7 @@ def compare_figure(answer: CompareAnswer, reading: Reader = US) -> Figure:
     compared = answer.comparison.compared
     length = max(one.analysis.bat.length for one in compared)
     across = WIDTH - 2 * SIDE
-    scale = ruler.metres_per_inch_of_paper(length, across)
+    scale = marks.metres_per_inch_of_paper(length, across)
     outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
     rows, differences = ROW * (len(compared) + 0.4), DIFFERENCES + BETWEEN if len(compared) > 1 else 0.0
     zoomed = _window(compared, length) > 0
@@ -78,7 +78,7 @@ def compare_figure(answer: CompareAnswer, reading: Reader = US) -> Figure:
     def panel(top: float, tall: float, *, whole: bool = False) -> Axes:
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
         start = 0.0 if whole else _window(compared, length)
-        axes.set_xlim(start - ruler.MARGIN * (length - start), length + ruler.MARGIN * (length - start))
+        axes.set_xlim(start - marks.MARGIN * (length - start), length + marks.MARGIN * (length - start))
         return axes
 
     top = HEADER + outlines + BETWEEN
@@ -90,7 +90,7 @@ def compare_figure(answer: CompareAnswer, reading: Reader = US) -> Figure:
         lowest = panel(top + CURVES + BETWEEN, DIFFERENCES)
         _differences(lowest, answer.bats, length, reading)
     if zoomed:
-        ruler.show_from_tip(lowest, length, reading)
+        marks.show_from_tip(lowest, length, reading)
     words = (
         "Boxes: sweet zones. Dots: best places. Change: against the first. Hit straight on. Speeds do not begin at 0."
     )
@@ -105,7 +105,7 @@ def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
     """Return `compare_figure` for a printed sheet, whose tables hold the zones' numbers: curves side by side."""
     compared, side, top = answer.comparison.compared, 0.5, 0.22
     length, across = max(one.analysis.bat.length for one in compared), SHEET - 2 * side
-    scale = ruler.metres_per_inch_of_paper(length, across)
+    scale = marks.metres_per_inch_of_paper(length, across)
     outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
     drawn = len(compared) <= MOST_OUTLINES
     tall = 1.3 if drawn else 0.9  # the tables of many bats leave little room, and letters are as small as it makes them
@@ -114,7 +114,7 @@ def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
     figure = Figure(figsize=(SHEET, height))
     if drawn:
         axes = axes_in_inches(figure, left=side, top=top, width=across, height=outlines)
-        ruler.set_limits(axes, length)
+        marks.set_limits(axes, length)
         _outlines(axes, compared, length, scale * outlines / 2)
         top += outlines + 0.38
     note = f"{reading.unit('speed_change')}; above 0: faster"
@@ -128,7 +128,7 @@ def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
         axes = axes_in_inches(figure, left=side + number * (wide + 0.5), top=top, width=wide, height=tall)
         axes.set_xlim(start - 0.02 * (length - start), length + 0.02 * (length - start))
         draw(axes)
-        ruler.show_from_tip(axes, length, reading)
+        marks.show_from_tip(axes, length, reading)
         axes.set_xlabel(from_the_tip(compared[0].analysis.bat, reading), labelpad=2)
     lines = [Line2D([], [], color=_look(number)[0], linestyle=_look(number)[1]) for number in range(len(compared))]
     labels = [fitted(one.label, width=2.0, size=SMALL, smallest=SMALL)[0].replace("$", r"\$") for one in compared]
@@ -138,8 +138,8 @@ def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
 
 def _window(compared: Sequence[Compared[Implement]], length: float) -> float:
     """Return where the panels begin in m on the common axis: at the longest one's end, or where all faces do."""
-    return min(ruler.window(one.analysis.bat)[0] + length - one.analysis.bat.length
-               if ruler.is_zoomed(one.analysis.bat) else 0.0 for one in compared)  # fmt: skip
+    return min(marks.window(one.analysis.bat)[0] + length - one.analysis.bat.length
+               if marks.is_zoomed(one.analysis.bat) else 0.0 for one in compared)  # fmt: skip
 
 
 def _header(figure: Figure, answer: CompareAnswer, height: float, reading: Reader) -> None:
@@ -172,7 +172,7 @@ def _outlines(axes: Axes, compared: Sequence[Compared[Implement]], length: float
 
 
 def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
-    ruler.show_from_tip(axes, length, reading, labels=False, grid=True)
+    marks.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6, prune="lower"))
     light_grid(axes, vertical=False)
     words = words_of(compared[0].analysis.bat)
@@ -195,7 +195,7 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
 
 def _differences(axes: Axes, bats: Sequence[ComparedBat], length: float, reading: Reader, note: str = "") -> None:
     """Draw by how much the ball leaves faster than from the first one, equally far from the tip, with its interval."""
-    ruler.show_from_tip(axes, length, reading, labels=False, grid=True)
+    marks.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=5, prune="upper"))
     light_grid(axes, vertical=False)
     far = f"equally far from the {words_of(bats[0].compared.analysis.bat).tip}, {reading.unit('speed_change')}"
@@ -223,7 +223,7 @@ def _places(compared: Compared[Implement]) -> Array:
 
 def _zones(axes: Axes, bats: Sequence[ComparedBat], length: float, reading: Reader) -> None:
     """Draw a row per bat: name, sweet zone on the common axis, exit speed, and the change with its interval."""
-    ruler.show_from_tip(axes, length, reading)
+    marks.show_from_tip(axes, length, reading)
     axes.set_xlabel(from_the_tip(bats[0].compared.analysis.bat, reading), labelpad=2)
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)

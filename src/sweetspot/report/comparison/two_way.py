@@ -10,7 +10,7 @@ from sweetspot.analysis.two_way import Cell as CellOfTable
 from sweetspot.analysis.two_way import TableCell, TwoWay
 from sweetspot.report.document import Bullets, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.grid.document import grid_document
-from sweetspot.report.grid.values import Grid, varied
+from sweetspot.report.grid.grid import Grid, varied
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import QUANTITIES, key
 from sweetspot.report.sentences import Sentence, Slot, joined, say

@@ -11,7 +11,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.interval import ENDS, NO_SPEED, Interval, Number, interval_of, sure_sign
 from sweetspot.report.sentences import Sentence, Slot, joined, say, within
-from sweetspot.report.uncertainty.probability import chance_words
+from sweetspot.report.uncertainty.section import chance_words
 from sweetspot.units import MPH
 
 SURE = ENDS[1]

@@ -14,7 +14,7 @@ from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import REACH
-from sweetspot.report.pictures import ruler
+from sweetspot.report.pictures import marks
 from sweetspot.report.pictures.style import (
     GRID,
     HUGE,
@@ -57,10 +57,10 @@ def design_figure(design: Designed, reading: Reader = US) -> Figure:
         return axes_in_inches(figure, left=SIDE, top=top, width=WIDTH - 2 * SIDE, height=tall)
 
     outlines = panel(HEADER, OUTLINES)
-    ruler.set_limits(outlines, length)
+    marks.set_limits(outlines, length)
     _outlines(outlines, design, length)
     curves = panel(HEADER + OUTLINES + BETWEEN, CURVES)
-    ruler.set_limits(curves, length)
+    marks.set_limits(curves, length)
     _difference(curves, design, length, reading)
     if two:
         _front(panel(HEADER + OUTLINES + BETWEEN + CURVES + BETWEEN, FRONT), design, reading)
@@ -97,7 +97,7 @@ def _difference(axes: Axes, design: Designed, length: float, reading: Reader) ->
     size, gain = reading.units["speed_change"].size, design.gain
     places = length - FROM_TIP
     unit = reading.units["place"]
-    counts = np.arange(0, FROM_TIP[-1] / unit.size + 1e-6, ruler.TICKS[unit.name][1])
+    counts = np.arange(0, FROM_TIP[-1] / unit.size + 1e-6, marks.TICKS[unit.name][1])
     axes.set_xticks(length - counts * unit.size, [f"{count:.0f}" for count in counts])
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
     light_grid(axes)
@@ -112,8 +112,8 @@ def _difference(axes: Axes, design: Designed, length: float, reading: Reader) ->
         places, foot, foot + 0.25 * (high - low) * weight / weight.max(), color=GRID, linewidth=0, zorder=1
     )
     axes.set_ylim(foot, high)
-    axes.set_xlim(length - FROM_TIP[-1], length * (1 + ruler.MARGIN))
-    axes.set_xlabel(ruler.from_the_tip(design.bench.space.present, reading))
+    axes.set_xlim(length - FROM_TIP[-1], length * (1 + marks.MARGIN))
+    axes.set_xlabel(marks.from_the_tip(design.bench.space.present, reading))
     heading(
         axes, "Design minus present",
         f"exit speed, {reading.unit('speed_change')}; band: two of one shape; grey: your contacts",

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sweetspot.report.document import Block, Document, Picture
-from sweetspot.report.grid.values import Grid
+from sweetspot.report.grid.grid import Grid
 from sweetspot.report.quantities import Reader
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sweetspot.report.grid.values import Grid, varied
+from sweetspot.report.grid.grid import Grid, varied
 from sweetspot.report.pictures.style import INK, LARGE, MUTED, PAPER, SMALL, fitted, light_grid, styled
 from sweetspot.report.quantities import BLUE, QUANTITIES, Reader
 

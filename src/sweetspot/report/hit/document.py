@@ -5,19 +5,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from sweetspot.answers.hit import Collision, Hit, HitAnswer, Strains, collision_of
 from sweetspot.answers.records import to_dict
+from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
-from sweetspot.report.bat.assumed_values import soft_note
+from sweetspot.report.bat.appendix import soft_note
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.hit.ledger import ENERGY_NAMES
-from sweetspot.report.hit.second_touch import touched_again
-from sweetspot.report.sentences import Sentence, Slot, read, say
+from sweetspot.report.sentences import Sentence, Slot, Span, UnitName, joined, read, say
 from sweetspot.report.sport_words import in_words, reader_of, weight, words_of
-from sweetspot.report.uncertainty.uncertainty_section import how_sure
+from sweetspot.report.uncertainty.section import how_sure
 
 Rows = list[tuple[Cell, Cell]]
 FEW_JOULES, FEW_NEWTONS = 20.0, 5e3
@@ -187,3 +192,77 @@ def _force(force: Number) -> Slot:
 
 def _two_columns(rows: Sequence[tuple[Cell, Cell]], title: str | Sentence = "") -> Table:
     return Table(title, [Column(""), Column("value", right=True)], rows)
+
+
+AGAIN = (
+    "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then nobody "
+    "has measured: it is taken as new{otherwise}."
+)
+PRESSED_AGAIN = (
+    "{where} {implement} catches up with a {ball} that is nearly gone and presses it again. How far a {ball} has "
+    "recovered by then nobody has measured"
+)
+
+
+def best_in_doubt(best: Impact, words: Terms) -> list[Sentence]:
+    """Return what is not known of a best hit that presses the ball more than once; nothing of any other."""
+    if best.presses < 2:
+        return []
+    return [
+        in_words(
+            PRESSED_AGAIN + ", and the best place and its speed follow from what is taken for it.", words,
+            where="There the",
+        )
+    ]  # fmt: skip
+
+
+def touched_again(impact: Impact, words: Terms) -> list[Sentence]:
+    """Return the doubt of a hit whose ball is pressed more than once, in one sentence; nothing of any other."""
+    if impact.presses < 2 and impact.unrecovered is None:
+        return []
+    if impact.unrecovered is None:
+        return [in_words(PRESSED_AGAIN + ": it springs on as it was.", words, where="The")]
+    gain = impact.unrecovered_gain
+    otherwise = in_words(
+        "; had it not recovered at all, it would leave {gain} {faster}", words, gain=Slot(abs(gain), "speed"),
+        faster="slower" if gain < 0 else "faster",
+    )  # fmt: skip
+    return [in_words(AGAIN, words, where="The", otherwise=otherwise)]
+
+
+def touched_again_at(
+    perhaps: bool, words: Terms, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
+    lateral: float = 0.0,
+) -> list[Sentence]:  # fmt: skip
+    """Return the same for a hit of the compiled solver, which is made once more for it.
+
+    Parameters
+    ----------
+    perhaps : whether the ball was touched again, or is nearby; else there is nothing to say.
+    """
+    if not perhaps:
+        return []
+    again = hit(modes, ball=ball, position=position, lateral=lateral, closing_speed=closing_speed)
+    return touched_again(again, words)
+
+
+def touched_again_between(from_tip: Array, touches: Array, words: Terms) -> list[Sentence]:
+    """Return the same for hits along a bat, stretch by stretch.
+
+    Parameters
+    ----------
+    from_tip : m, of neighbours along the bat, shape (n,).
+    touches : how often the ball is touched there, shape (n,).
+    """
+    places = np.flatnonzero(touches > 1)
+    if len(places) == 0:
+        return []
+    stretches = [from_tip[one] for one in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)]
+    spans = (
+        Sentence((Span(float(one.min()), float(one.max()), "place", unit=False),))
+        for one in sorted(stretches, key=np.min)
+    )
+    where = in_words(
+        "Hit {places} {unit} from the {tip}, the", words, unit=UnitName("place"), places=joined(spans, " and "),
+    )  # fmt: skip
+    return [in_words(AGAIN, words, where=where, otherwise="")]

@@ -57,6 +57,6 @@ def _span(values: Any, scale: str) -> Span | Slot:
 
 
 def _drawn(hits: Impacts | Strikes, reading: Reader) -> Any:
-    from sweetspot.report.hit.many_picture import impacts_figure
+    from sweetspot.report.hit.picture import impacts_figure
 
     return impacts_figure(hits, reading)

@@ -8,7 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from sweetspot.collision.impact import Impact
+from sweetspot.collision.hit_in_space import Strikes
+from sweetspot.collision.impact import Impact, Impacts
 from sweetspot.equipment.sport import Terms
 from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.pictures.style import (
@@ -23,7 +24,7 @@ from sweetspot.report.pictures.style import (
     light_grid,
     styled,
 )
-from sweetspot.report.quantities import RED
+from sweetspot.report.quantities import BLUE, GREEN, QUANTITIES, RED, Reader
 from sweetspot.units import INCH, POUND_FORCE
 
 BASEBALL = Terms()
@@ -145,3 +146,26 @@ def _from_pounds(force: ArrayLike) -> ArrayLike:
 
 def _joules(energy: float) -> str:
     return f"{energy:.0f} J" if energy >= 10 else f"{energy:.2g} J"
+
+
+PANELS = (("collision_efficiency", GREEN), ("contact_time", BLUE), ("peak_force", RED))
+FEW = 60
+"""Hits up to which each has a dot."""
+
+
+@styled
+def impacts_figure(hits: Impacts | Strikes, reading: Reader) -> Figure:
+    """Return collision efficiency, contact time and peak force of every hit, by its number."""
+    figure = Figure(figsize=(8.0, 5.2), layout="constrained")
+    number = np.arange(1, hits.outcome.size + 1)
+    panels = figure.subplots(len(PANELS), 1, sharex=True)
+    for axes, (name, colour) in zip(panels, PANELS, strict=True):
+        unit = reading.units[QUANTITIES[name].scale]
+        values = getattr(hits, name).ravel() / unit.size
+        axes.plot(number, values, color=colour, marker="o" if len(number) <= FEW else "", markersize=3.5)
+        axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
+        light_grid(axes)
+        heading(axes, QUANTITIES[name].label.capitalize(), unit.name)
+    panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
+    panels[-1].set_xlabel("number of the hit, as they were asked for")
+    return figure

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.pictures.ruler import TICKS
+from sweetspot.report.pictures.marks import TICKS
 from sweetspot.report.pictures.style import INK, MUTED, NORMAL, PAPER, SMALL, heading, light_grid, styled
 from sweetspot.report.quantities import BLUE, SKY, Reader
 

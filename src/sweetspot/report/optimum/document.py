@@ -9,11 +9,11 @@ from sweetspot.answers.optimum import FarthestLaunch, FarthestSwing, OptimumAnsw
 from sweetspot.catalog.sports import sport
 from sweetspot.numerics.interval import Number
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.report.flight.words import direction_words
+from sweetspot.report.flight.document import direction_words
 from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Sentence, Slot, say
-from sweetspot.report.uncertainty.uncertainty_section import how_sure
+from sweetspot.report.uncertainty.section import how_sure
 
 HELD = (
     "What was searched, place, undercut, attack and launch angle, is a choice: it stays as it is best for all as "

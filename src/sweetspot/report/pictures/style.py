@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 import warnings
 from collections.abc import Callable
@@ -164,3 +165,28 @@ def light_grid(axes: Axes, *, vertical: bool = True) -> None:
     """Draw a faint grid below everything else."""
     axes.set_axisbelow(True)
     axes.grid(visible=True, axis="both" if vertical else "y")
+
+
+DOTS_PER_INCH = 200
+QUICK = {"compress_level": 3}
+"""Of PNG: a sixth larger than at the usual 6, and written in two thirds of the time."""
+
+
+@styled
+def png_bytes(figure: Figure) -> bytes:
+    """Return a figure as PNG, 200 dots per inch, the same bytes every time."""
+    return _rendered(figure, format="png", dpi=DOTS_PER_INCH, metadata={"Software": "sweetspot"}, pil_kwargs=QUICK)
+
+
+@styled
+def svg_bytes(figure: Figure) -> bytes:
+    """Return a figure as SVG, text as outlines, the same bytes every time."""
+    return _rendered(figure, format="svg", metadata={"Date": None, "Creator": "sweetspot"})
+
+
+def _rendered(figure: Figure, **options: Any) -> bytes:
+    buffer = io.BytesIO()
+    with warnings.catch_warnings():  # a name in a script the typeface lacks is drawn as boxes; the page has it right
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
+        figure.savefig(buffer, **options)
+    return buffer.getvalue()

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
+from sweetspot.analysis.full_play import Play, Plays
+from sweetspot.answers.flight import flight_of
 from sweetspot.answers.play import PlayAnswer
 from sweetspot.catalog.sports import sport
-from sweetspot.report.bat.assumed_values import soft_note
+from sweetspot.collision.hit_in_space import Strike
+from sweetspot.report.bat.appendix import soft_note
 from sweetspot.report.document import Document, Paragraph, Picture
-from sweetspot.report.flight.words import alike_words, fence_words, flight_words, launch_words
-from sweetspot.report.hit.document import by_ball
-from sweetspot.report.hit.second_touch import touched_again
+from sweetspot.report.flight.document import alike_words, fence_words, flight_document, flight_words, launch_words
+from sweetspot.report.flight.many import flights_document
+from sweetspot.report.hit.document import by_ball, impact_document, touched_again
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Sentence, Slot, joined, say
-from sweetspot.report.uncertainty.uncertainty_section import how_sure
+from sweetspot.report.uncertainty.section import how_sure
 
 
 def play_document(answer: PlayAnswer) -> Document:
@@ -81,3 +84,21 @@ def _drawn(answer: PlayAnswer, words: Sentence, reading: Reader) -> Any:
     from sweetspot.report.play.picture import play_figure
 
     return play_figure(answer, words, reading)
+
+
+def bare_play_document(play: Play | Plays) -> Document:
+    """Return the flights of plays as a document; of one that missed, how it ended."""
+    if isinstance(play, Plays):
+        return flights_document(play.flights)
+    return strike_document(play.strike) if play.flight is None else flight_document(flight_of(play.flight))
+
+
+def strike_document(strike: Strike) -> Document:
+    """Return the collision of a hit in space as a document; of one that missed, how it ended."""
+    if strike.impact is not None:
+        return impact_document(strike.impact)
+    data = {"outcome": strike.outcome.name.lower(), "bat_speed_m_s": strike.bat_speed}
+    return Document(
+        name="hit", title="", kind="Hit", blocks=[Paragraph(f"{strike.outcome.sentence.capitalize()}.")], data=data,
+        rows={name: [value] for name, value in data.items()},
+    )  # fmt: skip

@@ -9,7 +9,7 @@ import polars as pl
 
 from sweetspot.answers.season import SeasonAnswer
 from sweetspot.numerics.text_files import harmless
-from sweetspot.report.file_set import write_all
+from sweetspot.report.files import write_all
 from sweetspot.season.batters import table_stem
 
 

@@ -20,9 +20,8 @@ from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, values_of
-from sweetspot.report.bat.place_words import speed_difference, why_backwards, why_here, why_off_axis
-from sweetspot.report.bat.words import answer_words
-from sweetspot.report.hit.second_touch import touched_again_at
+from sweetspot.report.bat.words import answer_words, speed_difference, why_backwards, why_here, why_off_axis
+from sweetspot.report.hit.document import touched_again_at
 from sweetspot.report.page_words import energy_words, hits_fastest, leaves_here
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH

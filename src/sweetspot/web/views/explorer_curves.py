@@ -24,7 +24,7 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.hit.second_touch import best_in_doubt, touched_again_between
+from sweetspot.report.hit.document import best_in_doubt, touched_again_between
 from sweetspot.report.sentences import Sentence
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH

@@ -24,7 +24,7 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.hit.second_touch import touched_again
+from sweetspot.report.hit.document import touched_again
 from sweetspot.report.page_words import wave_words
 from sweetspot.report.sport_words import words_of
 from sweetspot.units.dimensions import ANGLE, ENERGY, FORCE, LENGTH, SPEED, TIME

@@ -27,7 +27,7 @@ from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.bat.words import answer_words
-from sweetspot.report.hit.second_touch import touched_again_at, touched_again_between
+from sweetspot.report.hit.document import touched_again_at, touched_again_between
 from sweetspot.report.page_words import hits_fastest, leaves_here
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, MPH

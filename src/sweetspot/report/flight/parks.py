@@ -98,6 +98,6 @@ def _picture(parks: Sequence[Park], named: Park | None) -> Picture:
 
 
 def _drawn(parks: Sequence[Park], named: Park | None, reading: Reader, size: tuple[float, float]) -> Any:
-    from sweetspot.report.flight.park_picture import parks_figure
+    from sweetspot.report.flight.picture import parks_figure
 
     return parks_figure(parks, [named] if named else [], reading, size=size)

@@ -9,7 +9,7 @@ from typing import Any
 from sweetspot.answers.answer import Uncertainty
 from sweetspot.catalog.sports import sport, sport_names
 from sweetspot.report.document import Cell, Column, Paragraph, Picture, Section, Table
-from sweetspot.report.sentences import Slot, say
+from sweetspot.report.sentences import Sentence, Slot, say
 from sweetspot.uncertainty.intervals import TOGETHER
 
 LEAST_SHARE = 0.005
@@ -68,3 +68,20 @@ def _name(source: str) -> str:
         return "several together"
     implements = {sport(name).words.implement for name in sport_names()}
     return f"the {source}" if source in implements else source
+
+
+LEAST = 0.005
+"""That few draws do not tell from none: a probability nearer to 0 or 1 is told as beyond 1 or 99 %."""
+
+
+def chance_words(chance: float) -> Sentence:
+    """Return a probability as a part of 100; never none and never all, of which draws cannot be sure.
+
+    >>> str(chance_words(0.64)), str(chance_words(0.0)), str(chance_words(1.0))
+    ('64 %', 'less than 1 %', 'more than 99 %')
+    """
+    if chance < LEAST:
+        return say("less than {share}", share=Slot(0.01, "share"))
+    if chance > 1 - LEAST:
+        return say("more than {share}", share=Slot(0.99, "share"))
+    return say("{share}", share=Slot(chance, "share"))

@@ -9,9 +9,9 @@ from sweetspot.answers.records import to_dict
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.paper.formulas import Row
+from sweetspot.report.bench import paper_table
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.report.json_shapes import as_columns
-from sweetspot.report.paper.document import paper_table
 from sweetspot.report.quantities import SI, reader
 from sweetspot.report.sentences import Sentence, Slot, say
 

@@ -1,1 +1,0 @@
-"""The implemented paper for people."""

@@ -1,1 +1,0 @@
-"""Ball parks for people: tables and pictures of their fences."""

@@ -1,1 +1,0 @@
-"""Sports other than baseball for people: words, tables, pictures."""
