@@ -331,7 +331,7 @@ def player_answer(swings: PlayerSwings, advice: Advice) -> FitPlayerAnswer:
         contact_height=advice.height_point,
         contact_height_gain=advice.height_gain,
         contact_curve=ContactCurve(PLACES, advice.contact_curve, dimension),
-        worth={key: ChangeWorth(_changed(one.change), one.gain, dimension) for key, one in advice.worth.items()},
+        worth={key: ChangeWorth(_changed(worth.change), worth.gain, dimension) for key, worth in advice.worth.items()},
     )
 
 

@@ -24,9 +24,13 @@ ENDS = ("low", "high")
 UNNAMED_LEVEL = 0.95
 """Level of the intervals of files that do not name it, as fit-player of 0.1 wrote them."""
 PLACE_HEADS = {
-    "from_tip_in": INCH, "from_tip_m": 1.0, "from_tip_cm": 0.01, "from_tip_mm": 1e-3, "from_tip_ft": 12 * INCH,
+    "from_tip_in": INCH,
+    "from_tip_m": 1.0,
+    "from_tip_cm": 0.01,
+    "from_tip_mm": 1e-3,
+    "from_tip_ft": 12 * INCH,
     "from_tip": None,
-}  # fmt: skip
+}
 """Headings of a column of places with the size of their unit in m; None: every value brings its own."""
 ADVICE = "give the file that fit-player --out writes, player.json"
 LONGEST = 1.1
@@ -163,13 +167,13 @@ def fitted_player(path: Path) -> dict[str, float]:
     return values
 
 
-def _learned(one: dict[str, Any], start: str = "value") -> float:
+def _learned(numbers: dict[str, Any], start: str = "value") -> float:
     """Return the value of a parameter, or an end of its interval, whatever unit its key ends in."""
-    for key, value in one.items():
+    for key, value in numbers.items():
         if key.startswith(start):
             return float(value)
     if start in ENDS:  # a value that is told without an interval
-        return _learned(one)
+        return _learned(numbers)
     raise KeyError("a parameter without a value")
 
 

@@ -93,9 +93,10 @@ def league_limits(league: League, bat: Implement) -> tuple[Limit, ...]:
 def lathe_limits() -> tuple[Limit, ...]:
     """Return what a lathe asks of an outline."""
     return (
-        Limit("slope", None, STEEPEST, "the lathe"), Limit("bend", None, SHARPEST, "the lathe"),
+        Limit("slope", None, STEEPEST, "the lathe"),
+        Limit("bend", None, SHARPEST, "the lathe"),
         Limit("waist", None, 2e-4, "the turner: one swelling"),
-    )  # fmt: skip
+    )
 
 
 def band(measure: str, value: float, *, part: float, why: str = "kept as it is") -> Limit:
@@ -148,7 +149,7 @@ def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
     from scipy.optimize import minimize
 
     variables = bench.space.variables
-    low, high = (np.array([getattr(one, end) for one in variables]) for end in ("low", "high"))
+    low, high = (np.array([getattr(variable, end) for variable in variables]) for end in ("low", "high"))
     width = high - low
 
     def misses(parts: Array) -> Array:
@@ -169,23 +170,25 @@ def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
         if worst <= INSIDE:
             break
         begin = start if number == 0 else generator.random(len(start))
-        done = minimize(
+        solution = minimize(
             total, begin, jac=True, method="L-BFGS-B", bounds=[(0.0, 1.0)] * len(start), options={"maxiter": 200}
         )
-        gap = float(misses(done.x[None]).max())
+        gap = float(misses(solution.x[None]).max())
         if gap < worst:
-            best, worst = done.x, gap
+            best, worst = solution.x, gap
     return low + best * width, worst
 
 
 def _quarrel(bench: Bench, limits: Sequence[Limit], numbers: Array) -> str:
     """Return which limits cannot be kept, and what comes nearest."""
     values = drawn_values(bench, numbers)
-    told = " and ".join(f"{MEASURES[limit.measure].label} {_band_words(limit)} ({limit.why})" for limit in limits)
+    limits_words = " and ".join(
+        f"{MEASURES[limit.measure].label} {_band_words(limit)} ({limit.why})" for limit in limits
+    )
     near = " and ".join(near_words(limit, values[limit.measure]) for limit in limits)
     if len(limits) == 1:
-        return f"no bat here has a {told}; the nearest that can be is {near}. Widen it, or let more change"
-    return f"these two limits exclude each other: {told}. The nearest bat has {near}. Widen one of them"
+        return f"no bat here has a {limits_words}; the nearest that can be is {near}. Widen it, or let more change"
+    return f"these two limits exclude each other: {limits_words}. The nearest bat has {near}. Widen one of them"
 
 
 def near_words(limit: Limit, value: Array) -> str:
@@ -242,9 +245,9 @@ def kept_limits(
     limits += bands
     if league is not None:
         left_out = set() if bench.tested else {"bbcor", "bpf"}
-        if "cup_diameter" not in {one.name for one in bench.space.variables}:
+        if "cup_diameter" not in {variable.name for variable in bench.space.variables}:
             left_out.add("cup_diameter")  # the cup keeps its width
-        limits += [one for one in league_limits(league, present) if one.measure not in left_out]
+        limits += [limit for limit in league_limits(league, present) if limit.measure not in left_out]
     if isinstance(bench.space, TurnedSpace):
         if "handle" in kept:
             limits.append(band("handle", float(values["handle"][0]), part=GRIP_WITHIN))
@@ -272,7 +275,7 @@ def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int
     Array
         numbers, shape (variables,); whether every limit is kept is for `Limit.excess` to say.
     """
-    low, high = (np.array([getattr(one, end) for one in bench.space.variables]) for end in ("low", "high"))
+    low, high = (np.array([getattr(variable, end) for variable in bench.space.variables]) for end in ("low", "high"))
     width = high - low
     parts = np.clip((np.asarray(numbers, float) - low) / width, 0.0, 1.0)
     ready = np.ones(len(parts))
@@ -286,10 +289,14 @@ def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int
             break
         miss = np.array([_distance_inside(limit, float(values[limit.measure][0])) for limit in broken])
         count = len(parts)
-        slopes = np.array([
-            (values[limit.measure][1 : count + 1] - values[limit.measure][count + 1 :]) / (2 * STEP)
-            / MEASURES[limit.measure].grain for limit in broken
-        ])  # fmt: skip
+        slopes = np.array(
+            [
+                (values[limit.measure][1 : count + 1] - values[limit.measure][count + 1 :])
+                / (2 * STEP)
+                / MEASURES[limit.measure].grain
+                for limit in broken
+            ]
+        )
         parts = _least_step(parts, slopes, miss, ready)
     return np.asarray(low + parts * width)
 
@@ -330,10 +337,10 @@ def findings_of(bat: Implement, measured: MeasuredDesigns, *, like: Implement, b
     """
     if not isinstance(bat, Bat):
         return {name: Finding(size) for name, size in sizes_of(bat).items()}
-    known = construction_findings(bat, body=rigid_body(beam_model(bat)))
+    drawn = construction_findings(bat, body=rigid_body(beam_model(bat)))
     values = {name: float(measured.values[name][0]) for name in ("bbcor", "bpf") if name in measured.values}
     left_open = _tested(like, ball).findings() if values and isinstance(like, Bat) else {}
-    return {**known, **{name: left_open[name].moved_to(value) for name, value in values.items()}}
+    return {**drawn, **{name: left_open[name].moved_to(value) for name, value in values.items()}}
 
 
 @lru_cache(maxsize=32)

@@ -7,6 +7,7 @@ has left, where it is greatest or as good as that; a wall's comes from its hoop 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -79,13 +80,13 @@ def breaking_of(bat: Bat, batter: Batter) -> Breaking:
     """
     position = np.linspace(0.0, HANDLE_PART * bat.length, POINTS + 1)[1:]
     materials = [material_at(bat, place) for place in position.tolist()]
-    unknown = [one.name for one in (bat.material, *materials) if borne_strain(one) is None]
+    unknown = [material.name for material in (bat.material, *materials) if borne_strain(material) is None]
     if unknown:
         raise InputError(
             f"how much {unknown[-1]} bears is not known, so that nothing can be said of the durability of {bat.name}; "
             "leave durability out"
         )
-    borne = np.array([borne_strain(one) for one in materials], float)
+    borne = np.array([borne_strain(material) for material in materials], float)
     return Breaking(
         usual_places(batter), position, borne, None if bat.shell is None else borne_strain(bat.material, across=True)
     )
@@ -113,13 +114,16 @@ class BatterHits:
         return np.asarray(self.ball_mass * (1 + self.impacts.collision_efficiency) * self.closing_speed)
 
 
-def margins(breaking: Breaking, beams: Beams, bats: ReducedBats, hits: BatterHits, *, widths: Array) -> Array:
-    """Return the least of strain borne over greatest strain, handles and walls, shape (bats,).
+class Handles(NamedTuple):
+    """Many bats as ``beams``, and their diameters ``widths`` at `Breaking.position`, m, shape (bats, points)."""
 
-    Parameters
-    ----------
-    widths : diameters at ``breaking.position``, m, shape (bats, points).
-    """
+    beams: Beams
+    widths: Array
+
+
+def margins(breaking: Breaking, handles: Handles, bats: ReducedBats, hits: BatterHits) -> Array:
+    """Return the least of strain borne over greatest strain, handles and walls, shape (bats,)."""
+    beams, widths = handles
     some = breaking.usual
     motion = hits.impacts.displacement[:, some], hits.impacts.velocity[:, some]
     handle = (breaking.borne / _handle_strain(breaking, beams, bats, motion, widths)).min(axis=1)
@@ -158,8 +162,12 @@ def _handle_strain(
         path = np.concatenate([fade[row] * np.cos(phase[row]), fade[row] * np.sin(phase[row])])  # (2 modes, times)
         both = np.concatenate([bent[row], bent[row]], axis=1)  # (points, 2 modes)
         start = np.concatenate([first[row], second[row]], axis=1)  # (places, 2 modes)
-        strain[row] = np.abs((start[:, None] * both).reshape(-1, 2 * modes) @ path).max(axis=1).reshape(
-            len(start), -1).max(axis=0)  # fmt: skip
+        strain[row] = (
+            np.abs((start[:, None] * both).reshape(-1, 2 * modes) @ path)
+            .max(axis=1)
+            .reshape(len(start), -1)
+            .max(axis=0)
+        )
     return np.maximum(strain, NOTHING)
 
 

@@ -6,12 +6,13 @@ import math
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.design.contacts import FROM_TIP
-from sweetspot.design.durability import breaking_of
+from sweetspot.design.durability import Handles, breaking_of
 from sweetspot.design.measures import Bench, MeasuredDesigns
 from sweetspot.design.spaces import willows
 from sweetspot.design.turned import TurnedSpace, knob_of
@@ -162,8 +163,8 @@ def present_measured(bench: Bench) -> MeasuredDesigns:
     if breaking is not None and isinstance(present, Bat):
         breaking = breaking_of(present, bench.batter)  # of its own material
         bench = replace(bench, breaking=breaking)
-    handles = None if breaking is None else (beams, present.width_at(breaking.position)[None])
-    return bench.of_bats(bats, _sizes(bench), present.width_at(present.length - FROM_TIP)[None], handles)
+    handles = None if breaking is None else Handles(beams, present.width_at(breaking.position)[None])
+    return bench.of_bats(bats, present.width_at(present.length - FROM_TIP)[None], shapes=_sizes(bench), handles=handles)
 
 
 @lru_cache(maxsize=32)
@@ -218,7 +219,7 @@ def _sizes(bench: Bench) -> dict[str, Array]:
             "cup_depth": np.array([0.0 if present.cup is None else present.cup.depth]),
             "cup_diameter": np.array([0.0 if present.cup is None else present.cup.diameter]),
             "knob": np.array([knob_of(present)]),
-        }  # fmt: skip
+        }
     if isinstance(bench.space, TurnedSpace):
         sizes["density"] = bench.space.parts(bench.space.start[None])[2]
     return sizes
@@ -232,7 +233,7 @@ def _wood(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     space = bench.space
     assert isinstance(space, TurnedSpace)
     rows = np.tile(numbers, (4, 1))
-    density = [one.name for one in space.variables].index("density")
+    density = [variable.name for variable in space.variables].index("density")
     rows[:2, density] *= [1 + DENSITY_SPREAD, 1 - DENSITY_SPREAD]
     stiffness = np.array([1.0, 1.0, 1 + MODULUS_SPREAD, 1 - MODULUS_SPREAD])
     bats = reduced_outlines(space.outlines(rows, stiffness=stiffness), ball=bench.conditions.ball)
@@ -250,17 +251,17 @@ def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     assert isinstance(space, ImplementSpace)
     count = len(numbers)
     steps = TURNED_ALIKE * np.diag(numbers)
-    low, high = (np.array([getattr(one, end) for one in space.variables]) for end in ("low", "high"))
+    low, high = (np.array([getattr(variable, end) for variable in space.variables]) for end in ("low", "high"))
     more, less = np.clip(numbers + steps, low, high), np.clip(numbers - steps, low, high)  # what can be made
     made = space.all_made(np.concatenate([more, less]))
     pairs = list(zip(made[:count], made[count:], strict=True))
     if isinstance(space.present, CricketBat):
         pairs += willows(space.change(space.present, numbers))
-    every = [one for ends in zip(*pairs, strict=True) for one in ends]
-    bats = reduced_beams([beam_model(one) for one in every], ball=bench.conditions.ball)
+    every = list(chain(*zip(*pairs, strict=True)))
+    bats = reduced_beams([beam_model(implement) for implement in every], ball=bench.conditions.ball)
     places = bats.bending.length[:, None] - FROM_TIP
-    widths = np.array([one.width_at(row) for one, row in zip(every, places, strict=True)])
-    worth = bench.of_bats(bats, {}, widths).worth
+    widths = np.array([implement.width_at(row) for implement, row in zip(every, places, strict=True)])
+    worth = bench.of_bats(bats, widths).worth
     changes = (worth[: len(pairs)] - worth[len(pairs) :]) / 2
     changes[:count] *= (2 * np.diag(steps) / np.diag(more - less))[:, None]  # at the end of a range: its slope there
     return changes, changes
@@ -277,7 +278,7 @@ def _on_face(bench: Bench) -> NDArray[np.bool_]:
 
 def _worth(bench: Bench, bats: ReducedBats, rows: Array) -> Array:
     position = bats.bending.length[:, None] - FROM_TIP
-    return bench.of_bats(bats, bench.space.shapes(rows), bench.space.widths_at(rows, position)).worth
+    return bench.of_bats(bats, bench.space.widths_at(rows, position)).worth
 
 
 def _over_the_law(bench: Bench, numbers: Array) -> float:

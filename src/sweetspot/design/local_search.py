@@ -76,9 +76,14 @@ def polished(
     start = (numbers - low) / (high - low)
     with suppress(StopIteration):
         minimize(
-            value, start, jac=slope, method="SLSQP", bounds=[(0.0, 1.0)] * len(start), constraints=limits,
+            value,
+            start,
+            jac=slope,
+            method="SLSQP",
+            bounds=[(0.0, 1.0)] * len(start),
+            constraints=limits,
             options={"maxiter": ROUNDS, "ftol": 1e-4},
-        )  # fmt: skip
+        )
     every, rank = np.concatenate(tried), np.concatenate(ranks)
     nearly = every[rank[:, 0] > -NEARLY][np.argsort(rank[rank[:, 0] > -NEARLY, 1])[-WAYS:]]
     if len(nearly):
@@ -144,7 +149,7 @@ def _margins(limits: Sequence[Limit], measured: MeasuredDesigns) -> Array:
 
 def _ends(bench: Bench) -> tuple[Array, Array]:
     variables = bench.space.variables
-    return np.array([one.low for one in variables]), np.array([one.high for one in variables])
+    return np.array([variable.low for variable in variables]), np.array([variable.high for variable in variables])
 
 
 def starts_of(bench: Bench, question: DesignSearch, *, progress: Callable[[int, Front], None] | None = None) -> Array:
@@ -237,13 +242,14 @@ def best_value(front: Front, want: str) -> float:
 
 def _with_first(front: Front, numbers: Array, measured: MeasuredDesigns) -> Front:
     """Return a front with another first bat; those that it beats in everything are left out by the caller's eye."""
-    kept: Sequence[int] = range(1, len(front))
+    others: Sequence[int] = range(1, len(front))
     values = {
-        name: np.concatenate([value, front.measured.values[name][list(kept)]])
+        name: np.concatenate([value, front.measured.values[name][list(others)]])
         for name, value in measured.values.items()
     }
     both = MeasuredDesigns(
-        values, np.concatenate([measured.curve, front.measured.curve[1:]]),
+        values,
+        np.concatenate([measured.curve, front.measured.curve[1:]]),
         np.concatenate([measured.worth, front.measured.worth[1:]]),
-    )  # fmt: skip
+    )
     return Front(np.concatenate([numbers[None], front.numbers[1:]]), both, front.generation, front.population)

@@ -17,10 +17,9 @@ from sweetspot.collision.kernel import STEP, struck
 from sweetspot.collision.time_step import contact_step
 from sweetspot.design.batter import Batter
 from sweetspot.design.contacts import FROM_TIP
-from sweetspot.design.durability import BatterHits, Breaking, breaking_of, margins
+from sweetspot.design.durability import BatterHits, Breaking, Handles, breaking_of, margins
 from sweetspot.design.off_centre_hits import WIDTHS, kept_at_widths, off_centre
 from sweetspot.design.variables import Space
-from sweetspot.dynamics.batch.beams import Beams
 from sweetspot.dynamics.batch.bending import BendingBatch
 from sweetspot.dynamics.batch.reduction import ReducedBats
 from sweetspot.equipment.bat import Bat
@@ -34,10 +33,9 @@ from sweetspot.units import INCH, OUNCE
 if TYPE_CHECKING:
     from scipy.interpolate import PchipInterpolator
 
+NO_SHAPES: Mapping[str, Array] = {}
 SWING_TIME = 0.15
 """s from the start of a swing to contact, with the present bat (assumed; only differences of bats are asked for)."""
-HALVINGS, CLOSE = 45, 1e-13
-"""Most steps to an end of the zone, and m that the last of them may be long."""
 
 
 @dataclass(frozen=True)
@@ -145,28 +143,36 @@ class Bench:
         position = bats.bending.length[:, None] - FROM_TIP
         widths = self.space.widths_at(numbers, position)
         if self.breaking is None:
-            return self.of_bats(bats, shapes, widths)
+            return self.of_bats(bats, widths, shapes=shapes)
         along = np.tile(self.breaking.position, (len(numbers), 1))
-        return self.of_bats(bats, shapes, widths, (self.space.beams(numbers), self.space.widths_at(numbers, along)))
+        handles = Handles(self.space.beams(numbers), self.space.widths_at(numbers, along))
+        return self.of_bats(bats, widths, shapes=shapes, handles=handles)
 
     def of_bats(
-        self, bats: ReducedBats, shapes: Mapping[str, Array], widths: Array, handles: tuple[Beams, Array] | None = None
+        self,
+        bats: ReducedBats,
+        widths: Array,
+        *,
+        shapes: Mapping[str, Array] = NO_SHAPES,
+        handles: Handles | None = None,
     ) -> MeasuredDesigns:
         """Return everything about bats that are reduced already.
 
         Parameters
         ----------
-        shapes : what their outlines say.
         widths : their diameters at `FROM_TIP`, m, shape (n, places).
-        handles : the bats as beams, and their diameters at ``breaking.position``; None: durability is left out.
+        shapes : what their outlines say.
+        handles : of the same bats; None: durability is left out.
         """
         ball, pitch = self.conditions.ball, self.batter.pitch_speed
         bending, pivot = bats.bending, self.conditions.swing.pivot
         position = bending.length[:, None] - FROM_TIP
         ratio, turning = self.speed_ratio(bats), self.turning_speed(bats)
         speed = turning[:, None] * (position - pivot)
-        done = struck(bats, ball=ball, position=position, closing_speed=pitch + speed, step=self.step, keep_motion=True)
-        efficiency = np.where(np.isfinite(done.collision_efficiency), done.collision_efficiency, -1.0)
+        impacts = struck(
+            bats, ball=ball, position=position, closing_speed=pitch + speed, step=self.step, keep_motion=True
+        )
+        efficiency = np.where(np.isfinite(impacts.collision_efficiency), impacts.collision_efficiency, -1.0)
         curve = efficiency * pitch + (1 + efficiency) * speed
         worth = np.maximum(curve, 0.0) * self.kept_of(widths)
         best, place = _tops(curve)
@@ -175,18 +181,18 @@ class Bench:
             "best": best,
             "best_from_tip": place,
             "zone": _zone(curve, best - ZONE_LOSS),
-            "sting": self._sting(bats, done.displacement, done.velocity) @ self.batter.weight,
+            "sting": self._sting(bats, impacts.displacement, impacts.velocity) @ self.batter.weight,
             "bat_speed": turning * (bending.length - self.batter.speed_from_tip - pivot),
             "swing_time": SWING_TIME / ratio,
             **weights_of(bending),
         }
         if self.tested:
             game = swung_test(self.space.present, ball).closing_speed
-            fast, slow = (self._fired(bats, position, one) for one in (game, BPF_SPEED))
+            fast, slow = (self._fired(bats, position, test_speed) for test_speed in (game, BPF_SPEED))
             values |= {"bbcor": fast, "bpf": bpf(1.0, ball_restitution=ball.restitution.at(BPF_SPEED)) * slow}
         if self.breaking is not None and handles is not None:
-            hits = BatterHits(done, position, pitch + speed, ball.mass)
-            values["durability"] = margins(self.breaking, handles[0], bats, hits, widths=handles[1])
+            hits = BatterHits(impacts, position, pitch + speed, ball.mass)
+            values["durability"] = margins(self.breaking, handles, bats, hits)
         return MeasuredDesigns(values, curve, worth)
 
     def _fired(self, bats: ReducedBats, position: Array, speed: float) -> Array:
@@ -244,7 +250,7 @@ def weights_of(bending: BendingBatch) -> dict[str, Array]:
 
 def speed_ratios(law: SwingLaw, moi: Array, reference: float, exponent: float | None = None) -> Array:
     """Return angular speeds over that with the reference's moment of inertia (kg m^2), of the shape of ``moi``."""
-    return np.array([law.speed_ratio(float(one), reference_moi=reference, exponent=exponent) for one in moi])
+    return np.array([law.speed_ratio(float(each), reference_moi=reference, exponent=exponent) for each in moi])
 
 
 def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: bool = False) -> Bench:
@@ -269,9 +275,14 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
     if body.mass <= conditions.ball.mass:
         raise InputError(f"{present.name} weighs {body.mass:.4g} kg, no more than the ball; give a heavier one")
     axis = present.choke + (0.0 if batter.law is None else batter.law.axis)
-    sine, kept = off_centre(present, conditions.ball, batter) if isinstance(present, Bat) else (
-        np.array([0.0, 1e9]), np.array([1.0, 1.0])  # a flat face keeps everything wherever it is met
-    )  # fmt: skip
+    sine, retained = (
+        off_centre(present, conditions.ball, batter)
+        if isinstance(present, Bat)
+        else (
+            np.array([0.0, 1e9]),
+            np.array([1.0, 1.0]),  # a flat face keeps everything wherever it is met
+        )
+    )
     step = STEP
     if present.face is not None or (isinstance(present, Bat) and present.shell is not None):
         from sweetspot.dynamics.batch.reduction import reduced_beams
@@ -282,7 +293,7 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
         raise InputError(f"{present.name} is no bat with a round handle; its durability is not computed. Leave it out")
     built = space.made(space.start, present.name) if durable else None
     breaking = breaking_of(built, batter) if isinstance(built, Bat) else None
-    return Bench(space, batter, conditions, body.moi(axis), sine, kept, step, tested=hollow, breaking=breaking)
+    return Bench(space, batter, conditions, body.moi(axis), sine, retained, step, tested=hollow, breaking=breaking)
 
 
 def _tops(curve: Array) -> tuple[Array, Array]:
@@ -300,26 +311,14 @@ def _tops(curve: Array) -> tuple[Array, Array]:
 def _zone(curve: Array, least: Array) -> Array:
     """Return the length over which every curve over `FROM_TIP` lies above a speed, m, shape (n,).
 
-    Between the places the curves are piecewise cubics that never overshoot, so that each crosses the speed at most once
-    there; where, Newton's steps find, or halvings where those lead astray, and the width changes without steps.
+    Between the places the curves are piecewise cubics that never overshoot, so the width changes without steps.
     """
-    from scipy.interpolate import PchipInterpolator
+    from scipy.interpolate import PchipInterpolator, PPoly
 
-    cubic = PchipInterpolator(FROM_TIP, curve, axis=1).c  # (4, places - 1, n)
-    above = curve - least[:, None]
-    first, last = above[:, :-1] > 0, above[:, 1:] > 0
-    rows, cells = np.nonzero(first != last)
-    third, second, slope, start = cubic[:, cells, rows]
-    low, high, place = np.zeros(len(rows)), np.diff(FROM_TIP)[cells], np.diff(FROM_TIP)[cells] / 2
-    for _ in range(HALVINGS):
-        above_least = ((third * place + second) * place + slope) * place + start - least[rows]
-        same = (above_least > 0) == first[rows, cells]
-        low, high = np.where(same, place, low), np.where(same, high, place)
-        steepness = (3 * third * place + 2 * second) * place + slope
-        newton = place - above_least / np.where(steepness == 0, np.inf, steepness)
-        former, place = place, np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
-        if np.all(np.abs(place - former) < CLOSE):
-            break
-    inside = np.diff(FROM_TIP) * (first & last)
-    inside[rows, cells] = np.where(first[rows, cells], place, np.diff(FROM_TIP)[cells] - place)
-    return np.asarray(inside.sum(axis=1))
+    cubics = PchipInterpolator(FROM_TIP, curve - least[:, None], axis=1).c  # (4, places - 1, n)
+    widths = []
+    for row in range(len(curve)):
+        above = PPoly(cubics[..., row], FROM_TIP)
+        ends = np.concatenate([FROM_TIP[:1], above.roots(extrapolate=False), FROM_TIP[-1:]])
+        widths.append(np.diff(ends)[above((ends[1:] + ends[:-1]) / 2) > 0].sum())
+    return np.array(widths)

@@ -45,12 +45,14 @@ def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
     axes = path_axes(ATTACK, 0.0, tilt=TILT, left=False)
     pitch = max(batter.pitch_speed, 1e-6) * np.array([0.0, -math.cos(DESCENT), -math.sin(DESCENT)])
     speed = batter.bat_speed
-    done = strikes(
-        _reduced(bat, ball), ball=ball, swings=Swings(speed, axes),
+    struck = strikes(
+        _reduced(bat, ball),
+        ball=ball,
+        swings=Swings(speed, axes),
         pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
         contact=Contact(place, both * reach),
-    )  # fmt: skip
-    left = np.asarray(done.exit_speed).reshape(2, len(SINES))
+    )
+    left = np.asarray(struck.exit_speed).reshape(2, len(SINES))
     left = np.where(np.isfinite(left), left, 0.0).mean(axis=0)
     return SINES, left / left[0]
 
@@ -61,7 +63,7 @@ def _reduced(bat: Bat, ball: Ball) -> ReducedBat[Bat]:
     return reduced_bat(bat, ball=ball)
 
 
-def kept_at_widths(sine: Array, kept: Array, *, batter: Batter, ball: Ball) -> Array:
+def kept_at_widths(sine: Array, retained: Array, *, batter: Batter, ball: Ball) -> Array:
     """Return the part of the exit speed that a batter's scatter about the axis leaves at `WIDTHS`.
 
     The mean over offsets within `REACH` standard deviations, by quadrature on either side of the axis up to the last
@@ -73,7 +75,7 @@ def kept_at_widths(sine: Array, kept: Array, *, batter: Batter, ball: Ball) -> A
     """
     from scipy.interpolate import PchipInterpolator
 
-    part = PchipInterpolator(sine, kept)
+    part = PchipInterpolator(sine, retained)
     farthest = sine[-1] * (ball.radius + WIDTHS / 2) if sine[-1] < 1 else np.full(len(WIDTHS), np.inf)
     ends = batter.offset + batter.offset_spread * np.array([-REACH, REACH])
     averages = np.zeros(len(WIDTHS))

@@ -39,7 +39,7 @@ class DesignSearch:
     generations: int = GENERATIONS
 
     def __post_init__(self) -> None:
-        allowed = [name for name, one in MEASURES.items() if one.better]
+        allowed = [name for name, measure in MEASURES.items() if measure.better]
         if not 1 <= len(self.wants) <= 3 or len(set(self.wants)) != len(self.wants):
             raise InputError(
                 f"{len(self.wants)} wants were given; allowed are one to three different ones of {allowed}"
@@ -100,12 +100,12 @@ def search(
         when no bat that keeps every limit was found.
     """
     variables = bench.space.variables
-    low, high = (np.array([getattr(one, end) for one in variables]) for end in ("low", "high"))
-    done, numbers = after or (0, _first(question, np.atleast_2d(starts), low, high))
+    low, high = (np.array([getattr(variable, end) for variable in variables]) for end in ("low", "high"))
+    generation_done, numbers = after or (0, _first(question, np.atleast_2d(starts), low, high))
     measured = bench.measured(numbers)
-    front = _front(question, numbers, measured, done)
+    front = _front(question, numbers, measured, generation_done)
     try:
-        for generation in range(done, question.generations):
+        for generation in range(generation_done, question.generations):
             numbers, measured = _next_generation(bench, question, (low, high), (numbers, measured), generation)
             front = _front(question, numbers, measured, generation + 1)
             if progress is not None:
@@ -127,10 +127,10 @@ def _nearest_words(question: DesignSearch, measured: MeasuredDesigns, generation
     missed = np.maximum(excesses(question, measured), 0.0)
     nearest = int(np.argmin(missed.sum(axis=1)))
     limit = question.limits[int(np.argmax(missed[nearest]))]
-    told = near_words(limit, measured.values[limit.measure][nearest : nearest + 1])
+    near = near_words(limit, measured.values[limit.measure][nearest : nearest + 1])
     looked = f"{generation} generation{'' if generation == 1 else 's'}"
     return (
-        f"no bat that keeps every limit was found in {looked}; the nearest has {told} ({limit.why}). "
+        f"no bat that keeps every limit was found in {looked}; the nearest has {near} ({limit.why}). "
         "Widen a limit, let more change, or look longer"
     )
 
@@ -150,10 +150,14 @@ def excesses(question: DesignSearch, measured: MeasuredDesigns) -> Array:
 def saved(bench: Bench, question: DesignSearch, front: Front) -> str:
     """Return a search as text, from which it can go on."""
     return json.dumps(
-        {"question": fingerprint(bench, question), "generation": front.generation,
-         "variables": [one.name for one in bench.space.variables], "population": front.population.tolist()},
+        {
+            "question": fingerprint(bench, question),
+            "generation": front.generation,
+            "variables": [variable.name for variable in bench.space.variables],
+            "population": front.population.tolist(),
+        },
         indent=1,
-    )  # fmt: skip
+    )
 
 
 def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array]:
@@ -165,9 +169,9 @@ def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array
         when it is no saved search, or one of another question.
     """
     try:
-        kept: Any = json.loads(text)
-        same = kept["question"] == fingerprint(bench, question)
-        generation, numbers = int(kept["generation"]), np.array(kept["population"], float)
+        state: Any = json.loads(text)
+        same = state["question"] == fingerprint(bench, question)
+        generation, numbers = int(state["generation"]), np.array(state["population"], float)
     except (ValueError, KeyError, TypeError) as error:
         raise InputError(f"this is no saved search: {error}; leave out --resume to begin anew") from None
     if not same:
@@ -183,10 +187,13 @@ def fingerprint(bench: Bench, question: DesignSearch) -> str:
     """Return a hash of everything that a search depends on, but for how long it lasts."""
     batter = bench.batter
     parts = [
-        bench.space.present.model_dump_json(), repr(bench.space.variables), batter.weight.tobytes().hex(),
+        bench.space.present.model_dump_json(),
+        repr(bench.space.variables),
+        batter.weight.tobytes().hex(),
         repr((batter.offset, batter.offset_spread, batter.bat_speed, batter.pitch_speed, batter.law)),
-        bench.conditions.model_dump_json(), repr((question.wants, question.limits, question.seed, question.population)),
-    ]  # fmt: skip
+        bench.conditions.model_dump_json(),
+        repr((question.wants, question.limits, question.seed, question.population)),
+    ]
     return hashlib.blake2b("\n".join(parts).encode(), digest_size=16).hexdigest()
 
 
@@ -226,8 +233,8 @@ def _next_generation(
     algorithm = NSGA2(pop_size=question.population, sampling=Population.new("X", numbers))
     algorithm.setup(problem, termination=NoTermination(), seed=[question.seed, generation + 1], verbose=False)
     first = algorithm.ask()  # without those that are there twice
-    kept = _rows(numbers, np.asarray(first.get("X"), float))
-    first.set("F", wanted(question, measured)[kept], "G", excesses(question, measured)[kept])
+    rows_kept = _rows(numbers, np.asarray(first.get("X"), float))
+    first.set("F", wanted(question, measured)[rows_kept], "G", excesses(question, measured)[rows_kept])
     _evaluated(first)
     algorithm.tell(infills=first)
     children = algorithm.ask()
@@ -247,18 +254,16 @@ def _rows(every: Array, some: Array) -> list[int]:
 
 
 def _evaluated(population: Any) -> None:
-    for one in population:
-        one.evaluated.update({"F", "G", "H"})
+    for individual in population:
+        individual.evaluated.update({"F", "G", "H"})
 
 
 def _front(question: DesignSearch, numbers: Array, measured: MeasuredDesigns, generation: int) -> Front:
     """Return those that keep the limits and that no other beats in everything."""
-    kept = np.flatnonzero((excesses(question, measured) <= 0.0).all(axis=1))
-    want = wanted(question, measured)[kept]
-    beaten = np.array([
-        bool(np.any((want <= one).all(axis=1) & (want < one).any(axis=1))) for one in want
-    ], bool)  # fmt: skip
-    best = kept[~beaten] if len(kept) else kept
+    allowed = np.flatnonzero((excesses(question, measured) <= 0.0).all(axis=1))
+    want = wanted(question, measured)[allowed]
+    beaten = np.array([bool(np.any((want <= other).all(axis=1) & (want < other).any(axis=1))) for other in want], bool)
+    best = allowed[~beaten] if len(allowed) else allowed
     _, once = np.unique(np.round(wanted(question, measured)[best], 12), axis=0, return_index=True)
     best = best[np.sort(once)]
     order = best[np.argsort(wanted(question, measured)[best, 0], kind="stable")]

@@ -75,13 +75,19 @@ def cricket_space(bat: CricketBat) -> ImplementSpace:
         return Variable(name, label, "length", (1 - reach) * now, (1 + reach) * now, now)
 
     variables = (
-        Variable("swell", "swell, from the toe", "length", bat.length - place - 0.8 * (after - place),
-                 bat.length - place + 0.8 * (place - before), bat.length - place),
+        Variable(
+            "swell",
+            "swell, from the toe",
+            "length",
+            bat.length - place - 0.8 * (after - place),
+            bat.length - place + 0.8 * (place - before),
+            bat.length - place,
+        ),
         around("spine", "depth of the spine at the swell", depth, BLADE_REACH),
         around("edge", "thickness of the edges", edge, BLADE_REACH),
         around("width", "width of the blade", width, BLADE_REACH / 3),
         Variable("concavity", "concavity of the back", "ratio", 1.0, max(SCOOPED, bat.concavity), bat.concavity),
-    )  # fmt: skip
+    )
     factor = beam_model(bat).density_factor
     willow = bat.material.replaced(density=factor * bat.material.density)
 
@@ -90,18 +96,22 @@ def cricket_space(bat: CricketBat) -> ImplementSpace:
         moved = (bat.length - swells) - place
 
         def sized(row: Stations, factor: float, *, moves: bool) -> Stations:
-            return tuple(
-                (at + moved if moves and abs(at - place) < CLOSE else at, size * factor) for at, size in row
-            )  # fmt: skip
+            return tuple((at + moved if moves and abs(at - place) < CLOSE else at, size * factor) for at, size in row)
 
         thick = sized(bat.spine, spine / depth, moves=True)
         thin = tuple(
             (at, min(size, float(between(thick, at)))) for at, size in sized(bat.edge, edges / edge, moves=True)
         )  # an edge is nowhere thicker than the spine
         made = implement.replaced(
-            spine=thick, edge=thin, width=sized(bat.width, wide / width, moves=False), concavity=concavity,
-            material=willow, mass=None, balance_point=None, moi=None,
-        )  # fmt: skip
+            spine=thick,
+            edge=thin,
+            width=sized(bat.width, wide / width, moves=False),
+            concavity=concavity,
+            material=willow,
+            mass=None,
+            balance_point=None,
+            moi=None,
+        )
         if bat.mass is None and factor == 1:
             return made
         return made.replaced(material=bat.material, mass=rigid_body(beam_model(made)).mass)  # the same willow again
@@ -112,11 +122,11 @@ def cricket_space(bat: CricketBat) -> ImplementSpace:
 def willows(bat: Implement) -> list[tuple[Implement, Implement]]:
     """Return a cricket bat of denser and of lighter willow, and of stiffer and of softer, a standard deviation each."""
     assert isinstance(bat, CricketBat)
-    own = bat.material
+    willow = bat.material
 
     def of(**factors: float) -> Implement:
-        changed = {name: getattr(own, name) * factor for name, factor in factors.items()}
-        return bat.replaced(material=own.replaced(**changed), mass=None, balance_point=None, moi=None)
+        changed = {name: getattr(willow, name) * factor for name, factor in factors.items()}
+        return bat.replaced(material=willow.replaced(**changed), mass=None, balance_point=None, moi=None)
 
     ends = [(1 + spread, 1 - spread) for spread in (DENSITY_SPREAD, MODULUS_SPREAD)]
     return [
@@ -131,9 +141,10 @@ def club_space(club: GolfClub) -> ImplementSpace:
     variables = tuple(
         Variable(name, label, scale, (1 - HEAD_REACH) * now, (1 + HEAD_REACH) * now, now)
         for name, label, scale, now in (
-            ("head_mass", "mass of the head", "mass", head.mass), ("head_moi", "moment of the head", "moi", head.moi),
+            ("head_mass", "mass of the head", "mass", head.mass),
+            ("head_moi", "moment of the head", "moi", head.moi),
         )
-    )  # fmt: skip
+    )
 
     def change(implement: Implement, numbers: Array) -> Implement:
         return implement.replaced(head=head.replaced(mass=float(numbers[0]), moi=float(numbers[1])))
@@ -168,18 +179,19 @@ def hollow_space(bat: Bat, *, material: Material | None = None) -> ImplementSpac
     places = bat.length - np.array([11.0, 8.0, 5.0, 2.0]) / REFERENCE_LENGTH * bat.length
     now = shell.wall_at(places)
     variables = [
-        Variable(f"wall_{index + 1}", "wall", "compression", 0.8 * thick, 1.3 * thick, thick,
-                 from_tip=bat.length - place)
+        Variable(
+            f"wall_{index + 1}", "wall", "compression", 0.8 * thick, 1.3 * thick, thick, from_tip=bat.length - place
+        )
         for index, (place, thick) in enumerate(zip(places.tolist(), now.tolist(), strict=True))
-    ]  # fmt: skip
+    ]
     cap = shell.end_cap_mass
     variables.append(Variable("end_cap_mass", "mass of the end cap", "mass", 0.3 * cap, max(2 * cap, 0.03), cap))
 
     def change(implement: Implement, numbers: Array) -> Implement:
         assert isinstance(implement, Bat) and implement.shell is not None
-        own = {place: thick for place, thick in implement.shell.wall if place < places[0] - 1e-9}
+        inner = {place: thick for place, thick in implement.shell.wall if place < places[0] - 1e-9}
         wall = {
-            **own,
+            **inner,
             **dict(zip(places.tolist(), numbers[:4].tolist(), strict=True)),
             implement.length: float(numbers[3]),
         }

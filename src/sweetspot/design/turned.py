@@ -56,7 +56,7 @@ class TurnedSpace:
 
     def column(self, numbers: Array, name: str, usual: float) -> Array:
         """Return one of `MORE` of many rows of numbers, m of shape (n,); as it is where it is no variable."""
-        names = [one.name for one in self.variables]
+        names = [variable.name for variable in self.variables]
         return numbers[:, names.index(name)] if name in names else np.full(len(numbers), usual)
 
     def outlines(self, numbers: Array, *, stiffness: Array | float = 1.0) -> SolidBats:
@@ -75,9 +75,16 @@ class TurnedSpace:
         cupped = depth > LEAST_CUP
         nothing = np.zeros((count, 0))
         return SolidBats(
-            self.material, place, diameter, density, np.broadcast_to(np.asarray(stiffness, float), (count,)),
-            np.where(cupped, self._cups(numbers, diameter), 0.0), np.where(cupped, depth, 0.0), nothing, nothing,
-        )  # fmt: skip
+            self.material,
+            place,
+            diameter,
+            density,
+            np.broadcast_to(np.asarray(stiffness, float), (count,)),
+            np.where(cupped, self._cups(numbers, diameter), 0.0),
+            np.where(cupped, depth, 0.0),
+            nothing,
+            nothing,
+        )
 
     def beams(self, numbers: Array) -> Beams:
         """Return the bats of many rows of numbers (n, variables) as beams."""
@@ -117,9 +124,14 @@ class TurnedSpace:
         profile = tuple(zip(bats.position[0].tolist(), bats.diameter[0].tolist(), strict=True))
         cup = Cup(diameter=float(bats.cup_diameter[0]), depth=float(bats.cup_depth[0])) if bats.cup_depth[0] else None
         plain = Bat(
-            name=name, sport=self.present.sport, length=float(bats.length[0]), material=self.material, profile=profile,
-            cup=cup, choke=self.present.choke,
-        )  # fmt: skip
+            name=name,
+            sport=self.present.sport,
+            length=float(bats.length[0]),
+            material=self.material,
+            profile=profile,
+            cup=cup,
+            choke=self.present.choke,
+        )
         from sweetspot.dynamics.rigid import rigid_body
 
         return plain.with_mass(rigid_body(beam_model(plain)).mass * float(bats.density_factor[0]))
@@ -127,7 +139,7 @@ class TurnedSpace:
     @property
     def start(self) -> Array:
         """The numbers nearest to the present bat, shape (variables,)."""
-        return np.array([one.start for one in self.variables])
+        return np.array([variable.start for variable in self.variables])
 
     def _cups(self, numbers: Array, diameter: Array) -> Array:
         """Return the widths of the cups: asked for, the present one's, or the usual; no more than their tips allow."""
@@ -179,9 +191,11 @@ def turned_space(
     variables.append(
         Variable("density", "density, times the species' mean", "ratio", low, high, min(max(now, low), high))
     )
-    own = {
-        "length": bat.length, "knob": knob_of(bat), "cup_diameter": USUAL_CUP if bat.cup is None else bat.cup.diameter,
-    }  # fmt: skip
+    present = {
+        "length": bat.length,
+        "knob": knob_of(bat),
+        "cup_diameter": USUAL_CUP if bat.cup is None else bat.cup.diameter,
+    }
     for name, (least, most) in (ranges or {}).items():
         label, ends = MORE[name]
         if not ends[0] <= least < most <= ends[1]:
@@ -189,7 +203,7 @@ def turned_space(
                 f"{label} may go from {format_length(least)} to {format_length(most)}; allowed is a range with some "
                 f"width inside {format_length(ends[0])} to {format_length(ends[1])}"
             )
-        variables.append(Variable(name, label, "length", least, most, min(max(own[name], least), most)))
+        variables.append(Variable(name, label, "length", least, most, min(max(present[name], least), most)))
     return TurnedSpace(bat, tuple(variables), wood)
 
 
@@ -201,7 +215,14 @@ def _diameters(bat: Bat) -> list[Variable]:
     for index, (part, size) in enumerate(zip(HANDLES, diameters_of(place, diameter, bat.length), strict=True)):
         reach = REACH / 2 if index < GRIP else REACH
         variables.append(
-            Variable(f"diameter_{index + 1}", "diameter", "length", size * (1 - reach), size * (1 + reach), size,
-                     from_tip=(1 - part) * bat.length)
-        )  # fmt: skip
+            Variable(
+                f"diameter_{index + 1}",
+                "diameter",
+                "length",
+                size * (1 - reach),
+                size * (1 + reach),
+                size,
+                from_tip=(1 - part) * bat.length,
+            )
+        )
     return variables

@@ -105,7 +105,7 @@ class ImplementSpace:
 
     def beams(self, numbers: Array) -> BeamRow:
         """Return the implements of many rows of numbers (n, variables) as beams."""
-        return BeamRow([beam_model(one) for one in self.all_made(numbers)])
+        return BeamRow([beam_model(implement) for implement in self.all_made(numbers)])
 
     def reduced(self, numbers: Array, *, ball: Ball) -> ReducedBats:
         """Return the implements of many rows of numbers (n, variables), ready to be hit."""
@@ -113,12 +113,14 @@ class ImplementSpace:
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
         """Return what the outlines themselves say, by measure, each of shape (n,)."""
-        made = [sizes_of(one) for one in self.all_made(numbers)]
-        return {name: np.array([one[name] for one in made]) for name in made[0]}
+        made = [sizes_of(implement) for implement in self.all_made(numbers)]
+        return {name: np.array([implement[name] for implement in made]) for name in made[0]}
 
     def widths_at(self, numbers: Array, position: Array) -> Array:
         """Return the widths at places (n, places) in m from the butt end."""
-        return np.array([one.width_at(row) for one, row in zip(self.all_made(numbers), position, strict=True)])
+        return np.array(
+            [implement.width_at(row) for implement, row in zip(self.all_made(numbers), position, strict=True)]
+        )
 
     def made(self, numbers: Array, name: str) -> Implement:
         """Return one implement."""
@@ -127,7 +129,7 @@ class ImplementSpace:
     @property
     def start(self) -> Array:
         """The numbers of the present implement, shape (variables,)."""
-        return np.array([one.start for one in self.variables])
+        return np.array([variable.start for variable in self.variables])
 
 
 def sizes_of(implement: Implement) -> dict[str, float]:

@@ -201,10 +201,13 @@ def _tried(
         by_key[candidate.key] = gained
         options.append(
             Option(
-                candidate, interval(asked.bat_speed(table)), interval(gained), interval(gained - now),
+                candidate,
+                interval(asked.bat_speed(table)),
+                interval(gained),
+                interval(gained - now),
                 float(np.mean(gained - now > asked.goal.nothing)),
             )
-        )  # fmt: skip
+        )
         if progress is not None:
             progress(number, len(bats))
     return options, by_key, faults

@@ -46,10 +46,12 @@ def measured_bats(model: PlayerModel) -> tuple[MeasuredBat, ...]:
         if swings:
             swung.append(
                 MeasuredBat(
-                    table.bat, len(swings), mean_with_interval([swing.bat_speed for swing in swings]),
+                    table.bat,
+                    len(swings),
+                    mean_with_interval([swing.bat_speed for swing in swings]),
                     mean_with_interval([swing.exit_speed for swing in swings]),
                 )
-            )  # fmt: skip
+            )
     return tuple(swung)
 
 
@@ -133,10 +135,14 @@ def compared_pairs(
         more = gained[first.bat.name] - gained[second.bat.name]
         pairs.append(
             BatPair(
-                first.bat.name, second.bat.name, interval(more), float(np.mean(more > goal.nothing)),
-                difference(first.exit_speed, second.exit_speed), goal,
+                first.bat.name,
+                second.bat.name,
+                interval(more),
+                float(np.mean(more > goal.nothing)),
+                difference(first.exit_speed, second.exit_speed),
+                goal,
             )
-        )  # fmt: skip
+        )
     return tuple(pairs), tuple(bat.bat.name for bat in swung if bat.count < FEWEST_OF_A_BAT)
 
 

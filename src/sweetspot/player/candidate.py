@@ -61,10 +61,15 @@ def candidates(
     """
     mass = rigid_body(beam_model(bat)).mass
     makers: list[tuple[str, str, str, float, Callable[[], Bat]]] = [
-        ("end-loaded", "1 oz at the tip", "balance", WEIGHT,
-         partial(bat.weighted, position=bat.length - FROM_END, mass=WEIGHT)),
+        (
+            "end-loaded",
+            "1 oz at the tip",
+            "balance",
+            WEIGHT,
+            partial(bat.weighted, position=bat.length - FROM_END, mass=WEIGHT),
+        ),
         ("knob-loaded", "1 oz at the knob", "balance", WEIGHT, partial(bat.weighted, position=FROM_END, mass=WEIGHT)),
-    ]  # fmt: skip
+    ]
     for ounces in WEIGHTS:
         words = f"{abs(ounces)} oz {'heavier' if ounces > 0 else 'lighter'}"
         heavier = partial(varied, bat, {"mass": mass + ounces * OUNCE}, fill=material("cork"))

@@ -136,9 +136,16 @@ def _made(bat: Bat, ball: Ball, axis: float, like: ContactTable | None) -> Conta
     else:
         offset, retained, deflection, unsteady = like.offset, like.retained, like.deflection, like.unsteady
     return ContactTable(
-        bat=bat, moi=model.body.moi(bat.choke + axis), from_tip=from_tip, efficiency=slow - slope * SLOW,
-        efficiency_slope=slope, offset=offset, retained=retained, deflection=deflection, unsteady=unsteady,
-    )  # fmt: skip
+        bat=bat,
+        moi=model.body.moi(bat.choke + axis),
+        from_tip=from_tip,
+        efficiency=slow - slope * SLOW,
+        efficiency_slope=slope,
+        offset=offset,
+        retained=retained,
+        deflection=deflection,
+        unsteady=unsteady,
+    )
 
 
 def _efficiency(model: ReducedBat[Bat], ball: Ball, from_tip: Array, speed: float) -> Array:

@@ -78,16 +78,24 @@ class Expectation:
         position, offset : means in place of every draw's own, m, shape (draws,).
         """
         gains = np.empty(len(self.draws))
-        fill_gains(self._in_hand(table), self._wanted(), self._scattered(table, change, position, offset),
-                   self.pitch_speed, gains)  # fmt: skip
+        fill_gains(
+            self._in_hand(table),
+            self._wanted(),
+            self._scattered(table, change, position, offset),
+            self.pitch_speed,
+            gains,
+        )
         return gains
 
     def bat_speed(self, table: ContactTable) -> Array:
         """Return the player's mean bat speed with a bat for every draw, m/s, where bat speed is measured."""
         ratio = speed_ratio(
-            table, self.model.bats[0], law=self.model.law, speed_from_tip=self.model.speed_from_tip,
+            table,
+            self.model.bats[0],
+            law=self.model.law,
+            speed_from_tip=self.model.speed_from_tip,
             exponent=self.draws[:, NAMES.index("exponent")],
-        )  # fmt: skip
+        )
         return ratio * self.draws[:, NAMES.index("bat_speed")]
 
     def _scattered(
@@ -113,13 +121,21 @@ class Expectation:
         """Return a bat's tables; what counts as a hit is the own bat's, so that the same swings count for all."""
         reference, arm = self.model.bats[0], table.bat.length - table.bat.choke
         return BatInHand(
-            arm=arm, measured_arm=arm - self.model.speed_from_tip, reach=float(reference.from_tip[-1]),
-            farthest=farthest_offset(reference), place_step=float(table.from_tip[1] - table.from_tip[0]),
-            efficiency=table.efficiency, efficiency_slope=table.efficiency_slope, offset_start=float(table.offset[0]),
-            offset_step=float(table.offset[1] - table.offset[0]), ratio_start=float(RATIOS[0]),
-            ratio_step=float(RATIOS[1] - RATIOS[0]), kept_step=float(table.places[1] - table.places[0]),
-            retained=table.retained[MIDDLE], barrel=table.barrel,
-        )  # fmt: skip
+            arm=arm,
+            measured_arm=arm - self.model.speed_from_tip,
+            reach=float(reference.from_tip[-1]),
+            farthest=farthest_offset(reference),
+            place_step=float(table.from_tip[1] - table.from_tip[0]),
+            efficiency=table.efficiency,
+            efficiency_slope=table.efficiency_slope,
+            offset_start=float(table.offset[0]),
+            offset_step=float(table.offset[1] - table.offset[0]),
+            ratio_start=float(RATIOS[0]),
+            ratio_step=float(RATIOS[1] - RATIOS[0]),
+            kept_step=float(table.places[1] - table.places[0]),
+            retained=table.retained[MIDDLE],
+            barrel=table.barrel,
+        )
 
     def _wanted(self) -> WantedOfHit:
         """Return what a hit brings."""

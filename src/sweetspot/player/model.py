@@ -74,8 +74,13 @@ class PlayerModel:
         reference = self.bats[0]
         speeds = np.repeat(parameters[:, :1], len(self.bats), axis=1)
         for index, other in enumerate(self.bats[1:], start=1):
-            speeds[:, index] *= speed_ratio(other, reference, law=self.law, speed_from_tip=self.speed_from_tip,
-                                           exponent=parameters[:, NAMES.index("exponent")])  # fmt: skip
+            speeds[:, index] *= speed_ratio(
+                other,
+                reference,
+                law=self.law,
+                speed_from_tip=self.speed_from_tip,
+                exponent=parameters[:, NAMES.index("exponent")],
+            )
         return speeds
 
     def log_likelihood(self, standard: Array) -> Array:
@@ -195,8 +200,12 @@ def bats_of(
     if unknown and len(names) == 1:
         called = maybe_meant(names[0], bat_names())
         like = "the bat that was given" if stand_in_for is None else stand_in_for(names[0]).name
-        return tuple(swings), {}, (), (f"The file calls the bat {called}, which is not known here; it is taken for "
-                                       f"{like}.",)  # fmt: skip
+        return (
+            tuple(swings),
+            {},
+            (),
+            (f"The file calls the bat {called}, which is not known here; it is taken for {like}.",),
+        )
     strangers = () if stand_in_for is None else [name for name in unknown if not _is_slip(name)]
     notes: tuple[str, ...] = ()
     if stand_in_for is not None and strangers:
@@ -204,8 +213,10 @@ def bats_of(
         bats |= {name: bat.replaced(name=name[:LONGEST_BAT_NAME]) for name, bat in of_like.items()}
         unknown = {name: why for name, why in unknown.items() if name not in bats}
         taken = ", ".join(f"{name!r} for {bat.name}" for name, bat in of_like.items())
-        notes = (f"Bats that are not known here are taken for others: {taken}. Their own weights and lengths do not "
-                 "count until you say --bat-is NAME=FILE.",)  # fmt: skip
+        notes = (
+            f"Bats that are not known here are taken for others: {taken}. Their own weights and lengths do not "
+            "count until you say --bat-is NAME=FILE.",
+        )
     bad = tuple(BadRow(swing.row, unknown[swing.bat]) for swing in swings if swing.bat in unknown)
     good = tuple(swing for swing in swings if swing.bat not in unknown)
     if not good:
@@ -241,26 +252,41 @@ def _table(
     )
     retained, variance = untold_kept(tables, bat[untold], ratio=ratio[untold], attack=attack[untold], places=place)
     return LikelihoodTable(
-        bat_speed=bat_speed, exit_speed=out, pitch_speed=pitch, attack_angle=attack,
-        position=column("position"), hit=hit, bat=bat,
+        bat_speed=bat_speed,
+        exit_speed=out,
+        pitch_speed=pitch,
+        attack_angle=attack,
+        position=column("position"),
+        hit=hit,
+        bat=bat,
         efficiency=np.array([table.efficiency[::PLACES_TAKEN] for table in tables]),
         efficiency_slope=np.array([table.efficiency_slope[::PLACES_TAKEN] for table in tables]),
         arm=np.array([arm_ratio(table, place, speed_from_tip=speed_from_tip) for table in tables]),
         points=OffsetPoints(*map(_padded, points)),
         untold=np.where(untold, np.cumsum(untold) - 1, -1),
-        untold_kept=_padded(retained), untold_variance=_padded(variance),
-        place_start=float(place[0]), place_step=float(place[1] - place[0]),
+        untold_kept=_padded(retained),
+        untold_variance=_padded(variance),
+        place_start=float(place[0]),
+        place_step=float(place[1] - place[0]),
         selected=np.array([part_of_hits(table, ratio=usual_ratio) for table in tables]),
         selected_step=float(first.places[1] - first.places[0]),
-        attack_start=float(MEAN_ATTACKS[0]), attack_step=float(MEAN_ATTACKS[1] - MEAN_ATTACKS[0]),
+        attack_start=float(MEAN_ATTACKS[0]),
+        attack_step=float(MEAN_ATTACKS[1] - MEAN_ATTACKS[0]),
         offset_start=np.array([table.offset[0] for table in tables]),
         offset_step=np.array([table.offset[1] - table.offset[0] for table in tables]),
-        constants=np.array([
-            fixed("bat_speed_noise"), fixed("position_noise"), fixed("attack_angle_spread"),
-            usual["attack_angle"].centre, fixed("slow_part"), fixed("slow_by"), fixed("slow_spread"),
-            fixed("model_noise"),
-        ]),
-    )  # fmt: skip
+        constants=np.array(
+            [
+                fixed("bat_speed_noise"),
+                fixed("position_noise"),
+                fixed("attack_angle_spread"),
+                usual["attack_angle"].centre,
+                fixed("slow_part"),
+                fixed("slow_by"),
+                fixed("slow_spread"),
+                fixed("model_noise"),
+            ]
+        ),
+    )
 
 
 def _padded(values: Array) -> Array:

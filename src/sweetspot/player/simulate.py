@@ -56,9 +56,13 @@ def simulated_swings(
 
 
 def _swing(
-    values: dict[str, float], table: ContactTable, ratio: float, pitch: float, speed_from_tip: float,
+    values: dict[str, float],
+    table: ContactTable,
+    ratio: float,
+    pitch: float,
+    speed_from_tip: float,
     generator: np.random.Generator,
-) -> PlayerSwing:  # fmt: skip
+) -> PlayerSwing:
     draw = generator.standard_normal
     while True:
         speed = ratio * values["bat_speed"] + values["bat_speed_spread"] * draw()

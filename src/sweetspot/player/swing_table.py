@@ -282,9 +282,14 @@ def _scanned_csv(path: Path, named: frozenset[str]) -> SwingTable:
     separator = _separator(path, named)
     try:
         frame = pl.scan_csv(
-            path, separator=separator, infer_schema=False, truncate_ragged_lines=True, encoding="utf8-lossy",
-            row_index_name=ScannedTable.LINE, row_index_offset=2,
-        )  # fmt: skip
+            path,
+            separator=separator,
+            infer_schema=False,
+            truncate_ragged_lines=True,
+            encoding="utf8-lossy",
+            row_index_name=ScannedTable.LINE,
+            row_index_offset=2,
+        )
         return ScannedTable(path, frame, commas=separator != ",")
     except (pl.exceptions.PolarsError, OSError) as error:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None

@@ -210,10 +210,16 @@ def _read(
         if value.get("bat_speed") is None:
             return None
     swing = PlayerSwing(
-        row=line, bat_speed=value.get("bat_speed"), exit_speed=value.get("exit_speed"), pitch_speed=pitch,
-        launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=value.get("position"),
-        bat=cells[named.index].strip() if named else "", foul=FOUL in outcome,
-    )  # fmt: skip
+        row=line,
+        bat_speed=value.get("bat_speed"),
+        exit_speed=value.get("exit_speed"),
+        pitch_speed=pitch,
+        launch_angle=value.get("launch_angle"),
+        attack_angle=value.get("attack_angle"),
+        position=value.get("position"),
+        bat=cells[named.index].strip() if named else "",
+        foul=FOUL in outcome,
+    )
     wrong = fault_of(swing, length, sport)
     return BadRow(line, wrong) if wrong else swing
 
@@ -325,27 +331,34 @@ def _told(quantity: str, value: float) -> str:
 
 WORDS = {
     "bat_speed": (
-        "Bat speed", "it is worked back from exit speed, which also depends on where the ball was met",
+        "Bat speed",
+        "it is worked back from exit speed, which also depends on where the ball was met",
         "it looks typed in, not measured, and says nothing about the spread",
     ),
     "exit_speed": (
-        "Exit speed", "nothing is learned about where and how well the ball was met",
+        "Exit speed",
+        "nothing is learned about where and how well the ball was met",
         "it looks typed in, not measured, and the scatter learned from it means little",
     ),
     "pitch_speed": (
-        "Pitch speed", "only bat speed can be learned", "good for a machine or a tee; check that it is meant",
+        "Pitch speed",
+        "only bat speed can be learned",
+        "good for a machine or a tee; check that it is meant",
     ),
     "launch_angle": (
-        "Launch angle", "the scatter over and under the ball is told from exit speed alone, which hardly shows it",
+        "Launch angle",
+        "the scatter over and under the ball is told from exit speed alone, which hardly shows it",
         "it looks typed in, not measured",
     ),
     "attack_angle": (
-        "Attack angle", "the usual one is assumed, so that the mean miss over or under the ball stays uncertain",
+        "Attack angle",
+        "the usual one is assumed, so that the mean miss over or under the ball stays uncertain",
         "it looks typed in, not measured",
     ),
     "position": (
-        "Contact position along the bat", "it is worked back from exit speed, which cannot tell tip from handle side",
+        "Contact position along the bat",
+        "it is worked back from exit speed, which cannot tell tip from handle side",
         "it looks typed in, not measured",
     ),
-}  # fmt: skip
+}
 """Of every quantity: its name, what it means when missing, what when constant."""

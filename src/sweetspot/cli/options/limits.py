@@ -72,11 +72,12 @@ class LimitOptions:
     wood: Annotated[
         list[str] | None,
         Parameter(
-            name=["--wood", "--material"], negative="",
+            name=["--wood", "--material"],
+            negative="",
             help="Species of the catalogue, or a hollow bat's metal or laminate; given again, the best of them is "
             "looked for. Default: the present bat's.",
         ),
-    ] = None  # fmt: skip
+    ] = None
     league: Annotated[
         str,
         Parameter(

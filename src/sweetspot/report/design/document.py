@@ -33,9 +33,26 @@ from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Pa
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Slot, Words, read, say
 
-BESIDE = ("exit_speed", "best", "best_from_tip", "zone", "sting", "bat_speed", "swing_time", "mass", "balance_point",
-          "moi", "length", "diameter", "handle", "knob", "cup_depth", "cup_diameter", "frequency",
-          "durability")  # fmt: skip
+BESIDE = (
+    "exit_speed",
+    "best",
+    "best_from_tip",
+    "zone",
+    "sting",
+    "bat_speed",
+    "swing_time",
+    "mass",
+    "balance_point",
+    "moi",
+    "length",
+    "diameter",
+    "handle",
+    "knob",
+    "cup_depth",
+    "cup_diameter",
+    "frequency",
+    "durability",
+)
 ASKED = ("length", "knob", "cup_diameter")
 """What stands beside the present bat only where it was allowed to change."""
 ON_FRONT = ("best_from_tip", "mass", "moi", "diameter")
@@ -120,16 +137,18 @@ def _assumed(design: Designed) -> Words:
         "Contacts {place} from the tip on average; {pitch} {incoming}, {bat} of {tool} speed with the present {tool}. "
         "The same places from the tip and the same effort with every {tool}. The model's ball, {wood} and swing; "
         "nothing was made.",
-        tool=tool_of(design), incoming=sport(design.bench.space.present.sport).words.incoming,
+        tool=tool_of(design),
+        incoming=sport(design.bench.space.present.sport).words.incoming,
         wood="wood" if design.gain.shipment else "material",
-        place=Slot(batter.mean_contact, "place"), pitch=Slot(batter.pitch_speed, "speed", 0),
+        place=Slot(batter.mean_contact, "place"),
+        pitch=Slot(batter.pitch_speed, "speed", 0),
         bat=Slot(batter.bat_speed, "speed", 0),
-    )  # fmt: skip
+    )
 
 
 def compared(space: Space, measured: MeasuredDesigns) -> list[str]:
     """Return which measures of a design stand beside the present bat's."""
-    changing = {one.name for one in space.variables}
+    changing = {variable.name for variable in space.variables}
     return [name for name in BESIDE if name in measured.values and (name not in ASKED or name in changing)]
 
 
@@ -144,10 +163,13 @@ def _beside(design: Designed) -> Table:
         rows.append([label_of(design, name), before, Slot(value, measure.scale), change])
     if design.bent is not None:
         strains = [bending.strain for bending in design.bent]
-        rows.append([
-            "greatest bending of the handle", *(Slot(strain, "strain") for strain in strains),
-            Slot(strains[1] - strains[0], "strain", sign=True),
-        ])  # fmt: skip
+        rows.append(
+            [
+                "greatest bending of the handle",
+                *(Slot(strain, "strain") for strain in strains),
+                Slot(strains[1] - strains[0], "strain", sign=True),
+            ]
+        )
     columns = [Column(""), Column("present", right=True), Column("design", right=True), Column("change", right=True)]
     return Table(f"Beside the present {tool_of(design)}", columns, rows)
 
@@ -158,13 +180,13 @@ def _changes(scale: str) -> str:
 
 def _front(design: Designed) -> Table:
     wants = design.question.wants
-    shown = [name for name in (*wants, *ON_FRONT) if name in design.front.measured.values]
+    names = [name for name in (*wants, *ON_FRONT) if name in design.front.measured.values]
     count = len(design.front)
     rows_shown = sorted({*np.linspace(0, count - 1, min(MOST_ROWS, count)).round().astype(int).tolist(), design.picked})
     rows: list[list[Cell]] = [
-        [str(row + 1), *(float(design.front.measured.values[name][row]) for name in shown)] for row in rows_shown
+        [str(row + 1), *(float(design.front.measured.values[name][row]) for name in names)] for row in rows_shown
     ]
-    columns = [Column(tool_of(design))] + [Column(_short(name), MEASURES[name].scale) for name in shown]
+    columns = [Column(tool_of(design))] + [Column(_short(name), MEASURES[name].scale) for name in names]
     return Table(
         f"The front: {count} {tool_of(design)}s, none better in everything (--pick N tells about another)"
         if count > 1
@@ -186,9 +208,16 @@ def _materials(answer: DesignAnswer) -> list[Block]:
 
 def _short(name: str) -> str:
     return {
-        "exit_speed": "exit speed", "zone": "zone", "sting": "sting", "best": "greatest", "best_from_tip": "best place",
-        "swing_time": "time", "moi": "MOI", "diameter": "thickest", "durability": "durability",
-    }.get(name, MEASURES[name].label)  # fmt: skip
+        "exit_speed": "exit speed",
+        "zone": "zone",
+        "sting": "sting",
+        "best": "greatest",
+        "best_from_tip": "best place",
+        "swing_time": "time",
+        "moi": "MOI",
+        "diameter": "thickest",
+        "durability": "durability",
+    }.get(name, MEASURES[name].label)
 
 
 def _rules(design: Designed) -> Table:
@@ -199,18 +228,18 @@ def _rules(design: Designed) -> Table:
 
 
 def _limits(design: Designed) -> list[Section]:
-    told = []
+    lines = []
     for limit in design.question.limits:
         scale = MEASURES[limit.measure].scale
         low, high = (None if end is None else Slot(end, scale) for end in (limit.least, limit.most))
         label = MEASURES[limit.measure].label
         if low is not None and high is not None:
-            told.append(say("{label}: {low} to {high} ({why})", label=label, low=low.bare, high=high, why=limit.why))
+            lines.append(say("{label}: {low} to {high} ({why})", label=label, low=low.bare, high=high, why=limit.why))
         else:
             end, side = (low, "at least") if high is None else (high, "at most")
             assert end is not None
-            told.append(say("{label}: {side} {end} ({why})", label=label, side=side, end=end, why=limit.why))
-    return [Section("limits", "Limits kept", [Bullets(told)])] if told else []
+            lines.append(say("{label}: {side} {end} ({why})", label=label, side=side, end=end, why=limit.why))
+    return [Section("limits", "Limits kept", [Bullets(lines)])] if lines else []
 
 
 def _drawn(design: Designed, reading: Reader) -> Any:

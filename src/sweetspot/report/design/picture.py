@@ -115,9 +115,10 @@ def _difference(axes: Axes, design: Designed, length: float, reading: Reader) ->
     axes.set_xlim(length - FROM_TIP[-1], length * (1 + marks.MARGIN))
     axes.set_xlabel(marks.from_the_tip(design.bench.space.present, reading))
     heading(
-        axes, "Design minus present",
+        axes,
+        "Design minus present",
         f"exit speed, {reading.unit('speed_change')}; band: two of one shape; grey: your contacts",
-    )  # fmt: skip
+    )
 
 
 def _front(axes: Axes, design: Designed, reading: Reader) -> None:
@@ -137,8 +138,10 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
         axes.plot(now_x, now_y, "s", color=INK, markersize=6)
         axes.annotate("present", (now_x, now_y), xytext=(7, -3), textcoords="offset points", color=INK, size=SMALL)
     else:
-        beyond = " and ".join(reading.shown(value * reading.units[scale].size, scale)
-                              for value, scale in zip((now_x, now_y), scales, strict=True))  # fmt: skip
+        beyond = " and ".join(
+            reading.shown(value * reading.units[scale].size, scale)
+            for value, scale in zip((now_x, now_y), scales, strict=True)
+        )
         axes.text(0.01, 0.03, f"the present one lies beyond: {beyond}", transform=axes.transAxes, color=INK, size=SMALL)
     some = sorted({*np.linspace(0, len(x) - 1, min(MOST_BATS, len(x))).round().astype(int).tolist(), design.picked})
     across, up = np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())
@@ -159,8 +162,15 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
         axes.fill(
             x[row] + scale * (along - along.max() / 2), y[row] + upright * half, color=colour, alpha=0.85, linewidth=0
         )
-        axes.annotate(str(row + 1), (x[row], y[row] + upright * wide), xytext=(0, 3), textcoords="offset points",
-                      ha="center", color=colour, size=SMALL)  # fmt: skip
+        axes.annotate(
+            str(row + 1),
+            (x[row], y[row] + upright * wide),
+            xytext=(0, 3),
+            textcoords="offset points",
+            ha="center",
+            color=colour,
+            size=SMALL,
+        )
     axes.set_xlabel(f"{MEASURES[wants[0]].label}, {reading.unit(scales[0])}")
     axes.set_ylabel(f"{MEASURES[wants[1]].label}, {reading.unit(scales[1])}")
     heading(axes, "The front", "none of these is better in everything; orange: the one told about")

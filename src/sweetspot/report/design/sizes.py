@@ -35,8 +35,12 @@ def sizes_table(bat: Bat) -> Table:
         ]
         for place in inch_places(bat)[::-1]
     ]
-    columns = [Column("from the tip", "place"), Column("from the knob end", "length"), Column("diameter", "length", 3),
-               Column("diameter", right=True)]  # fmt: skip
+    columns = [
+        Column("from the tip", "place"),
+        Column("from the knob end", "length"),
+        Column("diameter", "length", 3),
+        Column("diameter", right=True),
+    ]
     return Table("Diameters to turn", columns, rows)
 
 
@@ -55,7 +59,7 @@ def tolerance_words(design: Designed) -> Sentence | None:
         mass=Slot(float(measures.values["mass"][0]) - design.value("mass"), "mass"),
         moi=Slot(float(measures.values["moi"][0]) - design.value("moi"), "moi"),
         speed=Slot(float(measures.values["exit_speed"][0]) - design.value("exit_speed"), "speed_change", 2, sign=True),
-    )  # fmt: skip
+    )
 
 
 def drawing(bat: Bat, ending: str, reading: Reader) -> bytes:

@@ -45,9 +45,11 @@ def moved_words(design: Designed) -> Sentence:
     zone = say(
         ", to {place} from the tip; the zone within {near} of the best is {width} wide, {wider} {more}.",
         near=Slot(ZONE_LOSS, "speed", round=True),
-        place=Slot(design.value("best_from_tip"), "place"), width=Slot(design.value("zone"), "place"),
-        wider=Slot(abs(gain.wider), "length"), more="wider" if gain.wider >= 0 else "narrower",
-    )  # fmt: skip
+        place=Slot(design.value("best_from_tip"), "place"),
+        width=Slot(design.value("zone"), "place"),
+        wider=Slot(abs(gain.wider), "length"),
+        more="wider" if gain.wider >= 0 else "narrower",
+    )
     top = say(" The greatest exit speed changes by {change}.", change=Slot(gain.greatest, "speed_change", sign=True))
     return place + zone + top
 
@@ -58,9 +60,12 @@ def worth_words(design: Designed) -> Sentence:
     first = say(
         "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt} (90 %): "
         "{verdict}; faster in {odds} of 100 such pairs.",
-        place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
-        verdict=gain.verdict.value, odds=_of_100(gain.odds),
-    )  # fmt: skip
+        place=Slot(batter.mean_contact, "place"),
+        gain=_faster(gain.expected),
+        doubt=Slot(gain.doubt, "speed_change"),
+        verdict=gain.verdict.value,
+        odds=_of_100(gain.odds),
+    )
     return joined([first, *_balls(design), _doubts(design)])
 
 
@@ -80,17 +85,18 @@ def _balls(design: Designed) -> list[Sentence]:
     if not gain.balls:
         return []
     count = f"{gain.balls:.0f} {'ball tells' if round(gain.balls) == 1 else 'balls tell'}"
-    told = say(
+    sample = say(
         "{count} of the contacts, beside what is known of all batters, and that adds {sample}",
-        count=count[0].upper() + count[1:], sample=Slot(gain.sample, "speed_change"),
-    )  # fmt: skip
+        count=count[0].upper() + count[1:],
+        sample=Slot(gain.sample, "speed_change"),
+    )
     if gain.balls_needed is not None:
         return [
-            told + say("; from about {needed} met as these the gain would be seen.", needed=_about(gain.balls_needed))
+            sample + say("; from about {needed} met as these the gain would be seen.", needed=_about(gain.balls_needed))
         ]
     if gain.expected > 0 and gain.verdict is not GainVerdict.SEEN:
-        return [told + say("; a gain of this size would be seen from no number of balls.")]
-    return [told + say(".")]
+        return [sample + say("; a gain of this size would be seen from no number of balls.")]
+    return [sample + say(".")]
 
 
 def _about(count: int) -> str:
@@ -108,38 +114,44 @@ def _doubts(design: Designed) -> Sentence:
     parts = []
     if not gain.shipment:
         willow = say(
-            "; willow's density by {density}, its stiffness by {modulus}", density=_spread(DENSITY_SPREAD),
+            "; willow's density by {density}, its stiffness by {modulus}",
+            density=_spread(DENSITY_SPREAD),
             modulus=_spread(MODULUS_SPREAD),
-        )  # fmt: skip
+        )
         parts.append(
             say(
                 "Two of one model differ by {wood} (one standard deviation: every number that is changed by {alike}"
                 "{willow}; assumed).",
-                wood=Slot(gain.wood, "speed_change"), alike=_spread(TURNED_ALIKE),
+                wood=Slot(gain.wood, "speed_change"),
+                alike=_spread(TURNED_ALIKE),
                 willow=willow if isinstance(design.bench.space.present, CricketBat) else say(""),
             )
-        )  # fmt: skip
+        )
     else:
         parts.append(
             say(
                 "Two bats of one shape differ by {wood} (one standard deviation: density {density}, stiffness "
                 "{modulus}; {weighed} chosen by weight), or by {pair}: best and worst of a dozen by up to {shipment}.",
-                wood=Slot(gain.wood, "speed_change"), density=_spread(DENSITY_SPREAD), modulus=_spread(MODULUS_SPREAD),
-                weighed=Slot(gain.by_weight, "speed_change"), shipment=Slot(SHIPMENT, "speed", 0, round=True),
+                wood=Slot(gain.wood, "speed_change"),
+                density=_spread(DENSITY_SPREAD),
+                modulus=_spread(MODULUS_SPREAD),
+                weighed=Slot(gain.by_weight, "speed_change"),
+                shipment=Slot(SHIPMENT, "speed", 0, round=True),
                 pair=Slot(gain.shipment, "speed_change"),
             )
-        )  # fmt: skip
+        )
     law = design.bench.batter.law
     swing = (
         say("The swing law adds {law}; ", law=Slot(gain.law, "speed_change"))
         if law is not None
         else say("All are swung alike; ")
     )
-    met = say(
-        "the place of contact, known to {doubt}, adds {contact}.", doubt=Slot(design.bench.batter.doubt, "place"),
+    contact = say(
+        "the place of contact, known to {doubt}, adds {contact}.",
+        doubt=Slot(design.bench.batter.doubt, "place"),
         contact=Slot(gain.contact, "speed_change"),
-    )  # fmt: skip
-    return joined([*parts, swing + met])
+    )
+    return joined([*parts, swing + contact])
 
 
 def _spread(part: float) -> Sentence:
@@ -155,8 +167,9 @@ def warning_words(design: Designed) -> Sentence:
     if not outer.any() or gain.curve[worst] >= 0:
         return say(
             "Who should not use it: nobody by exit speed; {place} from the tip it still gains {gain}.",
-            place=Slot(TOWARDS_END, "place"), gain=Slot(gain.at(TOWARDS_END), "speed_change"),
-        )  # fmt: skip
+            place=Slot(TOWARDS_END, "place"),
+            gain=Slot(gain.at(TOWARDS_END), "speed_change"),
+        )
     tool = tool_of(design)
     turning = say("Towards the tip the present {tool} is better", tool=tool)
     if gain.turning_place is not None:
@@ -164,8 +177,9 @@ def warning_words(design: Designed) -> Sentence:
         turning = say("Nearer the tip than {turning} the present {tool} is better", turning=near, tool=tool)
     return turning + say(
         ": {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use it.",
-        place=place, cost=Slot(-float(gain.curve[worst]), "speed_change"),
-    )  # fmt: skip
+        place=place,
+        cost=Slot(-float(gain.curve[worst]), "speed_change"),
+    )
 
 
 def breaking_words(design: Designed) -> list[Sentence]:
@@ -179,9 +193,11 @@ def breaking_words(design: Designed) -> list[Sentence]:
         say(
             "Its handle is bent further: up to {after} against {now} over these contacts, by a ball met {place} from "
             "the tip. Bats break there; a thicker grip (--handle) costs weight, not speed.",
-            after=Slot(after.strain, "strain"), now=Slot(now.strain, "strain"), place=Slot(after.from_tip, "place"),
+            after=Slot(after.strain, "strain"),
+            now=Slot(now.strain, "strain"),
+            place=Slot(after.from_tip, "place"),
         )
-    ]  # fmt: skip
+    ]
 
 
 def rules_words(design: Designed) -> list[Sentence]:
@@ -192,11 +208,13 @@ def rules_words(design: Designed) -> list[Sentence]:
     )
     if not design.checks:
         return []
-    kept = say("It breaks the rules: {failed}.", failed=", ".join(failed)) if failed else say(
-        "It keeps every rule of its league that a drawing decides."
-    )  # fmt: skip
+    verdict = (
+        say("It breaks the rules: {failed}.", failed=", ".join(failed))
+        if failed
+        else say("It keeps every rule of its league that a drawing decides.")
+    )
     left = say(" Left open: {left}.", left=", ".join(open_ones)) if open_ones else say("")
-    return [kept + say(unsure_words(design.checks)) + left]
+    return [verdict + say(unsure_words(design.checks)) + left]
 
 
 def unbounded_words(design: Designed) -> list[Sentence]:
@@ -216,7 +234,7 @@ def unbounded_words(design: Designed) -> list[Sentence]:
             "wall usually hits harder: take a league that limits BBCOR or BPF (--league), or leave the wall as it is.",
             why=why,
         )
-    ]  # fmt: skip
+    ]
 
 
 def wall_words(design: Designed) -> list[Sentence]:
@@ -225,12 +243,16 @@ def wall_words(design: Designed) -> list[Sentence]:
         return []
     changes = [
         say(
-            "{label} {place}from {before} to {after}", label=one.label,
-            place=say("{place} from the tip ", place=Slot(one.from_tip, "place")) if one.from_tip is not None else "",
-            before=Slot(one.start, one.scale, 2).bare, after=Slot(value, one.scale, 2),
+            "{label} {place}from {before} to {after}",
+            label=variable.label,
+            place=say("{place} from the tip ", place=Slot(variable.from_tip, "place"))
+            if variable.from_tip is not None
+            else "",
+            before=Slot(variable.start, variable.scale, 2).bare,
+            after=Slot(value, variable.scale, 2),
         )
-        for one, value in zip(design.bench.space.variables, design.numbers.tolist(), strict=True)
-    ]  # fmt: skip
+        for variable, value in zip(design.bench.space.variables, design.numbers.tolist(), strict=True)
+    ]
     return [say("What to change: {changes}. The outside stays as it is.", changes=joined(changes, "; "))]
 
 
@@ -242,15 +264,18 @@ def effort_words(design: Designed) -> Sentence:
     low, high = sorted(_time(design, exponent) for exponent in (law.exponents.low, law.exponents.high))
     return say(
         "Time to contact changes by {time} ({low} to {high}) of {whole}, by the law of {law}.",
-        time=Slot(gain.time, "contact", 2, sign=True), low=Slot(low, "contact", 2, sign=True).bare,
-        high=Slot(high, "contact", 2, sign=True), whole=Slot(_swing_time(), "contact", 0), law=law.name,
-    )  # fmt: skip
+        time=Slot(gain.time, "contact", 2, sign=True),
+        low=Slot(low, "contact", 2, sign=True).bare,
+        high=Slot(high, "contact", 2, sign=True),
+        whole=Slot(_swing_time(), "contact", 0),
+        law=law.name,
+    )
 
 
 def _time(design: Designed, exponent: float) -> float:
-    law, own = design.bench.batter.law, design.value("swing_time") / _swing_time()
+    law, ratio = design.bench.batter.law, design.value("swing_time") / _swing_time()
     assert law is not None
-    return float(_swing_time() * (own ** (exponent / max(law.exponent, 1e-9)) - 1))
+    return float(_swing_time() * (ratio ** (exponent / max(law.exponent, 1e-9)) - 1))
 
 
 def _swing_time() -> float:

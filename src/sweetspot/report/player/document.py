@@ -92,7 +92,7 @@ def _cards(advice: Advice) -> Cards:
 
 def _bats(advice: Advice) -> Table:
     """Return the bats tried, the player's own first."""
-    goal, own = advice.goal, advice.posterior.model.bats[0].bat
+    goal, bat_now = advice.goal, advice.posterior.model.bats[0].bat
     columns = [
         Column("bat"),
         Column("mass", "mass"),
@@ -102,7 +102,7 @@ def _bats(advice: Advice) -> Table:
         Column("change", right=True),
         Column("better", "share"),
     ]
-    rows: list[list[Cell]] = [[f"{own.name} (now)", "", "", "", goal_shown(advice.now, goal), "", ""]]
+    rows: list[list[Cell]] = [[f"{bat_now.name} (now)", "", "", "", goal_shown(advice.now, goal), "", ""]]
     for option in advice.options:
         bat, body = option.candidate.bat, option.candidate.body
         expected, change = goal_shown(option.goal, goal), goal_shown(option.change, goal, sign=True)

@@ -11,8 +11,12 @@ from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, withi
 PAIRS_TOLD = 6
 """Pairs that are told in words; a table has all."""
 BETTER = ("better", "better by the model")
-VERDICTS = {"better": "the first is better, as measured too", "better by the model": "the first is better by the model",
-            "cannot tell": "the swings cannot tell", "gainsaid": "measured and model disagree"}  # fmt: skip
+VERDICTS = {
+    "better": "the first is better, as measured too",
+    "better by the model": "the first is better by the model",
+    "cannot tell": "the swings cannot tell",
+    "gainsaid": "measured and model disagree",
+}
 
 
 def of_those_swung(advice: Advice) -> Words:
@@ -21,9 +25,9 @@ def of_those_swung(advice: Advice) -> Words:
     if not advice.pairs:
         return seldom
     gainsaid = [pair for pair in advice.pairs if pair.verdict == "gainsaid"]
-    told = [pair for pair in advice.pairs if pair.verdict in BETTER]
+    decided = [pair for pair in advice.pairs if pair.verdict in BETTER]
     unsure = [pair for pair in advice.pairs if pair.verdict == "cannot tell"]
-    parts = [*(_better(pair, advice) for pair in told), *(_unsure(pair, advice) for pair in unsure)]
+    parts = [*(_better(pair, advice) for pair in decided), *(_unsure(pair, advice) for pair in unsure)]
     left = len(parts) - PAIRS_TOLD
     listed = joined(parts[:PAIRS_TOLD], "; ")
     if left > 0:
@@ -35,17 +39,24 @@ def of_those_swung(advice: Advice) -> Words:
 def pairs_table(advice: Advice) -> Table:
     """Return every two of the bats that were swung: the gain expected, how likely, and what was measured."""
     columns = [
-        Column("bat"), Column("against"), Column("expected gain", right=True), Column("better", "share"),
-        Column("measured exit speed", right=True), Column("so"),
-    ]  # fmt: skip
+        Column("bat"),
+        Column("against"),
+        Column("expected gain", right=True),
+        Column("better", "share"),
+        Column("measured exit speed", right=True),
+        Column("so"),
+    ]
     rows: list[list[Cell]] = [
         [
-            pair.better, pair.other, goal_shown(pair.gain, advice.goal, sign=True), pair.chance,
+            pair.better,
+            pair.other,
+            goal_shown(pair.gain, advice.goal, sign=True),
+            pair.chance,
             within(pair.measured, "speed_change", sign=True) if pair.measured else "not with both",
             VERDICTS[pair.verdict],
         ]
         for pair in advice.pairs
-    ]  # fmt: skip
+    ]
     return Table("", columns, rows)
 
 
@@ -65,16 +76,22 @@ def _lead(pairs: tuple[BatPair, ...]) -> str:
 def _better(pair: BatPair, advice: Advice) -> Sentence:
     words = say(
         "{better} against {other} {gain}",
-        better=pair.better, other=pair.other, gain=goal_shown(pair.gain, advice.goal, sign=True),
-    )  # fmt: skip
+        better=pair.better,
+        other=pair.other,
+        gain=goal_shown(pair.gain, advice.goal, sign=True),
+    )
     if pair.measured is None or not pair.goal_is_speed:
         return words
     more = pair.measured.low > pair.gain.high
     return words + say(
-        ", as measured {measured}{doubt}", measured=within(pair.measured, "speed_change", sign=True),
-        doubt=", which alone could not tell" if pair.verdict != "better"
-        else ", more than the model explains" if more else "",
-    )  # fmt: skip
+        ", as measured {measured}{doubt}",
+        measured=within(pair.measured, "speed_change", sign=True),
+        doubt=", which alone could not tell"
+        if pair.verdict != "better"
+        else ", more than the model explains"
+        if more
+        else "",
+    )
 
 
 def _unsure(pair: BatPair, advice: Advice) -> Sentence:
@@ -82,11 +99,14 @@ def _unsure(pair: BatPair, advice: Advice) -> Sentence:
     if pair.measured is not None and pair.goal_is_speed and pair.measured.value < 0 < pair.gain.low:
         return say(
             "{better} against {other} {gain} by the model and {measured} as measured: the swings cannot tell",
-            better=pair.better, other=pair.other, gain=gain, measured=within(pair.measured, "speed_change", sign=True),
-        )  # fmt: skip
+            better=pair.better,
+            other=pair.other,
+            gain=gain,
+            measured=within(pair.measured, "speed_change", sign=True),
+        )
     return say(
         "{better} against {other} {gain}: the swings cannot tell", better=pair.better, other=pair.other, gain=gain
-    )  # fmt: skip
+    )
 
 
 def _gainsaid(pair: BatPair, advice: Advice) -> Sentence:
@@ -95,9 +115,11 @@ def _gainsaid(pair: BatPair, advice: Advice) -> Sentence:
         "Of {better} and {other} the swings say one thing and the model of ball and bat another: with {better} the "
         "ball left {measured} slower on average, where the model expects {gain}. Believe the measurement if pitches "
         "and days were alike, and check the bats' files.",
-        better=pair.better, other=pair.other, measured=Slot(-pair.measured.value, "speed_change"),
+        better=pair.better,
+        other=pair.other,
+        measured=Slot(-pair.measured.value, "speed_change"),
         gain=goal_shown(pair.gain, advice.goal, sign=True),
-    )  # fmt: skip
+    )
 
 
 def _too_seldom(names: tuple[str, ...]) -> Words:

@@ -116,10 +116,12 @@ def _header(figure: Figure, advice: Advice, height: float, reading: Reader, *, p
     figure.text(left, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
     line = say(
         "{day}{count} swings, {bat}: bat speed {speed}, {pitch}",
-        day=f"{day}: " if day else "", count=len(posterior.model.swings),
-        bat=posterior.model.bats[0].bat.name, speed=within(posterior.learned["bat_speed"].interval, "speed"),
+        day=f"{day}: " if day else "",
+        count=len(posterior.model.swings),
+        bat=posterior.model.bats[0].bat.name,
+        speed=within(posterior.learned["bat_speed"].interval, "speed"),
         pitch=pitch_words(advice.pitch_speed),
-    )  # fmt: skip
+    )
     words, size = fitted(line.read(reading), width=room, size=NORMAL, smallest=6.0)
     figure.text(left, 1 - 0.66 / height, words, color=MUTED, size=size, parse_math=False)
 
@@ -138,9 +140,15 @@ def _contact(axes: Axes, advice: Advice, reading: Reader, *, note: str) -> None:
     low, high = bottom + 0.12 * (top - bottom), bottom + 0.22 * (top - bottom)
     for place, height, words, colour in ((now.value, low, "now", BLUE), (best.value, high, "best", RED)):
         axes.annotate(
-            words, (place / inch, height), xytext=(-4 if place >= between else 4, 0), textcoords="offset points",
-            color=colour, ha="right" if place >= between else "left", va="bottom", size=SMALL,
-        )  # fmt: skip
+            words,
+            (place / inch, height),
+            xytext=(-4 if place >= between else 4, 0),
+            textcoords="offset points",
+            color=colour,
+            ha="right" if place >= between else "left",
+            va="bottom",
+            size=SMALL,
+        )
     rug = posterior.draws[:: max(1, len(posterior.draws) // 400), NAMES.index("position")] / inch
     axes.plot(rug, np.full_like(rug, bottom), "|", color=BLUE, alpha=0.25, markersize=7)
     axes.set_xlim(PLACES[-1] / inch, PLACES[0] / inch)
@@ -153,8 +161,15 @@ def _rows(axes: Axes, bars: list[tuple[str, Interval, int]], unit: Unit, title: 
     """Draw a row with dot and interval for every change, coloured by its sign where that is sure."""
     size = unit.size
     start = -72 * (paper.names + paper.figures)
-    axes.annotate(title, (0, 1), xycoords="axes fraction", xytext=(start, 5), textcoords="offset points",
-                  weight="bold", va="baseline")  # fmt: skip
+    axes.annotate(
+        title,
+        (0, 1),
+        xycoords="axes fraction",
+        xytext=(start, 5),
+        textcoords="offset points",
+        weight="bold",
+        va="baseline",
+    )
     for row, (words, gain, sign) in enumerate(bars):
         colour = SURE[sign]
         axes.plot([gain.low / size, gain.high / size], [row, row], color=colour, linewidth=1.6)
@@ -162,8 +177,15 @@ def _rows(axes: Axes, bars: list[tuple[str, Interval, int]], unit: Unit, title: 
         where: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "va": "center"}
         named, letters = fitted(words, width=LIGHTER * paper.names, size=paper.letters, smallest=6.8)
         axes.annotate(named, (0, row), xytext=(start, 0), ha="left", size=letters, color=INK, parse_math=False, **where)
-        axes.annotate(unit.number(gain.value, sign=True), (0, row), xytext=(-12, 0), ha="right", weight="bold",
-                      size=paper.letters, **where)  # fmt: skip
+        axes.annotate(
+            unit.number(gain.value, sign=True),
+            (0, row),
+            xytext=(-12, 0),
+            ha="right",
+            weight="bold",
+            size=paper.letters,
+            **where,
+        )
     axes.axvline(0, color=MUTED, linewidth=0.7)
     axes.set_ylim(len(bars) - 0.5, -0.5)
     axes.set_yticks([])

@@ -64,7 +64,7 @@ def findings(answer: FitPlayerAnswer) -> list[Words]:
     if side_by_side := measured(posterior):
         words.append(side_by_side)
     words += [_speed(posterior), _contact(learned)]
-    unknown = [PARAMETERS[name][0] for name, one in learned.items() if not one.told]
+    unknown = [PARAMETERS[name][0] for name, parameter in learned.items() if not parameter.told]
     if unknown:
         words.append(
             f"The data cannot tell: {'; '.join(unknown)}. What is shown for these is what is usual for players."
@@ -93,7 +93,7 @@ def _data(posterior: PlayerPosterior, swings: SwingFile) -> Sentence:
     """Say how many swings counted, with which bats, and why the rest did not."""
     model = posterior.model
     count, bad = len(model.swings), len(swings.bad_rows)
-    both = sum(one.exit_speed is not None and one.bat_speed is not None for one in model.swings)
+    both = sum(swing.exit_speed is not None and swing.bat_speed is not None for swing in model.swings)
     article = "an" if swings.system.startswith(tuple("AEIO")) else "a"
     kind = f"{article} {swings.system} file" if swings.system != "plain" else "a file"
     days = ""
@@ -104,7 +104,7 @@ def _data(posterior: PlayerPosterior, swings: SwingFile) -> Sentence:
     text = f"{count} {noun}, {both} with bat speed and exit speed, from {kind}{days}"
     swung = measured_bats(model)
     if len(swung) > 1:
-        text += ": " + ", ".join(f"{one.count} with {one.bat.name}" for one in swung)
+        text += ": " + ", ".join(f"{bat.count} with {bat.bat.name}" for bat in swung)
     if not bad and not swings.without_swing:
         return say("{text}; every row was used.", text=text)
     why = "; ".join(_reasons(swings))
@@ -116,10 +116,10 @@ def _data(posterior: PlayerPosterior, swings: SwingFile) -> Sentence:
 def taken_for(model: PlayerModel) -> list[str]:
     """Return, where the file's name of a bat is not known, for which bat it is taken; nothing where all are known."""
     pairs = zip(model.swings, model.bat_of, strict=True)
-    names = sorted({one.bat for one, index in pairs if index == 0 and one.bat})
-    own = model.bats[0].bat.name
+    names = sorted({swing.bat for swing, index in pairs if index == 0 and swing.bat})
+    bat_now = model.bats[0].bat.name
     return [
-        f"The file calls the bat {maybe_meant(name, bat_names())}, which is not known here: it is taken for {own}."
+        f"The file calls the bat {maybe_meant(name, bat_names())}, which is not known here: it is taken for {bat_now}."
         for name in names
     ]
 
@@ -138,27 +138,28 @@ def _reasons(swings: SwingFile) -> list[str]:
 
 def measured(posterior: PlayerPosterior) -> Words:
     """Return the bats of the file against each other as they were measured; "" where only one was swung."""
-    swung = [one for one in measured_bats(posterior.model) if one.exit_speed is not None]
+    swung = [bat for bat in measured_bats(posterior.model) if bat.exit_speed is not None]
     if len(swung) < 2:
         return ""
+    swung.sort(key=lambda bat: -float(bat.exit_speed or 0.0))
     parts = [
-        say("{name} {ball}", name=one.bat.name, ball=within(one.exit_speed, "speed"))
-        + (say(" at {speed} of bat speed", speed=within(one.bat_speed, "speed")) if one.bat_speed else "")
-        for one in sorted(swung, key=lambda one: -one.exit_speed.value if one.exit_speed else 0.0)
-        if one.exit_speed
+        say("{name} {ball}", name=bat.bat.name, ball=within(bat.exit_speed, "speed"))
+        + (say(" at {speed} of bat speed", speed=within(bat.bat_speed, "speed")) if bat.bat_speed else "")
+        for bat in swung
+        if bat.exit_speed
     ]
     return say("As measured, mean exit speed by bat: {parts}.", parts=joined(parts, "; "))
 
 
 def _speed(posterior: PlayerPosterior) -> Sentence:
-    learned, own = posterior.learned, posterior.model.bats[0].bat
-    swung = any(one.bat is own for one in measured_bats(posterior.model))
+    learned, bat_now = posterior.learned, posterior.model.bats[0].bat
+    swung = any(measured.bat is bat_now for measured in measured_bats(posterior.model))
     text = say(
         "Bat speed is {mean} on average and varies by {spread} from swing to swing."
         if swung
         else "With {own}, which no swing of the file was made with, bat speed would be {mean} on average and vary by "
         "{spread} from swing to swing.",
-        own=own.name,
+        own=bat_now.name,
         mean=parameter_shown("bat_speed", learned["bat_speed"].interval),
         spread=parameter_shown("bat_speed_spread", learned["bat_speed_spread"].interval),
     )
@@ -191,10 +192,10 @@ def _contact(learned: dict[str, Learned]) -> Sentence:
 
 def _which(advice: Advice) -> Sentence:
     goal = advice.goal
-    own = say("Expected {goal} with the bat now: {now}.", goal=goal_words(goal), now=goal_shown(advice.now, goal))
+    lead = say("Expected {goal} with the bat now: {now}.", goal=goal_words(goal), now=goal_shown(advice.now, goal))
     others = [option for option in advice.options if option.candidate.family != "swung"]
-    told = advice.posterior.learned["exponent"].told
-    return joined([own, of_those_swung(advice), _of_those_tried(others, advice), "" if told else USUAL_EXPONENT])
+    informed = advice.posterior.learned["exponent"].told
+    return joined([lead, of_those_swung(advice), _of_those_tried(others, advice), "" if informed else USUAL_EXPONENT])
 
 
 def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
@@ -203,23 +204,29 @@ def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
     if best is None or best.change.value <= advice.goal.nothing:
         return "None of the bats tried in the computer is better."
     sure = advice.sign_of(best) > 0
-    told = advice.posterior.learned["exponent"].told
+    informed = advice.posterior.learned["exponent"].told
     return say(
         "{lead}: {label} ({size}), {change}, better in {chance} of what {speaker}.",
-        lead=("Best of those tried in the computer" if told else "Not by these swings but by what is usual, best")
-        if sure else "Of those tried in the computer none is surely better; the likeliest gain is with",
-        label=option_words(best.candidate), size=_sizes(best), change=goal_shown(best.change, advice.goal, sign=True),
-        chance=Slot(best.chance, "share"), speaker=_speaker(advice),
-    )  # fmt: skip
+        lead=("Best of those tried in the computer" if informed else "Not by these swings but by what is usual, best")
+        if sure
+        else "Of those tried in the computer none is surely better; the likeliest gain is with",
+        label=option_words(best.candidate),
+        size=_sizes(best),
+        change=goal_shown(best.change, advice.goal, sign=True),
+        chance=Slot(best.chance, "share"),
+        speaker=_speaker(advice),
+    )
 
 
 def _sizes(option: Option) -> Sentence:
     bat, body = option.candidate.bat, option.candidate.body
     return say(
-        "{length}, {mass}, MOI {moi} about {axis} above the grip's end", length=Slot(bat.length, "place"),
-        mass=Slot(body.mass, "mass"), moi=Slot(body.moi(bat.choke + STANDARD_AXIS), "moi"),
+        "{length}, {mass}, MOI {moi} about {axis} above the grip's end",
+        length=Slot(bat.length, "place"),
+        mass=Slot(body.mass, "mass"),
+        moi=Slot(body.moi(bat.choke + STANDARD_AXIS), "moi"),
         axis=Slot(STANDARD_AXIS, "place", 0),
-    )  # fmt: skip
+    )
 
 
 def _speaker(advice: Advice) -> str:
@@ -243,12 +250,15 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
         return say("None could be tried.")
     listed = joined(
         [
-            say("{label} {change}", label=option_words(option.candidate),
-                change=goal_shown(option.change, advice.goal, sign=True))
+            say(
+                "{label} {change}",
+                label=option_words(option.candidate),
+                change=goal_shown(option.change, advice.goal, sign=True),
+            )
             for option in sorted(options, key=lambda option: option.candidate.body.moi(0.0))
         ],
         "; ",
-    )  # fmt: skip
+    )
     best = options[0]
     if advice.sign_of(best) > 0:
         lead = say("Best is {label}{law}.", label=option_words(best.candidate), law=_by_law(advice))
@@ -261,22 +271,27 @@ def _end_loaded(advice: Advice) -> Sentence:
     verdict = sure_sign(advice.end_loaded.low, advice.end_loaded.high, nothing=advice.goal.nothing)
     return say(
         "{answer}{law}: the same weight of {mass} at the tip instead of at the knob changes {goal} by {gain}.",
-        answer=words[verdict], law=_by_law(advice) if verdict else "", mass=Slot(OUNCE, "mass"),
-        goal=goal_words(advice.goal), gain=goal_shown(advice.end_loaded, advice.goal, sign=True),
-    )  # fmt: skip
+        answer=words[verdict],
+        law=_by_law(advice) if verdict else "",
+        mass=Slot(OUNCE, "mass"),
+        goal=goal_words(advice.goal),
+        gain=goal_shown(advice.end_loaded, advice.goal, sign=True),
+    )
 
 
 def _choke(advice: Advice) -> Sentence:
-    option = next((one for one in advice.options if one.candidate.key == "choke1in"), None)
+    option = next((option for option in advice.options if option.candidate.key == "choke1in"), None)
     if option is None:
         return say("Could not be tried.")
     return say(
         "{answer}, as far as {goal} goes: held {inch} further up, bat speed is {speed} and the change {gain}. Better "
         "control, if there is any, is not counted; compare it with what better contact is worth.",
         answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[advice.sign_of(option)],
-        goal=goal_words(advice.goal), inch=Slot(INCH, "place"), speed=within(option.bat_speed, "speed"),
+        goal=goal_words(advice.goal),
+        inch=Slot(INCH, "place"),
+        speed=within(option.bat_speed, "speed"),
         gain=goal_shown(option.change, advice.goal, sign=True),
-    )  # fmt: skip
+    )
 
 
 def _place(advice: Advice) -> Sentence:

@@ -87,12 +87,22 @@ def answer(state: DesignState) -> dict[str, Any]:
         "left_out": request.left_out,
         "present": outline(_present(request)),
         "variables": [
-            {"name": one.name, "label": one.label, "ending": SCALES[one.scale].ending, "scale": one.scale,
-             "from_tip_m": one.from_tip, "low": one.low, "high": one.high, "present": one.start, "value": value}
-            for one, value in zip(space.variables, numbers.tolist(), strict=True)
+            {
+                "name": variable.name,
+                "label": variable.label,
+                "ending": SCALES[variable.scale].ending,
+                "scale": variable.scale,
+                "from_tip_m": variable.from_tip,
+                "low": variable.low,
+                "high": variable.high,
+                "present": variable.start,
+                "value": value,
+            }
+            for variable, value in zip(space.variables, numbers.tolist(), strict=True)
         ],
         "design": {
-            **to_dict(mass_properties(bat, body)), **to_dict(outline(bat)),
+            **to_dict(mass_properties(bat, body)),
+            **to_dict(outline(bat)),
             "moi_6in_half_kg_m2": moi_half(bat, body),
             "stations": _handles(request, numbers),
         },
@@ -101,7 +111,7 @@ def answer(state: DesignState) -> dict[str, Any]:
         "limits": [_light(limit, measured) for limit in limits_of(state) if limit.why != "kept as it is"],
         "rules": _rules(state, request, bat, measured),
         "curves": _curves(request, measured),
-    }  # fmt: skip
+    }
 
 
 def _made(request: ShapedBat, numbers: Array, *, own: bool) -> tuple[Bat, MeasuredDesigns]:
@@ -136,17 +146,31 @@ def _beside(name: str, measured: MeasuredDesigns, now: MeasuredDesigns) -> dict[
     measure = MEASURES[name]
     value, before = float(measured.values[name][0]), now.values.get(name)
     present = None if before is None else float(before[0])
-    return {"name": name, "label": measure.label, "scale": measure.scale, "value": value, "present": present,
-            "change": None if present is None else value - present}  # fmt: skip
+    return {
+        "name": name,
+        "label": measure.label,
+        "scale": measure.scale,
+        "value": value,
+        "present": present,
+        "change": None if present is None else value - present,
+    }
 
 
 def _light(limit: Limit, measured: MeasuredDesigns) -> dict[str, Any]:
     """Return whether a limit is kept, by how much it is missed, and its ends."""
     measure, value = MEASURES[limit.measure], measured.values[limit.measure]
     miss = float(limit.excess(value)[0])
-    return {"measure": limit.measure, "label": measure.label, "scale": measure.scale, "least": limit.least,
-            "most": limit.most, "why": limit.why, "value": float(value[0]), "kept": miss <= CLOSE,
-            "miss": max(0.0, miss) * measure.grain}  # fmt: skip
+    return {
+        "measure": limit.measure,
+        "label": measure.label,
+        "scale": measure.scale,
+        "least": limit.least,
+        "most": limit.most,
+        "why": limit.why,
+        "value": float(value[0]),
+        "kept": miss <= CLOSE,
+        "miss": max(0.0, miss) * measure.grain,
+    }
 
 
 def _checks(state: DesignState, request: ShapedBat, bat: Bat, measured: MeasuredDesigns) -> list[tuple[League, Check]]:
@@ -190,7 +214,7 @@ def gain(state: DesignState) -> dict[str, Any]:
         "half_interval_m_s": design.gain.doubt,
         "likely_from_m_s": LIKELY * design.gain.spread,
         "seen_from_m_s": CLEARLY * design.gain.spread,
-        "words": {one.name.lower(): one.value for one in GainVerdict},
+        "words": {verdict.name.lower(): verdict.value for verdict in GainVerdict},
     }
 
 
@@ -213,9 +237,11 @@ def files(state: DesignState) -> dict[str, Any]:
     endings = ("svg", "dxf", "csv") if bat.shell is None else ()
     return {
         "toml": legible(bat_toml(bat), digits=ENOUGH),
-        **{system: {ending: drawing(bat, ending, reader).decode() for ending in endings}
-           for system, reader in SYSTEMS.items()},
-    }  # fmt: skip
+        **{
+            system: {ending: drawing(bat, ending, reader).decode() for ending in endings}
+            for system, reader in SYSTEMS.items()
+        },
+    }
 
 
 def batter(state: DesignState) -> dict[str, Any]:
@@ -230,12 +256,17 @@ def batter(state: DesignState) -> dict[str, Any]:
     else:
         names = batters_of(state.swings_csv)
         if len(names) > 1 and state.swings_of is None:
-            raise FieldError("swings_csv", f"the table has swings of {len(names)} batters; give it to the view Player, "
-                             "choose one there, and come back")  # fmt: skip
+            raise FieldError(
+                "swings_csv",
+                f"the table has swings of {len(names)} batters; give it to the view Player, "
+                "choose one there, and come back",
+            )
         own = {name: getattr(state, name) for name in (*BatState.model_fields, "swings_of")}
         posterior = learned(PlayerState(**own, swings_csv=state.swings_csv))
-        values = {name: posterior.learned[name].interval.value for name in
-                  ("position", "position_spread", "offset", "offset_spread", "bat_speed")}  # fmt: skip
+        values = {
+            name: posterior.learned[name].interval.value
+            for name in ("position", "position_spread", "offset", "offset_spread", "bat_speed")
+        }
         place = posterior.learned["position"].interval
         values["position_doubt"] = (place.high - place.low) / (2 * REACH)
     values["position_doubt"] = math.hypot(values["position_doubt"], PLACES_DOUBT)
@@ -262,19 +293,29 @@ def recipe(state: DesignState) -> dict[str, str]:
     keep = [word for field, word in kept.items() if getattr(state, field)] or ["nothing"]
     wants = dict.fromkeys((state.want, state.also_want))
     options = [
-        *(f"--want {want.replace('_', '-')}" for want in wants), *(f"--keep {one}" for one in keep),
-        f"--contact {state.contact_in:.12g}in", f"--contact-spread {state.contact_spread_in:.12g}in",
-        f"--doubt {state.contact_doubt_in:.12g}in", f"--offset {state.miss_in:.12g}in",
-        f"--offset-spread {state.miss_spread_in:.12g}in", f"--cup {state.deepest_cup_in:.12g}in",
-        f"--seed {state.seed}", f"--generations {state.generations}",
+        *(f"--want {want.replace('_', '-')}" for want in wants),
+        *(f"--keep {name}" for name in keep),
+        f"--contact {state.contact_in:.12g}in",
+        f"--contact-spread {state.contact_spread_in:.12g}in",
+        f"--doubt {state.contact_doubt_in:.12g}in",
+        f"--offset {state.miss_in:.12g}in",
+        f"--offset-spread {state.miss_spread_in:.12g}in",
+        f"--cup {state.deepest_cup_in:.12g}in",
+        f"--seed {state.seed}",
+        f"--generations {state.generations}",
         *([] if state.swing_law == "baseball" else ["--swing-law none"]),
         *([] if state.league == USUAL_LEAGUE else [f"--league {quote(state.league)}"]),
-    ]  # fmt: skip
+    ]
     command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing_options(state, beside=True)} --out design"
     return {"command": command, "toml": bat_toml(described(state))}
 
 
 VIEW = View(
-    "design", "Design", DesignState, answer, recipe, asides={"gain": gain, "files": files, "batter": batter},
+    "design",
+    "Design",
+    DesignState,
+    answer,
+    recipe,
+    asides={"gain": gain, "files": files, "batter": batter},
     jobs={"search": LongWork(search)},
-)  # fmt: skip
+)

@@ -26,13 +26,25 @@ def search(state: DesignState, *, after: Any, say: Say) -> dict[str, Any]:
 
     def told(generation: int, front: Front) -> dict[str, Any]:
         return {
-            "key": task.key, "generation": generation, "generations": question.generations,
-            "wants": list(question.wants), "front": _front(task.bench, front),
+            "key": task.key,
+            "generation": generation,
+            "generations": question.generations,
+            "wants": list(question.wants),
+            "front": _front(task.bench, front),
             "present": {name: float(task.now.values[name][0]) for name in question.wants},
-        }  # fmt: skip
+        }
 
-    say({"key": task.key, "generation": 0 if after is None else after[0], "generations": question.generations,
-         "wants": list(question.wants), "front": [], "present": {}}, after)  # fmt: skip
+    say(
+        {
+            "key": task.key,
+            "generation": 0 if after is None else after[0],
+            "generations": question.generations,
+            "wants": list(question.wants),
+            "front": [],
+            "present": {},
+        },
+        after,
+    )
 
     def grown(generation: int, front: Front) -> None:
         say(told(generation, front), (generation, front.population) if generation else None)

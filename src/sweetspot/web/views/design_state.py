@@ -78,8 +78,16 @@ class DesignState(SwungState):
     )
 
 
-_OF_BENCH = (*SwungState.model_fields, "contact_in", "contact_spread_in", "contact_doubt_in", "miss_in",
-             "miss_spread_in", "swing_law", "deepest_cup_in")  # fmt: skip
+_OF_BENCH = (
+    *SwungState.model_fields,
+    "contact_in",
+    "contact_spread_in",
+    "contact_doubt_in",
+    "miss_in",
+    "miss_spread_in",
+    "swing_law",
+    "deepest_cup_in",
+)
 _FIRST = DesignState()
 
 
@@ -117,11 +125,15 @@ def _asked(state: DesignState, durable: bool) -> ShapedBat:
     with about("contact_in"):
         weight = normal_contact(state.contact_in * INCH, state.contact_spread_in * INCH)
     batter = Batter(
-        weight=weight, offset=state.miss_in * INCH, offset_spread=state.miss_spread_in * INCH,
-        bat_speed=conditions.swing.bat_speed, pitch_speed=conditions.pitch.speed,
-        law=None if state.swing_law == "none" else swing_law(state.swing_law), doubt=state.contact_doubt_in * INCH,
+        weight=weight,
+        offset=state.miss_in * INCH,
+        offset_spread=state.miss_spread_in * INCH,
+        bat_speed=conditions.swing.bat_speed,
+        pitch_speed=conditions.pitch.speed,
+        law=None if state.swing_law == "none" else swing_law(state.swing_law),
+        doubt=state.contact_doubt_in * INCH,
         speed_from_tip=bat.length - conditions.swing.measured_at,
-    )  # fmt: skip
+    )
     with about("bat"):
         bench = bench_of(space, batter, conditions, durable=durable)
     key = hashlib.blake2b(bat.model_dump_json().encode(), digest_size=9).hexdigest()
@@ -163,7 +175,7 @@ def _limits(state: DesignState) -> tuple[Limit, ...]:
 def locks_of(state: DesignState) -> tuple[Limit, ...]:
     """Return the limits that hold while a hand pulls."""
     locks = {measure for field, measure in LOCKS.items() if getattr(state, field)}
-    return tuple(one for one in limits_of(state) if one.measure in locks and one.why == "kept as it is")
+    return tuple(limit for limit in limits_of(state) if limit.measure in locks and limit.why == "kept as it is")
 
 
 def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
@@ -171,7 +183,7 @@ def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
     space = request.bench.space
     own = state.design_si is not None and len(state.design_si) == len(space.variables)
     own = own and state.design_for in (None, request.key)
-    low, high = (np.array([getattr(one, end) for one in space.variables]) for end in ("low", "high"))
+    low, high = (np.array([getattr(variable, end) for variable in space.variables]) for end in ("low", "high"))
     numbers = np.clip(np.array(state.design_si), low, high) if own else space.start
     locks = locks_of(state)
     return (locked(request.bench, numbers, locks, pulled=state.pulled) if own and locks else numbers), own
@@ -194,8 +206,13 @@ def question_of(state: DesignState) -> DesignSearch:
 
 def batter_controls(values: Mapping[str, float]) -> dict[str, float]:
     """Return what is known of a batter, m and m/s by the names of a player's parameters, as fields of a state."""
-    scales = {"contact_in": ("position", INCH), "contact_spread_in": ("position_spread", INCH),
-              "contact_doubt_in": ("position_doubt", INCH),
-              "miss_in": ("offset", INCH), "miss_spread_in": ("offset_spread", INCH),
-              "bat_speed_mph": ("bat_speed", MPH), "pitch_speed_mph": ("pitch_speed", MPH)}  # fmt: skip
+    scales = {
+        "contact_in": ("position", INCH),
+        "contact_spread_in": ("position_spread", INCH),
+        "contact_doubt_in": ("position_doubt", INCH),
+        "miss_in": ("offset", INCH),
+        "miss_spread_in": ("offset_spread", INCH),
+        "bat_speed_mph": ("bat_speed", MPH),
+        "pitch_speed_mph": ("pitch_speed", MPH),
+    }
     return {field: round(values[name] / size, 2) for field, (name, size) in scales.items() if name in values}

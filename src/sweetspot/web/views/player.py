@@ -78,12 +78,12 @@ def answer(state: PlayerState) -> dict[str, Any]:
     good, names = swings.swings, batters_of(state.swings_csv)
     bad = [f"row {row.row}: {row.reason}" for row in swings.bad_rows[:20]]
     notes = [*swings.notes, *bad]
-    own = described(state)
+    bat = described(state)
     return {
         "bat": {
-            **to_dict(mass_properties(own, rigid_body(beam_model(own)))),
-            **to_dict(outline(own)),
-            "bounds": bounds(state, own),
+            **to_dict(mass_properties(bat, rigid_body(beam_model(bat)))),
+            **to_dict(outline(bat)),
+            "bounds": bounds(state, bat),
         },
         "example": state.swings_csv is None,
         "bat_speed_m_s": [swing.bat_speed for swing in good],
