@@ -10,7 +10,22 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from sweetspot.catalog.files.tables import CalibrationTable, FileTable, check_sport, parsed
+from sweetspot.catalog.files.tables import (
+    ANGLE,
+    DENSITY,
+    LENGTH,
+    MASS,
+    MOI,
+    PRESSURE,
+    SIZES,
+    CalibrationTable,
+    FileTable,
+    Length,
+    Mass,
+    Sizes,
+    check_sport,
+    in_si,
+)
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
@@ -18,14 +33,12 @@ from sweetspot.dynamics.weight_match import weight_matched
 from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.shell import InnerWall, Ring, Shell, check_count
+from sweetspot.equipment.shell import InnerWall, Ring, Shell
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
-from sweetspot.plausibility import check, insisted, insisting, parse
+from sweetspot.plausibility import check, insisted, insisting
 from sweetspot.units import INCH, format_length
 
-Text = str
-Pairs = tuple[tuple[Text, Text], ...]
 MAX_BYTES = 250_000
 """Of a bat's file: ten times what the longest outline takes, and read in a tenth of a second."""
 MEASURED = ("mass", "balance_point", "moi")
@@ -43,50 +56,52 @@ def _listed(value: Any) -> Any:
 class BoreTable(FileTable):
     """[[bore]]: a hole drilled from the barrel end."""
 
-    diameter: Text = Field(description="for example '1 in'")
-    depth: Text = Field(description="from the tip, for example '10 in'")
+    diameter: Length = Field(description="for example '1 in'")
+    depth: Length = Field(description="from the tip, for example '10 in'")
     fill: str | None = Field(None, description="material of the catalogue that fills it; absent: empty")
-    plug: Text = Field("0 in", description="length of the mouth closed again with the bat's own material")
+    plug: Length = Field("0 in", description="length of the mouth closed again with the bat's own material")
 
 
 class CupTable(FileTable):
     """[cup]: a hollow turned into the end of the barrel."""
 
-    diameter: Text
-    depth: Text
+    diameter: Length
+    depth: Length
 
 
 class PlyTable(FileTable):
     """One ply of a laminate, [{ material = "carbon ply", angle = "45 deg", thickness = "0.15 mm" }, ...]."""
 
     material: str = Field(description="name in the catalogue; its longitudinal axis is that of the fibres")
-    angle: Text = Field("0 deg", description="from the bat's axis to the fibres, -90 to 90 deg")
-    thickness: Text = Field(description="only its share counts: plies are scaled to the wall")
+    angle: Annotated[str, ANGLE] = Field("0 deg", description="from the bat's axis to the fibres, -90 to 90 deg")
+    thickness: Length = Field(description="only its share counts: plies are scaled to the wall")
 
 
 class InnerWallTable(FileTable):
     """[shell.inner_wall]: a sleeve inside the barrel."""
 
-    wall: Pairs = Field(description="pairs of position and thickness, from where the sleeve starts to where it stops")
+    wall: Sizes = Field(description="pairs of position and thickness, from where the sleeve starts to where it stops")
     material: str | None = Field(None, description="name in the catalogue; absent: the bat's own")
     laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
-    gap: Text = Field("0 mm", description="between the outer wall and the sleeve")
+    gap: Length = Field("0 mm", description="between the outer wall and the sleeve")
     bonded: bool = Field(False, description="true: the walls are glued to each other")
 
 
 class RingTable(FileTable):
     """[[shell.ring]]: a flat ring or disc inside the barrel, fixed to the innermost wall."""
 
-    position: Text = Field(description="of its middle, from the knob end")
-    width: Text = Field(description="along the bat")
-    depth: Text | None = Field(None, description="from the wall inwards; absent: a solid disc")
+    position: Length = Field(description="of its middle, from the knob end")
+    width: Length = Field(description="along the bat")
+    depth: Annotated[str | None, LENGTH] = Field(None, description="from the wall inwards; absent: a solid disc")
     material: str | None = Field(None, description="name in the catalogue; absent: the bat's own")
 
 
 class ShellTable(FileTable):
     """[shell]: a hollow bat."""
 
-    wall: Pairs | Text = Field(description="one thickness, or pairs of position from the knob end and thickness")
+    wall: Annotated[tuple[tuple[str, str], ...] | str, SIZES] = Field(
+        description="one thickness, or pairs of position from the knob end and thickness"
+    )
     laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
     inner_wall: InnerWallTable | None = None
     ring: Annotated[tuple[RingTable, ...], BeforeValidator(_listed)] = Field(
@@ -96,38 +111,40 @@ class ShellTable(FileTable):
         None, description="what meets a measured mass where density alone cannot; absent: the first of these that can"
     )
     handle_material: str | None = Field(None, description="of a two-piece bat; name in the catalogue")
-    joint: Text | None = Field(None, description="where the handle of a two-piece bat ends, from the knob end")
-    joint_mass: Text = "0 oz"
-    end_cap_mass: Text = "0 oz"
-    knob_mass: Text = "0 oz"
+    joint: Annotated[str | None, LENGTH] = Field(
+        None, description="where the handle of a two-piece bat ends, from the knob end"
+    )
+    joint_mass: Mass = "0 oz"
+    end_cap_mass: Mass = "0 oz"
+    knob_mass: Mass = "0 oz"
 
 
 class PointMassTable(FileTable):
     """[[point_mass]]: a small weight fixed to the bat; a mass in the same file is that of the bat with it."""
 
-    position: Text
-    mass: Text
+    position: Length
+    mass: Mass
     on_surface: bool = Field(False, description="true where it sits on the bat, as tape does, and not inside it")
 
 
 class TurnedTable(FileTable):
     """[turned]: outline of an ordinary turned bat from the sizes that people know."""
 
-    knob: Text = "2 in"
-    handle: Text
-    barrel: Text
-    taper_start: Text = Field(description="where the handle begins to thicken, from the knob end")
-    taper_end: Text = Field(description="where the barrel is reached, from the knob end")
+    knob: Length = "2 in"
+    handle: Length
+    barrel: Length
+    taper_start: Length = Field(description="where the handle begins to thicken, from the knob end")
+    taper_end: Length = Field(description="where the barrel is reached, from the knob end")
 
 
 class MaterialTable(FileTable):
     """[material]: a material of the catalogue with some values of this bat's own."""
 
     like: str
-    density: Text | None = None
-    longitudinal_modulus: Text | None = None
-    shear_modulus: Text | None = None
-    transverse_modulus: Text | None = None
+    density: Annotated[str | None, DENSITY] = None
+    longitudinal_modulus: Annotated[str | None, PRESSURE] = None
+    shear_modulus: Annotated[str | None, PRESSURE] = None
+    transverse_modulus: Annotated[str | None, PRESSURE] = None
     poisson_ratio: float | None = None
     damping_ratio: float | None = None
     laminated: bool | None = Field(None, description="true where the wood is glued from several pieces")
@@ -139,24 +156,28 @@ class BatFile(FileTable):
     kind: Literal["bat"] = "bat"
     name: str
     sport: str = Field("baseball", description="name in the catalogue")
-    length: Text = Field(description="for example '33 in'")
+    length: Length = Field(description="for example '33 in'")
     material: str | MaterialTable = Field(description="name in the catalogue, or a [material] table")
-    profile: Pairs | None = Field(None, description="pairs of position from the knob end and diameter")
+    profile: Annotated[tuple[tuple[str, str], ...] | None, SIZES] = Field(
+        None, description="pairs of position from the knob end and diameter"
+    )
     turned: TurnedTable | None = None
     linear_density: tuple[float, ...] | None = Field(
         None, description="c0, c1, c2, ... of c0 + c1 x + c2 x^2 ... in kg/m with x in m from the knob end"
     )
     density_gradient: float = Field(0.0, description="relative change of density from the middle to the tip")
-    mass: Text | None = Field(None, description="measured, with all that is on it; density is scaled to it")
-    balance_point: Text | None = Field(None, description="measured, from the knob end")
-    moi: Text | None = Field(None, description="measured moment of inertia about moi_axis")
-    moi_axis: Text = Field("6 in", description="axis of moi, from the knob end")
+    mass: Annotated[str | None, MASS] = Field(
+        None, description="measured, with all that is on it; density is scaled to it"
+    )
+    balance_point: Annotated[str | None, LENGTH] = Field(None, description="measured, from the knob end")
+    moi: Annotated[str | None, MOI] = Field(None, description="measured moment of inertia about moi_axis")
+    moi_axis: Length = Field("6 in", description="axis of moi, from the knob end")
     fitted: tuple[str, ...] = Field((), description="which of mass, balance_point and moi were not measured but fitted")
     bore: Annotated[tuple[BoreTable, ...], BeforeValidator(_listed)] = ()
     cup: CupTable | None = None
     shell: ShellTable | None = None
     point_mass: Annotated[tuple[PointMassTable, ...], BeforeValidator(_listed)] = ()
-    choke: Text = Field("0 in", description="how far the grip is moved up from the knob")
+    choke: Length = Field("0 in", description="how far the grip is moved up from the knob")
     original: BatFile | None = Field(
         None, description="the bat as it was measured, when this one is that bat changed; like = ... writes it"
     )
@@ -242,48 +263,34 @@ def checked_drawing(bat: Bat) -> Bat:
     return bat
 
 
+AS_WRITTEN = (
+    "name", "sport", "length", "profile", "linear_density", "density_gradient", "mass", "balance_point", "moi",
+    "moi_axis", "fitted", "choke",
+)  # fmt: skip
+"""Fields of a bat that are those of its file in SI."""
+
+
 def _bat(file: BatFile) -> Bat:
-    length = parse(file.length, "length", "length")
+    given = in_si(file, implement="bat")
     own = _material(file.material, measured=file.calibration is not None)
-    outlines = [name for name in ("profile", "turned", "linear_density") if getattr(file, name) is not None]
+    outlines = [name for name in ("profile", "turned", "linear_density") if given[name] is not None]
     if len(outlines) != 1:
-        given = " and ".join(outlines) or "none of them"
-        raise InputError(f"the outline is given as {given}; give exactly one of profile, turned, linear_density")
-    profile = _pairs(file.profile, "profile") if file.profile is not None else None
+        among = " and ".join(outlines) or "none of them"
+        raise InputError(f"the outline is given as {among}; give exactly one of profile, turned, linear_density")
     if file.turned is not None:
-        sizes = {
-            name: parsed(text, "length", f"turned.{name}", "bat") for name, text in file.turned.model_dump().items()
-        }
-        end = sizes["taper_end"] / length
+        sizes = in_si(file.turned, "turned", implement="bat")
+        end = sizes["taper_end"] / given["length"]
         check(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
-        profile = turned_profile(length=length, **sizes)
+        given["profile"] = turned_profile(length=given["length"], **sizes)
     original = None if file.original is None else _bat(file.original)
     shell = None if file.shell is None else _shell(file.shell, own, length=file.length)
     bat = Bat(
-        name=file.name,
-        sport=file.sport,
-        length=length,
+        **{name: given[name] for name in AS_WRITTEN},
         material=own,
-        profile=profile,
-        linear_density=file.linear_density,
-        density_gradient=file.density_gradient,
-        bores=tuple(_bore(bore) for bore in file.bore),
-        cup=None if file.cup is None else Cup(**_lengths(file.cup, "cup")),
+        bores=tuple(Bore(**_of_materials(bore, "bore")) for bore in file.bore),
+        cup=None if file.cup is None else Cup(**in_si(file.cup, "cup", implement="bat")),
         shell=shell,
-        point_masses=tuple(
-            PointMass(
-                position=parse(weight.position, "length", "point_mass.position"),
-                mass=parsed(weight.mass, "mass", "point_mass.mass", "bat"),
-                on_surface=weight.on_surface,
-            )
-            for weight in file.point_mass
-        ),
-        mass=None if file.mass is None else parse(file.mass, "mass", "mass"),
-        balance_point=None if file.balance_point is None else parse(file.balance_point, "length", "balance_point"),
-        moi=None if file.moi is None else parse(file.moi, "moi", "moi"),
-        moi_axis=parse(file.moi_axis, "length", "moi_axis"),
-        fitted=file.fitted,
-        choke=parse(file.choke, "length", "choke"),
+        point_masses=tuple(PointMass(**in_si(weight, "point_mass", implement="bat")) for weight in file.point_mass),
         original=original,
         calibrated=file.calibration is not None,
     )
@@ -309,83 +316,41 @@ def _made_alike(bat: Bat, shell: Shell, made: Shell, drawn: Shell) -> Bat:
     return bat.replaced(shell=shell.replaced(**same), drawn_shell=shell)
 
 
-def _pairs(pairs: Pairs, what: str) -> tuple[tuple[float, float], ...]:
-    check_count(pairs, what)
-    return tuple(
-        (parse(position, "length", f"{what} position"), parse(size, "length", f"{what} size"))
-        for position, size in pairs
-    )
+def _of_materials(table: FileTable, what: str, own: Material | None = None) -> dict[str, Any]:
+    """Return the fields of a table in SI, with materials and laminates for their names; ``own`` where none is named."""
+    values = in_si(table, what, implement="bat")
+    for name in {"material", "handle_material", "fill"} & values.keys():
+        values[name] = (own if name == "material" else None) if values[name] is None else material(values[name])
+    if values.get("laminate") is not None:
+        values["laminate"] = laminate_of(values["laminate"], f"{what}.laminate")
+    return values
 
 
-def _lengths(table: FileTable, what: str) -> dict[str, float]:
-    return {name: parse(text, "length", f"{what}.{name}") for name, text in table.model_dump().items()}
-
-
-def _bore(table: BoreTable) -> Bore:
-    sizes = {name: parse(getattr(table, name), "length", f"bore.{name}") for name in ("diameter", "depth", "plug")}
-    return Bore(fill=None if table.fill is None else material(table.fill), **sizes)
-
-
-def _shell(table: ShellTable, own: Material, *, length: Text) -> Shell:
-    wall = (("0 in", table.wall), (length, table.wall)) if isinstance(table.wall, str) else table.wall
-    masses = ("joint_mass", "end_cap_mass", "knob_mass")
+def _shell(table: ShellTable, own: Material, *, length: str) -> Shell:
+    if isinstance(table.wall, str):
+        table = table.model_copy(update={"wall": (("0 in", table.wall), (length, table.wall))})
+    values = _of_materials(table, "shell")
+    inner = None if table.inner_wall is None else InnerWall(**_of_materials(table.inner_wall, "shell.inner_wall", own))
+    rings = tuple(Ring(**_of_materials(ring, "shell.ring", own)) for ring in table.ring)
+    left_out = {"weight_by", "inner_wall", "ring"}
     return Shell(
-        wall=_pairs(wall, "shell.wall"),
-        laminate=None if table.laminate is None else laminate_of(table.laminate, "shell.laminate"),
-        inner_wall=None if table.inner_wall is None else _inner_wall(table.inner_wall, own),
-        rings=tuple(_ring(ring, own) for ring in table.ring),
-        handle_material=None if table.handle_material is None else material(table.handle_material),
-        joint=None if table.joint is None else parse(table.joint, "length", "shell.joint"),
-        **{name: parsed(getattr(table, name), "mass", f"shell.{name}", "bat") for name in masses},
-    )
-
-
-def _inner_wall(table: InnerWallTable, own: Material) -> InnerWall:
-    return InnerWall(
-        wall=_pairs(table.wall, "shell.inner_wall"),
-        material=own if table.material is None else material(table.material),
-        laminate=None if table.laminate is None else laminate_of(table.laminate, "shell.inner_wall.laminate"),
-        gap=parse(table.gap, "length", "shell.inner_wall.gap"),
-        bonded=table.bonded,
-    )
-
-
-def _ring(table: RingTable, own: Material) -> Ring:
-    return Ring(
-        position=parse(table.position, "length", "shell.ring.position"),
-        width=parse(table.width, "length", "shell.ring.width"),
-        depth=None if table.depth is None else parse(table.depth, "length", "shell.ring.depth"),
-        material=own if table.material is None else material(table.material),
+        inner_wall=inner, rings=rings, **{name: value for name, value in values.items() if name not in left_out}
     )
 
 
 def laminate_of(plies: tuple[PlyTable, ...], what: str) -> Laminate:
     """Return the laminate of a file's plies; ``what`` holds them, for messages."""
-    return Laminate(
-        plies=tuple(
-            Ply(
-                material=material(ply.material),
-                angle=parse(ply.angle, "angle", f"{what} angle"),
-                thickness=parse(ply.thickness, "length", f"{what} thickness"),
-            )
-            for ply in plies
-        )
-    )
+    return Laminate(plies=tuple(Ply(**_of_materials(ply, what)) for ply in plies))
 
 
 def _material(given: str | MaterialTable, *, measured: bool) -> Material:
     """Return the material of a file; a measured density may lie outside what its kind usually has."""
     if isinstance(given, str):
         return material(given)
-    own, changes = material(given.like), dict[str, Any]()
-    if given.density is not None:
-        density = parse(given.density, "density", "material.density")
+    own = material(given.like)
+    values = in_si(given, "material", implement="bat")
+    changes = {name: value for name, value in values.items() if value is not None and name != "like"}
+    density = changes.pop("density", None)
+    if density is not None:
         own = own.of_density(density) if measured else own.replaced(density=density)
-    for name in ("longitudinal_modulus", "shear_modulus", "transverse_modulus"):
-        text = getattr(given, name)
-        if text is not None:
-            changes[name] = parse(text, "pressure", f"material.{name}")
-    for name in ("poisson_ratio", "damping_ratio", "laminated"):
-        if getattr(given, name) is not None:
-            changes[name] = getattr(given, name)
     return own.replaced(**changes)

@@ -225,7 +225,7 @@ def _common(file: CommonTable) -> dict[str, Any]:
     fields["calibrated"] = file.calibration is not None
     fields["original"] = None if file.original is None else implement_of_table(file.original, "original")
     fields["added"] = added_masses(file.point_mass, file.kind)
-    return fields
+    return fields | {name: material(fields[name]) for name in ("material", "handle_material") if name in fields}
 
 
 def added_masses(weights: Sequence[AddedTable], kind: str) -> tuple[AddedMass, ...]:
@@ -250,15 +250,6 @@ def _racket(file: RacketFile) -> Racket:
     return Racket(**given)
 
 
-def _cricket_bat(file: CricketBatFile) -> CricketBat:
-    made_of = {name: material(getattr(file, name)) for name in ("material", "handle_material")}
-    return CricketBat(**{**_common(file), **made_of})
-
-
-def _hockey_stick(file: HockeyStickFile) -> HockeyStick:
-    return HockeyStick(**{**_common(file), "material": material(file.material)})
-
-
 def _golf_club(file: GolfClubFile) -> GolfClub:
     head = in_si(file.head, "head", implement=file.kind)
     face = Face(
@@ -267,7 +258,7 @@ def _golf_club(file: GolfClubFile) -> GolfClub:
         restitution=head.pop("face_restitution"),
         edge="plate",
     )
-    return GolfClub(**{**_common(file), "material": material(file.material), "head": ClubHead(face=face, **head)})
+    return GolfClub(**{**_common(file), "head": ClubHead(face=face, **head)})
 
 
 def _table_tennis_racket(file: TableTennisRacketFile) -> TableTennisRacket:
@@ -275,14 +266,13 @@ def _table_tennis_racket(file: TableTennisRacketFile) -> TableTennisRacket:
     blade = laminate_of(file.blade, "blade")
     thickness = sum(ply.thickness for ply in blade.plies)
     check(thickness, "blade", f"{1e3 * thickness:.3g} mm")
-    made_of = {"blade": blade, "handle_material": material(file.handle_material)}
-    return TableTennisRacket(**{**_common(file), **made_of, **sides})
+    return TableTennisRacket(**{**_common(file), "blade": blade, **sides})
 
 
 KINDS: dict[str, tuple[type[FileTable], Callable[[Any], Implement]]] = {
     "racket": (RacketFile, _racket),
-    "cricket-bat": (CricketBatFile, _cricket_bat),
-    "hockey-stick": (HockeyStickFile, _hockey_stick),
+    "cricket-bat": (CricketBatFile, lambda file: CricketBat(**_common(file))),
+    "hockey-stick": (HockeyStickFile, lambda file: HockeyStick(**_common(file))),
     "golf-club": (GolfClubFile, _golf_club),
     "table-tennis-racket": (TableTennisRacketFile, _table_tennis_racket),
 }

@@ -34,9 +34,11 @@ class PairsOf:
 
 LENGTH, MASS, MOI, FORCE = Of("length"), Of("mass"), Of("moi"), Of("force")
 FREQUENCY, STIFFNESS, LINEAR_DENSITY = Of("frequency"), Of("stiffness"), Of("linear density")
+ANGLE, DENSITY, PRESSURE = Of("angle"), Of("density"), Of("pressure")
+SIZES = PairsOf("length", "length")
 Length = Annotated[str, LENGTH]
 Mass = Annotated[str, MASS]
-Sizes = Annotated[tuple[tuple[str, str], ...], PairsOf("length", "length")]
+Sizes = Annotated[tuple[tuple[str, str], ...], SIZES]
 """Pairs of position from the butt end and size."""
 Parts = Annotated[tuple[tuple[str, float], ...] | None, PairsOf("length", "ratio")]
 """Pairs of position from the butt end and a ratio, or None."""
