@@ -90,9 +90,8 @@ def test_a_name_that_is_a_formula_is_only_shown(tmp_path: Path) -> None:
     names = pl.DataFrame({"player": ["=HYPERLINK(1)", "A"], "balls": [3, 4]})
     question = SimpleNamespace(system="us")
     answer: Any = SimpleNamespace(standings=["batter"], to_frame=lambda *_, **__: names, question=question)
-    for name in write_tables(answer, tmp_path):
-        if name.endswith(".csv"):
-            assert (tmp_path / name).read_text("utf-8") == "player,balls\n'=HYPERLINK(1),3\nA,4\n"
+    (name,) = (name for name in write_tables(answer, tmp_path) if name.endswith(".csv"))
+    assert (tmp_path / name).read_text("utf-8") == "player,balls\n'=HYPERLINK(1),3\nA,4\n"
 
 
 def test_one_bad_file_is_listed_and_the_exit_code_is_1(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

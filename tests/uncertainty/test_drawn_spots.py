@@ -45,13 +45,13 @@ def curves(analysis: Analysis[Bat]) -> tuple[Array, Array]:
 def test_places_and_zones_are_those_of_every_bat_alone(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
     speed, sting = curves
     found = zones(analysis.scan.position, speed, sting)
-    for row in range(len(speed)):
-        alone = sweet_zone(replace(analysis.scan, exit_speed=speed[row], sting=sting[row]))
-        if alone is None:
-            assert np.isnan(found[row]).all()
-        else:
-            assert found[row] == pytest.approx(alone, abs=3e-4)  # that one looks at places 0.2 mm apart
-    assert np.isnan(found[4]).all()
+    alone = [
+        sweet_zone(replace(analysis.scan, exit_speed=fast, sting=stings))
+        for fast, stings in zip(speed, sting, strict=True)
+    ]
+    assert alone[4] is None and any(alone)
+    expected = [zone or (np.nan, np.nan) for zone in alone]
+    assert found == pytest.approx(np.array(expected), abs=3e-4, nan_ok=True)  # that one looks at places 0.2 mm apart
     tops = highest(analysis.scan.position, speed[:3])
     assert tops == pytest.approx([max_exit_speed(replace(analysis.scan, exit_speed=one)) for one in speed[:3]])
 
