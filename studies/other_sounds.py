@@ -21,7 +21,7 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from sweetspot import catalog
-from sweetspot.calibration.recording import Band, Recording
+from sweetspot.calibration.recording import FrequencyBand, Recording
 from sweetspot.calibration.synthetic import tap_sound
 from sweetspot.calibration.tap_analysis import frame_modes, usual_band, usual_held
 from sweetspot.calibration.taps import Tap, find_taps
@@ -215,7 +215,7 @@ def false_taps(kind: str, seed: int) -> tuple[Tap, ...]:
     """Return everything that starts in a sound that is no tap."""
     generator = np.random.default_rng((seed, 7, sorted(SOUNDS).index(kind)))
     samples = recorded(generator, SOUNDS[kind](generator), live=seed % 2 == 0)
-    return find_taps(Recording(kind, samples, RATE), band=Band(60.0, 5000.0))
+    return find_taps(Recording(kind, samples, RATE), band=FrequencyBand(60.0, 5000.0))
 
 
 def series(name: str, seed: int) -> tuple[tuple[Tap, ...], list[float], Modes]:

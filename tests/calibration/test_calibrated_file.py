@@ -15,7 +15,7 @@ from sweetspot.calibration.calibrated_file import calibrated_table, known_deviat
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import ModeName
-from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import as_described, described, unknowns_of
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table
 from sweetspot.catalog.files.write import bat_toml, implement_toml
@@ -36,11 +36,11 @@ BALANCE = Measurement("balance_point", Measured(22.05 * INCH, 0.05 * INCH))
 PERIOD = Measurement("period", Measured(1.4545, 0.003), axis=AXIS)
 
 
-def fitted_to(bat: Bat, *measurements: Measurement) -> Posterior:
+def fitted_to(bat: Bat, *measurements: Measurement) -> BatPosterior:
     return calibrate(described(bat), unknowns_of(bat), measurements)
 
 
-def kept(posterior: Posterior) -> Bat:
+def kept(posterior: BatPosterior) -> Bat:
     """The bat as it is read back from its file."""
     return bat_from_table(tomllib.loads(tomli_w.dumps(calibrated_table(posterior, None))), "mine.toml")
 

@@ -15,7 +15,7 @@ from sweetspot.calibration.contradictions import Meant, meant, suspects
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
-from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -32,7 +32,7 @@ def maple() -> Bat:
     return catalog.bat("mlb-c")
 
 
-def fitted(bat: Bat, measurements: Sequence[Measurement]) -> Posterior:
+def fitted(bat: Bat, measurements: Sequence[Measurement]) -> BatPosterior:
     return calibrate(described(bat), unknowns_of(bat), measurements)
 
 

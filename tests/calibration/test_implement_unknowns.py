@@ -15,7 +15,7 @@ from sweetspot.calibration.calibrated_file import calibrated_table
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
-from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import as_described, described, deviated, unknowns_of
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.files.write import bat_table
@@ -48,7 +48,7 @@ def measured(beam: BeamModel, seed: int | None) -> list[Measurement]:
     return found
 
 
-def meant(name: str, seed: int | None) -> tuple[Posterior, np.ndarray[Any, Any]]:
+def meant(name: str, seed: int | None) -> tuple[BatPosterior, np.ndarray[Any, Any]]:
     """Return the calibration of an implement that deviates from the catalogue's, and its true deviations."""
     implement = catalog.load_implement(name)
     beam, unknowns = described(implement), unknowns_of(implement)

@@ -13,7 +13,7 @@ from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import of_tones
-from sweetspot.calibration.naming import Expected, ModeName, NamedTone, any_bat, expected_of, named
+from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone, any_bat, expected_of, named
 from sweetspot.calibration.synthetic import synthesised
 from sweetspot.calibration.tap_analysis import FAMILIES, TapTest, _like_a_bat, free_damping, modes_to_name, tap_test
 from sweetspot.dynamics.modes import Modes
@@ -59,11 +59,11 @@ def test_no_tone_of_a_made_up_bat_has_a_wrong_name(
 
 def test_two_tones_as_close_as_their_modes_may_be_off_are_left_open() -> None:
     """2,150 Hz is the fourth bending mode or the hoop mode, and 2,200 the other: one scale of each family is free."""
-    bending = Expected(
+    bending = ModeFamily(
         tuple(ModeName("bending", number) for number in (1, 2, 3, 4)), np.array([166.0, 604.0, 1315.0, 2152.0]),
         np.ones(4), 0.12, fine_spread=0.02,
     )  # fmt: skip
-    hoop = Expected((ModeName("hoop", 2), ModeName("hoop", 2, order=2)), np.array([2200.0, 2900.0]), np.ones(2), 0.12)
+    hoop = ModeFamily((ModeName("hoop", 2), ModeName("hoop", 2, order=2)), np.array([2200.0, 2900.0]), np.ones(2), 0.12)
     close = named([tone(one) for one in (166.0, 604.0, 1315.0, 2150.0, 2200.0)], [bending, hoop])
     assert [str(one.name) for one in close[:3]] == ["bending 1", "bending 2", "bending 3"]
     assert [set(map(str, one.rivals)) for one in close[3:]] == [{"bending 4", "hoop n = 2"}] * 2

@@ -15,7 +15,7 @@ from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones, predicted
 from sweetspot.calibration.naming import ModeName, NamedTone
-from sweetspot.calibration.posterior import Posterior, calibrate, residuals
+from sweetspot.calibration.posterior import BatPosterior, calibrate, residuals
 from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.equipment.bat import Bat
@@ -58,11 +58,11 @@ def beam(maple: Bat) -> BeamModel:
 
 
 @pytest.fixture(scope="module")
-def posterior(maple: Bat, beam: BeamModel) -> Posterior:
+def posterior(maple: Bat, beam: BeamModel) -> BatPosterior:
     return calibrate(beam, unknowns_of(maple), measured(beam, bending=(1, 2, 3)))
 
 
-def test_exact_measurements_of_the_described_bat_change_nothing(posterior: Posterior) -> None:
+def test_exact_measurements_of_the_described_bat_change_nothing(posterior: BatPosterior) -> None:
     np.testing.assert_allclose(posterior.deviations, 0, atol=1e-8)
     np.testing.assert_allclose(posterior.pulls, 0, atol=1e-6)
     assert not posterior.contradictions
@@ -116,7 +116,7 @@ def test_shear_needs_a_second_mode(maple: Bat, beam: BeamModel) -> None:
     assert error(1, 2, 3) < 0.8 * error(1)
 
 
-def test_the_budget_adds_up_and_knows_the_handle(posterior: Posterior) -> None:
+def test_the_budget_adds_up_and_knows_the_handle(posterior: BatPosterior) -> None:
     """E goes as m L^3 / d^4 of a free beam: a handle 1 % too thick costs between 2 and 4 % of E."""
     budget = posterior.budget("modulus")
     assert sum(budget.values()) == pytest.approx(1.0, abs=1e-6)
@@ -183,7 +183,7 @@ def test_two_planes_of_one_mode_widen_it() -> None:
     assert one.value.error == pytest.approx(np.hypot(0.5, 2.0))
 
 
-def test_draws_follow_the_covariance(posterior: Posterior) -> None:
+def test_draws_follow_the_covariance(posterior: BatPosterior) -> None:
     draws = posterior.draws(4000, seed=2)
     np.testing.assert_allclose(np.cov(draws.T), posterior.covariance, atol=0.06 * np.max(posterior.covariance))
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sweetspot.calibration.recording import BAT_BAND, Band, Recording, in_band, read_recording, recording_bytes
+from sweetspot.calibration.recording import BAT_BAND, FrequencyBand, Recording, in_band, read_recording, recording_bytes
 from sweetspot.errors import InputError
 
 
@@ -157,6 +157,6 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="louder than a sound file"):
         recording_bytes(Recording("loud", np.array([1.5]), 8000), tmp_path / "loud.wav")
     with pytest.raises(InputError, match=r"nothing above 3600 Hz; the band begins at 4000 Hz"):
-        in_band(tone(100, 8000), Band(4000.0, 9000.0))
+        in_band(tone(100, 8000), FrequencyBand(4000.0, 9000.0))
     with pytest.raises(InputError, match="0 < low < high"):
-        Band(500.0, 100.0)
+        FrequencyBand(500.0, 100.0)

@@ -13,7 +13,7 @@ from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_tab
 from sweetspot.calibration.contradictions import Meant, meant, suspects
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
-from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.shot_measurements import of_shots, shot_ball_unknown
 from sweetspot.calibration.unknowns import DIAMETER_SPREAD, described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -158,7 +158,7 @@ class CalibrateAnswer(Answer):
     """
 
     question: Annotated[CalibrateQuestion, INTERNAL]
-    posterior: Annotated[Posterior, INTERNAL]
+    posterior: Annotated[BatPosterior, INTERNAL]
     interval_level: float = LEVEL
     consistent: bool
     contradictions: Mapping[str, float]
@@ -254,7 +254,7 @@ def check_takes_shots(implement: Implement) -> None:
         )
 
 
-def _suspects(posterior: Posterior) -> tuple[Suspect, ...]:
+def _suspects(posterior: BatPosterior) -> tuple[Suspect, ...]:
     by_name = {measurement.name: measurement for measurement in posterior.measurements}
     found = []
     for name, others in suspects(posterior).items():

@@ -9,7 +9,7 @@ import numpy as np
 
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL
-from sweetspot.calibration.outline.measured_outline import Outline
+from sweetspot.calibration.outline.measured_outline import MeasuredOutline
 from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline
 from sweetspot.catalog.files.bat import checked_drawing
 from sweetspot.dynamics.beam import beam_model
@@ -30,11 +30,11 @@ class OutlineQuestion:
     bat : see `bat_of_outline`.
     """
 
-    outline: Outline
+    outline: MeasuredOutline
     bat: Bat
 
 
-def bat_of_outline(outline: Outline, *, material: Material, name: str) -> Bat:
+def bat_of_outline(outline: MeasuredOutline, *, material: Material, name: str) -> Bat:
     """Return the solid bat that has an outline.
 
     Raises

@@ -19,7 +19,7 @@ from sweetspot.answers.records import INTERNAL
 from sweetspot.calibration.calibrated_file import properties
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.same_model_check import check_same_model
 from sweetspot.calibration.speed_response import SpeedResponse, response_of_speed
 from sweetspot.calibration.unknowns import DIAMETER_SPREAD, described, unknowns_of
@@ -202,7 +202,7 @@ def greatest_scatter(count: int) -> float:
 
 
 def rank_bats(
-    posteriors: Mapping[str, Posterior], *, conditions: Conditions, law: SwingLaw | None, seed: int = 1
+    posteriors: Mapping[str, BatPosterior], *, conditions: Conditions, law: SwingLaw | None, seed: int = 1
 ) -> RankAnswer:
     """Return bats that were fitted already in order; see `rank_answer`.
 
@@ -280,7 +280,9 @@ class _DrawnSpeeds:
     best: int
 
 
-def _drawn(posterior: Posterior, ball: Array, response: SpeedResponse, generator: np.random.Generator) -> _DrawnSpeeds:
+def _drawn(
+    posterior: BatPosterior, ball: Array, response: SpeedResponse, generator: np.random.Generator
+) -> _DrawnSpeeds:
     deviations = generator.multivariate_normal(
         posterior.deviations, posterior.covariance, size=DRAWS, method="cholesky"
     )
@@ -291,7 +293,7 @@ def _drawn(posterior: Posterior, ball: Array, response: SpeedResponse, generator
     return _DrawnSpeeds(with_ball, speed, int(np.argmax(curves.mean(axis=0))))
 
 
-def _agreeing(posteriors: Mapping[str, Posterior]) -> list[str]:
+def _agreeing(posteriors: Mapping[str, BatPosterior]) -> list[str]:
     """Return the names of the bats whose measurements agree, of which a ranking needs two; see `rank_bats`."""
     if len(posteriors) < 2:
         raise InputError(f"{len(posteriors)} bat was given; a ranking needs two or more")
@@ -309,7 +311,7 @@ def _agreeing(posteriors: Mapping[str, Posterior]) -> list[str]:
     return sound
 
 
-def _disagreeing(posterior: Posterior) -> dict[str, float]:
+def _disagreeing(posterior: BatPosterior) -> dict[str, float]:
     """Return the measurements that contradict the others, with how many sigma.
 
     A bat that is only unlike others of its kind, all measurements agreeing on it, is none of these.
@@ -327,7 +329,7 @@ def barrel_places(implement: Implement) -> Array:
     return np.linspace(face.start + free, face.end - free, PLACES)
 
 
-def _properties(posterior: Posterior) -> RankedProperties:
+def _properties(posterior: BatPosterior) -> RankedProperties:
     """Return mass, balance point, moment of inertia and, of a tapped bat, modulus with their errors."""
     values = properties(posterior)
     modulus = None

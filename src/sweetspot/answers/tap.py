@@ -12,7 +12,7 @@ from sweetspot.calibration.bar import Bar, BarModulus
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.measurements import Measurement, of_tones
 from sweetspot.calibration.naming import NamedTone
-from sweetspot.calibration.recording import Band, Recording
+from sweetspot.calibration.recording import FrequencyBand, Recording
 from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test, telling, usual_band, usual_held
 from sweetspot.calibration.taps import Tap
 from sweetspot.equipment.implement import Implement
@@ -37,7 +37,7 @@ class TapQuestion:
     implement: Implement | None = None
     positions: Sequence[float] = ()
     bar: Bar | None = None
-    band: Band | None = None
+    band: FrequencyBand | None = None
     most_damping: float | None = None
 
 

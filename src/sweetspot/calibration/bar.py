@@ -17,8 +17,8 @@ import numpy as np
 
 from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import Expected, ModeName, NamedTone, named, uniform_bar
-from sweetspot.calibration.recording import BAT_BAND, Band
+from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone, named, uniform_bar
+from sweetspot.calibration.recording import BAT_BAND, FrequencyBand
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.units.dimensions import DENSITY, MODULUS
@@ -142,10 +142,10 @@ class Bar:
         return self.width.value > (WIDEST_WOOD if self.is_wood else WIDEST) * self.length.value
 
     @property
-    def band(self) -> Band:
+    def band(self) -> FrequencyBand:
         """Where to listen: the band of bats, and as far as the first tone of a slow or a fast solid asks for."""
         first = self.usual_tones[0]
-        return Band(min(BAT_BAND.low, SLOW * first), max(BAT_BAND.high, FAST * first))
+        return FrequencyBand(min(BAT_BAND.low, SLOW * first), max(BAT_BAND.high, FAST * first))
 
 
 def frequency_factor(mode: int, *, slenderness: float, modulus_ratio: float) -> float:
@@ -245,11 +245,11 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
     )
 
 
-def modelled_tones(bar: Bar, fit: BarModulus) -> Expected:
+def modelled_tones(bar: Bar, fit: BarModulus) -> ModeFamily:
     """Return the bending modes of a bar as its tones made it."""
     tones = bar.tones_at(math.sqrt(fit.modulus.value / bar.density), fit.modulus_ratio.value)
     names = tuple(ModeName("bending", number + 1) for number in range(len(tones)))
-    return Expected(names, np.array(tones), np.ones(len(tones)), fit.modulus.relative / 2)
+    return ModeFamily(names, np.array(tones), np.ones(len(tones)), fit.modulus.relative / 2)
 
 
 def moduli_along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Measured], ...]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
 from sweetspot.calibration.measurements import Measurement, predicted, prediction_of_body
-from sweetspot.calibration.posterior import OF_BALL, Posterior
+from sweetspot.calibration.posterior import OF_BALL, BatPosterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, deviated_bodies
 from sweetspot.catalog.files.write import bat_table, implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
@@ -31,7 +31,7 @@ STEP = 1e-3
 """Of an unknown's spread, in the derivatives of weight, balance point and moment of inertia."""
 
 
-def properties(posterior: Posterior) -> dict[str, CalibratedValue]:
+def properties(posterior: BatPosterior) -> dict[str, CalibratedValue]:
     """Return mass, balance point and moment of inertia about the swing axis, with errors of the whole posterior.
 
     A bat's moment of inertia that was not measured is in doubt by as much as outlines tell it, `moi_doubt`.
@@ -51,13 +51,13 @@ def properties(posterior: Posterior) -> dict[str, CalibratedValue]:
     }
 
 
-def fitted_names(posterior: Posterior) -> tuple[str, ...]:
+def fitted_names(posterior: BatPosterior) -> tuple[str, ...]:
     """Return which of a written weight, balance point and moment of inertia no measurement tells by itself."""
     kinds = {measurement.kind for measurement in posterior.measurements}
     return tuple(name for name, measuring in MEASURING.items() if not kinds & set(measuring))
 
 
-def _doubt_of_moi(posterior: Posterior) -> float:
+def _doubt_of_moi(posterior: BatPosterior) -> float:
     """Return by how much the moment of inertia may be off that was not measured, kg m^2; see `moi_doubt`."""
     bat = posterior.beam.bat
     if not isinstance(bat, Bat):
@@ -69,7 +69,7 @@ def _doubt_of_moi(posterior: Posterior) -> float:
     return moi_doubt(as_kept, body, STANDARD_AXIS)
 
 
-def _slopes(posterior: Posterior, wanted: Sequence[Measurement]) -> Array:
+def _slopes(posterior: BatPosterior, wanted: Sequence[Measurement]) -> Array:
     """Return what every unknown changes of what is wanted, shape (unknowns, wanted)."""
     beam, unknowns = posterior.beam, posterior.unknowns
     steps = STEP * np.array([unknown.spread for unknown in unknowns])
@@ -83,7 +83,7 @@ def _slopes(posterior: Posterior, wanted: Sequence[Measurement]) -> Array:
     return np.asarray((ahead - behind) / (2 * steps[:, None]))
 
 
-def material_values(posterior: Posterior) -> dict[str, CalibratedValue]:
+def material_values(posterior: BatPosterior) -> dict[str, CalibratedValue]:
     """Return moduli and density of the calibrated bat; of a racket, club or stick the first frequency."""
     bat = posterior.beam.bat
     if not isinstance(bat, Bat):
@@ -114,7 +114,7 @@ def material_values(posterior: Posterior) -> dict[str, CalibratedValue]:
 SOURCE = "own_measurement"
 
 
-def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
+def calibrated_bat(posterior: BatPosterior, damping: Measured | None) -> Bat:
     """Return the most likely bat: its outline, material, weight, balance and moment of inertia are the fitted ones.
 
     Raises
@@ -141,7 +141,7 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
     )  # fmt: skip
 
 
-def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
+def calibrated_table(posterior: BatPosterior, damping: Measured | None) -> dict[str, Any]:
     """Return the content of a bat file with half widths of 90 % intervals, and the covariance of what is not known."""
     if not isinstance(posterior.beam.bat, Bat):
         return _implement_table(posterior, damping)
@@ -160,7 +160,7 @@ def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str
     return {**table, "calibration": _calibration_table(posterior)}
 
 
-def _calibration_table(posterior: Posterior) -> dict[str, Any]:
+def _calibration_table(posterior: BatPosterior) -> dict[str, Any]:
     """Return what a file keeps of a calibration: what was measured, and the covariance of what is not known of the bat.
 
     The ball's part is left out: it belongs to the balls that were shot.
@@ -191,7 +191,7 @@ def _measurement_table(measurement: Measurement) -> dict[str, Any]:
     }
 
 
-def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
+def _implement_table(posterior: BatPosterior, damping: Measured | None) -> dict[str, Any]:
     """Return the content of the file of a racket, club or stick; a club has head and grip for its weight."""
     implement = posterior.beam.bat
     table = implement_table(implement.replaced(name=f"{implement.name}, calibrated", fitted=fitted_names(posterior)))

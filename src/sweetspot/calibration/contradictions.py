@@ -14,7 +14,7 @@ import numpy as np
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import MOST_BENDING, ModeName
-from sweetspot.calibration.posterior import Posterior, calibrate
+from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -58,7 +58,7 @@ class Meant:
     words: str = ""
 
 
-def suspects(posterior: Posterior) -> dict[str, Posterior]:
+def suspects(posterior: BatPosterior) -> dict[str, BatPosterior]:
     """Return the measurements that alone explain a contradiction, each with the bat that all the others agree on.
 
     All are tried: one that the unknowns can always meet pulls at what is expected of them, not at itself. A lone
@@ -75,7 +75,7 @@ def suspects(posterior: Posterior) -> dict[str, Posterior]:
     return {name: others for name, others in without.items() if others}
 
 
-def meant(suspect: Measurement, others: Posterior) -> list[Meant]:
+def meant(suspect: Measurement, others: BatPosterior) -> list[Meant]:
     """Return as what a measurement would agree with all the others, the nearest first.
 
     Parameters
@@ -97,7 +97,7 @@ def meant(suspect: Measurement, others: Posterior) -> list[Meant]:
     ]
 
 
-def _slips(suspect: Measurement, others: Posterior) -> Iterator[Meant]:
+def _slips(suspect: Measurement, others: BatPosterior) -> Iterator[Meant]:
     """Yield what people may have meant, whether it agrees or not."""
     value, bat = suspect.value, others.beam.bat
     for words, factor in FACTORS.get(suspect.kind, {}).items():
@@ -116,7 +116,7 @@ def _slips(suspect: Measurement, others: Posterior) -> Iterator[Meant]:
         yield from (Meant(replace(suspect, mode=name), str(name)) for name in names if name not in taken)
 
 
-def _as_described(posterior: Posterior) -> Posterior:
+def _as_described(posterior: BatPosterior) -> BatPosterior:
     """Return what is known of the same bat before anything was measured."""
     spreads = np.array([unknown.spread for unknown in posterior.unknowns])
     return replace(
@@ -131,7 +131,7 @@ def _as_described(posterior: Posterior) -> Posterior:
     )
 
 
-def _agreement(posterior: Posterior, measurements: Sequence[Measurement]) -> Posterior | None:
+def _agreement(posterior: BatPosterior, measurements: Sequence[Measurement]) -> BatPosterior | None:
     """Return the same bat by other measurements, None where these contradict each other too."""
     try:
         found = calibrate(posterior.prior, posterior.unknowns, measurements, agreeing=True)

@@ -76,7 +76,7 @@ class ModeName:
 
 
 @dataclass(frozen=True)
-class Expected:
+class ModeFamily:
     """What a family of modes is expected to sound like.
 
     Parameters
@@ -116,7 +116,7 @@ class NamedTone:
     rivals: tuple[ModeName, ...] = ()
 
 
-def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> Expected:
+def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> ModeFamily:
     """Return what a family of modes sounds like, tapped at places in m (none: anywhere)."""
     chosen = modes.of_family(family)
     shapes = np.abs(modes.shape_at(np.linspace(0, modes.shapes.ends[-1], 201))[:, chosen])
@@ -127,7 +127,7 @@ def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> 
     orders = [harmonics[: index + 1].count(number) for index, number in enumerate(harmonics)]
     names = tuple(ModeName(family, number, order) for number, order in zip(harmonics, orders, strict=True))
     fine = FINE_SPREAD if family == "bending" else None  # tones of one wall tell little of how well it is described
-    return Expected(names, modes.frequency[chosen], excitation, STIFFNESS_SPREAD, fine_spread=fine)
+    return ModeFamily(names, modes.frequency[chosen], excitation, STIFFNESS_SPREAD, fine_spread=fine)
 
 
 def uniform_bar(
@@ -136,7 +136,7 @@ def uniform_bar(
     sideways: Sequence[float] = (),
     twist: Sequence[float] = (),
     farthest: tuple[float, float] | None = None,
-) -> list[Expected]:
+) -> list[ModeFamily]:
     """Return the modes of a uniform bar, of which hardly more than the ratios is known.
 
     A tap across the thickness need not move those that bend it sideways, which share E, and those that twist it.
@@ -151,24 +151,24 @@ def uniform_bar(
     heard = np.repeat([1.0, 0.0], [len(tones), len(sideways)])
     order = np.argsort(frequency := np.array([*tones, *sideways]))
     names = tuple([*across, *beside][index] for index in order)
-    families = [Expected(names, frequency[order], heard[order], BAR_SPREAD, RATIO_SPREAD, farthest)]
+    families = [ModeFamily(names, frequency[order], heard[order], BAR_SPREAD, RATIO_SPREAD, farthest)]
     if len(twist):
         turned = tuple(ModeName("torsion", number + 1) for number in range(len(twist)))
-        families.append(Expected(turned, np.array(twist), np.zeros(len(twist)), BAR_SPREAD, BAR_RATIO_SPREAD))
+        families.append(ModeFamily(turned, np.array(twist), np.zeros(len(twist)), BAR_SPREAD, BAR_RATIO_SPREAD))
     return families
 
 
-def any_bat() -> Expected:
+def any_bat() -> ModeFamily:
     """Return the bending modes of bats in general."""
     return _bending(ANY_BAT, ANY_SPREAD, ANY_RATIO_SPREAD)
 
 
-def _bending(frequency: Sequence[float], spread: float, ratio_spread: float) -> Expected:
+def _bending(frequency: Sequence[float], spread: float, ratio_spread: float) -> ModeFamily:
     names = tuple(ModeName("bending", number + 1) for number in range(len(frequency)))
-    return Expected(names, np.array(frequency), np.ones(len(frequency)), spread, ratio_spread)
+    return ModeFamily(names, np.array(frequency), np.ones(len(frequency)), spread, ratio_spread)
 
 
-def named(tones: Sequence[Tone], families: Sequence[Expected], *, doubt: float = DOUBT) -> tuple[NamedTone, ...]:
+def named(tones: Sequence[Tone], families: Sequence[ModeFamily], *, doubt: float = DOUBT) -> tuple[NamedTone, ...]:
     """Return the tones with their modes: the assignment of all families together that leaves the least unexplained.
 
     A tone that another assignment, less than ``doubt`` worse, gives to another mode has no name. Where even the best
@@ -194,7 +194,7 @@ def named(tones: Sequence[Tone], families: Sequence[Expected], *, doubt: float =
     return tuple(result)
 
 
-def misfit(tones: Sequence[Tone], families: Sequence[Expected]) -> float:
+def misfit(tones: Sequence[Tone], families: Sequence[ModeFamily]) -> float:
     """Return what the best assignment leaves unexplained a tone, in units of chi squared.
 
     Of the catalogue's bats and implements described as what they are it is less than 0, as others of their material
@@ -219,7 +219,7 @@ def _exchanged(tones: Sequence[Tone], modes: Assignment, index: int, doubt: floa
                 yield family.names[mode]
 
 
-def _cost_in(tones: Sequence[Tone], family: Expected, modes: Assignment) -> float:
+def _cost_in(tones: Sequence[Tone], family: ModeFamily, modes: Assignment) -> float:
     """Return what a family costs in an assignment."""
     pairs = {tone: mode for tone, (other, mode) in modes.items() if other is family}
     return _cost(tones, family, _common_scale(tones, family, pairs), pairs)
@@ -230,11 +230,11 @@ def wants_a_mode(tone: Tone) -> bool:
     return tone.level > LOUD and tone.own
 
 
-Assignment = dict[int, tuple[Expected, int]]
+Assignment = dict[int, tuple[ModeFamily, int]]
 
 
 def _assignments(
-    tones: Sequence[Tone], free: frozenset[int], families: tuple[Expected, ...], top: float, doubt: float
+    tones: Sequence[Tone], free: frozenset[int], families: tuple[ModeFamily, ...], top: float, doubt: float
 ) -> list[tuple[float, Assignment]]:
     """Return cost and {tone: (family, mode)} of naming the free tones after these families, ``doubt`` off the least.
 
@@ -267,7 +267,9 @@ def _assignments(
     return [(cost, modes) for cost, modes in found if cost <= least + doubt]
 
 
-def _pairs(tones: Sequence[Tone], free: frozenset[int], family: Expected, scale: float, reach: float) -> dict[int, int]:
+def _pairs(
+    tones: Sequence[Tone], free: frozenset[int], family: ModeFamily, scale: float, reach: float
+) -> dict[int, int]:
     """Return {tone: mode}: for every mode the nearest free tone within ``reach``, of two as near the stronger."""
     pairs: dict[int, int] = {}
     for mode, frequency in enumerate(family.frequency):
@@ -281,13 +283,13 @@ def _pairs(tones: Sequence[Tone], free: frozenset[int], family: Expected, scale:
     return pairs
 
 
-def _common_scale(tones: Sequence[Tone], family: Expected, pairs: dict[int, int]) -> float:
+def _common_scale(tones: Sequence[Tone], family: ModeFamily, pairs: dict[int, int]) -> float:
     logs = [math.log(tones[tone].frequency.value / family.frequency[mode]) for tone, mode in pairs.items()]
     pull = (family.ratio_spread / family.spread) ** 2  # of the expected scale
     return sum(logs) / (len(logs) + pull) if logs else 0.0
 
 
-def _cost(tones: Sequence[Tone], family: Expected, scale: float, pairs: dict[int, int]) -> float:
+def _cost(tones: Sequence[Tone], family: ModeFamily, scale: float, pairs: dict[int, int]) -> float:
     """Return what tones off their mode, and modes that must ring but do not, cost together."""
     cost = (scale / family.spread) ** 2 + _misfit(tones, family, scale, pairs)
     highest = max((tone.frequency.value for tone in tones), default=0.0)
@@ -298,7 +300,7 @@ def _cost(tones: Sequence[Tone], family: Expected, scale: float, pairs: dict[int
     return cost + UNHEARD * int(unheard)
 
 
-def _misfit(tones: Sequence[Tone], family: Expected, scale: float, pairs: dict[int, int]) -> float:
+def _misfit(tones: Sequence[Tone], family: ModeFamily, scale: float, pairs: dict[int, int]) -> float:
     """Return what tones off their mode cost together, at the likelier of the ratio spreads s that a family may have.
 
     sum (miss / s)^2 + 2 n ln s, over that of the usual one. A bat may be described well but for a tone or two: each of

@@ -43,7 +43,7 @@ IMPOSSIBLE = (InputError, np.linalg.LinAlgError)
 
 
 @dataclass(frozen=True)
-class Posterior:
+class BatPosterior:
     """What is known of a bat after it was measured.
 
     Parameters
@@ -184,7 +184,7 @@ def _said(
 
 def calibrate(
     beam: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement], *, agreeing: bool = False
-) -> Posterior:
+) -> BatPosterior:
     """Return the most likely bat for measurements on it.
 
     Parameters
@@ -230,7 +230,7 @@ def calibrate(
     left = 1 - np.einsum("ij,jk,ik->i", slopes, covariance, slopes)
     pulls = np.where(left > HARDLY, off / np.sqrt(np.maximum(left, HARDLY)), off)
     best = deviated(beam, unknowns, most_likely * spreads)
-    return Posterior(
+    return BatPosterior(
         prior=beam,
         beam=best,
         unknowns=tuple(unknowns),

@@ -51,7 +51,7 @@ STOPPED = 80.0
 
 
 @dataclass(frozen=True)
-class Band:
+class FrequencyBand:
     """The frequencies looked at, Hz, 0 < ``low`` < ``high``."""
 
     low: float
@@ -62,7 +62,7 @@ class Band:
             raise InputError(f"the band runs from {self.low:g} to {self.high:g} Hz; allowed is 0 < low < high")
 
 
-BAT_BAND = Band(60.0, 5000.0)
+BAT_BAND = FrequencyBand(60.0, 5000.0)
 """Bending modes of bats begin above 100 Hz, hoop modes end below 5 kHz; below 60 Hz there are steps and mains hum."""
 
 
@@ -203,7 +203,7 @@ def _check_header(path: Path, frames: int, *, rate: int, channels: int, most: in
         )
 
 
-def in_band(recording: Recording, band: Band) -> Recording:
+def in_band(recording: Recording, band: FrequencyBand) -> Recording:
     """Return the recording without what lies below and above the band, at no more samples than it needs.
 
     The high-pass is causal, so that nothing of a tap comes before it.

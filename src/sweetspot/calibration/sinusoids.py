@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.recording import Band
+from sweetspot.calibration.recording import FrequencyBand
 from sweetspot.numerics.arrays import Array
 
 MOST = 16
@@ -94,7 +94,7 @@ class Fit:
     rate: float
 
 
-def fit_sinusoids(samples: Array, rate: float, *, band: Band, most: int = MOST) -> Fit:
+def fit_sinusoids(samples: Array, rate: float, *, band: FrequencyBand, most: int = MOST) -> Fit:
     """Take a window of sound apart into damped sinusoids.
 
     Parameters
@@ -174,7 +174,7 @@ def _refined(parameters: Array, samples: Array, time: Array, *, trials: int) -> 
     return unpacked(fit.x)
 
 
-def _next_peak(left: Array, found: Array, rate: float, band: Band) -> Array | None:
+def _next_peak(left: Array, found: Array, rate: float, band: FrequencyBand) -> Array | None:
     """Return a start (f, d, a, b) for the highest peak that stands out of its surroundings, or None."""
     size = PADDING * len(left)
     power = np.abs(np.fft.rfft(left, size)) ** 2
@@ -218,7 +218,7 @@ def _rings(parameters: Array) -> NDArray[np.bool_]:
     return np.asarray(np.abs(parameters[:, 1]) < FASTEST_DECAY * 2 * np.pi * np.abs(parameters[:, 0]))
 
 
-def _counts(sinusoid: Sinusoid, band: Band) -> bool:
+def _counts(sinusoid: Sinusoid, band: FrequencyBand) -> bool:
     """Say whether a tone lies in the band and its frequency is known."""
     return (
         band.low < sinusoid.frequency.value < band.high and sinusoid.frequency.error < WORST * sinusoid.frequency.value
@@ -252,7 +252,7 @@ def _with_errors(parameters: Array, left: Array, time: Array) -> tuple[Sinusoid,
     return tuple(sinusoids)
 
 
-def _misfit(samples: Array, fitted: Array, rate: float, band: Band) -> float:
+def _misfit(samples: Array, fitted: Array, rate: float, band: FrequencyBand) -> float:
     """Return rms left over rms inside the band, of the part that holds nine tenths of the energy."""
     import scipy.signal
 

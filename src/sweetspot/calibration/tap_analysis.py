@@ -15,7 +15,7 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import (
     SILENT,
-    Expected,
+    ModeFamily,
     ModeName,
     NamedTone,
     any_bat,
@@ -23,7 +23,7 @@ from sweetspot.calibration.naming import (
     misfit,
     named,
 )
-from sweetspot.calibration.recording import BAT_BAND, Band, Recording
+from sweetspot.calibration.recording import BAT_BAND, FrequencyBand, Recording
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_faults import HEARD, HELD
 from sweetspot.calibration.taps import Tap, find_taps
@@ -51,12 +51,12 @@ def modes_to_name(implement: Implement) -> Modes:
     return all_modes(beam_model(implement), standard_conditions(implement).ball)
 
 
-def usual_band(modes: Modes | None) -> Band:
+def usual_band(modes: Modes | None) -> FrequencyBand:
     """Return the frequencies that are looked at unless somebody says: those of bats, and lower for a golf club."""
     bending = [] if modes is None else modes.of_family("bending")
     if modes is None or not bending:
         return BAT_BAND
-    return Band(min(BAT_BAND.low, BELOW_FIRST * float(modes.frequency[bending[0]])), BAT_BAND.high)
+    return FrequencyBand(min(BAT_BAND.low, BELOW_FIRST * float(modes.frequency[bending[0]])), BAT_BAND.high)
 
 
 def frame_modes(implement: Implement) -> Modes:
@@ -121,7 +121,7 @@ class TapTest:
     recordings: tuple[Recording, ...]
     taps: tuple[Tap, ...]
     tones: tuple[NamedTone, ...]
-    expected: tuple[Expected, ...] = ()
+    expected: tuple[ModeFamily, ...] = ()
     bar: BarModulus | None = None
     moduli_along: tuple[tuple[Tone, Measured], ...] | None = None
     free_damping: float = math.inf
@@ -172,7 +172,7 @@ def tap_test(
     modes: Modes | None = None,
     positions: Sequence[float] = (),
     bar: Bar | None = None,
-    band: Band = BAT_BAND,
+    band: FrequencyBand = BAT_BAND,
     held: float = HELD,
     taps: Sequence[Tap] | None = None,
 ) -> TapTest:

@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from sweetspot.calibration.hum import hum_taken_out, risen
-from sweetspot.calibration.recording import Band, Recording, in_band
+from sweetspot.calibration.recording import FrequencyBand, Recording, in_band
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, in_their_room
 from sweetspot.calibration.tap_faults import APART, CROWDED, HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
 from sweetspot.numerics.arrays import Array
@@ -65,7 +65,7 @@ class Tap:
         return self.fault is None
 
 
-def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[Tap, ...]:
+def find_taps(recording: Recording, *, band: FrequencyBand, held: float = HELD) -> tuple[Tap, ...]:
     """Return all taps of a recording, good and bad.
 
     Parameters
@@ -81,7 +81,7 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     taps = [_tap(recording, sound, span, band, held=held, quiet=quiet) for span in spans]
     crowded = [index for index, tap in enumerate(taps) if tap.fault and CROWDED in tap.fault]
     if crowded and 2 * band.low < FEWER_TONES < band.high:
-        lower = Band(band.low, FEWER_TONES)
+        lower = FrequencyBand(band.low, FEWER_TONES)
         low_sound = in_band(clear, lower)
         for index in crowded:
             again = _tap(recording, low_sound, spans[index], lower, held=held, quiet=quiet)
@@ -93,11 +93,11 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     return tuple(taps)
 
 
-def _where_taps_stand_out(recording: Recording, sound: Recording, band: Band) -> Recording:
+def _where_taps_stand_out(recording: Recording, sound: Recording, band: FrequencyBand) -> Recording:
     """Return the sound in its band, or without what is low where taps then stand out of hum much farther."""
     if not band.low < HUMLESS < min(band.high, 0.45 * recording.rate) / 2:
         return sound
-    without = in_band(recording, Band(HUMLESS, band.high))
+    without = in_band(recording, FrequencyBand(HUMLESS, band.high))
     gains = []
     for entry in (sound, without):
         level, floor = _levels(entry)
@@ -149,7 +149,7 @@ def _rises(level: Array, least: float) -> list[int]:
 
 
 def _tap(
-    recording: Recording, sound: Recording, span: tuple[float, float], band: Band, *, held: float, quiet: float
+    recording: Recording, sound: Recording, span: tuple[float, float], band: FrequencyBand, *, held: float, quiet: float
 ) -> Tap:
     """Return what begins at the first of two times in s, and is heard to the second.
 

@@ -54,7 +54,7 @@ class RungOptions:
 
 @Parameter(name="*")
 @dataclass(frozen=True)
-class ShotOptions:
+class CalibrationShotOptions:
     """What shots at it say."""
 
     shots: Annotated[
@@ -78,7 +78,7 @@ class TrustOptions:
 
 
 DEFAULT_WEIGHED, DEFAULT_RUNG, DEFAULT_SHOTS, DEFAULT_TRUST = (
-    WeighedOptions(), RungOptions(), ShotOptions(), TrustOptions(),
+    WeighedOptions(), RungOptions(), CalibrationShotOptions(), TrustOptions(),
 )  # fmt: skip
 
 
@@ -91,7 +91,7 @@ def calibrate(
     *,
     weighed: WeighedOptions = DEFAULT_WEIGHED,
     rung: RungOptions = DEFAULT_RUNG,
-    shot: ShotOptions = DEFAULT_SHOTS,
+    shot: CalibrationShotOptions = DEFAULT_SHOTS,
     trust: TrustOptions = DEFAULT_TRUST,
     out: Annotated[Path | None, Parameter(help="Bat file to write.")] = None,
     answer: AnswerOptions = DEFAULT_ANSWER,
@@ -184,7 +184,7 @@ def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tupl
     return tapped.measurements, tapped.damping
 
 
-def _shots(described: Implement, given: ShotOptions) -> tuple[list[Shot], Ball | None]:
+def _shots(described: Implement, given: CalibrationShotOptions) -> tuple[list[Shot], Ball | None]:
     """Return the shots of a table, and the kind of their balls."""
     from sweetspot import catalog
     from sweetspot.analysis.certification.shots import read_shots

@@ -98,7 +98,7 @@ def _question(
     """Return the outline and its bat: of a table, drawing or photograph, of a bat file, or of the catalogue."""
     from sweetspot import catalog
     from sweetspot.answers.outline import OutlineQuestion, bat_of_outline
-    from sweetspot.calibration.outline.measured_outline import Outline
+    from sweetspot.calibration.outline.measured_outline import MeasuredOutline
     from sweetspot.calibration.outline.outline_file import ENDINGS, read_outline
 
     ending = Path(source).suffix.lower()
@@ -114,7 +114,7 @@ def _question(
     bat = catalog.load_bat(source)
     bat = bat if name is None else bat.replaced(name=name)
     stations = tuple((float(place), float(size)) for place, size in outline_stations(bat))
-    return OutlineQuestion(Outline(stations), bat)
+    return OutlineQuestion(MeasuredOutline(stations), bat)
 
 
 def _content(path: Path, bat: Bat, reading: Reader) -> bytes:

@@ -16,7 +16,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.calibration.bar import Bar
-    from sweetspot.calibration.recording import Band
+    from sweetspot.calibration.recording import FrequencyBand
     from sweetspot.equipment.implement import Implement
 
 PLACE = "1in-from-tip"
@@ -157,15 +157,15 @@ def _bar(sizes: str | None, mass: str | None) -> Bar | None:
     return Bar(length, width, thickness, parse_measured(mass, "mass", "the bar's --mass"))
 
 
-def _band(text: str) -> Band:
-    from sweetspot.calibration.recording import Band
+def _band(text: str) -> FrequencyBand:
+    from sweetspot.calibration.recording import FrequencyBand
     from sweetspot.plausibility import parse
 
     ends = text.split(":")
     if len(ends) != 2:
         raise InputError(f"--band was given as {text!r}; write its ends, as in 60Hz:5kHz")
     low, high = (parse(end, "frequency", "--band") for end in ends)
-    return Band(low, high)
+    return FrequencyBand(low, high)
 
 
 def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path | None) -> int:

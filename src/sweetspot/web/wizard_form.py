@@ -52,7 +52,7 @@ class Usual(BaseModel):
     most: float | None = None
 
 
-class Question(Usual):
+class WizardQuestion(Usual):
     """One question.
 
     ``kind`` says how its number is shown, by the ending of a name; ``system`` that it is told in one system whatever
@@ -75,7 +75,7 @@ class Pattern(BaseModel):
 
     key: str
     name: str
-    questions: list[Question]
+    questions: list[WizardQuestion]
 
 
 class Form(BaseModel):
@@ -102,7 +102,7 @@ def _form(sport: str, patterns: dict[str, str]) -> Form:
     return Form(sport=sport, name=its.name, implement=its.words.implement, view=view, patterns=made)
 
 
-def _questions(key: str, sport: str) -> list[Question]:
+def _questions(key: str, sport: str) -> list[WizardQuestion]:
     pattern = catalog.implement(key)
     usual = WHOLE.get(sport, ROUND_BAT)
     body, length = rigid_body(beam_model(pattern)), pattern.length
@@ -119,7 +119,7 @@ def _questions(key: str, sport: str) -> list[Question]:
     ]  # fmt: skip
 
 
-def _weight(pattern: Implement, mass: float, usual: tuple[float, float]) -> Question:
+def _weight(pattern: Implement, mass: float, usual: tuple[float, float]) -> WizardQuestion:
     """Ask for the weight: what it may be follows from the wood, or the shaft."""
     question = _number("mass_oz", "Weight", mass / OUNCE, (usual[0] / OUNCE, usual[1] / OUNCE))
     if isinstance(pattern, Racket):
@@ -132,7 +132,7 @@ def _weight(pattern: Implement, mass: float, usual: tuple[float, float]) -> Ques
     return _following(question, {name: _wood_weight(pattern, name, mass) for name in WOODS})
 
 
-def _following(question: Question, by: dict[str, Usual]) -> Question:
+def _following(question: WizardQuestion, by: dict[str, Usual]) -> WizardQuestion:
     """Return a question whose usual answer follows the material's; at first it is that of the first one."""
     first = next(iter(by.values()))
     return question.model_copy(update={"follows": "material", "by": by, **first.model_dump()})
@@ -154,7 +154,7 @@ def _wood_weight(pattern: Bat, wood: str, mass: float) -> Usual:
     return Usual(value=value / OUNCE, least=low / OUNCE, most=high / OUNCE)
 
 
-def _made_of(pattern: Implement) -> list[Question]:
+def _made_of(pattern: Implement) -> list[WizardQuestion]:
     if isinstance(pattern, GolfClub):
         return [_choice("material", "Shaft", SHAFTS)]
     if isinstance(pattern, Bat) and pattern.shell is None:
@@ -162,17 +162,17 @@ def _made_of(pattern: Implement) -> list[Question]:
     if isinstance(pattern, TableTennisRacket):
         names = {name: rubber(name).name for name in rubber_names()}
         options = [Choice(key=name, name=words) for name, words in names.items()]
-        return [Question(field="front", label=_same("Rubber"), kind="", value=options[0].key, options=options)]
+        return [WizardQuestion(field="front", label=_same("Rubber"), kind="", value=options[0].key, options=options)]
     return []
 
 
-def _swing_weight(sport: str, usual: WholeImplement, lengths: tuple[float, float]) -> list[Question]:
+def _swing_weight(sport: str, usual: WholeImplement, lengths: tuple[float, float]) -> list[WizardQuestion]:
     """Ask for a swing weight in the sport's own way; where it only repeats the balance point, it is not asked."""
     its, words = swing_weight(sport), catalog.sport(sport).words
     if its.order == 1:
         letters = its.zero is not None
         label = _same(f"{its.name.capitalize()}, such as D2, if known; it stands for the balance point")
-        return [Question(field="swing_points", label=label, kind="")] if letters else []
+        return [WizardQuestion(field="swing_points", label=label, kind="")] if letters else []
     own: Literal["si"] | None = None if words.weighed_in == "oz" else "si"  # kg cm^2 the world over
     axis = f"{{{_place(its.axis, words.place_unit)}}}"
     told = words_in_both_systems(f"Swing weight about the axis {axis} from the {words.butt}, if measured")
@@ -184,10 +184,10 @@ def _swing_weight(sport: str, usual: WholeImplement, lengths: tuple[float, float
         mass * ((gyration * length) ** 2 + (balance * length - its.axis) ** 2) / OUNCE_INCH_SQUARED
         for mass, gyration, balance, length in zip(usual.mass, usual.gyration, usual.balance, lengths, strict=True)
     )
-    return [Question(field="swing_weight_oz_in2", label=told, kind="_oz_in2", system=own, least=least, most=most)]
+    return [WizardQuestion(field="swing_weight_oz_in2", label=told, kind="_oz_in2", system=own, least=least, most=most)]
 
 
-def _stiffness(pattern: Implement, usual: WholeImplement) -> list[Question]:
+def _stiffness(pattern: Implement, usual: WholeImplement) -> list[WizardQuestion]:
     tone = _number("tone_hz", "First bending tone hung freely, if tapped", None, usual.frequency)
     if not isinstance(pattern, Racket):
         return [] if isinstance(pattern, Bat | TableTennisRacket) else [tone]
@@ -201,13 +201,13 @@ def _stiffness(pattern: Implement, usual: WholeImplement) -> list[Question]:
     return [_number("ra", "Stiffness of the frame (RA), if known", None, bounds), strings]
 
 
-def _number(field: str, label: str, value: float | None, bounds: tuple[float, float]) -> Question:
-    return Question(field=field, label=_same(label), kind=field, value=value, least=bounds[0], most=bounds[1])
+def _number(field: str, label: str, value: float | None, bounds: tuple[float, float]) -> WizardQuestion:
+    return WizardQuestion(field=field, label=_same(label), kind=field, value=value, least=bounds[0], most=bounds[1])
 
 
-def _choice(field: str, label: str, materials: tuple[str, ...]) -> Question:
+def _choice(field: str, label: str, materials: tuple[str, ...]) -> WizardQuestion:
     options = [Choice(key=name, name=catalog.material(name).name) for name in materials]
-    return Question(field=field, label=_same(label), kind="", value=materials[0], options=options)
+    return WizardQuestion(field=field, label=_same(label), kind="", value=materials[0], options=options)
 
 
 def _same(label: str) -> dict[Literal["us", "si"], str]:

@@ -13,7 +13,7 @@ from ezdxf.layouts.layout import Modelspace
 
 from sweetspot import catalog
 from sweetspot.calibration.outline.curves import outline_of_curves
-from sweetspot.calibration.outline.measured_outline import Outline
+from sweetspot.calibration.outline.measured_outline import MeasuredOutline
 from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.catalog.files.bat import checked_drawing
 from sweetspot.errors import InputError
@@ -27,7 +27,7 @@ CONTOUR = 1e3 * side_view(BAT)
 FLANK = CONTOUR[: len(CONTOUR) // 2]
 
 
-def worst(outline: Outline) -> float:
+def worst(outline: MeasuredOutline) -> float:
     """Return the greatest error of a diameter, m; the length must be right."""
     assert outline.profile[0][0] == 0
     assert outline.profile[-1][0] == pytest.approx(BAT.length, abs=1e-6)

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import Expected, ModeName, NamedTone
+from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone
 from sweetspot.calibration.recording import Recording
 from sweetspot.calibration.sinusoids import Fit, Sinusoid
 from sweetspot.calibration.tap_analysis import TapTest
@@ -36,7 +36,7 @@ def made_up(tones: list[tuple[float, bool]]) -> TapTest:
         for number, part in enumerate(parts)
         for name in [ModeName("bending", number + 1) if tones[number][1] else None]
     )
-    expected = Expected((ModeName("bending", 1),), np.array([tones[0][0]]), np.ones(1), 0.1, 0.1)
+    expected = ModeFamily((ModeName("bending", 1),), np.array([tones[0][0]]), np.ones(1), 0.1, 0.1)
     taps = (Tap("a", 0.1, None, fit), Tap("a", 0.3, "too quiet", None))
     return TapTest((Recording("a", fit.samples, RATE),), taps, named, (expected,))
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from sweetspot.calibration.outline.measured_outline import USUAL_LENGTH, Outline, knob_first, simplified
+from sweetspot.calibration.outline.measured_outline import USUAL_LENGTH, MeasuredOutline, knob_first, simplified
 from sweetspot.equipment.bat import DIAMETER_RANGE
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -44,7 +44,7 @@ INSIDE = 1e-9
 
 def outline_of_curves(
     curves: Sequence[Array], what: str, *, unit: float | None, length: float | None = None, axis: bool = False
-) -> Outline:
+) -> MeasuredOutline:
     """Return the outline that a drawing shows: both flanks, closed or not, or one flank over its axis.
 
     Straight lines, frames and what is short are left out. The thicker half is the barrel.
@@ -85,7 +85,7 @@ def outline_of_curves(
     if length is not None and unit is not None and abs(unit * size / length - 1) > STRAIGHT:
         notes.append(f"The drawing's own units make it {1e3 * unit * size:.1f} mm long; it was scaled to --length.")
     along[[0, -1]] = 0.0, drawn
-    return Outline(simplified(along, diameter, TOLERANCE), (), tuple(notes))
+    return MeasuredOutline(simplified(along, diameter, TOLERANCE), (), tuple(notes))
 
 
 def check_drawn(curves: Sequence[Array], what: str) -> None:

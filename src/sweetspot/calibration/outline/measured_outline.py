@@ -25,7 +25,7 @@ USUAL_LENGTH = (0.3, 1.3)
 
 
 @dataclass(frozen=True)
-class Outline:
+class MeasuredOutline:
     """An outline as it was measured.
 
     Parameters
@@ -40,7 +40,7 @@ class Outline:
     notes: tuple[str, ...] = ()
 
 
-def closed(stations: Sequence[tuple[float, float]], length: float, what: str) -> Outline:
+def closed(stations: Sequence[tuple[float, float]], length: float, what: str) -> MeasuredOutline:
     """Return the outline with a station at either end; the tip is rounded as turned bats are.
 
     Parameters
@@ -72,7 +72,7 @@ def closed(stations: Sequence[tuple[float, float]], length: float, what: str) ->
         ]
         stations = [*stations, *round_end]
         assumed += [place for place, _ in round_end]
-    return Outline(tuple(stations), tuple(assumed))
+    return MeasuredOutline(tuple(stations), tuple(assumed))
 
 
 def knob_first(place: Array, diameter: Array) -> tuple[Array, Array]:

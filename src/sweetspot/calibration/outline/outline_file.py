@@ -7,7 +7,7 @@ from pathlib import Path
 
 from sweetspot.calibration.outline.curves import outline_of_curves
 from sweetspot.calibration.outline.drawing_file import dxf_curves, svg_curves
-from sweetspot.calibration.outline.measured_outline import Outline, unlike_bats
+from sweetspot.calibration.outline.measured_outline import MeasuredOutline, unlike_bats
 from sweetspot.calibration.outline.photo.photo_outline import read_photo
 from sweetspot.calibration.outline.station_table import read_stations
 from sweetspot.errors import InputError
@@ -27,7 +27,7 @@ def read_outline(
     ruler: float | None = None,
     camera_distance: float | None = None,
     given: GivenColumns = NOTHING_GIVEN,
-) -> Outline:
+) -> MeasuredOutline:
     """Return the outline that a file holds: a table of stations (CSV), a drawing (SVG, DXF) or a photograph.
 
     It notes what is unlike bats.
@@ -51,7 +51,7 @@ def read_outline(
     return replace(outline, notes=(*outline.notes, *unlike_bats(outline.profile)))
 
 
-def _read(path: Path, *, length: float | None, ruler: float | None, camera_distance: float | None) -> Outline:
+def _read(path: Path, *, length: float | None, ruler: float | None, camera_distance: float | None) -> MeasuredOutline:
     """Return what a file of this ending holds; see `read_outline`."""
     ending = path.suffix.lower()
     if ending in PHOTOGRAPHS + HEIF:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sweetspot.calibration.outline.measured_outline import Outline, closed
+from sweetspot.calibration.outline.measured_outline import MeasuredOutline, closed
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import insisted, parse, verdict
@@ -55,7 +55,7 @@ BEYOND_KNOB, BEFORE_TIP = 4 * INCH, 2.5 * INCH
 """m from the ends, where knobs and tips turn quicker."""
 
 
-def read_stations(path: Path, *, length: float | None = None, given: GivenColumns = NOTHING_GIVEN) -> Outline:
+def read_stations(path: Path, *, length: float | None = None, given: GivenColumns = NOTHING_GIVEN) -> MeasuredOutline:
     """Return the outline that a CSV file of stations describes.
 
     One column says where, from the knob end unless its heading names the tip: ``in_from_tip``, ``position_mm``. Another

@@ -10,7 +10,7 @@ import numpy as np
 
 from sweetspot.answers.tap import TapQuestion, tap_answer
 from sweetspot.calibration.naming import expected_of
-from sweetspot.calibration.recording import Band, Recording, read_recording
+from sweetspot.calibration.recording import FrequencyBand, Recording, read_recording
 from sweetspot.calibration.tap_analysis import (
     FAMILIES,
     TapTest,
@@ -143,7 +143,7 @@ def _recording(key: str) -> _Sound:
 
 
 @lru_cache(maxsize=128)
-def _taps(sound: _Sound, band: Band, held: float) -> tuple[Tap, ...]:
+def _taps(sound: _Sound, band: FrequencyBand, held: float) -> tuple[Tap, ...]:
     return find_taps(sound.recording, band=band, held=held)
 
 

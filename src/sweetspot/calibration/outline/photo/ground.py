@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.calibration.outline.photo.edges import Edges, sampled
-from sweetspot.calibration.outline.photo.picture import CURVE, DARKEST, SHADE, Picture
+from sweetspot.calibration.outline.photo.picture import CURVE, DARKEST, SHADE, Photograph
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -26,7 +26,7 @@ GROUND_ALIKE = (0.6, 0.4, 0.3, 0.25, 0.25)
 """Greatest difference of what counts as ground, round after round."""
 
 
-def differences(picture: Picture) -> tuple[Array, Array]:
+def differences(picture: Photograph) -> tuple[Array, Array]:
     """Return every pixel's difference from the ground, shadows counted and not counted, shape (rows, columns) each."""
     if picture.opacity is not None:
         return picture.opacity, picture.opacity
@@ -39,7 +39,7 @@ def differences(picture: Picture) -> tuple[Array, Array]:
     return np.hypot(hue, shade), np.hypot(hue, beyond)
 
 
-def tint_and_shade(picture: Picture) -> tuple[Array, Array]:
+def tint_and_shade(picture: Photograph) -> tuple[Array, Array]:
     """Return the logarithm of every pixel over the ground, without its common part, and that part, the shade.
 
     Their shapes are (rows, columns, 3) and (rows, columns).
@@ -98,7 +98,7 @@ OF_HUE = 0.2
 """Logarithm of light by which a shadow's hue may be from the ground's (assumed)."""
 
 
-def difference_from_paint(picture: Picture) -> Array | None:
+def difference_from_paint(picture: Photograph) -> Array | None:
     """Return every pixel's difference from a painted ground, from 0 to 1 where a bat is whole, shape (rows, columns).
 
     None where a shadow may lie on the ground.
@@ -133,7 +133,7 @@ def difference_from_paint(picture: Picture) -> Array | None:
     return np.asarray(np.where(core, 1.0, np.where(apart < inner + BESIDE, part, 0.0)))
 
 
-def _has_shadow(picture: Picture, off: Array, whole: NDArray[np.bool_]) -> bool:
+def _has_shadow(picture: Photograph, off: Array, whole: NDArray[np.bool_]) -> bool:
     """Return whether more than a little of the edge of what differs from the ground is soft, and of its hue."""
     import scipy.ndimage
 

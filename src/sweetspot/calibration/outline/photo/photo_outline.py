@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from sweetspot.calibration.outline.measured_outline import Outline, knob_first, simplified
+from sweetspot.calibration.outline.measured_outline import MeasuredOutline, knob_first, simplified
 from sweetspot.calibration.outline.photo.edges import Edges, find_edges, sharp_ends
 from sweetspot.calibration.outline.photo.ground import differences, shadow_at_a_flank, tint_and_shade
-from sweetspot.calibration.outline.photo.picture import Picture, read_picture
+from sweetspot.calibration.outline.photo.picture import Photograph, read_picture
 from sweetspot.calibration.outline.photo.silhouette import Shape, cut_off, find_bat, find_ruler, find_shapes
 from sweetspot.equipment.bat import DIAMETER_RANGE, LENGTH_RANGE
 from sweetspot.errors import InputError
@@ -56,7 +56,7 @@ and N is about 36, the longest smoothing of a bat 1,200 pixels long."""
 
 
 @dataclass(frozen=True)
-class PhotoOutline(Outline):
+class PhotoOutline(MeasuredOutline):
     """An outline from a photograph.
 
     Parameters
@@ -132,7 +132,7 @@ def read_photo(
     return outline if by_hue is None else replace(outline, notes=(SHADOWED, *outline.notes))
 
 
-def _told_by_hue(picture: Picture, edges: Edges) -> Edges | None:
+def _told_by_hue(picture: Photograph, edges: Edges) -> Edges | None:
     """Return the edges where hue alone tells the bat, when a dark shadow was taken for a part of it; None otherwise."""
     tint, shade = tint_and_shade(picture)
     if not shadow_at_a_flank(edges, tint, shade):
@@ -147,7 +147,7 @@ def _told_by_hue(picture: Picture, edges: Edges) -> Edges | None:
     return find_edges(tint, hue, find_bat(bats, picture.name), shadows=False)
 
 
-def _check_no_shadow(picture: Picture, bat: Shape, surely: list[Shape]) -> None:
+def _check_no_shadow(picture: Photograph, bat: Shape, surely: list[Shape]) -> None:
     """Refuse a bat that is seen as a shadow would be."""
     if any(shape.like_a_bat and shape.length > WHOLE * bat.length for shape in surely):
         return
@@ -193,7 +193,7 @@ def _check_seen(edges: Edges, name: str) -> None:
 
 
 def _measured(
-    picture: Picture, edges: Edges, scale: float, scale_error: float, *, length: float | None, away: float | None,
+    picture: Photograph, edges: Edges, scale: float, scale_error: float, *, length: float | None, away: float | None,
     on_ground: bool,
 ) -> PhotoOutline:  # fmt: skip
     """Return the outline in metres, with the errors of its places and diameters.
@@ -274,7 +274,7 @@ def _hooked(from_tip: Array, width: Array) -> float:
     return float(from_tip[near & (width >= width[near].max() - 2 * HOOK)].min())
 
 
-def _excess(picture: Picture, edges: Edges, scale: float, away: float) -> tuple[float, float]:
+def _excess(picture: Photograph, edges: Edges, scale: float, away: float) -> tuple[float, float]:
     """Return by how many m each end seems farther out than it is: its near rim hides the rest of it."""
     along = (edges.end - edges.start) / edges.length
     middle = np.array([picture.shape[1] / 2, picture.shape[0] / 2])

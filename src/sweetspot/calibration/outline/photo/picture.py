@@ -46,7 +46,7 @@ RANGES = (1.0, 255.0, 65535.0)
 
 
 @dataclass(frozen=True)
-class Picture:
+class Photograph:
     """A photograph.
 
     Parameters
@@ -101,7 +101,7 @@ class Picture:
         return np.asarray(self.pixels**CURVE)
 
 
-def read_picture(path: Path) -> Picture:
+def read_picture(path: Path) -> Photograph:
     """Return a photograph (JPEG, PNG, TIFF, WebP, BMP), turned as the camera was held.
 
     Raises
@@ -142,7 +142,7 @@ def read_picture(path: Path) -> Picture:
     _check_shown(np.asarray(opaque), path)
     pixels = np.asarray(opaque, dtype=np.float64) / 255
     opacity = pixels[..., 3] if pixels.shape[2] == 4 and pixels[..., 3].min() < SEEN else None
-    return Picture(path.name, pixels[..., :3], opacity, _focal_length(exif, opaque.size))
+    return Photograph(path.name, pixels[..., :3], opacity, _focal_length(exif, opaque.size))
 
 
 def _refuse_heif(path: Path) -> None:
