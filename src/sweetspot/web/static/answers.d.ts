@@ -27,7 +27,7 @@ export interface Answers {
   player: Record<string, any>;
   own: Record<string, any>;
   design: Record<string, any>;
-  season: Record<string, any>;
+  season: SeasonPicture;
   sports: SportsAnswer;
   paper: PaperPicture;
 }
@@ -43,7 +43,7 @@ export interface Asides {
   player: { fit: ReadDocument; table: Record<string, string>; };
   own: { tap: Record<string, any>; file: Record<string, string>; };
   design: { gain: Record<string, any>; files: Record<string, any>; batter: Record<string, any>; };
-  season: { summary: Record<string, any>; maps: Record<string, any>; player: ReadDocument | Record<string, any>; contacts: Record<string, any>; };
+  season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: Record<string, number>; };
   sports: { face: SportsFace; sentences: SportsWords; };
   paper: {  };
 }
@@ -59,7 +59,7 @@ export interface Jobs {
   player: {  };
   own: {  };
   design: { search: Record<string, any>; };
-  season: { read: Record<string, any>; };
+  season: { read: Record<string, string>; };
   sports: {  };
   paper: {  };
 }
@@ -82,6 +82,15 @@ export interface BallPicture {
   cor: number; cor_low?: number; cor_high?: number;
   humidity: number; humidity_low?: number; humidity_high?: number;
   temperature_degf: number;
+}
+
+/** Balls in boxes; see `BallMap`. */
+export interface BallsInBoxes {
+  across_m: number[];
+  along_m: number[];
+  balls: number[][];
+  outside: number;
+  near: number;
 }
 
 /** Nodes of the first two bending modes nearest to the tip. */
@@ -559,6 +568,13 @@ export interface Fences {
   parks: FenceOutline[];
 }
 
+/** A park's fence, to the right of the line to centre field and along it, from home. */
+export interface FieldFence {
+  name: string;
+  right_m: number[];
+  out_m: number[];
+}
+
 /** The hit and its film; ``energy`` holds the parts that there are, ``words`` what the hands could still do. */
 export interface FilmAnswer {
   bat: BatPicture;
@@ -758,6 +774,20 @@ export interface LaunchThatCarries {
   exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
   launch_angle_rad: number; launch_angle_low_rad?: number; launch_angle_high_rad?: number;
   carry_m: number; carry_low_m?: number; carry_high_m?: number;
+}
+
+/** One player in the list; measures in SI, partly pooled, None where no table tells. */
+export interface ListedPlayer {
+  batter: string;
+  name: string;
+  balls: number;
+  ev20: number | null;
+  exit_speed: number | null;
+  bat_speed: number | null;
+  squared_up: number | null;
+  from_best: number | null;
+  home_runs: number | null;
+  home_runs_expected: number | null;
 }
 
 /** A swing that misses the ball, or from which it does not come off. */
@@ -1001,6 +1031,16 @@ export interface ReadDocument {
   html: Record<"us" | "si", string>;
 }
 
+/** A season that was read: see `SeasonSummary`, and whether it was read with the bat on the bench. */
+export interface ReadSeason {
+  choices: Record<string, [string, number][]>;
+  rows: number;
+  files: string[];
+  unread: string[];
+  tables: SavedTable[];
+  same_bat: boolean;
+}
+
 /** What the report says, and what misses cost by two laws of the ball. */
 export interface ReportWords {
   sentences: Record<"us" | "si", string[]>;
@@ -1036,6 +1076,49 @@ export interface RulesKept {
   checks: DecidedRule[];
 }
 
+/** A table that can be taken away. */
+export interface SavedTable {
+  name: string;
+  bytes: number;
+}
+
+/** The bat that all hitters are taken to swing, and how far its controls may go. */
+export interface SeasonBat {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  outline: DrawnOutline;
+  stations: Station[];
+  hollow: boolean;
+  wall_m: number[] | null;
+  bores: DrawnBore[];
+  cup: DrawnCup | null;
+  weights: DrawnWeight[];
+  material: string;
+  remark: Record<"si" | "us", string>;
+  bounds: Record<string, [number, number]>;
+}
+
+/** Of the chosen balls how well they were hit, where on the barrel, and where they would come down. */
+export interface SeasonMaps {
+  means?: Record<string, number | null>;
+  ceilings?: Record<string, number[]>;
+  barrel?: BallsInBoxes;
+  field?: BallsInBoxes;
+}
+
+/** The bat, the chosen park's fence, and of a season that was read what can be chosen and taken away. */
+export interface SeasonPicture {
+  bat: SeasonBat;
+  park: FieldFence;
+  season: ReadSeason | null;
+}
+
 /** Tables that were handed in, the bat that all hitters are taken to swing, and which balls are looked at. */
 export interface SeasonState {
   bat: string;
@@ -1060,6 +1143,12 @@ export interface SeasonState {
   month: string | null;
   park: string | null;
   fence: string | null;
+}
+
+/** What is told of the whole season, and its players; nothing where none was read. */
+export interface SeasonWords {
+  html?: Record<"si" | "us", string>;
+  players?: ListedPlayer[];
 }
 
 /** What the exit speed here owes to what, against the best place; see `SpeedDifference`. */

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -13,17 +14,19 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.answers.implement import mass_properties
-from sweetspot.answers.records import to_dict
+from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.records import GRID
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import InputError
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
+from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
-from sweetspot.web.bat_bounds import bounds
+from sweetspot.units.dimensions import LENGTH, System
+from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import PARK, described
 from sweetspot.web.documents import ReadDocument, told
-from sweetspot.web.drawings import outline
+from sweetspot.web.drawings import BatShape, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import bat_name, bat_text, option
@@ -31,7 +34,15 @@ from sweetspot.web.states import BatState, Name
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
 from sweetspot.web.views.design_state import batter_controls
-from sweetspot.web.views.season_work import Handed, kept_answer, kept_summary, read_season
+from sweetspot.web.views.season_work import (
+    Handed,
+    ListedPlayer,
+    SavedTable,
+    SeasonSummary,
+    kept_answer,
+    kept_summary,
+    read_season,
+)
 
 if TYPE_CHECKING:  # tables load slowly, and no other view needs them
     from sweetspot.answers.season import SeasonAnswer
@@ -63,27 +74,94 @@ class SeasonState(BatState):
     )
 
 
-def answer(state: SeasonState) -> dict[str, Any]:
+@dataclass(frozen=True, kw_only=True)
+class SeasonBat(BatShape, MassProperties):
+    """The bat that all hitters are taken to swing, and how far its controls may go."""
+
+    bounds: Mapping[str, Range]
+
+
+@dataclass(frozen=True)
+class FieldFence:
+    """A park's fence, to the right of the line to centre field and along it, from home."""
+
+    name: str
+    right: Annotated[Array, LENGTH]
+    out: Annotated[Array, LENGTH]
+
+
+@dataclass(frozen=True)
+class ReadSeason:
+    """A season that was read: see `SeasonSummary`, and whether it was read with the bat on the bench."""
+
+    choices: Mapping[str, Sequence[tuple[str, int]]]
+    rows: int
+    files: tuple[str, ...]
+    unread: tuple[str, ...]
+    tables: tuple[SavedTable, ...]
+    same_bat: bool
+
+
+@dataclass(frozen=True)
+class SeasonPicture:
+    """The bat, the chosen park's fence, and of a season that was read what can be chosen and taken away."""
+
+    bat: SeasonBat
+    park: FieldFence
+    season: ReadSeason | None
+
+
+@dataclass(frozen=True)
+class SeasonWords:
+    """What is told of the whole season, and its players; nothing where none was read."""
+
+    html: Mapping[System, str] | None = None
+    players: tuple[ListedPlayer, ...] | None = None
+
+
+@dataclass(frozen=True)
+class BallsInBoxes:
+    """Balls in boxes; see `BallMap`."""
+
+    across: Annotated[Array, LENGTH]
+    along: Annotated[Array, LENGTH]
+    balls: Annotated[Array, GRID]
+    outside: int
+    near: int
+
+
+@dataclass(frozen=True)
+class SeasonMaps:
+    """Of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
+
+    means: Mapping[str, float | None] | None = None
+    ceilings: Mapping[str, Array] | None = None
+    barrel: BallsInBoxes | None = None
+    field: BallsInBoxes | None = None
+
+
+def answer(state: SeasonState) -> SeasonPicture:
     """Return the bat, the chosen park's fence, and of a season that was read what can be chosen and taken away."""
     bat = described(state)
     with about("fence"):
         park = fenced(state)
         distance, _ = fence_at(park, DIRECTIONS)
-    folder = _folder(state)
-    summary = None if folder is None else kept_summary(folder)
-    return {
-        "bat": {
-            **to_dict(mass_properties(bat, rigid_body(beam_model(bat)))), **to_dict(outline(bat)),
-            "bounds": bounds(state, bat),
-        },
-        "park": {
-            "name": park.name, "right_m": distance * np.sin(DIRECTIONS), "out_m": distance * np.cos(DIRECTIONS),
-        },
-        "season": None if summary is None else {
-            **{name: summary[name] for name in ("choices", "rows", "files", "unread", "tables")},
-            "same_bat": summary["bat"] == bat_words(state),
-        },
-    }  # fmt: skip
+    summary = _summary(state)
+    masses, shape = mass_properties(bat, rigid_body(beam_model(bat))), outline(bat)
+    return SeasonPicture(
+        SeasonBat(**vars(masses), **vars(shape), bounds=bounds(state, bat)),
+        FieldFence(park.name, distance * np.sin(DIRECTIONS), distance * np.cos(DIRECTIONS)),
+        None
+        if summary is None
+        else ReadSeason(
+            summary.choices,
+            summary.rows,
+            summary.files,
+            summary.unread,
+            summary.tables,
+            same_bat=summary.bat == bat_words(state),
+        ),
+    )
 
 
 def fenced(state: SeasonState) -> Park:
@@ -119,50 +197,48 @@ def renamed(field: str) -> Iterator[None]:
         raise FieldError(field, "these tables are not here any more; hand them in again") from None
 
 
-def summary(state: SeasonState) -> dict[str, Any]:
+def summary(state: SeasonState) -> SeasonWords:
     """Return what is told of the whole season, and its players."""
-    folder = _folder(state)
-    found = None if folder is None else kept_summary(folder)
-    return {} if found is None else {name: found[name] for name in ("html", "players")}
+    found = _summary(state)
+    return SeasonWords() if found is None else SeasonWords(found.html, found.players)
 
 
-def maps(state: SeasonState) -> dict[str, Any]:
+def maps(state: SeasonState) -> SeasonMaps:
     """Return of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
     from sweetspot.season import ball_maps
     from sweetspot.season.season_table import counted_in
 
     folder = _folder(state)
     if folder is None:
-        return {}
+        return SeasonMaps()
     chosen = {name: value for name in ("batter", *ball_maps.CHOICES) if (value := getattr(state, name)) is not None}
     counted = ball_maps.chosen_balls(counted_in(folder), chosen)
-    return {
-        "means": ball_maps.ball_means(counted),
-        "ceilings": ball_maps.ceiling_counts(counted),
-        "barrel": _map(ball_maps.barrel_counts(counted)),
-        "field": _map(ball_maps.field_counts(counted)),
-    }
+    return SeasonMaps(
+        ball_maps.ball_means(counted),
+        ball_maps.ceiling_counts(counted),
+        _boxes(ball_maps.barrel_counts(counted)),
+        _boxes(ball_maps.field_counts(counted)),
+    )
 
 
-def _map(ball_map: BallMap | None) -> dict[str, Any] | None:
-    return None if ball_map is None else {
-        "across_m": ball_map.across, "along_m": ball_map.along, "balls": ball_map.counts, "outside": ball_map.outside,
-        "near": ball_map.near,
-    }  # fmt: skip
+def _boxes(ball_map: BallMap | None) -> BallsInBoxes | None:
+    if ball_map is None:
+        return None
+    return BallsInBoxes(ball_map.across, ball_map.along, ball_map.counts, ball_map.outside, ball_map.near)
 
 
-def player(state: SeasonState) -> ReadDocument | dict[str, Any]:
-    """Return one player's page."""
+def player(state: SeasonState) -> ReadDocument | None:
+    """Return one player's page; None where nobody is chosen."""
     from sweetspot.report.season.one_player import player_page
 
     folder = _folder(state)
     if folder is None or state.batter is None:
-        return {}
+        return None
     with about("batter"):
         return told(player_page(_answer(folder).player(state.batter)))
 
 
-def contacts(state: SeasonState) -> dict[str, Any]:
+def contacts(state: SeasonState) -> dict[str, float]:
     """Return where the chosen player meets the ball and how fast the swing is, as controls of the view Design."""
     from sweetspot.design.contacts import contacts_at
     from sweetspot.season.ball_maps import contact_places
@@ -177,11 +253,11 @@ def contacts(state: SeasonState) -> dict[str, Any]:
         "position_spread": max(contacts.spread, LEAST_SPREAD),
         "position_doubt": math.hypot(contacts.mean_doubt, PLACES_DOUBT),
     }
-    found = kept_summary(folder)
-    players: list[dict[str, Any]] = [] if found is None else found["players"]
-    player = next((listed for listed in players if listed["batter"] == state.batter), dict[str, Any]())
-    if player.get("bat_speed") is not None:
-        values["bat_speed"] = player["bat_speed"]
+    summary = _summary(state)
+    players = () if summary is None else summary.players
+    bat_speed = next((listed.bat_speed for listed in players if listed.batter == state.batter), None)
+    if bat_speed is not None:
+        values["bat_speed"] = bat_speed
     return batter_controls(values)
 
 
@@ -193,6 +269,11 @@ def _folder(state: SeasonState) -> Path | None:
     if kept_summary(folder) is None:
         raise FieldError("season", "these tables have not been read to their end; read them again")
     return folder
+
+
+def _summary(state: SeasonState) -> SeasonSummary | None:
+    folder = _folder(state)
+    return None if folder is None else kept_summary(folder)
 
 
 @lru_cache(maxsize=4)

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import os
 import pickle
 import shutil
 import time
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-import pydantic_core
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.whole_files import written_whole
+from sweetspot.units.dimensions import System
 from sweetspot.web.documents import told
 from sweetspot.web.jobs import Say
 from sweetspot.web.uploads import TAKEN_AWAY
@@ -24,13 +22,11 @@ from sweetspot.web.uploads import TAKEN_AWAY
 if TYPE_CHECKING:  # tables load slowly, and no other view needs them
     from sweetspot.answers.season import SeasonAnswer
 
-SUMMARY, ANSWER, HANDED_IN = "summary.json", "answer.pickle", "handed-in"
+SUMMARY, ANSWER, HANDED_IN = "summary.pickle", "answer.pickle", "handed-in"
 LISTED = 3000
 """Players that can be chosen from, those with most balls."""
 LONGEST_NAME = 120
 """Bytes of a file's name that is kept."""
-MEASURES = ("ev20", "exit_speed", "bat_speed", "squared_up", "from_best", "home_runs", "home_runs_expected")
-"""Of each player in the list."""
 SETTLED = 1.0
 """s of reading from which on its speed is told: the first parts come together."""
 MADE_UP = (16, 90)
@@ -40,9 +36,57 @@ Handed = tuple[tuple[Path, str], ...]
 """Where each file lies, and what it was called."""
 
 
+@dataclass(frozen=True)
+class ListedPlayer:
+    """One player in the list; measures in SI, partly pooled, None where no table tells."""
+
+    batter: str
+    name: str
+    balls: int
+    ev20: float | None
+    exit_speed: float | None
+    bat_speed: float | None
+    squared_up: float | None
+    from_best: float | None
+    home_runs: int | None
+    home_runs_expected: float | None
+
+
+MEASURES = tuple(field.name for field in fields(ListedPlayer)[3:])
+
+
+@dataclass(frozen=True)
+class SavedTable:
+    """A table that can be taken away."""
+
+    name: str
+    bytes: int
+
+
+@dataclass(frozen=True)
+class SeasonSummary:
+    """What is told of a season that was read to its end.
+
+    Parameters
+    ----------
+    bat : what tells the bat it was read with from others.
+    choices : what balls can be chosen by, and how many balls each has.
+    unread : why files could not be read.
+    """
+
+    bat: str
+    html: Mapping[System, str]
+    players: tuple[ListedPlayer, ...]
+    choices: Mapping[str, Sequence[tuple[str, int]]]
+    rows: int
+    files: tuple[str, ...]
+    unread: tuple[str, ...]
+    tables: tuple[SavedTable, ...]
+
+
 def read_season(
     handed: Handed, folder: Path, key: str, bat: Bat, described: str, *, after: Any, say: Say
-) -> dict[str, Any]:
+) -> dict[str, str]:
     """Read tables of balls in play, or a made-up one where none is handed in: begins work that says how far it is.
 
     The result's ``season`` is the name by which the view is asked about it.
@@ -129,42 +173,39 @@ def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     write_tables(answer, tables)
     answer.balls().sink_parquet(tables / "balls.parquet")
     answer.season.ledger().sink_parquet(tables / "ledger.parquet")
-    summary = {
-        "bat": described,
-        "html": told(season_document(answer)).html,
-        "players": players_of(answer),
-        "choices": choices_of(answer.counted),
-        "rows": sum(table.rows for table in answer.tables),
-        "files": [Path(table.file).name for table in answer.tables],
-        "unread": unread_of(answer),
-        "tables": [{"name": path.name, "bytes": path.stat().st_size} for path in sorted(tables.iterdir())],
-    }
+    summary = SeasonSummary(
+        bat=described,
+        html=told(season_document(answer)).html,
+        players=tuple(players_of(answer)),
+        choices=choices_of(answer.counted),
+        rows=sum(table.rows for table in answer.tables),
+        files=tuple(Path(table.file).name for table in answer.tables),
+        unread=tuple(unread_of(answer)),
+        tables=tuple(SavedTable(path.name, path.stat().st_size) for path in sorted(tables.iterdir())),
+    )
     (folder / ANSWER).write_bytes(pickle.dumps(replace(answer, counted=answer.counted.clear())))
-    (folder / SUMMARY).write_bytes(pydantic_core.to_json(summary, inf_nan_mode="null"))
+    with written_whole(folder / SUMMARY) as file:
+        pickle.dump(summary, file)
 
 
-def players_of(answer: SeasonAnswer) -> list[dict[str, Any]]:
-    """Return the players of a season, those with most balls first, with a few measures in SI."""
+def players_of(answer: SeasonAnswer) -> Iterator[ListedPlayer]:
+    """Yield the players of a season, those with most balls first."""
     players = answer.standings.get("batter")
     if players is None:
-        return []
+        return
     table = players.table.sort(["balls", "batter"], descending=[True, False]).head(LISTED)
-    measures = [name for name in MEASURES if name in table.columns]
-    return [
-        {
-            "batter": str(row["batter"]),
-            "name": str(row.get("name") or row["batter"]),
-            "balls": row["balls"],
-            **{name: row[name] for name in measures},
-        }
-        for row in table.iter_rows(named=True)
-    ]
+    for row in table.iter_rows(named=True):
+        batter, measures = str(row["batter"]), {name: row.get(name) for name in MEASURES}
+        yield ListedPlayer(batter, str(row.get("name") or batter), row["balls"], **measures)
 
 
-def kept_summary(folder: Path) -> dict[str, Any] | None:
-    """Return what was told of a season; None: it has not been read to its end."""
+def kept_summary(folder: Path) -> SeasonSummary | None:
+    """Return what was told of a season; None: it has not been read to its end. The file is this server's own."""
     path = folder / SUMMARY
-    return dict(json.loads(path.read_text(encoding="utf-8"))) if path.exists() else None
+    if not path.exists():
+        return None
+    summary: SeasonSummary = pickle.loads(path.read_bytes())
+    return summary
 
 
 def kept_answer(folder: Path) -> SeasonAnswer:

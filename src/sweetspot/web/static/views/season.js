@@ -9,13 +9,12 @@ import { Players } from "./season_players.js";
 import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
 import { Reading } from "./season_reading.js";
 import { grouped } from "../controls/units.js";
-/** @import { Answers } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
-/** @import { View } from "../shell/main.js" */
+/** @import { Answer, View } from "../shell/main.js" */
 
 const FILTERS = [["team", "Hit for", "any club"], ["pitch_type", "Off", "all pitches"], ["count", "At the count", "all counts"], ["month", "In the month", "all months"], ["park", "In the park", "all parks"]];
 const EVERYBODY = { batter: null, team: null, pitch_type: null, count: null, month: null, park: null };
-/** @type {Fact<Answers["season"]>[]} */
+/** @type {Fact<Answer>[]} */
 const FACTS = [
   ["Balls", ({ means }) => grouped(means.balls)], ["Exit speed", ({ means }) => ["speed", means.exit_speed]],
   ["Hardest fifth (EV20)", ({ means }) => ["speed", means.ev20]], ["Bat speed", ({ means }) => ["speed", means.bat_speed]],
@@ -98,7 +97,7 @@ export const view = {
     });
     if (app.state.batter !== null) {
       this.page.waits();
-      app.aside("player", but("season", "batter"), 60, (found) => found.html && this.page.show(found));
+      app.aside("player", but("season", "batter"), 60, (found) => found && this.page.show(found));
     }
     this.players.redraw();
     this.page.redraw();
