@@ -13,7 +13,7 @@ from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.units import INCH
-from sweetspot.validation.computations.pitching import flown
+from sweetspot.validation.computations.flight import flown
 
 FLAGSHIP = "r161-ash"
 

@@ -24,8 +24,7 @@ from sweetspot.player.expected_gain import DRAWS, SWINGS
 from sweetspot.player.posterior import NOTHING_LEARNED
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.collision import rigid_wall
-from sweetspot.validation.computations.optimum import best
-from sweetspot.validation.computations.pitching import flown
+from sweetspot.validation.computations.flight import best, flown
 from sweetspot.validation.computations.space import league_sidespin
 from sweetspot.web.answers import TIME_LIMIT
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_PER_SECOND, MOST_SOCKETS, REQUESTS_PER_SECOND

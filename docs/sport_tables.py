@@ -11,7 +11,7 @@ from sweetspot import validation
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.paper.sports import sport_rows
-from sweetspot.validation.result import Result
+from sweetspot.validation.cases import Result
 
 CASES: dict[str, tuple[str, ...]] = {
     "softball": ("kensrud2017", "russell2004hoop", "russell2017acoustics"),

@@ -19,8 +19,8 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.paper.chain import paper_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
-from sweetspot.validation.computations.pitching import flown
-from sweetspot.validation.result import EVIDENCE
+from sweetspot.validation.cases import EVIDENCE
+from sweetspot.validation.computations.flight import flown
 
 MINUS = "\N{MINUS SIGN}"
 CITATION = re.compile(r"\[([a-z][a-z0-9_]+)((?:[,;] [^\]]*)?)\]")

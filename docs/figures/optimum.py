@@ -18,7 +18,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.units import FOOT, INCH
-from sweetspot.validation.computations.pitching import flown
+from sweetspot.validation.computations.flight import flown
 
 ANGLES, OFFSETS = np.radians(np.linspace(-5, 40, 91)), np.linspace(-0.5, 2.0, 101) * INCH
 LEVELS = (100, 150, 200, 250, 300, 325, 350, 375, 390, 400, 410)

@@ -7,7 +7,7 @@ import math
 from dataclasses import replace
 
 from sweetspot import validation
-from sweetspot.validation.result import Result
+from sweetspot.validation.cases import Result
 
 PLAIN = Result(
     source="paper2014",

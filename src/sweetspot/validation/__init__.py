@@ -4,8 +4,7 @@ One folder per source under ``cases/``: values as printed, how they map to our a
 was left out and why. The command line, the tests and the docs page all read `results`, so they cannot drift apart.
 """
 
-from sweetspot.validation.cases import Case, Row, sources
-from sweetspot.validation.result import Result
+from sweetspot.validation.cases import Case, Result, Row, sources
 from sweetspot.validation.run import passed, results
 from sweetspot.validation.table import headline, markdown, rows, short_rows, summary
 

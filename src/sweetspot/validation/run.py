@@ -9,9 +9,8 @@ from typing import Any
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM, Kind
-from sweetspot.validation.cases import CASES, Case, Row, sources
+from sweetspot.validation.cases import CASES, Case, Result, Row, sources
 from sweetspot.validation.computations.registry import COMPUTATIONS
-from sweetspot.validation.result import Result
 
 UNITS = {
     "": 1.0, "%": 0.01, "m": 1.0, "cm": 0.01, "in": INCH, "ft": FOOT, "cm^3": 1e-6, "kg": 1.0, "oz": OUNCE,
@@ -21,22 +20,22 @@ UNITS = {
 }  # fmt: skip
 """Units of printed values, each in SI."""
 
-INPUT_KINDS: dict[str, Kind] = {
-    "ball_speed": "speed", "bat_speed": "speed", "exit_speed": "speed", "speed": "speed", "other_speed": "speed",
-    "closing_speed": "speed", "efficiency": "ratio", "besr": "ratio", "restitution": "ratio", "recoil": "ratio",
-    "bat_restitution": "ratio", "ball_restitution": "ratio", "share": "ratio", "within": "ratio",
-    "length": "length", "pivot": "length", "axis": "length", "from_tip": "length", "distance": "length",
-    "measured_at": "length", "bore_diameter": "length", "bore_depth": "length", "plug": "length",
-    "balance_point": "length", "mass": "mass", "ball_mass": "mass", "added_mass": "mass",
-    "moi": "moi", "other_moi": "moi", "contact_time": "time",
-    "launch_angle": "angle", "backspin": "angular speed", "deflection": "angle", "other_deflection": "angle",
-    "spray": "angle", "sidespin": "angular speed", "temperature": "temperature", "humidity": "ratio",
-    "elevation": "length", "wind_speed": "speed", "wind_direction": "angle", "height": "length", "time": "time",
-    "diameter": "length", "thinner": "length", "wall": "length",
-    "modulus": "pressure", "frequency": "frequency", "bar_length": "length", "bar_width": "length",
-    "bar_thickness": "length", "bar_mass": "mass",
-    "inward": "length", "outward": "length", "density": "density", "poisson_ratio": "ratio",
-}  # fmt: skip
+NAMES_OF_INPUTS: dict[Kind, str] = {
+    "speed": "ball_speed bat_speed exit_speed speed other_speed closing_speed wind_speed",
+    "ratio": "efficiency besr restitution recoil bat_restitution ball_restitution share within humidity poisson_ratio",
+    "length": "length pivot axis from_tip distance measured_at bore_diameter bore_depth plug balance_point elevation "
+    "height diameter thinner wall bar_length bar_width bar_thickness inward outward",
+    "mass": "mass ball_mass added_mass bar_mass",
+    "moi": "moi other_moi",
+    "time": "contact_time time",
+    "angle": "launch_angle deflection other_deflection spray wind_direction",
+    "angular speed": "backspin sidespin",
+    "temperature": "temperature",
+    "pressure": "modulus",
+    "frequency": "frequency",
+    "density": "density",
+}
+INPUT_KINDS: dict[str, Kind] = {name: kind for kind, names in NAMES_OF_INPUTS.items() for name in names.split()}
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
 
 

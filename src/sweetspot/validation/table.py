@@ -7,8 +7,7 @@ from dataclasses import asdict
 from math import isfinite
 from typing import Any
 
-from sweetspot.validation.cases import Case
-from sweetspot.validation.result import EVIDENCE, TAGS, Result
+from sweetspot.validation.cases import EVIDENCE, TAGS, Case, Result
 from sweetspot.validation.run import results
 
 

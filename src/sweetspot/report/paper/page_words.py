@@ -84,7 +84,7 @@ def percussion_places(analysis: Analysis[Bat], choices: Choices) -> tuple[RigidB
 
 def _percussion(analysis: Analysis[Bat], choices: Choices, _: list[Row]) -> Told:
     length, best = analysis.bat.length, analysis.sweet_spots.max_exit_speed
-    _, rod, bat, moved, _ = percussion_places(analysis, choices)
+    _body, rod, bat, moved, _place = percussion_places(analysis, choices)
 
     def tipwards(place: float) -> Sentence:
         side = "beyond" if place > length else "from"

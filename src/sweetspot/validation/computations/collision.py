@@ -248,30 +248,3 @@ def _exit(bat: str, *, pitch: float = 0.0, swing: float = 0.0) -> float:
         ball=old.ball,
     )
     return exit_speed_of(hit_at(analysis.sweet_spots.max_exit_speed, modes=analysis.modes, conditions=changed), changed)
-
-
-COMPUTATIONS = (
-    ash_wall_restitution,
-    wall_restitution_change,
-    held_rod_turning,
-    held_rod_hand_force,
-    turned_mean_force,
-    turned_peak_force,
-    turned_contact_time,
-    standard_peak_force,
-    standard_contact_time,
-    standard_angular_speed,
-    flexible_over_rigid,
-    best_from_tip,
-    best_efficiency_from_tip,
-    efficiency_fall,
-    squared_up_from_tip,
-    best_restitution_from_tip,
-    rigid_best_place_from_tip,
-    best_to_node,
-    best_to_percussion,
-    restitution_at_best,
-    bat_speed_slope,
-    pitch_speed_slope,
-    best_exit_speed,
-)

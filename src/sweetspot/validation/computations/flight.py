@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.catalog.aerodynamic_laws import usual_spin_line
+from sweetspot.analysis.bat_analysis import exit_speed_of, hit_at
+from sweetspot.analysis.optimum import BestSwing, best_launch, best_swing
+from sweetspot.catalog.aerodynamic_laws import STILL_AIR, aerodynamics, usual_spin_line
+from sweetspot.catalog.deliveries import usual_height
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION, Friction
+from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.aerodynamics import drag_and_lift
+from sweetspot.flight.air import CALM, MEAN_BREEZE, Air
 from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.pitch import MIDDLE, PitchFlight, aimed
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import Flight, fly
-from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.ball_motion import BallMotion, batted_ball
 from sweetspot.units import DEGREE, FOOT, INCH_OF_MERCURY, MPH, RPM
+from sweetspot.validation.computations import shared
 
 """Pa."""
 
@@ -135,15 +145,120 @@ def flight_place(*, time: float, along: str, law: str = "baseball", **changes: A
     return float(place[("right", "out", "up").index(along)])
 
 
-COMPUTATIONS = (
-    fly_ball,
-    carry_gain,
-    carry_gain_of_drag,
-    lift_at,
-    wind_asymmetry,
-    air_density_of,
-    air_density_ratio,
-    push_of_air,
-    coefficient,
-    flight_place,
-)
+DAY = Air(temperature=22.2, elevation=290 * FOOT)
+"""What the drag was fitted with: 72 degF (assumed) at the mean elevation of the day's parks."""
+DAY_DRAG = 0.2905
+"""Of the law of pitches: the day's own level [savant_2020day]; balls differ from year to year."""
+
+
+@cache
+def flown(pitch: str, law: str = "") -> PitchFlight:
+    """Return a pitch of the catalogue thrown to where such pitches pass the plate, by the day's drag or by a law.
+
+    The law of still air is given the breeze of the mean park.
+    """
+    known = aerodynamics(law) if law else aerodynamics("pitched-baseball").replaced(drag=DAY_DRAG)
+    return aimed(
+        catalog.delivery(pitch),
+        ball=catalog.ball(),
+        aerodynamics=known,
+        air=DAY,
+        wind=MEAN_BREEZE if law == STILL_AIR else CALM,
+        target=(MIDDLE[0], usual_height(pitch)),
+    )
+
+
+def pitch_speed_ratio(*, pitch: str, law: str = "") -> float:
+    """Return speed at the plate over speed at release."""
+    return flown(pitch, law).speed_ratio
+
+
+def pitch_plate_speed(*, pitch: str) -> float:
+    """Return speed at the plate."""
+    return flown(pitch).plate.speed
+
+
+def pitch_fall(*, pitch: str) -> float:
+    """Return the vertical approach angle at the plate."""
+    return flown(pitch).vertical_approach_angle
+
+
+def pitch_mean_speed_ratio(*, pitches: dict[str, int]) -> float:
+    """Return the mean ratio over a mix of pitches, given how often each was thrown."""
+    total = sum(count * pitch_speed_ratio(pitch=pitch) for pitch, count in pitches.items())
+    return total / sum(pitches.values())
+
+
+def carry_gain_of_warm_ball(*, bat: str, warmer: float) -> float:
+    """Return how much farther the best hit of a bat carries with a ball ``warmer`` K warmer, in the same air."""
+    ball = catalog.ball()
+    return _carry(bat, temperature=ball.reference_temperature + warmer) - _carry(bat)
+
+
+def carry_gain_of_pitch(*, bat: str, speed: float) -> float:
+    """Return how much farther it carries off a pitch faster by ``speed``."""
+    return _carry(bat, faster=speed) - _carry(bat)
+
+
+def _carry(bat: str, *, temperature: float | None = None, faster: float = 0.0) -> float:
+    analysis = shared.standard(bat)
+    usual = analysis.conditions
+    conditions = usual.replaced(
+        ball=usual.ball.conditioned(temperature=temperature),
+        pitch=usual.pitch.replaced(speed=usual.pitch.speed + faster),
+    )
+    impact = hit_at(analysis.sweet_spots.max_exit_speed, modes=analysis.modes, conditions=conditions)
+    return fly_ball(answer="carry", exit_speed=exit_speed_of(impact, conditions))
+
+
+BAT = "r161-ash"
+SHEET = Air(temperature=21.11, humidity=0.5, elevation=15 * FOOT)
+PITCHES = {"fastball": (85.4, 2347, -4.9), "curve": (72.1, -2549, -9.8), "knuckleball": (72.1, 0, -9.0)}
+"""Speed at the plate in mph, backspin in rpm, all of it active, and approach angle in degrees."""
+Model = Literal["measured", "rolling"]
+
+
+@cache
+def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
+    """Return the best level swing at a pitch.
+
+    "measured": friction gives a part of the sliding back and drag grows with spin; "rolling": the ball leaves rolling
+    on the bat and its drag does not know of its spin.
+    """
+    bat, ball = catalog.bat(BAT), catalog.ball()
+    speed, backspin, fall = PITCHES[pitch]
+    arriving = batted_ball(
+        speed=speed * MPH, launch_angle=fall * DEGREE, spray=math.pi, backspin=backspin * RPM, position=(0.0, 0.6, 0.9)
+    )
+    law = catalog.aerodynamics()
+    return best_swing(
+        reduced_bat(bat, ball=ball),
+        FlightConditions(
+            ball=ball, aerodynamics=law if model == "measured" else law.replaced(drag_per_active_spin=0.0), air=SHEET
+        ),
+        swing=standard_conditions(bat).swing,
+        pitch=arriving,
+        friction=Friction(
+            coefficient=friction, tangential_restitution=TANGENTIAL_RESTITUTION if model == "measured" else 0.0
+        ),
+    )
+
+
+def best_carry_gain(*, pitch: str, other_pitch: str, model: Model) -> float:
+    """Return by how much a pitch, hit at its best, is carried farther than another."""
+    return best(pitch, model).carry - best(other_pitch, model).carry
+
+
+def best_carry_change_by_friction(*, pitch: str, friction: float) -> float:
+    """Return what another coefficient of friction changes of the best carry."""
+    return best(pitch, "measured", friction).carry - best(pitch, "measured").carry
+
+
+def best_launch_angle(*, exit_speed: float, backspin: float, law: str = "baseball") -> float:
+    """Return the launch angle that carries farthest."""
+    launch = best_launch(
+        exit_speed,
+        FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=SHEET),
+        backspin=backspin,
+    )
+    return launch.launch_angle

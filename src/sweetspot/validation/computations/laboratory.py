@@ -76,11 +76,3 @@ def laboratory_besr_rise(*, bats: list[str], closing_speed: float) -> float:
     """Return how much BESR = q + 1/2 is greater for the last of some bats than for the first."""
     first, *_, last = [laboratory_efficiency(bat=bat, closing_speed=closing_speed) for bat in bats]
     return last - first
-
-
-COMPUTATIONS = (
-    laboratory_bbcor,
-    laboratory_exit_speed,
-    laboratory_bbcor_spread,
-    laboratory_besr_rise,
-)

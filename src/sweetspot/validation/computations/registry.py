@@ -4,44 +4,21 @@ Each takes keyword arguments (texts in a case file become SI numbers by their na
 """
 
 from collections.abc import Callable
+from inspect import isfunction
+from types import ModuleType
 
-from sweetspot.validation.computations import (
-    collision,
-    corked,
-    flight,
-    handle,
-    hollow,
-    identities,
-    inertia,
-    laboratory,
-    modes,
-    optimum,
-    pitching,
-    space,
-    sports,
-    torpedo,
-    whole_play,
-)
+from sweetspot.validation.computations import bats, collision, flight, inertia, laboratory, space, sports
+
+
+def computations_of(module: ModuleType) -> dict[str, Callable[..., float]]:
+    """Return every public function that a module defines, by name."""
+    own = {name: each for name, each in vars(module).items() if isfunction(each) and not name.startswith("_")}
+    return {name: each for name, each in own.items() if each.__module__ == module.__name__}
+
 
 COMPUTATIONS: dict[str, Callable[..., float]] = {
-    function.__name__: function
-    for module in (
-        identities,
-        inertia,
-        modes,
-        collision,
-        laboratory,
-        handle,
-        corked,
-        hollow,
-        space,
-        sports,
-        pitching,
-        optimum,
-        flight,
-        torpedo,
-        whole_play,
-    )
-    for function in module.COMPUTATIONS
+    name: computation
+    for module in (inertia, bats, collision, laboratory, space, sports, flight)
+    for name, computation in computations_of(module).items()
 }
 """Every computation by the name that case files use."""

@@ -244,10 +244,3 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     fair = np.isfinite(done.exit_speed) & (np.abs(spray) < 45 * DEGREE)
     every = (seen / ceiling, seen, seen_bat, deflection, done.exit_speed, launch, spray, back, side)
     return LeagueHits(*(value[fair] for value in every))
-
-
-COMPUTATIONS = (
-    tangential_recoil, tee_spin, ceiling_ratio, league_backspin, league_backspin_slope, league_sidespin_slope,
-    league_sidespin, league_backspin_spray_slope, edge_slope, edge_over_own_ceiling,
-    below_edge,
-)  # fmt: skip

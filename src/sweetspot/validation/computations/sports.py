@@ -220,32 +220,3 @@ def _weighted(body: RigidBody, added_mass: float) -> RigidBody:
     balance = body.mass * body.balance_point / mass
     about_butt = body.moi(0.0)
     return RigidBody(mass, balance, about_butt - mass * balance**2, body.roll_moi)
-
-
-COMPUTATIONS = (
-    racket_percussion,
-    percussion_gain,
-    balance_gain,
-    swing_weight_gain,
-    smash_factor,
-    efficiency_of_speed_ratio,
-    rule_book_rebound,
-    driven_golf_force,
-    driven_golf_time,
-    swing_law_loss,
-    efficiency_on,
-    contact_time_on,
-    first_node_from_tip,
-    percussion_towards_hands,
-    faster_ball,
-    best_bounce_from_throat,
-    node_from_middle,
-    dead_spot_from_tip,
-    usual_smash_factor,
-    usual_exit_speed,
-    sport_carry,
-    sport_hang_time,
-    sport_apex,
-    sport_landing_angle,
-    drag_from_two_cameras,
-)
