@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import shlex
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse, exit_speed_of, hit_at
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.errors import UnusualWarning
 from sweetspot.units import INCH, MPH
 from sweetspot.web.errors import NO_OBJECT
 from sweetspot.web.limits import LARGEST_BODY
@@ -57,7 +59,9 @@ def followed(
         Path("bat.toml").write_text(lines["toml"], encoding="utf-8")
         answers = [run_json(*shlex.split(line)[1:]) for line in lines["command"].splitlines() if line[0] != "#"]
         names: dict[str, Any] = {}
-        exec(lines["python"], names)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UnusualWarning)  # a softball may be hit by a baseball bat
+            exec(lines["python"], names)
         return answers, names
 
     return follow
@@ -80,7 +84,7 @@ def test_recipes_give_the_same_numbers(client: httpx.Client, state: dict[str, An
     assert report["scan"]["exit_speed_m_s"] == pytest.approx(found["scan"]["exit_speed_m_s"], rel=1e-9)
     assert report["sweet_spots"]["min_sting_m"] == pytest.approx(found["sweet_spots"]["min_sting_m"], rel=1e-9)
     assert hit["exit_speed_m_s"] == pytest.approx(found["hit"]["exit_speed_m_s"], rel=2e-4)
-    assert names["result"].scan.sting == pytest.approx(found["scan"]["sting_m_s"], rel=1e-9)
+    assert names["report"].scan.sting == pytest.approx(found["scan"]["sting_m_s"], rel=1e-9)
 
 
 @pytest.mark.parametrize("state", [{"offset_in": 0.5}, {"offset_in": -0.6, "bat": "youth-30", "bore_diameter_in": 0.5}])
@@ -91,7 +95,7 @@ def test_the_lines_of_a_ball_met_off_the_axis_give_that_hit(
     (*_, played), names = followed(state)
     for name in ("exit_speed_m_s", "launch_angle_rad", "backspin_rad_s"):
         assert played[name] == pytest.approx(found[name], rel=2e-4)
-    assert names["struck"].launched.speed == pytest.approx(found["exit_speed_m_s"], rel=2e-4)
+    assert names["play"].exit_speed == pytest.approx(found["exit_speed_m_s"], rel=2e-4)
 
 
 def test_a_ball_met_off_the_axis_is_lifted_and_slower(client: httpx.Client) -> None:

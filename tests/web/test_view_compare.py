@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import io
 import shlex
 from collections.abc import Callable
-from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -17,9 +15,8 @@ from sweetspot.answers.compare import compare_of
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.rigid import OF_SWING
-from sweetspot.numerics.interval import REACH
+from sweetspot.numerics.interval import REACH, interval_of
 from sweetspot.report.comparison.words import changes
-from sweetspot.units import MPH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views import compare as compare_view
 from sweetspot.web.views.compare import VIEW, CompareState, rules_sure, sure
@@ -157,11 +154,10 @@ def test_python_lines_give_the_same_numbers(
         if name.endswith("toml"):
             (tmp_path / ("bat.toml" if name == "toml" else name)).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    said = io.StringIO()
-    with redirect_stdout(said):
-        exec(lines["python"], {})
-    shown = [float(line.split()[-3]) for line in said.getvalue().splitlines()]
-    expected = [row["exit_speed_m_s"]["value"] / MPH for row in answer(state)["bats"]]
+    names: dict[str, Any] = {}
+    exec(lines["python"], names)
+    shown = [interval_of(bat.exit_speed).value for bat in names["compare"].bats]
+    expected = [row["exit_speed_m_s"]["value"] for row in answer(state)["bats"]]
     assert shown == pytest.approx(expected, rel=1e-6)
     assert lines["command"].startswith("sweetspot compare ") and "sweetspot certify " in lines["command"]
 

@@ -6,6 +6,8 @@ for people to copy and run, and a state may come from anybody's link.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from shlex import quote
 
 from sweetspot import catalog
@@ -19,11 +21,18 @@ BAT_FILE = "bat.toml"
 ENOUGH = 12
 """Decimals of a bat's lengths and masses with which its file gives the page's numbers to nine figures."""
 _FIRST = BatState()
+Options = Mapping[str, str | bool | None]
+"""By the name of the parameter of Python's function; the command line has hyphens in it."""
 
 
 def bat_name(state: BatState) -> str:
-    """Return what the command line calls the bat: its catalogue name, or the file."""
-    return quote(state.bat) if is_catalogued(state) else BAT_FILE
+    """Return what the command line calls the bat: its catalogue name, quoted, or the file."""
+    return quote(bat_source(state))
+
+
+def bat_source(state: BatState) -> str:
+    """Return where a bat is found: its name in the catalogue, or the file."""
+    return state.bat if is_catalogued(state) else BAT_FILE
 
 
 def is_catalogued(state: BatState) -> bool:
@@ -48,28 +57,92 @@ def option(name: str, text: str) -> str:
     return f"{name}{'=' if text.startswith('-') else ' '}{quote(text)}"
 
 
-def swing_options(state: SwungState, *, beside: bool = False) -> str:
-    """Return the command line's options for pitch, swing and ball; those that have their usual value are left out.
+@dataclass(frozen=True)
+class Ask:
+    """One question as the command line and Python ask it: a command's options are its function's parameters.
+
+    Parameters
+    ----------
+    name, things : of the command, and the bats that it is asked about.
+    options : by the parameter's name; None and False are left out.
+    function : of Python, where it is called otherwise.
+    chosen : options by which the command chooses that function.
+    note : what stands above the line.
+    """
+
+    name: str
+    things: tuple[str, ...] = ()
+    options: Options = field(default_factory=dict)
+    function: str = ""
+    chosen: Options = field(default_factory=dict)
+    note: str = ""
+
+    @property
+    def command(self) -> str:
+        """The line for the command line."""
+        things = "".join(f" {quote(thing)}" for thing in self.things)
+        return self._noted(f"sweetspot {self.name}{things}{as_text({**self.chosen, **self.options})}")
+
+    @property
+    def python(self) -> str:
+        """The line for Python."""
+        options = (f"{name}={value!r}" for name, value in self.options.items() if value not in (None, False))
+        words = ", ".join([*map(repr, self.things), *options])
+        return self._noted(f"{self.name} = sweetspot.{self.function or self.name}({words})")
+
+    def _noted(self, line: str) -> str:
+        return f"# {self.note}:\n{line}" if self.note else line
+
+
+def lines_of(*asks: Ask) -> dict[str, str]:
+    """Return the lines of questions."""
+    python = "\n".join(["import sweetspot", "", *(ask.python for ask in asks), ""])
+    return {"command": "\n".join(ask.command for ask in asks), "python": python}
+
+
+def as_text(options: Options) -> str:
+    """Return options as the command line writes them; a value may begin like an option itself.
+
+    >>> as_text({"spray": "-15deg", "park": "fenway-park", "same_speed": True, "ball": None})
+    ' --spray=-15deg --park fenway-park --same-speed'
+    """
+    text = ""
+    for name, value in options.items():
+        if value is True:
+            text += f" --{name.replace('_', '-')}"
+        elif value:
+            text += " " + option(f"--{name.replace('_', '-')}", str(value))
+    return text
+
+
+def swing_options(state: SwungState, *, beside: bool = False) -> dict[str, str | bool | None]:
+    """Return the options for pitch, swing and ball; those that have their usual value are left out.
 
     Parameters
     ----------
     beside : whether other bats stand beside this one, which is swung as fast as the options say.
     """
-    pitch = "tee" if state.pitch_speed_mph == 0 else _unless(state.pitch_speed_mph, None, "mph")
-    return _options({"--pitch-speed": pitch}) + stroke_options(state, beside=beside)
+    pitch = "tee" if state.pitch_speed_mph == 0 else number(state.pitch_speed_mph, "mph")
+    return {"pitch_speed": pitch} | stroke_options(state, beside=beside)
 
 
-def stroke_options(state: SwungState, *, beside: bool = False) -> str:
-    """Return the command line's options for swing and ball alone; see `swing_options`."""
-    first = SwungState()
-    return ("" if beside else _same_speed(state)) + _options({
-        "--bat-speed": _unless(_speed_to_give(state, beside=beside), None, "mph"),
-        "--hands": _unless(state.hands_in + state.choke_up_in, first.hands_in + state.choke_up_in, "in"),
-        "--ball": None if state.ball is None else quote(state.ball),
-        "--ball-cor": _unless(state.ball_cor, None, ""),
-        "--ball-humidity": _unless(state.ball_humidity, None, ""),
-        "--ball-temperature": _unless(state.ball_temperature_degf, None, "degF"),
-    })  # fmt: skip
+def stroke_options(state: SwungState, *, beside: bool = False) -> dict[str, str | bool | None]:
+    """Return the options for swing and ball alone; see `swing_options`."""
+    moved = state.hands_in != SwungState.model_fields["hands_in"].default
+    return {
+        "same_speed": not beside and state.same == "speed" and is_changed(described(state)),  # else it is refused
+        "bat_speed": number(_speed_to_give(state, beside=beside), "mph"),
+        "hands": number(state.hands_in + state.choke_up_in, "in") if moved else None,
+        "ball": state.ball,
+        "ball_cor": number(state.ball_cor),
+        "ball_humidity": number(state.ball_humidity),
+        "ball_temperature": number(state.ball_temperature_degf, "degF"),
+    }
+
+
+def number(value: float | None, unit: str = "") -> str | None:
+    """Return a number with its unit as options have it."""
+    return None if value is None else f"{value:.12g}{unit}"
 
 
 def _speed_to_give(state: SwungState, *, beside: bool) -> float | None:
@@ -86,15 +159,6 @@ def _speed_to_give(state: SwungState, *, beside: bool) -> float | None:
         speed = known.speed_before(conditions_of(state, bat))
     given = round(speed / MPH, 9)
     return None if given == usual(bat).bat_speed_mph and state.bat_speed_mph is None else given
-
-
-def _same_speed(state: SwungState) -> str:
-    """Return the command line's option for bats swung at the same speed; none where it would refuse it."""
-    return " --same-speed" if state.same == "speed" and is_changed(described(state)) else ""
-
-
-def _options(options: dict[str, str | None]) -> str:
-    return "".join(f" {name} {value}" for name, value in options.items() if value is not None)
 
 
 def conditions_lines(state: SwungState) -> str:
@@ -135,7 +199,3 @@ def modes_line(*, held: bool) -> str:
         "hands = conditions.hands.replaced(**TYPICAL_HAND)\n"
         "modes = held_modes(all_modes(beam_model(bat), conditions.ball), hands)\n"
     )
-
-
-def _unless(value: float | None, usual: float | None, unit: str) -> str | None:
-    return None if value is None or value == usual else f"{value:.12g}{unit}"

@@ -82,7 +82,7 @@ def percussion_places(analysis: Analysis[Bat], choices: Choices) -> tuple[RigidB
     )
 
 
-def _percussion(analysis: Analysis[Bat], choices: Choices, _: list[Row]) -> Told:
+def _percussion(analysis: Analysis[Bat], choices: Choices, __: list[Row]) -> Told:
     length, best = analysis.bat.length, analysis.sweet_spots.max_exit_speed
     _body, rod, bat, moved, _place = percussion_places(analysis, choices)
 

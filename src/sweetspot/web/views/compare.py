@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from shlex import quote
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -49,7 +48,7 @@ from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, to
 from sweetspot.web.drawings import BallPicture, BatPicture, BatShape, ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
-from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, is_catalogued, lines_of, number, swing_options
 from sweetspot.web.states import BatState, Name, SwungState
 from sweetspot.web.view import View
 
@@ -266,14 +265,14 @@ def rules_sure(state: CompareState) -> ReadDocument:
     leagues = [one for one in every if one.ball == every[0].ball]
     pages = dict.fromkeys(SYSTEMS, "")
     bats = zip(_own_controls(state, len(reductions)), reductions, labels, strict=True)
-    for number, (own, reduction, label) in enumerate(bats, start=1):
+    for place, (own, reduction, label) in enumerate(bats, start=1):
         bat = _unheld(reduction.bat)
         done = _certified(bat, every[0].ball)
         conditions = standard_conditions(bat).replaced(ball=done.ball)
         sources = sources_for(own, bat, conditions)
         question = CertifyQuestion(bat, leagues, done.ball, sources=sources, draws=PAGE_DRAWS)
         tested = certificate_of(question, body=reduction.body, test=done)
-        for system, page in told(certificate_document(tested), mark=f"-{number}").html.items():
+        for system, page in told(certificate_document(tested), mark=f"-{place}").html.items():
             pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
     return ReadDocument("", pages)
 
@@ -378,46 +377,31 @@ def _certified(bat: Bat, ball: str) -> Certification:
 
 
 def recipe(state: CompareState) -> dict[str, str]:
-    """Return command line, Python lines and bat files that give the same numbers."""
-    files = {}
-    names = [bat_name(state)]
+    """Return command line, Python line and bat files that give the same numbers."""
+    files, names = {}, [bat_source(state)]
     others = state.others if state.what_if == "none" else ()
     if state.what_if == "wall":
         others = (_changed(state, wall_factor=state.wall_factor * state.wall_times),)
-    for number, bat in enumerate(others, start=2):
-        if is_catalogued(bat):
-            names.append(quote(bat.bat))
-        else:
-            names.append(f"bat-{number}.toml")
+    for place, bat in enumerate(others, start=2):
+        names.append(bat.bat if is_catalogued(bat) else f"bat-{place}.toml")
+        if not is_catalogued(bat):
             files[names[-1]] = bat_text(bat)
-    options = swing_options(state, beside=True)
-    if state.same == "speed":
-        options += " --same-speed"
-    if state.swing_law is not None:
-        options += f" --swing-law {quote(state.swing_law)}"
-    plug = min(1.0, state.hole_depth_in / 2)
+    options = swing_options(state, beside=True) | {"same_speed": state.same == "speed", "swing_law": state.swing_law}
+    ask = Ask("compare", tuple(names), options)
     if state.what_if == "cork":
-        options += f" --what-if cork --bore-diameter {state.hole_diameter_in:.12g}in"
-        options += f" --bore-depth {state.hole_depth_in:.12g}in --plug {plug:.12g}in"
-    made = [f"catalog.load_bat({name!r})" for name in names[1:]]
-    if state.what_if == "cork":
-        hole = f"diameter={state.hole_diameter_in!r} * INCH, depth={state.hole_depth_in!r} * INCH"
-        made = [f"bat.drilled({hole})"]
-        made += [
-            f'bat.corked({hole}, plug={plug!r} * INCH, fill=catalog.material("{fill}"))' for fill in FILLS.values()
-        ]
-    known = swung(state)
-    law = f"catalog.swing_law({known.swing_law!r})" if state.same == "effort" else "None"
-    python = conditions_lines(state) + (
-        "\nfrom sweetspot.analysis.comparison import compare\n\n"
-        f"bats = [{', '.join(['bat', *made])}]\n"
-        f"found = compare(bats, conditions=conditions, law={law})\n"
-        "for one in found.compared:\n"
-        "    print(one.label, one.exit_speed.value / MPH, one.change.low / MPH, one.change.high / MPH)\n"
-    )
-    lines = [f"sweetspot compare {' '.join(names)}{options}"]
-    lines += [f"sweetspot certify {name} --league {quote(known.league or '')}" for name in names]
-    return {"command": "\n".join(lines), "python": python, "toml": bat_text(state), **files}
+        hole = {
+            "bore_diameter": number(state.hole_diameter_in, "in"),
+            "bore_depth": number(state.hole_depth_in, "in"),
+            "plug": number(min(1.0, state.hole_depth_in / 2), "in"),
+        }
+        ask = replace(ask, options=options | hole, function="compare_corked", chosen={"what_if": "cork"})
+    tests = [Ask("certify", (name,), {"league": swung(state).league}).command for name in names]
+    return {
+        "command": "\n".join([ask.command, *tests]),
+        "python": lines_of(ask)["python"],
+        "toml": bat_text(state),
+        **files,
+    }
 
 
 VIEW = View(

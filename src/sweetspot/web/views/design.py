@@ -47,7 +47,7 @@ from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
-from sweetspot.web.recipes import ENOUGH, bat_name, swing_options
+from sweetspot.web.recipes import ENOUGH, as_text, bat_name, swing_options
 from sweetspot.web.states import BatState
 from sweetspot.web.view import View
 from sweetspot.web.views.design_search import search
@@ -306,7 +306,8 @@ def recipe(state: DesignState) -> dict[str, str]:
         *([] if state.swing_law == "baseball" else ["--swing-law none"]),
         *([] if state.league == USUAL_LEAGUE else [f"--league {quote(state.league)}"]),
     ]
-    command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing_options(state, beside=True)} --out design"
+    swing = as_text(swing_options(state, beside=True))
+    command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing} --out design"
     return {"command": command, "toml": bat_toml(described(state))}
 
 

@@ -30,7 +30,7 @@ from sweetspot.web.bats import place_of
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.publications import Publication, published
-from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import (
@@ -211,35 +211,19 @@ def sure(state: ExplorerState) -> ReadDocument:
 
 def recipe(state: ExplorerState) -> dict[str, str]:
     """Return the lines that give the hit, and the curves of a ball met in the middle."""
-    bat, options = bat_name(state), swing_options(state)
-    command, place = f"sweetspot report {bat}{options}", f"--at {state.impact_from_tip_in:.12g}in-from-tip"
-    python = (
-        conditions_lines(state) + "result = analyse(bat, conditions)\nresult.scan.exit_speed  # m/s along the bat\n"
-    )
+    bat, options = (bat_source(state),), swing_options(state)
+    place = {"at": f"{state.impact_from_tip_in:.12g}in-from-tip"}
     if state.offset_in == 0:
-        command += f"\nsweetspot hit {bat} {place}{options}"
-        python += (
-            f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=result.modes, "
-            "conditions=conditions)\n"
-        )
+        asks = [Ask("report", bat, options), Ask("hit", bat, place | options)]
     else:
-        told = "# all along the bat, of a ball met in the middle:\n"
-        off = f"# of the ball met {abs(state.offset_in):.12g} in off the bat's axis:\n"
-        level = "--attack-angle 0deg --tilt 0deg --approach-angle 0deg --pitch-backspin 0rpm"
-        command = (
-            f"{told}{command}\n{off}sweetspot play {bat} {place} --offset={state.offset_in:.12g}in {level}{options}"
-        )
-        python = f"{told}{python}{off}" + (
-            "from sweetspot import BallMotion, Contact, SwingPath, strike\n"
-            "from sweetspot.dynamics.reduction import reduced_bat\n\n"
-            f"met = Contact(bat.length - {state.impact_from_tip_in!r} * INCH, {state.offset_in!r} * INCH)\n"
-            "level = BallMotion(position=(0.0, 0.0, 0.0), velocity=(0.0, -conditions.pitch.speed, 0.0),\n"
-            "                   spin=(0.0, 0.0, 0.0))\n"
-            "struck = strike(reduced_bat(bat, ball=conditions.ball), ball=conditions.ball,\n"
-            "                swing=conditions.swing, path=SwingPath(), pitch=level, contact=met)\n"
-            "struck.launched  # m/s and rad\n"
-        )
-    return {"command": command, "python": python, "toml": bat_text(state)}
+        level = {"attack_angle": "0deg", "tilt": "0deg", "approach_angle": "0deg", "pitch_backspin": "0rpm"}
+        off = place | {"offset": f"{state.offset_in:.12g}in"} | level | options
+        note = f"of the ball met {abs(state.offset_in):.12g} in off the bat's axis"
+        asks = [
+            Ask("report", bat, options, note="all along the bat, of a ball met in the middle"),
+            Ask("play", bat, off, note=note),
+        ]
+    return {**lines_of(*asks), "toml": bat_text(state)}
 
 
 def _hit(state: ExplorerState, met: Met, found: HitsAlongBat) -> tuple[ExplorerHit, float | None]:

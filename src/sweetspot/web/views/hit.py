@@ -31,7 +31,7 @@ from sweetspot.units.dimensions import ANGLE, ENERGY, FORCE, LENGTH, SPEED, TIME
 from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
-from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, conditions_lines, modes_line, swing_options
 from sweetspot.web.states import HeldState, PlacedState
 from sweetspot.web.view import View
 
@@ -245,7 +245,7 @@ def recipe(state: HitFilmState) -> dict[str, str]:
         "scene.times, scene.force, scene.energy.bending  # s, N, J\n"
         "arrival_time(scene, modes=modes, position=conditions.hands.position)  # s\n"
     )
-    command = f"sweetspot hit {bat_name(state)} --at {place}{swing_options(state)}"
+    command = Ask("hit", (bat_source(state),), {"at": place} | swing_options(state)).command
     return {"python": python, "toml": bat_text(state)} | ({} if state.held else {"command": command})
 
 

@@ -25,7 +25,7 @@ from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError
-from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, conditions_lines, modes_line, swing_options
 from sweetspot.web.states import HeldState, SwungState
 from sweetspot.web.view import View
 
@@ -279,7 +279,7 @@ def recipe(state: ModesState) -> dict[str, str]:
         "modes.frequency, modes.damping_ratio, modes.nodes(2)  # Hz, ratios, m from the knob end\n"
         f"tapped(modes, position=bat.length - {state.tap_from_tip_in!r} * INCH, duration={state.tap_ms!r} * 1e-3)\n"
     )
-    command = f"sweetspot report {bat_name(state)}{swing_options(state)} --format json"
+    command = Ask("report", (bat_source(state),), swing_options(state) | {"format": "json"}).command
     return {"python": python, "toml": bat_text(state)} | ({} if state.held else {"command": command})
 
 

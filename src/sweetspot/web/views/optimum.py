@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from shlex import quote
 from typing import Annotated
 
 from pydantic import Field
@@ -25,7 +24,7 @@ from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
-from sweetspot.web.recipes import bat_name, bat_text, stroke_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, number, stroke_options
 from sweetspot.web.states import Name, SwungState, within
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import CarryMap, carries, parks_of
@@ -131,15 +130,17 @@ def recipe(state: OptimumState) -> dict[str, str]:
     """Return the command line that gives the same answers, one more for each further field, and the bat's file."""
     state = swung(state)
     first, *more = catalog.sport(described(state).sport).fields or ("all",)
-    sent = f"--backspin {state.backspin_rpm:.12g}rpm"
-    lines = [
-        f"sweetspot optimum {bat_name(state)} --pitch {quote(state.pitch or '')} --tilt {state.tilt_deg:.12g}deg"
-        f"{stroke_options(state)} --exit-speed {state.exit_speed_mph:.12g}mph {sent} --park {first}",
-        *(
-            f"sweetspot optimum {bat_name(state)} --show parks --ball {quote(state.ball or '')} {sent} --park {park}"
-            for park in more
-        ),
-    ]
+    name, sent = (bat_source(state),), {"backspin": number(state.backspin_rpm, "rpm")}
+    options = {
+        "pitch": state.pitch,
+        "tilt": number(state.tilt_deg, "deg"),
+        **stroke_options(state),
+        "exit_speed": number(state.exit_speed_mph, "mph"),
+        **sent,
+        "park": first,
+    }
+    others = [Ask("optimum", name, {"show": "parks", "ball": state.ball, **sent, "park": park}) for park in more]
+    lines = [ask.command for ask in (Ask("optimum", name, options), *others)]
     return {"command": "\n".join(lines), "toml": bat_text(state)}
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from shlex import quote
 from typing import Literal
 
 from pydantic import Field
@@ -25,7 +24,7 @@ from sweetspot.web.bats import analysed
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
-from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, number, swing_options
 from sweetspot.web.states import Name, SwungState
 from sweetspot.web.view import View
 from sweetspot.web.views.paper_pictures import (
@@ -157,39 +156,20 @@ def choices_of(state: PaperState) -> Choices:
 
 
 def recipe(state: PaperState) -> dict[str, str]:
-    """Return command line, Python lines and the bat's file that give the same numbers."""
-    texts = {
-        "entry_angle": f"{state.entry_angle_deg:.12g}deg",
-        "rod_hands": f"{state.rod_hands_in:.12g}in",
-        "hands_moved": f"{state.hands_moved_in:.12g}in",
-        "bore_diameter": f"{state.hole_diameter_in:.12g}in",
-        "bore_depth": f"{state.hole_depth_in:.12g}in",
-        "fill": quote(state.hole_fill),
-        "drop_height": f"{state.drop_height_m:.12g}m",
-        "block_thickness": f"{state.block_thickness_m:.12g}m",
+    """Return command line, Python line and the bat's file that give the same numbers."""
+    options = {
+        "entry_angle": number(state.entry_angle_deg, "deg"),
+        "rod_hands": number(state.rod_hands_in, "in"),
+        "hands_moved": number(state.hands_moved_in, "in"),
+        "bore_diameter": number(state.hole_diameter_in, "in"),
+        "bore_depth": number(state.hole_depth_in, "in"),
+        "fill": state.hole_fill,
+        "drop_height": number(state.drop_height_m, "m"),
+        "block_thickness": number(state.block_thickness_m, "m"),
         "block_support": state.block_support,
-        **{name: f"{getattr(state, name):.12g}" for name in RATIOS},
+        **{name: number(getattr(state, name)) for name in RATIOS},
     }
-    options = "".join(f" --{name.replace('_', '-')} {text}" for name, text in texts.items())
-    python = conditions_lines(state) + (
-        "\nfrom math import radians\nfrom sweetspot.paper.chain import PARTS\n"
-        "from sweetspot.paper.choices import Choices\n\n"
-        "choices = Choices(\n"
-        f"    entry_angle=radians({state.entry_angle_deg!r}), rod_hands={state.rod_hands_in!r} * INCH,\n"
-        f"    hands_moved={state.hands_moved_in!r} * INCH, bore_diameter={state.hole_diameter_in!r} * INCH,\n"
-        f"    bore_depth={state.hole_depth_in!r} * INCH, fill=catalog.material({state.hole_fill!r}),\n"
-        f"    drop_height={state.drop_height_m!r}, block_thickness={state.block_thickness_m!r},\n"
-        f'    block_support="{state.block_support}",\n'
-        f"    {', '.join(f'{name}={getattr(state, name)!r}' for name in RATIOS)},\n"
-        ")\n"
-        f'for row in PARTS["{state.question}"](analyse(bat, conditions), choices):\n'
-        "    print(row.equation, row.quantity, row.paper, row.computed, row.full_model)\n"
-    )
-    return {
-        "command": f"sweetspot paper {bat_name(state)}{options}{swing_options(state)}",
-        "python": python,
-        "toml": bat_text(state),
-    }
+    return {**lines_of(Ask("paper", (bat_source(state),), options | swing_options(state))), "toml": bat_text(state)}
 
 
 VIEW = View(

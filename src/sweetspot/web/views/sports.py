@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
-from shlex import quote
 from typing import Annotated
 
 import numpy as np
@@ -35,6 +34,7 @@ from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import implement_of
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.errors import FieldError, about
+from sweetspot.web.recipes import Ask, lines_of, number
 from sweetspot.web.states import Name, Toml, ViewState, within
 from sweetspot.web.view import View
 
@@ -256,26 +256,13 @@ def _hit(state: SportsState, analysis: Analysis[Implement]) -> SportsHit:
 
 def recipe(state: SportsState) -> dict[str, str]:
     """Return command line and Python lines that give the same numbers, and the file they read, if there is one."""
-    name, options, change = state.implement if state.implement_toml is None else FILE, "", ""
-    if state.swing_mph is not None:
-        options += f" --bat-speed {state.swing_mph:.12g}mph"
-        change += f"swing=usual.swing.replaced(bat_speed={state.swing_mph!r} * MPH), "
-    if state.incoming_mph is not None:
-        options += " --pitch-speed " + ("tee" if state.incoming_mph == 0 else f"{state.incoming_mph:.12g}mph")
-        change += f"pitch=Pitch(speed={state.incoming_mph!r} * MPH), "
-    changed = f".replaced({change.rstrip(', ')})" if change else ""
-    python = (
-        "from sweetspot import Pitch, analyse, catalog\n"
-        "from sweetspot.catalog.standard_hit import standard_conditions\nfrom sweetspot.units import MPH\n\n"
-        f"tool = catalog.implement({name!r})\nusual = standard_conditions(tool)\n"
-        f"conditions = usual{changed}\n"
-        "result = analyse(tool, conditions)\nresult.scan.exit_speed  # m/s along it\n"
-    )
-    command = f"sweetspot report {quote(name)}{options}"
+    things = (state.implement if state.implement_toml is None else FILE,)
+    coming = "tee" if state.incoming_mph == 0 else number(state.incoming_mph, "mph")
+    options = {"bat_speed": number(state.swing_mph, "mph"), "pitch_speed": coming}
+    asks = [Ask("report", things, options)]
     if state.met_from_tip_in is not None and not state.aside_in:  # the command meets the ball on the middle line
-        command += f"\nsweetspot hit {quote(name)} --at {state.met_from_tip_in:.12g}in-from-tip{options}"
-    lines = {"command": command, "python": python}
-    return lines if state.implement_toml is None else {**lines, FILE: state.implement_toml}
+        asks.append(Ask("hit", things, {"at": f"{state.met_from_tip_in:.12g}in-from-tip", **options}))
+    return lines_of(*asks) | ({} if state.implement_toml is None else {FILE: state.implement_toml})
 
 
 VIEW = View("sports", "Every sport", SportsState, answer, recipe, asides={"face": face, "sentences": sentences})
