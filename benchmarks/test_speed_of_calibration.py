@@ -14,7 +14,7 @@ from sweetspot.answers.report_draws import drawn_report
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones
 from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.recording import synthesised
 from sweetspot.calibration.tap_analysis import tap_test
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_analysis

@@ -21,8 +21,7 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from sweetspot import catalog
-from sweetspot.calibration.recording import FrequencyBand, Recording
-from sweetspot.calibration.synthetic import tap_sound
+from sweetspot.calibration.recording import FrequencyBand, Recording, tap_sound
 from sweetspot.calibration.tap_analysis import frame_modes, usual_band, usual_held
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.dynamics.modes import Modes

@@ -15,8 +15,7 @@ from PIL import Image
 from playwright.sync_api import sync_playwright
 
 from sweetspot import catalog
-from sweetspot.calibration.recording import recording_bytes
-from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.recording import recording_bytes, synthesised
 from sweetspot.calibration.tap_analysis import modes_to_name
 from sweetspot.units import INCH
 from sweetspot.web.run_server import listening, server_for

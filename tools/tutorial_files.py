@@ -17,8 +17,7 @@ from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
-from sweetspot.calibration.recording import Recording, recording_bytes
-from sweetspot.calibration.synthetic import LOUDNESS, tap_sound
+from sweetspot.calibration.recording import LOUDNESS, Recording, recording_bytes, tap_sound
 from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.cli import main as run

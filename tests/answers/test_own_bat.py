@@ -15,7 +15,7 @@ from sweetspot.answers.tap import TapQuestion, tap_answer
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.outline.measured_outline import MeasuredOutline
-from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.recording import synthesised
 from sweetspot.calibration.tap_analysis import frame_modes
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.calibration.recording import BAT_BAND
+from sweetspot.calibration.recording import BAT_BAND, tap_sound
 from sweetspot.calibration.sinusoids import fit_sinusoids
-from sweetspot.calibration.synthetic import tap_sound
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import all_modes
 

@@ -12,12 +12,10 @@ from studies.recorder_taps import beam_frequencies, plate_frequencies
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_factor, moduli_along, named_bar
 from sweetspot.calibration.combined_tones import REPEATABILITY, Tone, tones_of
-from sweetspot.calibration.hum import hum_taken_out
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import ModeName, NamedTone, named, uniform_bar
-from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording
+from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording, synthesised, tap_sound
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, stands_out
-from sweetspot.calibration.synthetic import synthesised, tap_sound
 from sweetspot.calibration.tap_analysis import TapTest, tap_test
 from sweetspot.calibration.tap_faults import (
     LOUDER,
@@ -30,7 +28,7 @@ from sweetspot.calibration.tap_faults import (
     louder_later,
     step_of,
 )
-from sweetspot.calibration.taps import Tap, find_taps
+from sweetspot.calibration.taps import Tap, find_taps, hum_taken_out
 from sweetspot.calibration.written import parse_measured
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import bending_modes

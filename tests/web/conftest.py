@@ -269,8 +269,7 @@ def taps(tmp_path_factory: pytest.TempPathFactory) -> Path:
     import numpy as np
 
     from sweetspot import catalog
-    from sweetspot.calibration.recording import Recording, recording_bytes
-    from sweetspot.calibration.synthetic import synthesised
+    from sweetspot.calibration.recording import Recording, recording_bytes, synthesised
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.reduction import all_modes

@@ -9,8 +9,7 @@ import soundfile
 from playwright.sync_api import Browser, Page, expect
 
 from sweetspot import catalog
-from sweetspot.calibration.recording import recording_bytes
-from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.recording import recording_bytes, synthesised
 from sweetspot.calibration.tap_analysis import modes_to_name
 from tests import browsers
 

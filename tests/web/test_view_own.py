@@ -13,8 +13,7 @@ import httpx
 import pytest
 
 from sweetspot import catalog
-from sweetspot.calibration.recording import recording_bytes
-from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.recording import recording_bytes, synthesised
 from sweetspot.calibration.tap_analysis import modes_to_name
 
 WEIGHED: dict[str, Any] = {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5}

@@ -18,8 +18,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.errors import FieldError
-from sweetspot.web.wizard import Wanted, described_by
-from sweetspot.web.wizard_form import PATTERNS, forms
+from sweetspot.web.wizard import PATTERNS, Wanted, described_by, forms
 
 KINDS = [(sport, key) for sport, patterns in PATTERNS.items() for key in patterns]
 ASKED: dict[str, dict[str, Any]] = {

@@ -171,8 +171,7 @@ def _band(text: str) -> FrequencyBand:
 def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path | None) -> int:
     """Write three synthetic taps of a bat as a sound file."""
     from sweetspot import catalog
-    from sweetspot.calibration.recording import recording_bytes
-    from sweetspot.calibration.synthetic import synthesised
+    from sweetspot.calibration.recording import recording_bytes, synthesised
     from sweetspot.calibration.tap_analysis import frame_modes
     from sweetspot.plausibility import parse
     from sweetspot.report.files import write_all

@@ -22,8 +22,7 @@ from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
 from sweetspot.web.one_system import in_one_system
 from sweetspot.web.schemas import BatFacts, BatText, Choice, Described, Meaning, Tool
-from sweetspot.web.wizard import Wanted, described_by
-from sweetspot.web.wizard_form import Form, forms
+from sweetspot.web.wizard import Form, Wanted, described_by, forms
 
 
 def catalogue_routes(api: APIRouter) -> None:

@@ -6,15 +6,17 @@ The catalogue's implement of the sport is the pattern; see `catalog.scaled_imple
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Annotated
+from functools import cache
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.catalog.files.write_changes import changes_table
-from sweetspot.catalog.materials import frequency_of_ra, rubber
-from sweetspot.catalog.scaled_implements import Measures, scaled_to, with_shaft
+from sweetspot.catalog.materials import frequency_of_ra, rubber, rubber_names
+from sweetspot.catalog.records import read_table, unwrapped
+from sweetspot.catalog.scaled_implements import Measures, club_weights, scaled_to, with_shaft
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -22,9 +24,206 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.table_tennis_racket import TableTennisRacket
+from sweetspot.plausibility import bounds as bounds_of
+from sweetspot.plausibility.implements import ROUND_BAT, WHOLE, WholeImplement
+from sweetspot.report.quantity_table import words_in_both_systems
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import ENOUGH
+from sweetspot.web.schemas import Choice
+
+PATTERNS = {
+    "baseball": {"r161-ash": "of wood, turned", "single-wall": "hollow, of metal", "composite": "hollow, composite"},
+    "softball": {"fast-pitch": "hollow, composite", "r161-ash": "of wood, turned"},
+    "slow-pitch": {"slow-pitch": "hollow, composite", "r161-ash": "of wood, turned"},
+    "youth-baseball": {"youth-30": "of wood, turned", "youth-alloy": "hollow, of metal"},
+    "cricket": {"cricket-bat": "blade with a spine"},
+    "tennis": {"tennis-racket": "carbon-fibre frame"},
+    "badminton": {"badminton-racket": "carbon-fibre frame and shaft"},
+    "table-tennis": {"table-tennis-racket": "five plies"},
+    "golf": {"golf-driver": "driver"},
+    "field-hockey": {"hockey-stick": "composite"},
+}
+"""By sport: the catalogue's names of what an own one may be like, and what people call the kind."""
+WOODS = ("white-ash", "sugar-maple", "yellow-birch", "hickory")
+SHAFTS = ("carbon-shaft", "steel")
+LENGTHS = (0.78, 1.12)
+"""Of a pattern's, for children and for the tallest."""
+
+
+class Usual(BaseModel):
+    """What an answer usually is, and how far it may go."""
+
+    value: float | str | None = None
+    least: float | None = None
+    most: float | None = None
+
+
+class WizardQuestion(Usual):
+    """One question.
+
+    ``kind`` says how its number is shown, by the ending of a name; ``system`` that it is told in one system whatever
+    the page has. A number without a value may stay empty. ``follows`` names another question of whose answer ``by``
+    has what is usual here, and ``proportion_to`` one in proportion to whose answer that is.
+    """
+
+    field: str
+    label: dict[Literal["us", "si"], str]
+    kind: str
+    system: Literal["us", "si"] | None = None
+    follows: str = ""
+    by: dict[str, Usual] = {}
+    proportion_to: str = ""
+    options: list[Choice] = []
+
+
+class Pattern(BaseModel):
+    """What an own implement may be like, and what is asked of it then."""
+
+    key: str
+    name: str
+    questions: list[WizardQuestion]
+
+
+class Form(BaseModel):
+    """The questions of a sport; ``view`` is where its implement is looked at."""
+
+    sport: str
+    name: str
+    implement: str
+    view: Literal["explorer", "sports"]
+    patterns: list[Pattern]
+
+
+@cache
+def forms() -> tuple[Form, ...]:
+    """Return what is asked in every sport."""
+    return tuple(_form(sport, patterns) for sport, patterns in PATTERNS.items())
+
+
+def _form(sport: str, patterns: dict[str, str]) -> Form:
+    its = catalog.sport(sport)
+    made = [Pattern(key=key, name=name, questions=_questions(key, sport)) for key, name in patterns.items()]
+    bats = all(isinstance(catalog.implement(key), Bat) for key in patterns)
+    view: Literal["explorer", "sports"] = "explorer" if bats else "sports"
+    return Form(sport=sport, name=its.name, implement=its.words.implement, view=view, patterns=made)
+
+
+def _questions(key: str, sport: str) -> list[WizardQuestion]:
+    pattern = catalog.implement(key)
+    usual = WHOLE.get(sport, ROUND_BAT)
+    body, length = rigid_body(beam_model(pattern)), pattern.length
+    low, high = (part * length for part in LENGTHS)
+    butt = catalog.sport(sport).words.butt
+    return [
+        *_made_of(pattern),
+        _number("length_in", "Length", length / INCH, (low / INCH, high / INCH)),
+        _weight(pattern, body.mass, usual.mass),
+        _number("balance_in", f"Balance point from the {butt}, if measured", None,
+                (usual.balance[0] * low / INCH, usual.balance[1] * high / INCH)),
+        *_swing_weight(sport, usual, (low, high)),
+        *_stiffness(pattern, usual),
+    ]  # fmt: skip
+
+
+def _weight(pattern: Implement, mass: float, usual: tuple[float, float]) -> WizardQuestion:
+    """Ask for the weight: what it may be follows from the wood, or the shaft."""
+    question = _number("mass_oz", "Weight", mass / OUNCE, (usual[0] / OUNCE, usual[1] / OUNCE))
+    if isinstance(pattern, Racket):
+        return question
+    if isinstance(pattern, GolfClub):
+        return _following(question, {name: _club_weight(pattern, name, usual) for name in SHAFTS})
+    question.proportion_to = "length_in"
+    if not isinstance(pattern, Bat) or pattern.shell is not None:
+        return question
+    return _following(question, {name: _wood_weight(pattern, name, mass) for name in WOODS})
+
+
+def _following(question: WizardQuestion, by: dict[str, Usual]) -> WizardQuestion:
+    """Return a question whose usual answer follows the material's; at first it is that of the first one."""
+    first = next(iter(by.values()))
+    return question.model_copy(update={"follows": "material", "by": by, **first.model_dump()})
+
+
+def _club_weight(pattern: GolfClub, shaft: str, usual: tuple[float, float]) -> Usual:
+    club = with_shaft(pattern, catalog.material(shaft))
+    low, high = club_weights(club)
+    value = rigid_body(beam_model(club)).mass
+    return Usual(value=value / OUNCE, least=max(low, usual[0]) / OUNCE, most=min(high, usual[1]) / OUNCE)
+
+
+def _wood_weight(pattern: Bat, wood: str, mass: float) -> Usual:
+    """Return what a turned bat of the pattern's length may weigh, and what it does: as the pattern, where it can."""
+    bat = pattern.with_material(catalog.material(wood))
+    drawn, density = rigid_body(beam_model(bat)).mass, bat.density_range
+    low, high = (drawn * part / density.usual for part in (density.lightest, density.heaviest))
+    value = mass if low < mass < high else drawn
+    return Usual(value=value / OUNCE, least=low / OUNCE, most=high / OUNCE)
+
+
+def _made_of(pattern: Implement) -> list[WizardQuestion]:
+    if isinstance(pattern, GolfClub):
+        return [_choice("material", "Shaft", SHAFTS)]
+    if isinstance(pattern, Bat) and pattern.shell is None:
+        return [_choice("material", "Wood", WOODS)]
+    if isinstance(pattern, TableTennisRacket):
+        names = {name: rubber(name).name for name in rubber_names()}
+        options = [Choice(key=name, name=words) for name, words in names.items()]
+        return [WizardQuestion(field="front", label=_same("Rubber"), kind="", value=options[0].key, options=options)]
+    return []
+
+
+def _swing_weight(sport: str, usual: WholeImplement, lengths: tuple[float, float]) -> list[WizardQuestion]:
+    """Ask for a swing weight in the sport's own way; where it only repeats the balance point, it is not asked."""
+    its, words = swing_weight(sport), catalog.sport(sport).words
+    if its.order == 1:
+        letters = its.zero is not None
+        label = _same(f"{its.name.capitalize()}, such as D2, if known; it stands for the balance point")
+        return [WizardQuestion(field="swing_points", label=label, kind="")] if letters else []
+    own: Literal["si"] | None = None if words.weighed_in == "oz" else "si"  # kg cm^2 the world over
+    axis = f"{{{_place(its.axis, words.place_unit)}}}"
+    told = words_in_both_systems(f"Swing weight about the axis {axis} from the {words.butt}, if measured")
+    if own is not None:
+        told = _same(told[own])
+    if its.axis == 0:
+        told = _same(f"Moment of inertia about the {words.butt}, if measured")
+    least, most = (
+        mass * ((gyration * length) ** 2 + (balance * length - its.axis) ** 2) / OUNCE_INCH_SQUARED
+        for mass, gyration, balance, length in zip(usual.mass, usual.gyration, usual.balance, lengths, strict=True)
+    )
+    return [WizardQuestion(field="swing_weight_oz_in2", label=told, kind="_oz_in2", system=own, least=least, most=most)]
+
+
+def _stiffness(pattern: Implement, usual: WholeImplement) -> list[WizardQuestion]:
+    tone = _number("tone_hz", "First bending tone hung freely, if tapped", None, usual.frequency)
+    if not isinstance(pattern, Racket):
+        return [] if isinstance(pattern, Bat | TableTennisRacket) else [tone]
+    tension = bounds_of("racket strings.tension")
+    most = min(tension.high, pattern.greatest_tension or tension.high)
+    strings = _number("string_tension_n", "Tension of the strings", pattern.bed.tension, (tension.low, most))
+    if pattern.sport != "tennis":
+        return [tone, strings]
+    known = read_table("racket_stiffness.toml")["ra"]
+    bounds = float(unwrapped(known["low"])), float(unwrapped(known["high"]))
+    return [_number("ra", "Stiffness of the frame (RA), if known", None, bounds), strings]
+
+
+def _number(field: str, label: str, value: float | None, bounds: tuple[float, float]) -> WizardQuestion:
+    return WizardQuestion(field=field, label=_same(label), kind=field, value=value, least=bounds[0], most=bounds[1])
+
+
+def _choice(field: str, label: str, materials: tuple[str, ...]) -> WizardQuestion:
+    options = [Choice(key=name, name=catalog.material(name).name) for name in materials]
+    return WizardQuestion(field=field, label=_same(label), kind="", value=materials[0], options=options)
+
+
+def _same(label: str) -> dict[Literal["us", "si"], str]:
+    return {"us": label, "si": label}
+
+
+def _place(position: float, unit: str) -> str:
+    return f"{position / INCH:.4g} in" if unit == "in" else f"{100 * position:.4g} cm"
 
 
 class Wanted(BaseModel):

@@ -17,8 +17,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.drawing.contour import meridian
-from sweetspot.report.drawing.drawing_files import drawing_bytes
-from sweetspot.report.drawing.stl_solid import AROUND, RECORD, triangles
+from sweetspot.report.drawing.drawing_files import AROUND, RECORD, drawing_bytes, triangles
 
 ROUND = math.sin(2 * math.pi / AROUND) / (2 * math.pi / AROUND)
 """Area of the polygon over the circle's (exact)."""

@@ -1,4 +1,4 @@
-// A bat, racket, club or stick by questions; which ones, and how far an answer may go, the server says (web/wizard_form.py).
+// A bat, racket, club or stick by questions; which ones, and how far an answer may go, the server says (web/wizard.py).
 
 import { unchanged } from "./unchanged.js";
 import { button } from "../controls/controls.js";
