@@ -173,9 +173,11 @@ def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
         return tuple(NamedTone(tone, None, None) for tone in tones)
     slowest, fastest = SPEEDS[0], FASTEST_WOOD if bar.is_wood else SPEEDS[1]
     families = uniform_bar(
-        bar.usual_tones, sideways=bar.sideways_tones, twist=bar.twist_tones,
+        bar.usual_tones,
+        sideways=bar.sideways_tones,
+        twist=bar.twist_tones,
         farthest=(math.log(slowest / SPEED), math.log(fastest / SPEED)),
-    )  # fmt: skip
+    )
     first = named(tones, families, doubt=0.0)  # what is told is E, which another name of a twist does not change
     usual = dict(zip(families[0].names, families[0].frequency, strict=True))
     scales = [math.log(named.tone.frequency.value / usual[named.name]) for named in first if named.name in usual]
@@ -265,9 +267,8 @@ def moduli_along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Meas
     ]
     slowest, fastest = SPEEDS
     return tuple(
-        (tone, modulus) for tone, modulus in moduli
-        if slowest < math.sqrt(modulus.value / bar.density) < fastest
-    )  # fmt: skip
+        (tone, modulus) for tone, modulus in moduli if slowest < math.sqrt(modulus.value / bar.density) < fastest
+    )
 
 
 def _log_moduli(given: Array, heard: Sequence[tuple[int, Measured]], ratio_error: float) -> Array:

@@ -297,8 +297,10 @@ def measured_of(path: Path, model: Implement) -> list[Measurement]:
         raise InputError(f"{path} does not hold what was measured; write it by `sweetspot calibrate --out`")
     return [
         Measurement(
-            value.quantity, Measured(value.measured, value.error), axis=value.axis,
+            value.quantity,
+            Measured(value.measured, value.error),
+            axis=value.axis,
             mode=None if value.family is None else ModeName(value.family, value.harmonic),
         )
         for value in values
-    ]  # fmt: skip
+    ]

@@ -36,8 +36,11 @@ def properties(posterior: BatPosterior) -> dict[str, CalibratedValue]:
 
     A bat's moment of inertia that was not measured is in doubt by as much as outlines tell it, `moi_doubt`.
     """
-    wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
-              Measurement("moi", Measured(1, 1), axis=posterior.beam.bat.swing_axis)]  # fmt: skip
+    wanted = [
+        Measurement("mass", Measured(1, 1)),
+        Measurement("balance_point", Measured(1, 1)),
+        Measurement("moi", Measured(1, 1), axis=posterior.beam.bat.swing_axis),
+    ]
     values = predicted(posterior.beam, wanted)
     slopes = _slopes(posterior, wanted)
     errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))

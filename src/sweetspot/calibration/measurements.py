@@ -184,9 +184,11 @@ def _efficiencies(beam: BeamModel, shootings: Sequence[Shooting], livelier: floa
         same = [shooting for shooting in shootings if shooting.ball == ball]
         assert modes is not None  # there is at least one shooting
         struck = hits(
-            modes, ball=shot, position=[shooting.position for shooting in same],
+            modes,
+            ball=shot,
+            position=[shooting.position for shooting in same],
             closing_speed=[shooting.closing_speed for shooting in same],
-        )  # fmt: skip
+        )
         values = np.nan_to_num(struck.collision_efficiency, nan=-1.0).tolist()
         efficiencies |= dict(zip(same, values, strict=True))
     return efficiencies

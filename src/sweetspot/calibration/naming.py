@@ -306,9 +306,9 @@ def _misfit(tones: Sequence[Tone], family: ModeFamily, scale: float, pairs: dict
     sum (miss / s)^2 + 2 n ln s, over that of the usual one. A bat may be described well but for a tone or two: each of
     them then costs `STRAY` beside what it is off by the usual spread.
     """
-    misses = np.array([
-        math.log(tones[tone].frequency.value / family.frequency[mode]) - scale for tone, mode in pairs.items()
-    ])  # fmt: skip
+    misses = np.array(
+        [math.log(tones[tone].frequency.value / family.frequency[mode]) - scale for tone, mode in pairs.items()]
+    )
     usual = (misses / family.ratio_spread) ** 2
     if family.fine_spread is None:
         return float(usual.sum())

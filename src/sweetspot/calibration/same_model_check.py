@@ -32,9 +32,11 @@ def check_same_model(
     beam = beam_model(model)
     body, modes = rigid_body(beam), bending_modes(beam)
     of_model: dict[str, float] = {
-        "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(axis),
+        "mass": body.mass,
+        "balance_point": body.balance_point,
+        "moi": body.moi(axis),
         "period": pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis),
-    }  # fmt: skip
+    }
     bending = [float(modes.frequency[index]) for index in modes.of_family("bending")]
     for name, measured in bats.items():
         for measurement in measured:

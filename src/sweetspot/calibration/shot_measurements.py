@@ -54,9 +54,10 @@ def _mean(group: Sequence[Shot], ball: Ball) -> Measurement:
     closing = float(np.mean([shot.closing_speed for shot in group]))
     place = float(np.mean([shot.position for shot in group]))
     return Measurement(
-        "efficiency", Measured(float(values.mean()), scatter / math.sqrt(len(group))),
+        "efficiency",
+        Measured(float(values.mean()), scatter / math.sqrt(len(group))),
         shooting=Shooting(place, closing, _as_measured(ball, group)),
-    )  # fmt: skip
+    )
 
 
 def _as_measured(ball: Ball, group: Sequence[Shot]) -> Ball:

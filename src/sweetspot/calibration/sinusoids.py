@@ -140,9 +140,11 @@ def _jacobian(parameters: Array, time: Array) -> Array:
         phase, envelope = 2 * np.pi * frequency * time, np.exp(-decay * time)
         in_phase, ahead = envelope * np.cos(phase), envelope * np.sin(phase)
         columns += [
-            2 * np.pi * time * (sine * in_phase - cosine * ahead), -time * (cosine * in_phase + sine * ahead),
-            in_phase, ahead,
-        ]  # fmt: skip
+            2 * np.pi * time * (sine * in_phase - cosine * ahead),
+            -time * (cosine * in_phase + sine * ahead),
+            in_phase,
+            ahead,
+        ]
     return np.array(columns).T
 
 

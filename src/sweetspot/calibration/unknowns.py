@@ -66,8 +66,10 @@ def as_described(implement: Implement) -> BeamModel:
         written["first_frequency"] = float(bending_frequencies(beam, count=1)[0])
     if not isinstance(implement, (Racket, GolfClub)):
         written |= {
-            "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(implement.moi_axis),
-        }  # fmt: skip
+            "mass": body.mass,
+            "balance_point": body.balance_point,
+            "moi": body.moi(implement.moi_axis),
+        }
     return beam_model(implement.replaced(calibrated=True, original=None, **written))
 
 
@@ -92,8 +94,10 @@ def implement_deviated(beam: BeamModel, deviations: Mapping[str, float]) -> Beam
     new_mass, new_balance = mass * factor.get("mass", 1.0), balance * factor.get("balance_point", 1.0)
     new_gyration = gyration * factor.get("gyration", 1.0) ** 2
     changes |= {
-        "mass": new_mass, "balance_point": new_balance, "moi": new_mass * (new_gyration + (new_balance - axis) ** 2),
-    }  # fmt: skip
+        "mass": new_mass,
+        "balance_point": new_balance,
+        "moi": new_mass * (new_gyration + (new_balance - axis) ** 2),
+    }
     return beam_model(implement.replaced(**changes))
 
 

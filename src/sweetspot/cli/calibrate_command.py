@@ -78,8 +78,11 @@ class TrustOptions:
 
 
 DEFAULT_WEIGHED, DEFAULT_RUNG, DEFAULT_SHOTS, DEFAULT_TRUST = (
-    WeighedOptions(), RungOptions(), CalibrationShotOptions(), TrustOptions(),
-)  # fmt: skip
+    WeighedOptions(),
+    RungOptions(),
+    CalibrationShotOptions(),
+    TrustOptions(),
+)
 
 
 def calibrate(

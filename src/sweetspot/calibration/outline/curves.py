@@ -294,10 +294,12 @@ def _axis_of_one_flank(
         return ends[0]
     start, end = (float(np.vstack(flanks)[:, 0].min()), float(np.vstack(flanks)[:, 0].max()))
     along = [
-        float(line[:, 1].mean()) for line in lines
-        if np.ptp(line[:, 1]) < near and line[:, 0].min() < start + LONG * (end - start) / 10
+        float(line[:, 1].mean())
+        for line in lines
+        if np.ptp(line[:, 1]) < near
+        and line[:, 0].min() < start + LONG * (end - start) / 10
         and line[:, 0].max() > end - LONG * (end - start) / 10
-    ]  # fmt: skip
+    ]
     beside = [y for y in along if y < bottom or y > top]
     if len(beside) == 1:
         return beside[0]

@@ -163,9 +163,11 @@ def _path(text: str) -> list[Array]:
         elif command == "curveTo":
             p0, (p1, p2, p3) = lines[-1][-1], points
             lines[-1] += list(
-                (1 - along) ** 3 * p0 + 3 * (1 - along) ** 2 * along * p1 + 3 * (1 - along) * along**2 * p2
+                (1 - along) ** 3 * p0
+                + 3 * (1 - along) ** 2 * along * p1
+                + 3 * (1 - along) * along**2 * p2
                 + along**3 * p3
-            )  # fmt: skip
+            )
         elif command == "qCurveTo":
             p0, (p1, p2) = lines[-1][-1], points
             lines[-1] += list((1 - along) ** 2 * p0 + 2 * (1 - along) * along * p1 + along**2 * p2)

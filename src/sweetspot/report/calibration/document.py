@@ -29,11 +29,14 @@ SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
 }  # fmt: skip
 """How each kind of measurement is shown, and to how many digits."""
 VALUES = {
-    "mass": ("mass", "mass"), "balance_point": ("balance point from the knob", "length"),
-    "moi": ("MOI", "moi"), "longitudinal_modulus": ("modulus E along the grain", "modulus"),
-    "shear_modulus": ("shear modulus G", "modulus"), "density": ("density", "density"),
+    "mass": ("mass", "mass"),
+    "balance_point": ("balance point from the knob", "length"),
+    "moi": ("MOI", "moi"),
+    "longitudinal_modulus": ("modulus E along the grain", "modulus"),
+    "shear_modulus": ("shear modulus G", "modulus"),
+    "density": ("density", "density"),
     "first_frequency": ("first frequency", "frequency"),
-}  # fmt: skip
+}
 """What each value of the calibrated bat is called, and how it is shown."""
 WORDS = {
     "modulus": "modulus E", "shear_modulus": "shear modulus G", "density": "density", "wall": "wall thickness",
@@ -147,9 +150,10 @@ def as_part(name: str, off: Measured) -> Measured:
 
 def _percent(value: Measured) -> Sentence:
     return say(
-        "{value} ± {half}", value=Slot(value.value, "share", 1, sign=True).bare,
+        "{value} ± {half}",
+        value=Slot(value.value, "share", 1, sign=True).bare,
         half=Slot(value.high - value.value, "share", 1),
-    )  # fmt: skip
+    )
 
 
 def _measured(answer: CalibrateAnswer) -> Table:

@@ -39,13 +39,16 @@ def ranking_document(answer: RankAnswer) -> Document:
     of_bats = isinstance(model, Bat)
     words = sport(model.sport).words
     columns = [
-        Column(words.implement), Column("exit speed", "speed"), Column("±", "speed", digits=2),
+        Column(words.implement),
+        Column("exit speed", "speed"),
+        Column("±", "speed", digits=2),
         Column("best of all", "share"),
-        Column("weight", "mass"), Column("MOI" if of_bats or lettered else "swing weight", "moi"),
+        Column("weight", "mass"),
+        Column("MOI" if of_bats or lettered else "swing weight", "moi"),
         *([Column(convention.name)] if lettered else []),
         Column("E off" if of_bats else "stiffness off", "share", digits=1, sign=True),
         Column("differs in"),
-    ]  # fmt: skip
+    ]
     blocks: list[Block] = []
     for bat in (*unranked, *(bat for bat in answer.ranked if bat.contradictions)):
         off = ", ".join(
@@ -114,9 +117,12 @@ def ranking_words(answer: RankAnswer) -> Sentence:
     if likeliest is not first:
         more = Slot(likeliest.best_chance or 0.0, "share")
         words.append(say("Likelier to be the best is {name}, {chance}.", name=likeliest.name, chance=more))
-    sizes = {"scatter": Slot(answer.scatter, "speed_change", 2), "chance": Slot(answer.by_chance, "speed_change", 2),
-             "doubt": Slot(answer.not_known, "speed_change", 2),
-             "wood": Slot(answer.wood, "speed_change", 2)}  # fmt: skip
+    sizes = {
+        "scatter": Slot(answer.scatter, "speed_change", 2),
+        "chance": Slot(answer.by_chance, "speed_change", 2),
+        "doubt": Slot(answer.not_known, "speed_change", 2),
+        "wood": Slot(answer.wood, "speed_change", 2),
+    }
     verdict = (
         "They differ by {scatter} (one sigma); {things} all alike would seem to differ by up to {chance}, for {doubt} "
         "is not known of each: the order as a whole means something, neighbours in it may be alike."

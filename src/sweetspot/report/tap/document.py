@@ -99,8 +99,10 @@ def _fault(test: TapTest, number: int) -> Sentence:
 def _heard_to(tap: Tap, top: float) -> Sentence:
     return say(
         "{name}, {start}: heard below {top} only; above it has more tones than can be told apart.",
-        name=tap.recording, start=Slot(tap.start, "time", 2), top=Slot(top, "frequency", 0),
-    )  # fmt: skip
+        name=tap.recording,
+        start=Slot(tap.start, "time", 2),
+        top=Slot(top, "frequency", 0),
+    )
 
 
 def _tones(test: TapTest) -> Table:
@@ -150,8 +152,9 @@ def _along(moduli: Sequence[tuple[Tone, Measured]]) -> Table:
 
 def _budget(bar: BarModulus) -> Sentence:
     ranked = sorted(bar.budget.items(), key=lambda entry: -entry[1])
-    words = (say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked
-            if share >= LEAST_SHARE)  # fmt: skip
+    words = (
+        say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked if share >= LEAST_SHARE
+    )
     return say("What the doubt about E comes from: {shares}.", shares=joined(words, ", "))
 
 
@@ -163,9 +166,10 @@ def _finer(bar: BarModulus) -> list[Sentence]:
     return [
         say(
             "Most of it is the {source}. Without ± a size counts to one unit of its last digit, 1in as 1in ± 1in: "
-            "measure it more finely and write so, 1.000in or 1in±0.001in.", source=source,
+            "measure it more finely and write so, 1.000in or 1in±0.001in.",
+            source=source,
         )
-    ]  # fmt: skip
+    ]
 
 
 def unlike_words(test: TapTest) -> Sentence:
@@ -178,8 +182,9 @@ def unlike_words(test: TapTest) -> Sentence:
     return say(
         "Neither of the two lowest bending modes, described at {first} and {second}, was heard: what rang is hardly "
         "this, or the band leaves them out. The names of the other tones may be chance.",
-        first=Slot(test.unheard[0], "frequency", 0).bare, second=Slot(test.unheard[1], "frequency", 0),
-    )  # fmt: skip
+        first=Slot(test.unheard[0], "frequency", 0).bare,
+        second=Slot(test.unheard[1], "frequency", 0),
+    )
 
 
 def touched_words(test: TapTest, tone: Tone) -> Sentence:
@@ -187,9 +192,10 @@ def touched_words(test: TapTest, tone: Tone) -> Sentence:
     return say(
         "At {frequency} the damping is {damping}; a freely hung one of this kind has less than {free}. A hand, a table "
         "or a loose part may touch it, which moves its tones by some per cent: hang it from rubber bands.",
-        frequency=Slot(tone.frequency.value, "frequency", 0), damping=Slot(tone.damping_ratio.value, "share", 1),
+        frequency=Slot(tone.frequency.value, "frequency", 0),
+        damping=Slot(tone.damping_ratio.value, "share", 1),
         free=Slot(test.free_damping, "share", 1),
-    )  # fmt: skip
+    )
 
 
 def _drawn(test: TapTest, title: str) -> Any:

@@ -57,8 +57,11 @@ from sweetspot.web.views.own_state import (
 from sweetspot.web.views.own_tap import expected_tones, tap
 
 FIELDS: dict[MeasuredKind, str] = {
-    "mass": "weighed_oz", "balance_point": "balanced_in", "period": "pendulum_ms", "moi": "swing_weight_oz_in2"
-}  # fmt: skip
+    "mass": "weighed_oz",
+    "balance_point": "balanced_in",
+    "period": "pendulum_ms",
+    "moi": "swing_weight_oz_in2",
+}
 """The control of each kind of measurement that has one."""
 LEAST_SHARE = 0.02
 """Part of a doubt below which its source is not listed."""
@@ -222,10 +225,13 @@ def recipe(state: OwnState) -> dict[str, str]:
         )
     )
     parts = {
-        "--mass": weight, "--balance-point": balance, "--pendulum": period, "--moi": swing,
+        "--mass": weight,
+        "--balance-point": balance,
+        "--pendulum": period,
+        "--moi": swing,
         "--pivot": f"{pivot_of(state, described) / INCH:.12g}in",
         "--diameter-error": f"{100 * state.diameter_error:.12g}%" if isinstance(described, Bat) else None,
-    }  # fmt: skip
+    }
     words = [f"{name} {value}" for name, value in parts.items() if value is not None]
     words += [f"--tone {name}:{hertz:.12g}Hz±{error:.12g}Hz" for name, hertz, error in state.tones]
     measured = {measurement.name for measurement in measurements_of(state)}

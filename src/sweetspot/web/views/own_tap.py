@@ -82,8 +82,9 @@ def tap(state: OwnState) -> dict[str, Any]:
     head = nothing | {"taps": [_tap_row(tap) for tap in taps], "waveform": _wave(sounds[-1])}
     good = [tap for tap in taps if tap.good and tap.fit is not None]
     if not good:
-        return head | {"fault": "no tap can be used: the list says what is wrong with each" if taps else
-                                "there is no tap in it"}  # fmt: skip
+        return head | {
+            "fault": "no tap can be used: the list says what is wrong with each" if taps else "there is no tap in it"
+        }
     question = TapQuestion([sound.recording for sound in sounds], described, [_place(state, described)])
     try:
         found = tap_answer(question, taps=taps)

@@ -114,8 +114,10 @@ def sampled(image: Array, places: Array) -> Array:
 
     coordinates = [places[..., 1], places[..., 0]]
     channels = image[..., None] if image.ndim == 2 else image
-    values = [scipy.ndimage.map_coordinates(channels[..., k], coordinates, order=1, mode="nearest")
-              for k in range(channels.shape[-1])]  # fmt: skip
+    values = [
+        scipy.ndimage.map_coordinates(channels[..., k], coordinates, order=1, mode="nearest")
+        for k in range(channels.shape[-1])
+    ]
     return np.stack(values, axis=-1)
 
 
