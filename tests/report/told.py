@@ -13,9 +13,10 @@ import pytest
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import ReportAnswer, report_of
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.interval import Interval
 from sweetspot.report.document import Block, Bullets, Cards, Cell, Document, Paragraph, Question, Section, Table
 from sweetspot.report.notebook import document_of
-from sweetspot.report.quantities import Reader
+from sweetspot.report.quantities import US, Reader
 from sweetspot.report.sentences import Bounds, Doubtful, Part, Sentence, Slot, Span, Words, read
 from sweetspot.uncertainty.sources import sources_of
 
@@ -82,12 +83,26 @@ def numbers_in(words: Words) -> Iterator[float]:
         yield from _of_part(part)
 
 
+def numbers_after(words: Document | Words, opening: str) -> list[float]:
+    """Return the numbers (SI) that follow some words of a sentence, or of the one sentence of a document with them."""
+    if isinstance(words, Document):
+        (words,) = (sentence for sentence in sentences(words) if opening in str(sentence))
+    assert isinstance(words, Sentence), words
+    text, found = "", list[float]()
+    for part in words.parts:
+        if found or text.endswith(opening):
+            found += _of_part(part)
+        text += part if isinstance(part, str) else part.read(US)
+    assert found, (opening, text)
+    return found
+
+
 def known_numbers(document: Document) -> np.ndarray:
     """Return every number of a document's data and tables in SI, without sign."""
     found = [*_of_data(dict(document.data))]
     for block in blocks(document):
         if isinstance(block, Table):
-            found += [number for row in block.rows for cell in row for number in _of_cell(cell)]
+            found += [number for row in block.rows for cell in row for number in numbers_of_cell(cell)]
     values = np.abs(np.array(found, float))
     return np.asarray(values[np.isfinite(values)])
 
@@ -127,13 +142,12 @@ def _of_part(part: Part) -> Iterator[float]:
         yield from (part.low, part.high)
 
 
-def _of_cell(cell: Cell) -> Iterator[float]:
-    if isinstance(cell, (int, float)):
-        yield float(cell)
-    elif isinstance(cell, Slot):
-        yield float(cell.value)
-    elif isinstance(cell, Sentence):
-        yield from numbers_in(cell)
+def numbers_of_cell(cell: Cell) -> list[float]:
+    """Return the numbers (SI) of a cell of a table."""
+    if isinstance(cell, Sentence):
+        return list(numbers_in(cell))
+    value = cell.value if isinstance(cell, Slot) else cell
+    return [float(value)] if isinstance(value, (int, float, Interval)) else []
 
 
 def _of_data(value: Any) -> Iterator[float]:
