@@ -144,25 +144,6 @@ def test_a_contradiction_is_told_and_no_bat_written(run: Run, tmp_path: Path) ->
     assert "What the doubt about E comes from" in out
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ((), "nothing was measured"),
-        (("--mass", "31"), "without a unit"),
-        (("--tone", "bending-9:171Hz"), "write bending-1"),
-        (("--mass", "31oz", "--leave-out", "moi"), "measured are mass"),
-        (("--at", "1in"), "without --tap"),
-        (("--mass", "31oz", "--ball", "baseball"), "without --shots"),
-        (("--shots", "none.csv"), "none.csv"),
-        (("--mass", "31oz", "--diameter-error", "20%"), "allowed is 0 to 0.1"),
-    ],
-)
-def test_refusals(run: Run, arguments: tuple[str, ...], message: str) -> None:
-    code, _, err = run("calibrate", "r161-ash", *arguments)
-    assert code == 2
-    assert message in err
-
-
 def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path) -> None:
     shots = tmp_path / "shots.csv"
     rows = ["ball_in_mph,ball_out_mph,bat_speed_mph,position_in_from_tip", *["68,97.5,66,6"] * 4, "68,90,66,4"]

@@ -273,23 +273,6 @@ def test_shots_that_are_bad_input(rows: list[str], message: str, run: Run, tmp_p
     assert code == 2 and out == "" and message in err and err.count("\n") == 1
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ((), "needs a bat"),
-        (("no-such-bat",), "not in the catalogue"),
-        (("r161-ash", "--league", "nca"), "ncaa"),
-        (("r161-ash", "--ball", "marble"), "not in the catalogue"),
-        (("r161-ash", "--league", "all", "--ball", "baseball_dead"), "no league's rules name the ball"),
-        (("r161-ash", "--shots", "/no/such/file.csv"), "is not a file"),
-        (("r161-ash", "--standard-ball-cor", "0.5"), "--shots"),
-    ],
-)
-def test_bad_arguments(arguments: tuple[str, ...], message: str, run: Run) -> None:
-    code, out, err = run("certify", *arguments)
-    assert code == 2 and out == "" and message in err
-
-
 def test_mixed_units_are_refused(run: Run, tmp_path: Path) -> None:
     path = written(tmp_path, "136,60,28,6", headings="ball_in_mph,ball_in_m_s,ball_out_mph,position_in_from_tip")
     code, _, err = run("certify", "r161-ash", "--shots", path)

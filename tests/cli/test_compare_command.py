@@ -202,44 +202,10 @@ def test_a_long_table_says_how_far_it_is(run: Run) -> None:
     assert "sweetspot: cells: 50 of 50" in err and "sweetspot: cells: 25 of 50" in err
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ([], "no bat was given"),
-        (["r161-ash", "r161"], "r161-ash"),
-        (["r161-ash", "youth-30", "--what-if", "cork"], "it takes one"),
-        (["r161-ash", "--what-if", "cork", "--bore-diameter", "3in"], "make it narrower"),
-        (["r161-ash", "--what-if", "cork", "--bore-diameter", "1"], "without a unit"),
-        (["r161-ash", "--plug", "2in"], "--plug belongs to a corked bat; add --what-if cork"),
-        (["r161-ash", "--cell", "bbcor"], "--cell belongs to a what-if table; add --rows"),
-        (["r161-ash", "--swing-law", "golf"], "not in the catalogue"),
-        (["r161-ash", "--columns", "mass=30oz:31oz:2"], "and --rows, with or without --columns"),
-        (["r161-ash", "--rows", "cup-depth=0in:9in:2"], "a deeper hole is a bore"),
-        (["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "mass=30oz:31oz:2"], "two different things"),
-        (["r161-ash", "--rows", "colour=1:2:3", "--columns", "mass=30oz:31oz:2"], "write what varies (mass, "),
-        (["r161-ash", "--rows", "mass=30oz:31oz", "--columns", "bore-depth=0in:1in:2"], "write what varies (mass, "),
-        (["r161-ash", "--rows", "mass=30oz:31oz:0", "--columns", "bore-depth=0in:1in:2"], "allowed is 1 to 100"),
-        (
-            ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-depth=0in:1in:2", "--cell", "taste"],
-            "allowed is one of exit-speed",
-        ),
-    ],
-)
-def test_bad_input_is_one_clear_line(run: Run, arguments: list[str], message: str) -> None:
-    code, out, err = run("compare", *arguments)
-    assert code == 2 and out == ""
-    assert message in err and err.count("\n") == 1 and "Traceback" not in err
-
-
 def test_a_folder_that_is_a_file_is_refused(run: Run, tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("x")
     code, _, err = run("compare", "r161-ash", "--out", str(tmp_path / "taken"))
     assert code == 2 and "cannot be made" in err
-
-
-def test_a_table_of_one_bat_is_told_without_intervals(run: Callable[..., tuple[int, str, str]]) -> None:
-    code, out, err = run("compare", "r161-ash", "--rows", "mass=29oz:33oz:3", "--uncertainty")
-    assert (code, out) == (2, "") and "leave it out, or leave out --rows" in err
 
 
 def test_an_error_that_nobody_counts_is_said(run: Callable[..., tuple[int, str, str]]) -> None:

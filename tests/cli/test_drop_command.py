@@ -55,24 +55,3 @@ def test_in_air_as_the_rule_books_do(run: Run) -> None:
     assert found["terminal_speed_m_s"] > 20
     assert json.loads(run("drop", *tennis, "--format", "json")[1])["terminal_speed_m_s"] is None
     assert "terminal speed in the air" in run("drop", *tennis, "--in-air")[1]
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("--thickness", "10"), "--thickness was given as 10 without a unit"),
-        (("--thickness", "0mm"), "thickness is 0 mm; allowed is 0.5 to 2000 mm"),
-        (("--height=-1m",), "--height was given as -1m; usual is 0.0305 to 12.2 m; a ball falls from above"),
-        (("--height", "1m", "--speed", "3m/s"), "give either --height or --speed"),
-        (("--support", "wall"), 'Invalid value "wall" for --support'),
-        (("--material", "asch"), "is not in the catalogue. Did you mean white-ash"),
-        (("--size", "3cm", "--speed", "100mph"), "wider than the face"),
-        (("--speed", "2kg"), "which is not a speed"),
-        (("--ball", "cannonball"), "is not in the catalogue"),
-        (("--speed", "9m/s", "--in-air"), "--in-air slows a ball that falls"),
-    ],
-)
-def test_bad_input(run: Run, arguments: tuple[str, ...], message: str) -> None:
-    code, out, err = run("drop", *arguments)
-    assert code == 2 and out == ""
-    assert message in err and "Traceback" not in err

@@ -67,20 +67,3 @@ def test_the_ball_that_was_asked_for_is_flown(run_json: Callable[..., Any]) -> N
         backspin=2200 * RPM,
     )
     assert run_json("optimum", *arguments)["launches"][0]["carry_m"] == pytest.approx(best.carry, rel=1e-3)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("--pitch", "slidr"), "Did you mean slider"),
-        (("--release-speed", "20mph"), "does not reach it"),
-        (("--park", "fenwey"), "Did you mean fenway"),
-        (("--park", "fenway", "--wind-speed", "5mph"), "still air only"),
-        (("--exit-speed", "90"), "without a unit"),
-        (("--at", "50in"), "off the bat"),
-        (("--attack-angle", "70deg"), "--attack-angle was given as 70deg; possible is -65 to 65 deg"),
-    ],
-)
-def test_bad_input(run: Run, arguments: tuple[str, ...], message: str) -> None:
-    code, _, err = run("optimum", *arguments)
-    assert code == 2 and message in err

@@ -60,19 +60,3 @@ def test_what_a_drawing_does_not_tell_is_said(run: Callable[..., tuple[int, str,
     assert "In sugar maple of 680 kg/m³ it would weigh" in out
     out = " ".join(run("outline", str(tmp_path / "cupped.dxf"), "--units", "si")[1].split())
     assert "Solid, without cup or holes, in white ash" in out
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (["mlb-a", "--out", "bat.step"], ".stl"),
-        (["mlb-a", "--length", "34in"], "leave it out"),
-        (["none.svg"], "no such file"),
-        (["tennis-racket", "--out", "bat.dxf"], "tennis"),
-    ],
-)
-def test_bad_questions(run: Callable[..., tuple[int, str, str]], words: list[str], message: str) -> None:
-    code, out, told = run("outline", *words)
-    assert (code, out) == (2, "")
-    assert message in told
-    assert told.count("\n") == 1

@@ -125,26 +125,6 @@ def test_the_picture_is_written_whole(run: Run, tmp_path: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("--park", "fenwy"), "fenway"),
-        (("--pitch", "gyroball"), "pitch"),
-        (("--pitch", "curve", "--release-speed", "5mph"), "was given as 5mph; possible is 15 to 157 mph"),
-        (("--pitch", "curve", "--release-speed", "20mph"), "does not reach it"),
-        (("--tilt", "3deg"), "no path in a plane is steeper"),
-        (("--offset", "0.5"), "--offset"),
-        (("--humidity", "50"), "humidity"),
-        (("--attack-angle", "9 miles"), "--attack-angle"),
-        (("--height=-1ft",), "below the ground"),
-    ],
-)
-def test_bad_input_is_one_message(run: Run, arguments: tuple[str, ...], words: str) -> None:
-    code, _, err = run("play", *arguments)
-    assert code == 2
-    assert words in err.lower() and "Traceback" not in err
-
-
 def test_a_softball_flies_by_a_softballs_drag(run_json: Callable[..., Any]) -> None:
     """The bat decides which ball, the ball by which law it flies; another ball can be asked for."""
     bat, arguments = catalog.bat("slow-pitch"), ("--at", "6in-from-tip", "--offset", "0.9in")

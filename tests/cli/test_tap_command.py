@@ -67,29 +67,6 @@ def test_other_sports(run: Run, run_json: Callable[..., Any], tmp_path: Path, na
         assert one["frequency_hz"] == pytest.approx(one["expected_hz"], rel=5e-3)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ([], "no recording was given"),
-        (["none.wav"], "there is no such file"),
-        (["none.wav", "--bar", "1m x 2cm x 1cm"], "needs both --bar and --mass"),
-        (["none.wav", "--at", "1in"], "without --bat"),
-        (["none.wav", "--synthesise", "r161-ash"], "reads none"),
-        (["none.wav", "--noise", "3%"], "--noise belongs to a sound that is made; add --synthesise"),
-        (["--synthesise", "r161-ash", "--band", "60Hz:3kHz"], "leave out --band"),
-        (["--synthesise", "r161-ash", "--at", "40in"], "off the bat"),
-        (["--synthesise", "r161-ash", "--listen-at", "40in"], "--listen-at is 1.016 m"),
-        (["none.wav", "--most-damping", "300%"], "more than 0 and less than 100 %"),
-        (["--synthesise", "r161-ash", "--out", "x.txt"], "cannot be written as a sound"),
-    ],
-)
-def test_refusals(run: Run, arguments: list[str], message: str) -> None:
-    code, _, err = run("tap", *arguments)
-    assert code == 2
-    assert message in err
-    assert "Traceback" not in err
-
-
 def test_a_hoop_tone_may_pass_for_bending_3(run: Run, sound: str) -> None:
     """By ratios alone nothing tells a hollow bat's hoop tone near 1.1 kHz from bending 3, and that is said."""
     words = "may be a hoop tone"
