@@ -13,7 +13,7 @@ from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.units import INCH
-from sweetspot.validation.computations.flight import flown
+from sweetspot.validation.computations.flight import pitch_flight
 
 FLAGSHIP = "r161-ash"
 
@@ -38,6 +38,6 @@ def best_contact(pitch: str, attack_angle: float | None = None) -> BestSwing:
         reduced_bat(bat, ball=ball),
         FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(), air=Air()),
         swing=standard_conditions(bat).swing,
-        pitch=flown(pitch, "pitched-baseball").plate,
+        pitch=pitch_flight(pitch, "pitched-baseball").plate,
         held=Held(attack_angle=attack_angle),
     )

@@ -24,7 +24,7 @@ from sweetspot.player.expected_gain import DRAWS, SWINGS
 from sweetspot.player.posterior import NOTHING_LEARNED
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.collision import rigid_wall
-from sweetspot.validation.computations.flight import best, flown
+from sweetspot.validation.computations.flight import best_swing_at, pitch_flight
 from sweetspot.validation.computations.space import league_sidespin
 from sweetspot.web.answers import TIME_LIMIT
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_PER_SECOND, MOST_SOCKETS, REQUESTS_PER_SECOND
@@ -252,7 +252,7 @@ def _parks_and_pitches() -> dict[str, str]:
     spreads = [
         entry["fence"]["spread_ft"] for entry in read_table("parks.toml").values() if "spread_ft" in entry["fence"]
     ]
-    fastball = flown("four-seam", "pitched-baseball")
+    fastball = pitch_flight("four-seam", "pitched-baseball")
     return {
         "park_count": str(len(catalog.park_names())),
         "park_spread": f"{np.median(spreads):.0f}",
@@ -266,7 +266,7 @@ def _parks_and_pitches() -> dict[str, str]:
 def _optimum() -> dict[str, str]:
     fast, curve, level = best_contact("four-seam"), best_contact("curve"), best_contact("four-seam", 9 * DEGREE)
     order = ("curve", "fastball", "knuckleball")
-    carries = {model: [best(pitch, model).carry for pitch in order] for model in ("rolling", "measured")}
+    carries = {model: [best_swing_at(pitch, model).carry for pitch in order] for model in ("rolling", "measured")}
     return {
         "optimum_offset_9": f"{level.offset / INCH:.1f}",
         "optimum_loss_9": f"{(fast.carry - level.carry) / FOOT:.0f}",
@@ -275,5 +275,5 @@ def _optimum() -> dict[str, str]:
         "optimum_undercut": f"{100 * fast.undercut:.1f}",
         "optimum_rolling": ", ".join(f"{carry:.1f}" for carry in carries["rolling"]),
         "optimum_measured": ", ".join(f"{carry:.1f}" for carry in carries["measured"]),
-        "optimum_rolling_angle": f"{best('fastball', 'rolling').attack_angle / DEGREE:.0f}",
+        "optimum_rolling_angle": f"{best_swing_at('fastball', 'rolling').attack_angle / DEGREE:.0f}",
     }

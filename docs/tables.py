@@ -20,7 +20,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.paper.chain import paper_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.cases import EVIDENCE
-from sweetspot.validation.computations.flight import flown
+from sweetspot.validation.computations.flight import pitch_flight
 
 MINUS = "\N{MINUS SIGN}"
 CITATION = re.compile(r"\[([a-z][a-z0-9_]+)((?:[,;] [^\]]*)?)\]")
@@ -250,7 +250,7 @@ def pitches_table() -> str:
     """Return the catalogue's pitches as they leave the hand and as they arrive."""
 
     def row(name: str) -> Iterator[str]:
-        found = flown(name, "pitched-baseball")
+        found = pitch_flight(name, "pitched-baseball")
         delivery = found.delivery
         yield name
         yield f"{delivery.speed / MPH:.1f}"
@@ -270,7 +270,7 @@ def optimum_table() -> str:
     """Return the best contact with each of the catalogue's pitches, the flagship bat held level."""
 
     def row(name: str) -> Iterator[str]:
-        best, pitch = best_contact(name), flown(name, "pitched-baseball")
+        best, pitch = best_contact(name), pitch_flight(name, "pitched-baseball")
         left = best.launched
         yield name
         yield f"{pitch.plate.speed / MPH:.0f}"

@@ -18,7 +18,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.units import FOOT, INCH
-from sweetspot.validation.computations.flight import flown
+from sweetspot.validation.computations.flight import pitch_flight
 
 ANGLES, OFFSETS = np.radians(np.linspace(-5, 40, 91)), np.linspace(-0.5, 2.0, 101) * INCH
 LEVELS = (100, 150, 200, 250, 300, 325, 350, 375, 390, 400, 410)
@@ -30,7 +30,7 @@ def optimum_figure() -> Figure:
     """Return lines of equal carry in ft, the best contact, and the launch angles that go with them."""
     bat, ball = catalog.bat(), catalog.ball()
     model, swing = reduced_bat(bat, ball=ball), standard_conditions(bat).swing
-    pitch = flown("four-seam", "pitched-baseball").plate
+    pitch = pitch_flight("four-seam", "pitched-baseball").plate
     conditions = FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(), air=Air())
     best = best_swing(model, conditions, swing=swing, pitch=pitch)
     angle, offset = np.meshgrid(ANGLES, OFFSETS)

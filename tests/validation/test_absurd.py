@@ -13,7 +13,6 @@ from sweetspot import validation
 from sweetspot.errors import InputError
 from sweetspot.validation import run
 from sweetspot.validation.cases import CASES
-from sweetspot.validation.computations.registry import COMPUTATIONS
 
 ABSURD = (1e6, -1e6, math.nan, math.inf)
 EXPLAINED = [(case.source, row) for case in validation.sources() for row in case.rows if row.expected_miss]
@@ -21,10 +20,9 @@ EXPLAINED = [(case.source, row) for case in validation.sources() for row in case
 
 @pytest.mark.parametrize("value", ABSURD)
 def test_validate_fails_whichever_computation_is_replaced(monkeypatch: pytest.MonkeyPatch, value: float) -> None:
-    """Every computation is replaced in turn, in SI; each row that asks for it must fail."""
+    """Every computed number is replaced, in SI; each row must fail."""
     cases = validation.sources()
-    for name in COMPUTATIONS:
-        monkeypatch.setitem(COMPUTATIONS, name, lambda value=value, **_: value * 1e6)
+    monkeypatch.setattr(run, "computed_number", lambda _: value * 1e6)
     survivors = [
         f"{case.source}, {row.name}: {row.computation}"
         for case in cases
@@ -43,16 +41,16 @@ def test_an_explained_miss_fails_when_it_is_another_miss_or_none(source: str, ro
     (case,) = [case for case in validation.sources() if case.source == source]
     assert row.ours is not None
     unit = run.UNITS[row.unit]
-    passed = [one_with(row, (row.ours + off * row.ours_tolerance) * unit, case).passed for off in (-3, 0, 3)]
+    passed = [judged_as(row, (row.ours + off * row.ours_tolerance) * unit, case).passed for off in (-3, 0, 3)]
     assert passed == [False, True, False]
     low, high = row.allowed
-    assert "explained was" in one_with(row, (low + high) / 2 * unit, case).status
+    assert "explained was" in judged_as(row, (low + high) / 2 * unit, case).status
 
 
-def one_with(row: validation.Row, computed: float, case: validation.Case) -> validation.Result:
+def judged_as(row: validation.Row, computed: float, case: validation.Case) -> validation.Result:
     """Return the row judged as if the package had computed ``computed``."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(COMPUTATIONS, row.computation, lambda **_: computed)
+        patch.setattr(run, "computed_number", lambda _: computed)
         return run.judged(row, case)
 
 
@@ -81,7 +79,7 @@ def test_a_row_that_could_not_fail_is_refused(tmp_path: Path, old: str, new: str
 
 def test_what_was_fitted_is_not_called_a_prediction() -> None:
     """The outlines of r161-ash and russell-b1 were searched for these (see their catalogue files)."""
-    told = {
+    evidence = {
         (case.source, row.name, row.quantity): row.evidence
         for case in validation.sources()
         for row in case.rows
@@ -89,10 +87,10 @@ def test_what_was_fitted_is_not_called_a_prediction() -> None:
     }
     first = "frequency of mode 1"
     node = "barrel node of mode 1, from the tip"
-    assert told["russell_batvibes", "r161-ash", first] == "calibrated"
-    assert told["russell_batvibes", "r161-ash", node] == "calibrated"
-    assert told["russell_batvibes", "russell-b1", first] == "calibrated"
-    assert told["cross1998", "r161-ash", node] == "calibrated"
+    assert evidence["russell_batvibes", "r161-ash", first] == "calibrated"
+    assert evidence["russell_batvibes", "r161-ash", node] == "calibrated"
+    assert evidence["russell_batvibes", "russell-b1", first] == "calibrated"
+    assert evidence["cross1998", "r161-ash", node] == "calibrated"
 
 
 def test_the_headline_counts_predictions_about_bats_first() -> None:

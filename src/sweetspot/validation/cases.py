@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import csv
 import tomllib
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -22,11 +23,12 @@ class Row:
 
     Parameters
     ----------
+    computation : name in the registry of computations.
     value : expected, in ``unit``; None for a band.
     low, high : ends of a band in ``unit``; a band has both, so that no absurd value can lie in it.
     tolerance, tolerance_percent : allowed difference from ``value``, or beyond the ends of the band; one of the two.
-    computation : name in the registry of computations.
-    inputs : its arguments, texts with units.
+    inputs : arguments of the computation, texts with units.
+    of : number of a computed thing, as a dotted path of attributes; empty: the computation returns the number.
 
     The other fields are those of `Result`.
     """
@@ -34,22 +36,23 @@ class Row:
     name: str
     quantity: str
     printed: str
-    unit: str
-    value: float | None
-    low: float | None
-    high: float | None
-    tolerance: float
-    tolerance_percent: float
     computation: str
-    inputs: dict[str, Any]
     reason: str
     kind: Kind
     tag: Tag
     evidence: Evidence
-    comment: str
-    expected_miss: str
-    ours: float | None
-    ours_tolerance: float
+    unit: str = ""
+    value: float | None = None
+    low: float | None = None
+    high: float | None = None
+    tolerance: float = 0.0
+    tolerance_percent: float = 0.0
+    inputs: Mapping[str, Any] = field(default_factory=dict)
+    of: str = ""
+    comment: str = ""
+    expected_miss: str = ""
+    ours: float | None = None
+    ours_tolerance: float = 0.0
 
     @property
     def allowed(self) -> tuple[float, float]:
@@ -109,10 +112,8 @@ def _repeated(row: dict[str, Any], folder: Path) -> list[dict[str, Any]]:
     """Return the row once, or once per line of its table."""
     if "table" not in row:
         return [row]
-    with (folder / row["table"]).open(encoding="utf-8", newline="") as file:
-        lines = list(csv.DictReader(file))
-    template = {key: value for key, value in row.items() if key != "table"}
-    return [{key: _filled(value, line) for key, value in template.items()} for line in lines]
+    with (folder / row.pop("table")).open(encoding="utf-8", newline="") as file:
+        return [{key: _filled(value, line) for key, value in row.items()} for line in csv.DictReader(file)]
 
 
 def _filled(value: Any, cells: dict[str, str]) -> Any:
@@ -123,29 +124,25 @@ def _filled(value: Any, cells: dict[str, str]) -> Any:
     return value
 
 
-REQUIRED = ("name", "quantity", "printed", "computation", "reason", "kind", "tag", "evidence")
-OPTIONAL: dict[str, Any] = {
-    "unit": "", "value": None, "low": None, "high": None, "tolerance": 0.0, "tolerance_percent": 0.0, "inputs": {},
-    "comment": "", "expected_miss": "", "ours": None, "ours_tolerance": 0.0,
-}  # fmt: skip
+REQUIRED = [part.name for part in fields(Row) if part.default is MISSING and part.default_factory is MISSING]
 
 
 def _row(entry: dict[str, Any], path: Path) -> Row:
     where = f"{path}, row {entry.get('name')!r}"
     if missing := [key for key in REQUIRED if not entry.get(key)]:
         raise InputError(f"{where} lacks {', '.join(missing)}")
-    if unknown := entry.keys() - {*REQUIRED, *OPTIONAL}:
+    if unknown := entry.keys() - {part.name for part in fields(Row)}:
         raise InputError(f"{where} has unknown keys {', '.join(sorted(unknown))}")
-    if entry["kind"] not in KINDS or entry["tag"] not in TAGS:
+    row = Row(**entry)
+    if row.kind not in KINDS or row.tag not in TAGS:
         raise InputError(
-            f"{where} has kind {entry['kind']!r} and tag {entry['tag']!r}; allowed are {', '.join(KINDS)} and "
+            f"{where} has kind {row.kind!r} and tag {row.tag!r}; allowed are {', '.join(KINDS)} and "
             f"{', '.join(TAGS)} (a value recalled from memory is no case)"
         )
-    if entry["evidence"] not in EVIDENCE:
-        raise InputError(f"{where} has evidence {entry['evidence']!r}; allowed are {', '.join(EVIDENCE)}")
-    row = Row(**{**OPTIONAL, **entry})
+    if row.evidence not in EVIDENCE:
+        raise InputError(f"{where} has evidence {row.evidence!r}; allowed are {', '.join(EVIDENCE)}")
     if row.low is None and row.high is None:
-        row = Row(**{**OPTIONAL, **entry, "value": _number(row, where)})
+        row = replace(row, value=_number(row, where))
     elif row.value is not None:
         raise InputError(f"{where} has both a value and a band; give one of them")
     elif row.low is None or row.high is None:

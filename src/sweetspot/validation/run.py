@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +13,15 @@ from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, 
 from sweetspot.validation.cases import CASES, Case, Result, Row, sources
 from sweetspot.validation.computations.registry import COMPUTATIONS
 
-UNITS = {
-    "": 1.0, "%": 0.01, "m": 1.0, "cm": 0.01, "in": INCH, "ft": FOOT, "cm^3": 1e-6, "kg": 1.0, "oz": OUNCE,
-    "kg m^2": 1.0, "kg cm^2": 1e-4, "m/s": 1.0, "yd": 3 * FOOT, "s": 1.0,
-    "oz in^2": OUNCE_INCH_SQUARED, "mph": MPH, "rad/s": 1.0, "ms": 1e-3, "Hz": 1.0, "ft/s^2": FOOT, "kg/m^3": 1.0,
-    "kN": 1e3, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE, "GPa": 1e9, "mph per mph": 1.0,
-}  # fmt: skip
+UNITS = dict.fromkeys(("", "m", "kg", "kg m^2", "m/s", "s", "rad/s", "Hz", "kg/m^3", "mph per mph"), 1.0)
+UNITS |= {"%": 0.01, "cm": 0.01, "in": INCH, "ft": FOOT, "yd": 3 * FOOT, "cm^3": 1e-6, "ft/s^2": FOOT, "mph": MPH}
+UNITS |= {"oz": OUNCE, "kg cm^2": 1e-4, "oz in^2": OUNCE_INCH_SQUARED, "ms": 1e-3, "kN": 1e3, "GPa": 1e9}
+UNITS |= {"rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
 """Units of printed values, each in SI."""
 
-NAMES_OF_INPUTS: dict[Kind, str] = {
+_INPUTS: dict[Kind, str] = {
     "speed": "ball_speed bat_speed exit_speed speed other_speed closing_speed wind_speed",
-    "ratio": "efficiency besr restitution recoil bat_restitution ball_restitution share within humidity poisson_ratio",
+    "ratio": "efficiency besr restitution recoil bat_restitution ball_restitution share humidity poisson_ratio",
     "length": "length pivot axis from_tip distance measured_at bore_diameter bore_depth plug balance_point elevation "
     "height diameter thinner wall bar_length bar_width bar_thickness inward outward",
     "mass": "mass ball_mass added_mass bar_mass",
@@ -35,7 +34,7 @@ NAMES_OF_INPUTS: dict[Kind, str] = {
     "frequency": "frequency",
     "density": "density",
 }
-INPUT_KINDS: dict[str, Kind] = {name: kind for kind, names in NAMES_OF_INPUTS.items() for name in names.split()}
+INPUT_KINDS = {name: kind for kind, names in _INPUTS.items() for name in names.split()}
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
 
 
@@ -55,8 +54,7 @@ def judged(row: Row, case: Case) -> Result:
         raise InputError(f"{case.source}, {row.name}: no computation {row.computation!r}")
     if row.unit not in UNITS:
         raise InputError(f"{case.source}, {row.name}: unit {row.unit!r} is not one of {', '.join(UNITS)}")
-    inputs = {name: _in_si(name, value) for name, value in row.inputs.items()}
-    computed = COMPUTATIONS[row.computation](**inputs) / UNITS[row.unit]
+    computed = computed_number(row) / UNITS[row.unit]
     low, high = row.allowed
     return Result(
         source=case.source,
@@ -76,6 +74,12 @@ def judged(row: Row, case: Case) -> Result:
         ours=row.ours,
         ours_tolerance=row.ours_tolerance,
     )
+
+
+def computed_number(row: Row) -> float:
+    """Return the number that a row asks for, in SI."""
+    computed = COMPUTATIONS[row.computation](**{name: _in_si(name, value) for name, value in row.inputs.items()})
+    return float(attrgetter(row.of)(computed) if row.of else computed)
 
 
 def tolerance_text(row: Row) -> str:

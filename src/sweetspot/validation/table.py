@@ -48,13 +48,13 @@ def summary(verdicts: Sequence[Result]) -> list[dict[str, Any]]:
     return [
         {
             "evidence": evidence,
-            "rows": len(own),
-            "hold": sum(result.passed and not result.expected_miss for result in own),
-            "explained_misses": sum(result.passed and bool(result.expected_miss) for result in own),
-            "fail": sum(not result.passed for result in own),
+            "rows": len(group),
+            "hold": sum(result.passed and not result.expected_miss for result in group),
+            "explained_misses": sum(result.passed and bool(result.expected_miss) for result in group),
+            "fail": sum(not result.passed for result in group),
         }
         for evidence in EVIDENCE
-        for own in [[result for result in verdicts if result.evidence == evidence]]
+        for group in [[result for result in verdicts if result.evidence == evidence]]
     ]
 
 
@@ -83,18 +83,17 @@ def markdown(case: Case, verdicts: Sequence[Result]) -> str:
     case : the source.
     verdicts : results; those of other sources are passed over.
     """
-    own = [result for result in verdicts if result.source == case.source]
+    chosen = [result for result in verdicts if result.source == case.source]
     lines = [f"## {case.title}", "", f"Source: `{case.source}`. {case.measured}", ""]
     lines += [f"Axes and signs: {case.axes}", ""]
     lines += ["| | case | printed | computed | allowed | kind | read | evidence | verdict |", "|-" * 9 + "|"]
-    for number, result in enumerate(own, start=1):
-        cells = (
-            str(number), f"{result.name}: {result.quantity}", _with_unit(result.printed, result.unit),
-            number_words(result), result.tolerance, result.kind, TAGS[result.tag], result.evidence, result.status,
-        )  # fmt: skip
+    for number, result in enumerate(chosen, start=1):
+        short = short_rows([result])[0]
+        cells = [str(number), *(short[key] for key in ("case", "printed", "computed", "allowed"))]
+        cells += [result.kind, TAGS[result.tag], result.evidence, result.status]
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     lines += ["", "Reasons:", ""]
-    lines += [f"- {', '.join(numbers)}: {text}" for text, numbers in _shared_texts(own).items()]
+    lines += [f"- {', '.join(numbers)}: {text}" for text, numbers in _shared_texts(chosen).items()]
     if case.left_out:
         lines += ["", "Left out:", "", *(f"- {text}" for text in case.left_out)]
     return "\n".join(lines) + "\n"

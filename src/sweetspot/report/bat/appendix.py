@@ -19,7 +19,7 @@ from sweetspot.report.sport_words import in_words, words_of
 from sweetspot.units import MPH
 from sweetspot.validation import Result, Row, sources
 from sweetspot.validation.computations import space
-from sweetspot.validation.computations.registry import computations_of
+from sweetspot.validation.computations.registry import COMPUTATIONS
 from sweetspot.validation.run import judged
 from sweetspot.validation.table import number_words
 
@@ -101,7 +101,8 @@ def constants_section(analysis: Analysis[Implement]) -> Section:
 
 
 ROWS = 14
-SLOW = computations_of(space).keys() | {"turned_contact_time", "restitution_of_share"}
+SLOW = {name for name, function in COMPUTATIONS.items() if function.__module__ == space.__name__}
+SLOW |= {"turned", "restitution_of_share"}
 """Computations that a report does not wait for: the speed of a given hit is searched, a league's hits are drawn, many
 walls are tried."""
 

@@ -1,30 +1,34 @@
-"""Hits at game speed: forces and times, flexible against rigid, the best places, the slopes, the ball on a wall."""
+"""Hits at game speed: forces and times, rigid bats, best places, slopes, rigid walls, and the effect of the hands."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of, hit_at
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.analysis.drop_test import fire
 from sweetspot.collision.closed_form import exit_speed, restitution_from_efficiency
 from sweetspot.collision.coupled import hit
+from sweetspot.collision.free_motion import modal_propagator_of
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.block import Block
 from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
-from sweetspot.motion.swing import Conditions, Hands, Pitch
+from sweetspot.dynamics.reduction import bending_modes
+from sweetspot.dynamics.rigid import centre_of_percussion, effective_mass
+from sweetspot.motion.swing import Hands, Pitch
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise
+from sweetspot.units import INCH
 from sweetspot.validation.computations import shared
 
 
-def wall_restitution(*, speed: float) -> float:
+def _wall_restitution(*, speed: float) -> float:
     """Return the rebound ratio of the catalogue's baseball from a wall that cannot move, by the coupled collision."""
     return hit(rigid_wall(), ball=catalog.ball(), position=0.0, closing_speed=speed).collision_efficiency
 
@@ -40,7 +44,7 @@ def wall_restitution_change(*, speed: float, other_speed: float) -> float:
 
     Negative only if it falls at every step.
     """
-    ratios = [wall_restitution(speed=float(one)) for one in np.linspace(speed, other_speed, 11)]
+    ratios = [_wall_restitution(speed=float(v)) for v in np.linspace(speed, other_speed, 11)]
     return float(np.diff(ratios).max())
 
 
@@ -52,51 +56,40 @@ def rigid_wall() -> Modes:
     )
 
 
-def held_rod_turning(*, bat: str, closing_speed: float) -> float:
-    """Return the angular speed after a hit at the tip of a rigid rod hinged at its end, times m L over the impulse."""
-    _, slope, impulse, body, length = _held_rod(bat, closing_speed)
-    return slope / impulse * body.mass * length
+class HeldRod(NamedTuple):
+    """A hit at the tip of a rigid rod hinged at its end.
 
+    Parameters
+    ----------
+    turning : angular speed after the hit times m L over the impulse.
+    hand_force : 1 - m v_c over the impulse: the hinge's share of the impulse.
+    """
 
-def held_rod_hand_force(*, bat: str, closing_speed: float) -> float:
-    """Return 1 - m v_c over the impulse of that hit: what the hinge gives, as a part of the blow."""
-    centre, _, impulse, body, _ = _held_rod(bat, closing_speed)
-    return 1 - body.mass * centre / impulse
+    turning: float
+    hand_force: float
 
 
 @cache
-def _held_rod(bat: str, closing_speed: float) -> tuple[float, float, float, RigidBody, float]:
-    """Return the speed of the centre, the angular speed, the impulse, the rod as a body, and its length."""
+def held_rod(*, bat: str, closing_speed: float) -> HeldRod:
+    """Return the motion of that rod after the hit."""
     free, body, length, ball = shared.free_modes(bat), shared.body(bat), shared.length(bat), catalog.ball()
     hinge = Hands(position=0.0, spacing=0.0, mass=1e6, stiffness=1e9)
     held = held_modes(free.selected(free.of_family("rigid")), hinge)
     impact = hit(held, ball=ball, position=length, closing_speed=closing_speed, step=1e-6)
     impulse = ball.mass * closing_speed * (1 + impact.collision_efficiency)
     centre = float(held.shape_at(body.balance_point) @ impact.velocity)
-    return centre, float(held.slope_at(body.balance_point) @ impact.velocity), impulse, body, length
+    slope = float(held.slope_at(body.balance_point) @ impact.velocity)
+    return HeldRod(slope / impulse * body.mass * length, 1 - body.mass * centre / impulse)
 
 
-def turned_mean_force(
-    *, bat: str, ball_mass: float, ball_speed: float, exit_speed: float, contact_time: float
-) -> float:
+def turned_mean_force(*, contact_time: float, **speeds: Any) -> float:
     """Return the integral of the force on a ball turned from one speed to the other, over a given contact time."""
-    impact = turned(bat, ball_mass, ball_speed, exit_speed)
-    impulse = np.trapezoid([*impact.force, 0.0], [*impact.times, impact.release_time])
-    return float(impulse / contact_time)
-
-
-def turned_peak_force(*, bat: str, ball_mass: float, ball_speed: float, exit_speed: float) -> float:
-    """Return the peak force of that hit."""
-    return turned(bat, ball_mass, ball_speed, exit_speed).peak_force
-
-
-def turned_contact_time(*, bat: str, ball_mass: float, ball_speed: float, exit_speed: float) -> float:
-    """Return the contact time of that hit: until the force is below 1 % of its peak."""
-    return turned(bat, ball_mass, ball_speed, exit_speed).contact_time
+    impact = turned(**speeds)
+    return float(np.trapezoid([*impact.force, 0.0], [*impact.times, impact.release_time]) / contact_time)
 
 
 @cache
-def turned(bat: str, ball_mass: float, ball_speed: float, exit_speed: float) -> Impact:
+def turned(*, bat: str, ball_mass: float, ball_speed: float, exit_speed: float) -> Impact:
     """Return the hit at the bat's best place whose bat speed sends the ball back at ``exit_speed``."""
     from scipy.optimize import brentq  # here: a report's page names these computations and runs few
 
@@ -114,40 +107,22 @@ def turned(bat: str, ball_mass: float, ball_speed: float, exit_speed: float) -> 
     return hits.get(bat_speed) or hit(modes, ball=ball, position=place, closing_speed=ball_speed + bat_speed)
 
 
-def standard_peak_force(*, bat: str) -> float:
-    """Return the peak force of the best hit under the standard conditions."""
-    return shared.standard(bat).best.peak_force
-
-
-def standard_contact_time(*, bat: str) -> float:
-    """Return the contact time of the best hit under the standard conditions."""
-    return shared.standard(bat).best.contact_time
-
-
-def standard_angular_speed(*, bat: str) -> float:
-    """Return the angular speed of the standard swing."""
-    return shared.standard(bat).conditions.swing.angular_speed
-
-
 def flexible_over_rigid(*, bat: str) -> float:
-    """Return by how much the flexible bat's exit speed is above the rigid one's at most, barrel half of the bat."""
-    _, ratio = _flexible_over_rigid(bat)
-    return float(ratio.max())
+    """Return the greatest excess of the flexible bat's exit speed over the rigid one's beyond the balance point.
 
-
-def _flexible_over_rigid(bat: str) -> tuple[Array, Array]:
-    """Return places beyond the balance point and flexible over rigid exit speed there, less one.
-
-    The rigid bat is dented by the ball as the flexible one is: what counts here is the bending.
+    The rigid bat has the same local compliance as the flexible one, so that only bending differs.
     """
     analysis = shared.standard(bat)
     scan, modes, conditions = analysis.scan, analysis.modes, analysis.conditions
     barrel = scan.position > analysis.body.balance_point
-    places, closing, bat_speed = scan.position[barrel], scan.closing_speed[barrel], scan.bat_speed[barrel]
     rigid = replace(modes.selected(modes.of_family("rigid")), compliances=modes.compliances)
-    efficiency = hits(rigid, ball=conditions.ball, position=places, closing_speed=closing).collision_efficiency
-    alone = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
-    return places, scan.exit_speed[barrel] / alone - 1
+    impacts = hits(
+        rigid, ball=conditions.ball, position=scan.position[barrel], closing_speed=scan.closing_speed[barrel]
+    )
+    alone = exit_speed(
+        impacts.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=scan.bat_speed[barrel]
+    )
+    return float((scan.exit_speed[barrel] / alone - 1).max())
 
 
 def best_from_tip(*, bat: str) -> float:
@@ -241,10 +216,66 @@ def _exit(bat: str, *, pitch: float = 0.0, swing: float = 0.0) -> float:
     """Return the exit speed at the standard best place with pitch and bat speed changed by so much."""
     analysis = shared.standard(bat)
     old = analysis.conditions
-    changed = Conditions(
-        pitch=Pitch(speed=old.pitch.speed + pitch),
-        swing=old.swing.replaced(bat_speed=old.swing.bat_speed + swing),
-        hands=old.hands,
-        ball=old.ball,
+    changed = old.replaced(
+        pitch=Pitch(speed=old.pitch.speed + pitch), swing=old.swing.replaced(bat_speed=old.swing.bat_speed + swing)
     )
     return exit_speed_of(hit_at(analysis.sweet_spots.max_exit_speed, modes=analysis.modes, conditions=changed), changed)
+
+
+HANDS = 6 * INCH
+VICE = 1e9
+"""N/m of each of two places 3.5 in apart: a handle that can neither move nor turn."""
+BENCH = 1e4
+"""kg behind each of them."""
+BARREL = np.linspace(3 * INCH, 9 * INCH, 25)
+"""m from the tip: barrel impacts."""
+MANY_MODES = 40
+"""Bending modes up to about 30 kHz, so that motion cannot arrive before the wave does."""
+STEP = 2e-6
+WATCHED = 3e-3
+"""s after the touch in which the handle's greatest speed is looked for."""
+ARRIVED = 0.1
+"""Part of that speed at which the wave has arrived."""
+
+
+def grip_change(*, bat: str) -> float:
+    """Return the greatest relative change of exit speed on the barrel by typical hands and by a vice."""
+    analysis = shared.standard(bat)
+    conditions, free = analysis.conditions, shared.free_modes(bat)
+    places = shared.length(bat) - BARREL
+    swing = conditions.swing.angular_speed * (places - conditions.swing.pivot)
+
+    def speeds(modes: Modes) -> Array:
+        closing = conditions.pitch.speed + swing
+        impacts = hits(modes, ball=conditions.ball, position=places, closing_speed=closing)
+        efficiency = impacts.collision_efficiency
+        return np.asarray(efficiency * conditions.pitch.speed + (1 + efficiency) * swing)
+
+    alone = speeds(free)
+    grips = (Hands(position=HANDS, **TYPICAL_HAND), Hands(position=HANDS, mass=BENCH, stiffness=VICE))
+    return max(float(np.abs(speeds(held_modes(free, hands)) / alone - 1).max()) for hands in grips)
+
+
+def impulse_given_at_arrival(*, bat: str) -> float:
+    """Return which part of the impulse the ball has given when the wave of the best hit arrives at the top hand.
+
+    The handle's motion is the sum of all modes driven by the recorded force, step by step.
+    """
+    conditions = shared.standard(bat).conditions
+    place = shared.standard(bat).sweet_spots.max_exit_speed
+    modes = bending_modes(shared.beam(bat), count=MANY_MODES, elements=MANY_MODES)
+    closing = conditions.pitch.speed + conditions.swing.speed_at(place)
+    force = hit(modes, ball=conditions.ball, position=place, closing_speed=closing, step=STEP).force
+    drift, push, handle = modal_propagator_of(modes, STEP), modes.shape_at(place), modes.shape_at(HANDS)
+    displacement, velocity = np.zeros(len(modes)), np.zeros(len(modes))
+    speed = np.empty(round(WATCHED / STEP))
+    for step in range(len(speed)):
+        if step < len(force):
+            velocity = velocity + push * force[step] * STEP
+        displacement, velocity = (
+            drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
+            drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
+        )
+        speed[step] = abs(handle @ velocity)
+    arrival = int(np.argmax(speed > ARRIVED * speed.max()))
+    return float(force[: arrival + 1].sum() / force.sum())

@@ -1,4 +1,4 @@
-"""Flights of baseballs, and what changes them."""
+"""Flights: of batted baseballs and what changes their carry, of pitches to the plate, after the best swing."""
 
 from __future__ import annotations
 
@@ -23,11 +23,9 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch import MIDDLE, PitchFlight, aimed
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import Flight, fly
-from sweetspot.motion.ball_motion import BallMotion, batted_ball
+from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.units import DEGREE, FOOT, INCH_OF_MERCURY, MPH, RPM
 from sweetspot.validation.computations import shared
-
-"""Pa."""
 
 USUAL = BattedBall(
     exit_speed=100 * MPH,
@@ -41,7 +39,7 @@ USUAL = BattedBall(
 
 
 @cache
-def _flown(hit: BattedBall, law: str) -> Flight:
+def _path(hit: BattedBall, law: str) -> Flight:
     return fly(
         hit.motion,
         FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=hit.air, wind=hit.wind),
@@ -52,16 +50,15 @@ def _hit(changes: dict[str, Any], law: str = "baseball") -> BattedBall:
     return replace(USUAL, line=usual_spin_line(law), **changes)
 
 
-def fly_ball(*, answer: str, law: str = "baseball", **changes: Any) -> float:
-    """Return carry, hang_time, apex_height, landing_angle or landing_speed of a fly ball.
+def fly_ball(*, law: str = "baseball", **changes: Any) -> Flight:
+    """Return the flight of a fly ball.
 
     Parameters
     ----------
     law : name of the law of drag and lift.
     changes : fields of `BattedBall` that differ from `USUAL`, SI.
     """
-    flight = _flown(_hit(changes, law), law)
-    return flight.landing.speed if answer == "landing_speed" else float(getattr(flight, answer))
+    return _path(_hit(changes, law), law)
 
 
 def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -> float:
@@ -75,9 +72,9 @@ def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -
     units = {"elevation": FOOT, "exit_speed": MPH, "wind_speed": MPH, "sidespin": RPM, "backspin": RPM}
     before = _hit(changes, law)
     motion = before.motion
-    known = replace(before, backspin=motion.backspin, sidespin=motion.sidespin)
-    moved = {name: getattr(known, name) + change * units.get(name, 1.0) for name, change in by.items()}
-    return _flown(replace(known, **moved), law).carry - _flown(known, law).carry
+    spinning = replace(before, backspin=motion.backspin, sidespin=motion.sidespin)
+    moved = {name: getattr(spinning, name) + change * units.get(name, 1.0) for name, change in by.items()}
+    return _path(replace(spinning, **moved), law).carry - _path(spinning, law).carry
 
 
 def carry_gain_of_drag(*, less: float, law: str = "baseball", **changes: Any) -> float:
@@ -86,7 +83,7 @@ def carry_gain_of_drag(*, less: float, law: str = "baseball", **changes: Any) ->
     slick = FlightConditions(
         ball=catalog.ball(), aerodynamics=usual.replaced(drag=usual.drag - less), air=hit.air, wind=hit.wind
     )
-    return fly(hit.motion, slick).carry - _flown(hit, law).carry
+    return fly(hit.motion, slick).carry - _path(hit, law).carry
 
 
 def lift_at(*, spin_factor: float, law: str = "baseball") -> float:
@@ -96,9 +93,9 @@ def lift_at(*, spin_factor: float, law: str = "baseball") -> float:
 
 def wind_asymmetry(*, wind_speed: float, law: str = "baseball") -> float:
     """Return what a wind out gives less what the same wind in takes."""
-    still = _flown(_hit({}, law), law).carry
-    out = _flown(_hit({"wind_speed": wind_speed}, law), law).carry
-    head = _flown(_hit({"wind_speed": wind_speed, "wind_direction": np.pi}, law), law).carry
+    still = _path(_hit({}, law), law).carry
+    out = _path(_hit({"wind_speed": wind_speed}, law), law).carry
+    head = _path(_hit({"wind_speed": wind_speed, "wind_direction": np.pi}, law), law).carry
     return (out - still) - (still - head)
 
 
@@ -115,78 +112,31 @@ def air_density_ratio(*, elevation: float) -> float:
 def push_of_air(*, part: str, along: str, law: str = "baseball", **changes: Any) -> float:
     """Return the acceleration by drag or lift at the start, along one axis: right, out or up."""
     hit = _hit(changes, law)
+    coefficients = catalog.aerodynamics(law)
     pushes = drag_and_lift(
-        hit.motion.velocity, spin=hit.motion.spin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law),
+        hit.motion.velocity,
+        spin=hit.motion.spin,
+        ball=catalog.ball(),
+        aerodynamics=coefficients,
         density=hit.air.density,
-    )  # fmt: skip
+    )
     return float(pushes[("drag", "lift").index(part)][("right", "out", "up").index(along)])
 
 
 def coefficient(*, part: str, law: str = "baseball", **changes: Any) -> float:
     """Return Cd or Cl or the spin factor S at the start of a flight."""
-    motion = _hit(changes, law).motion
-    known, factor = catalog.aerodynamics(law), _spin_factor(motion)
-    values = {
-        "spin factor": factor,
-        "drag": known.drag_coefficient(factor, spin=float(np.linalg.norm(motion.spin))),
-        "lift": known.lift_coefficient(factor),
-    }
-    return values[part]
-
-
-def _spin_factor(motion: BallMotion) -> float:
+    motion, coefficients = _hit(changes, law).motion, catalog.aerodynamics(law)
     across = float(np.linalg.norm(np.cross(motion.spin, motion.velocity))) / motion.speed
-    return catalog.ball().radius * across / motion.speed
+    factor = catalog.ball().radius * across / motion.speed
+    if part == "drag":
+        return coefficients.drag_coefficient(factor, spin=float(np.linalg.norm(motion.spin)))
+    return coefficients.lift_coefficient(factor) if part == "lift" else factor
 
 
 def flight_place(*, time: float, along: str, law: str = "baseball", **changes: Any) -> float:
     """Return where the ball is after a time: out or up."""
-    place = _flown(_hit(changes, law), law).at(time).position
+    place = _path(_hit(changes, law), law).at(time).position
     return float(place[("right", "out", "up").index(along)])
-
-
-DAY = Air(temperature=22.2, elevation=290 * FOOT)
-"""What the drag was fitted with: 72 degF (assumed) at the mean elevation of the day's parks."""
-DAY_DRAG = 0.2905
-"""Of the law of pitches: the day's own level [savant_2020day]; balls differ from year to year."""
-
-
-@cache
-def flown(pitch: str, law: str = "") -> PitchFlight:
-    """Return a pitch of the catalogue thrown to where such pitches pass the plate, by the day's drag or by a law.
-
-    The law of still air is given the breeze of the mean park.
-    """
-    known = aerodynamics(law) if law else aerodynamics("pitched-baseball").replaced(drag=DAY_DRAG)
-    return aimed(
-        catalog.delivery(pitch),
-        ball=catalog.ball(),
-        aerodynamics=known,
-        air=DAY,
-        wind=MEAN_BREEZE if law == STILL_AIR else CALM,
-        target=(MIDDLE[0], usual_height(pitch)),
-    )
-
-
-def pitch_speed_ratio(*, pitch: str, law: str = "") -> float:
-    """Return speed at the plate over speed at release."""
-    return flown(pitch, law).speed_ratio
-
-
-def pitch_plate_speed(*, pitch: str) -> float:
-    """Return speed at the plate."""
-    return flown(pitch).plate.speed
-
-
-def pitch_fall(*, pitch: str) -> float:
-    """Return the vertical approach angle at the plate."""
-    return flown(pitch).vertical_approach_angle
-
-
-def pitch_mean_speed_ratio(*, pitches: dict[str, int]) -> float:
-    """Return the mean ratio over a mix of pitches, given how often each was thrown."""
-    total = sum(count * pitch_speed_ratio(pitch=pitch) for pitch, count in pitches.items())
-    return total / sum(pitches.values())
 
 
 def carry_gain_of_warm_ball(*, bat: str, warmer: float) -> float:
@@ -208,7 +158,36 @@ def _carry(bat: str, *, temperature: float | None = None, faster: float = 0.0) -
         pitch=usual.pitch.replaced(speed=usual.pitch.speed + faster),
     )
     impact = hit_at(analysis.sweet_spots.max_exit_speed, modes=analysis.modes, conditions=conditions)
-    return fly_ball(answer="carry", exit_speed=exit_speed_of(impact, conditions))
+    return fly_ball(exit_speed=exit_speed_of(impact, conditions)).carry
+
+
+DAY = Air(temperature=22.2, elevation=290 * FOOT)
+"""What the drag was fitted with: 72 degF (assumed) at the mean elevation of the day's parks."""
+DAY_DRAG = 0.2905
+"""Of the law of pitches: the day's own level [savant_2020day]; balls differ from year to year."""
+
+
+@cache
+def pitch_flight(pitch: str, law: str = "") -> PitchFlight:
+    """Return the flight of a catalogue pitch to its usual place over the plate, by the day's drag or by a law.
+
+    The law of still air gets the breeze of the mean park.
+    """
+    coefficients = aerodynamics(law) if law else aerodynamics("pitched-baseball").replaced(drag=DAY_DRAG)
+    return aimed(
+        catalog.delivery(pitch),
+        ball=catalog.ball(),
+        aerodynamics=coefficients,
+        air=DAY,
+        wind=MEAN_BREEZE if law == STILL_AIR else CALM,
+        target=(MIDDLE[0], usual_height(pitch)),
+    )
+
+
+def pitch_mean_speed_ratio(*, pitches: dict[str, int]) -> float:
+    """Return the mean ratio over a mix of pitches, given how often each was thrown."""
+    total = sum(count * pitch_flight(pitch).speed_ratio for pitch, count in pitches.items())
+    return total / sum(pitches.values())
 
 
 BAT = "r161-ash"
@@ -219,7 +198,7 @@ Model = Literal["measured", "rolling"]
 
 
 @cache
-def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
+def best_swing_at(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
     """Return the best level swing at a pitch.
 
     "measured": friction gives a part of the sliding back and drag grows with spin; "rolling": the ball leaves rolling
@@ -246,19 +225,15 @@ def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
 
 def best_carry_gain(*, pitch: str, other_pitch: str, model: Model) -> float:
     """Return by how much a pitch, hit at its best, is carried farther than another."""
-    return best(pitch, model).carry - best(other_pitch, model).carry
+    return best_swing_at(pitch, model).carry - best_swing_at(other_pitch, model).carry
 
 
 def best_carry_change_by_friction(*, pitch: str, friction: float) -> float:
     """Return what another coefficient of friction changes of the best carry."""
-    return best(pitch, "measured", friction).carry - best(pitch, "measured").carry
+    return best_swing_at(pitch, "measured", friction).carry - best_swing_at(pitch, "measured").carry
 
 
 def best_launch_angle(*, exit_speed: float, backspin: float, law: str = "baseball") -> float:
-    """Return the launch angle that carries farthest."""
-    launch = best_launch(
-        exit_speed,
-        FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=SHEET),
-        backspin=backspin,
-    )
-    return launch.launch_angle
+    """Return the launch angle of the greatest carry."""
+    conditions = FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=SHEET)
+    return best_launch(exit_speed, conditions, backspin=backspin).launch_angle

@@ -1,24 +1,32 @@
-"""What the cases ask the package for: small functions in SI, listed by name.
+"""What the cases ask the package for, listed by name.
 
-Each takes keyword arguments (texts in a case file become SI numbers by their name) and returns one number in SI.
+Each computation takes keyword arguments (texts in a case file become SI numbers by their name). It returns a number in
+SI, or a thing of which the case names one number by its ``of``.
 """
 
+import inspect
 from collections.abc import Callable
-from inspect import isfunction
-from types import ModuleType
+from typing import Any
 
-from sweetspot.validation.computations import bats, collision, flight, inertia, laboratory, space, sports
-
-
-def computations_of(module: ModuleType) -> dict[str, Callable[..., float]]:
-    """Return every public function that a module defines, by name."""
-    own = {name: each for name, each in vars(module).items() if isfunction(each) and not name.startswith("_")}
-    return {name: each for name, each in own.items() if each.__module__ == module.__name__}
+from sweetspot.validation.computations import bat_tests, collision, flight, modes, rigid, shared, space, sports
 
 
-COMPUTATIONS: dict[str, Callable[..., float]] = {
-    name: computation
-    for module in (inertia, bats, collision, laboratory, space, sports, flight)
-    for name, computation in computations_of(module).items()
+def _is_computation(function: Any) -> bool:
+    """Return whether a function takes keyword arguments only."""
+    if not inspect.isfunction(inspect.unwrap(function)):
+        return False
+    kinds = {parameter.kind for parameter in inspect.signature(function).parameters.values()}
+    return bool(kinds) and kinds <= {inspect.Parameter.KEYWORD_ONLY, inspect.Parameter.VAR_KEYWORD}
+
+
+COMPUTATIONS: dict[str, Callable[..., Any]] = {
+    "standard": shared.standard,
+    "body": shared.body,
+    "pitch_flight": flight.pitch_flight,
+} | {
+    name: function
+    for module in (rigid, modes, collision, bat_tests, space, sports, flight)
+    for name, function in vars(module).items()
+    if name[0] != "_" and getattr(function, "__module__", "") == module.__name__ and _is_computation(function)
 }
-"""Every computation by the name that case files use."""
+"""Every computation by the name that case files use: the public functions of its modules, and three shared ones."""

@@ -110,10 +110,9 @@ def _ceiling(bat: str, bat_speed: Array) -> Array:
     places, swings = model.bat.length - from_tip, np.linspace(40, 110, 15) * MPH
     speed = swings[:, None] * places / (model.bat.length - SPEED_FROM_TIP)
     closing = (speed + 82 * MPH).ravel()
-    done = hits(
-        model.modes, ball=catalog.ball(), position=np.tile(places, len(swings)), closing_speed=closing
-    ).collision_efficiency.reshape(speed.shape)
-    best = exit_speed(done, ball_speed=82 * MPH, bat_speed=speed).max(axis=1)
+    impacts = hits(model.modes, ball=catalog.ball(), position=np.tile(places, len(swings)), closing_speed=closing)
+    efficiency = impacts.collision_efficiency.reshape(speed.shape)
+    best = exit_speed(efficiency, ball_speed=82 * MPH, bat_speed=speed).max(axis=1)
     return np.asarray(np.interp(bat_speed, swings, best))
 
 
@@ -165,8 +164,8 @@ def _along(bat: str) -> tuple[Array, Array]:
     model, from_tip = _model(bat), np.linspace(0, 18 * INCH, 181)
     places = model.bat.length - from_tip
     swung = 71.5 * MPH * places / (model.bat.length - SPEED_FROM_TIP)
-    done = hits(model.modes, ball=catalog.ball(), position=places, closing_speed=swung + 82 * MPH)
-    return from_tip, exit_speed(done.collision_efficiency, ball_speed=82 * MPH, bat_speed=swung)
+    impacts = hits(model.modes, ball=catalog.ball(), position=places, closing_speed=swung + 82 * MPH)
+    return from_tip, exit_speed(impacts.collision_efficiency, ball_speed=82 * MPH, bat_speed=swung)
 
 
 def league_backspin(*, bat: str, launch_angle: float) -> float:
@@ -174,24 +173,23 @@ def league_backspin(*, bat: str, launch_angle: float) -> float:
     return float(_mean_spin(bat)[:, 0] @ [1.0, launch_angle, 0.0])
 
 
-def league_backspin_slope(*, bat: str) -> float:
-    """Return how that backspin grows with the launch angle, rad/s per rad."""
-    return float(_mean_spin(bat)[1, 0])
-
-
-def league_sidespin_slope(*, bat: str) -> float:
-    """Return how the side spin of a league's fly balls changes with the spray angle, rad/s per rad."""
-    return float(_mean_spin(bat)[2, 1])
-
-
 def league_sidespin(*, bat: str, launch_angle: float) -> float:
-    """Return the mean side spin of its fly balls to centre field by right-handed batters."""
+    """Return the mean side spin of its fly balls to center field by right-handed batters."""
     return float(_mean_spin(bat)[:, 1] @ [1.0, launch_angle, 0.0])
 
 
-def league_backspin_spray_slope(*, bat: str) -> float:
-    """Return how the backspin of its fly balls changes with the spray angle, rad/s per rad."""
-    return float(_mean_spin(bat)[2, 0])
+class SpinSlopes(NamedTuple):
+    """Growth of backspin with launch angle and spray angle, and of side spin with the spray angle, rad/s per rad."""
+
+    backspin: float
+    backspin_by_spray: float
+    sidespin_by_spray: float
+
+
+def league_spin_slopes(*, bat: str) -> SpinSlopes:
+    """Return how the spin of a league's fly balls changes with their direction."""
+    fit = _mean_spin(bat)
+    return SpinSlopes(float(fit[1, 0]), float(fit[2, 0]), float(fit[2, 1]))
 
 
 @cache
@@ -202,9 +200,9 @@ def _mean_spin(bat: str) -> Array:
     """
     hits = _league(bat, left_handed=0.0)
     high = (hits.launch_angle > 15 * DEGREE) & (hits.launch_angle < 40 * DEGREE) & (hits.exit_speed > 85 * MPH)
-    known = np.stack([np.ones_like(hits.spray), hits.launch_angle, hits.spray], axis=-1)[high]
+    terms = np.stack([np.ones_like(hits.spray), hits.launch_angle, hits.spray], axis=-1)[high]
     spins = np.stack([hits.backspin, hits.sidespin], axis=-1)[high]
-    return np.asarray(np.linalg.lstsq(known, spins)[0])
+    return np.asarray(np.linalg.lstsq(terms, spins)[0])
 
 
 @cache
@@ -220,13 +218,11 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     speed = draw.normal(71.5, 5.3, count).clip(50, 95) * MPH
     attack = draw.normal(8.6, 8.4, count) * DEGREE
     tilt = draw.normal(31.9, 6.7, count).clip(0, 80) * DEGREE
-    axes = path_axes(
-        attack, draw.normal(0, 12, count) * DEGREE, tilt=steep_enough(tilt, attack),
-        left=draw.random(count) < left_handed,
-    )  # fmt: skip
+    direction = draw.normal(0, 12, count) * DEGREE
+    axes = path_axes(attack, direction, tilt=steep_enough(tilt, attack), left=draw.random(count) < left_handed)
     pitch, fall = draw.normal(82, 5, count) * MPH, draw.normal(6.6, 1.8, count) * DEGREE
     place = (model.bat.length - draw.normal(6.5, 2.0, count) * INCH).clip(0.3, model.bat.length)
-    done = strikes(
+    batted = strikes(
         model,
         ball=catalog.ball(),
         swings=Swings(speed * place / (model.bat.length - SPEED_FROM_TIP), axes),
@@ -236,11 +232,11 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
         ),
         contact=Contact(place, draw.normal(0.2, 0.9, count) * INCH),
     )
-    launch, spray, (back, side, _) = launch_angles(done.velocity, done.spin)
-    seen = done.exit_speed + draw.normal(0, 0.5, count) * MPH
+    launch, spray, (back, side, _) = launch_angles(batted.velocity, batted.spin)
+    seen = batted.exit_speed + draw.normal(0, 0.5, count) * MPH
     seen_bat = speed + draw.normal(0, 1.5, count) * MPH
     ceiling = 1.23 * seen_bat + 0.23 * 82 * MPH
     deflection = launch - attack - draw.normal(0, 3, count) * DEGREE
-    fair = np.isfinite(done.exit_speed) & (np.abs(spray) < 45 * DEGREE)
-    every = (seen / ceiling, seen, seen_bat, deflection, done.exit_speed, launch, spray, back, side)
+    fair = np.isfinite(batted.exit_speed) & (np.abs(spray) < 45 * DEGREE)
+    every = (seen / ceiling, seen, seen_bat, deflection, batted.exit_speed, launch, spray, back, side)
     return LeagueHits(*(value[fair] for value in every))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cache
+from typing import NamedTuple
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced, dead_spot, exit_speed_of
@@ -27,24 +28,26 @@ from sweetspot.paper.sports import rule_book_drops
 
 
 def racket_percussion(*, mass: float, balance_point: float, moi: float, axis: float) -> float:
-    """Return the centre of percussion from the butt of a racket that turns about ``axis``."""
+    """Return the center of percussion from the butt of a racket that turns about ``axis``."""
     return centre_of_percussion(_racket(mass, balance_point, moi, axis), pivot=axis)
 
 
-def percussion_gain(*, mass: float, balance_point: float, moi: float, axis: float, added_mass: float) -> float:
-    """Return how far a weight at the butt moves the centre of percussion."""
+class ButtWeight(NamedTuple):
+    """Changes of a racket by a weight at its butt: center of percussion, balance point, moment about the axis."""
+
+    percussion: float
+    balance_point: float
+    swing_weight: float
+
+
+def butt_weight(*, mass: float, balance_point: float, moi: float, axis: float, added_mass: float) -> ButtWeight:
+    """Return what a weight at the butt changes."""
     before = _racket(mass, balance_point, moi, axis)
-    return centre_of_percussion(_weighted(before, added_mass), pivot=axis) - centre_of_percussion(before, pivot=axis)
-
-
-def balance_gain(*, mass: float, balance_point: float, moi: float, axis: float, added_mass: float) -> float:
-    """Return how far a weight at the butt moves the balance point."""
-    return _weighted(_racket(mass, balance_point, moi, axis), added_mass).balance_point - balance_point
-
-
-def swing_weight_gain(*, mass: float, balance_point: float, moi: float, axis: float, added_mass: float) -> float:
-    """Return how much a weight at the butt adds to the moment of inertia about ``axis``."""
-    return _weighted(_racket(mass, balance_point, moi, axis), added_mass).moi(axis) - moi
+    heavier = mass + added_mass
+    balance = mass * balance_point / heavier
+    after = RigidBody(heavier, balance, before.moi(0.0) - heavier * balance**2, 0.0)
+    shift = centre_of_percussion(after, pivot=axis) - centre_of_percussion(before, pivot=axis)
+    return ButtWeight(shift, balance - balance_point, after.moi(axis) - moi)
 
 
 def smash_factor(*, ball_mass: float, mass: float, restitution: float) -> float:
@@ -62,14 +65,16 @@ def rule_book_rebound(*, sport: str, test: str) -> float:
     return rule_book_drops(sport)[test].rebound
 
 
-def driven_golf_force(*, mass: float, speed: float) -> float:
-    """Return the peak force on a golf ball under a free club head of ``mass`` at ``speed``."""
-    return _driven(mass, speed).impact.peak_force
+def driven_golf(*, mass: float, speed: float) -> Rebound:
+    """Return a golf ball on a wall at the speed of equal energy to a free club head of ``mass`` at ``speed``."""
+    ball = catalog.ball("golf")
+    wall = Block(material=catalog.material("steel"), thickness=0.1, floor_modulus=None)
+    return fire(wall, ball=ball, speed=speed / math.sqrt(1 + ball.mass / mass))
 
 
 def driven_golf_time(*, mass: float, speed: float) -> float:
-    """Return how long that head touches the ball: a wall's time at the speed of equal energy, less sqrt(1 + m/M)."""
-    return _driven(mass, speed).impact.contact_time / math.sqrt(1 + catalog.ball("golf").mass / mass)
+    """Return the contact time with that head: the wall's over sqrt(1 + m/M)."""
+    return driven_golf(mass=mass, speed=speed).impact.contact_time / math.sqrt(1 + catalog.ball("golf").mass / mass)
 
 
 def swing_law_loss(*, moi: float, other_moi: float, speed: float) -> float:
@@ -78,14 +83,11 @@ def swing_law_loss(*, moi: float, other_moi: float, speed: float) -> float:
     return speed * (1 - law.speed_ratio(other_moi, reference_moi=moi))
 
 
-def efficiency_on(*, implement: str, from_tip: float, closing_speed: float) -> float:
-    """Return q of the usual ball, at rest, hit at this place of an implement that comes with ``closing_speed``."""
-    return _struck(implement, from_tip, closing_speed).collision_efficiency
-
-
-def contact_time_on(*, implement: str, from_tip: float, closing_speed: float) -> float:
-    """Return how long that ball touches it."""
-    return _struck(implement, from_tip, closing_speed).contact_time
+def struck(*, implement: str, from_tip: float, closing_speed: float) -> Impact:
+    """Return the hit of the usual ball, at rest, at a place of an implement that comes with ``closing_speed``."""
+    reduced = _reduced(implement)
+    place = reduced.bat.length - from_tip
+    return hit(reduced.modes, ball=_conditions(implement).ball, position=place, closing_speed=closing_speed)
 
 
 def first_node_from_tip(*, implement: str) -> float:
@@ -101,7 +103,7 @@ def percussion_towards_hands(*, implement: str) -> float:
 
 
 def faster_ball(*, implement: str, share: float) -> float:
-    """Return the part that the ball gains when the implement is swung faster by this part, at its best place."""
+    """Return the relative gain of exit speed at the best place from a swing faster by ``share``."""
     analysis, conditions = _usual(implement), _conditions(implement)
     swing = conditions.swing
     faster = conditions.replaced(swing=swing.replaced(bat_speed=(1 + share) * swing.bat_speed))
@@ -142,29 +144,9 @@ def usual_exit_speed(*, implement: str) -> float:
     return exit_speed_of(_usual(implement).best, _conditions(implement))
 
 
-def sport_carry(*, ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> float:
-    """Return how far a ball flies from the ground to the ground at 70 degF and sea level."""
-    return _flown(ball, air, speed, launch_angle, backspin).carry
-
-
-def sport_hang_time(*, ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> float:
-    """Return how long it flies."""
-    return _flown(ball, air, speed, launch_angle, backspin).hang_time
-
-
-def sport_apex(*, ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> float:
-    """Return how high it flies."""
-    return _flown(ball, air, speed, launch_angle, backspin).apex_height
-
-
-def sport_landing_angle(*, ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> float:
-    """Return how steeply it comes down."""
-    return _flown(ball, air, speed, launch_angle, backspin).landing_angle
-
-
 def drag_from_two_cameras(*, ball: str, air: str, speed: float, distance: float) -> float:
     """Return the drag coefficient that two level speeds a distance apart give: 2 m ln(v1 / v2) / (rho pi R^2 x)."""
-    flight = _flown(ball, air, speed, math.radians(5), 0.0)
+    flight = sport_flight(ball=ball, air=air, speed=speed, launch_angle=math.radians(5), backspin=0.0)
     thing = catalog.ball(ball)
     along = flight.positions[:, 1]
     index = int((along < distance).sum())
@@ -178,7 +160,8 @@ SHEET_AIR = Air(temperature=(70 - 32) / 1.8)
 
 
 @cache
-def _flown(ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> Flight:
+def sport_flight(*, ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> Flight:
+    """Return the flight of a ball from the ground to the ground at 70 degF and sea level."""
     start = batted_ball(speed=speed, launch_angle=launch_angle, backspin=backspin)
     return fly(start, FlightConditions(ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics(air), air=SHEET_AIR))
 
@@ -198,25 +181,5 @@ def _usual(implement: str) -> Analysis[Implement]:
     return analyse_reduced(_reduced(implement), _conditions(implement))
 
 
-def _struck(implement: str, from_tip: float, closing_speed: float) -> Impact:
-    reduced = _reduced(implement)
-    place = reduced.bat.length - from_tip
-    return hit(reduced.modes, ball=_conditions(implement).ball, position=place, closing_speed=closing_speed)
-
-
-def _driven(mass: float, speed: float) -> Rebound:
-    ball = catalog.ball("golf")
-    wall = Block(material=catalog.material("steel"), thickness=0.1, floor_modulus=None)
-    return fire(wall, ball=ball, speed=speed / math.sqrt(1 + ball.mass / mass))
-
-
 def _racket(mass: float, balance_point: float, moi: float, axis: float) -> RigidBody:
     return RigidBody(mass, balance_point, moi - mass * (balance_point - axis) ** 2, 0.0)
-
-
-def _weighted(body: RigidBody, added_mass: float) -> RigidBody:
-    """Return a body with a weight at its butt end."""
-    mass = body.mass + added_mass
-    balance = body.mass * body.balance_point / mass
-    about_butt = body.moi(0.0)
-    return RigidBody(mass, balance, about_butt - mass * balance**2, body.roll_moi)
