@@ -10,9 +10,8 @@ from sweetspot import catalog
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.design.batter import Batter
+from sweetspot.design.batter import Batter, normal_contact
 from sweetspot.design.constraints import Limit, band, lathe_limits, league_limits
-from sweetspot.design.contacts import normal_contact
 from sweetspot.design.gain import present_measured
 from sweetspot.design.local_search import starts_of
 from sweetspot.design.measures import Bench, bench_of

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.special import ndtri
 
+from sweetspot.design.batter import FROM_TIP, contacts_at, fitted_contact, known_contact, normal_contact
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
-from sweetspot.design.contacts import FROM_TIP, contacts_at, fitted_contact, known_contact, normal_contact
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import LEVEL, REACH
 from sweetspot.units import INCH

@@ -9,9 +9,8 @@ import pytest
 
 from sweetspot.analysis.bat_analysis import hit_at
 from sweetspot.analysis.strain import damage
-from sweetspot.design.batter import RARE, usual_places
-from sweetspot.design.breaking import handle_bending
-from sweetspot.design.contacts import FROM_TIP, normal_contact
+from sweetspot.design.batter import FROM_TIP, RARE, normal_contact, usual_places
+from sweetspot.design.gain import handle_bending
 from sweetspot.design.measures import Bench
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import all_modes

@@ -10,11 +10,10 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, linear_limit, material_at
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.design.breaking import usual_strains
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.constraints import Limit
-from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import borne_strain, breaking_of
-from sweetspot.design.gain import present_measured
+from sweetspot.design.gain import present_measured, usual_strains
 from sweetspot.design.local_search import polished
 from sweetspot.design.measures import Bench, bench_of
 from sweetspot.design.pareto import DesignSearch, excesses

@@ -10,12 +10,12 @@ import pytest
 from pymoo.indicators.hv import HV
 
 from sweetspot.design import local_search
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.constraints import Limit
-from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.local_search import designed, gradient, polished, starts_of
 from sweetspot.design.measures import Bench
-from sweetspot.design.outline_curve import HANDLES
 from sweetspot.design.pareto import DesignSearch, excesses, resumed, saved, search, wanted
+from sweetspot.design.turned import HANDLES
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, MPH
 from tests.design.conftest import met_at

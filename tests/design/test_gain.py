@@ -14,8 +14,8 @@ from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.answers.design import answer_of
 from sweetspot.answers.design_question import Designed, designed_bat
 from sweetspot.catalog.rules import league
+from sweetspot.design.batter import FROM_TIP, contacts_at
 from sweetspot.design.constraints import Limit
-from sweetspot.design.contacts import FROM_TIP, contacts_at
 from sweetspot.design.gain import CLEARLY, PAIR, GainVerdict, gain_of, present_measured
 from sweetspot.design.measures import Bench
 from sweetspot.design.pareto import DesignSearch, Front, search

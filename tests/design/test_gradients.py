@@ -8,8 +8,7 @@ from scipy.linalg import eigh
 
 from sweetspot.design.local_search import STEP, gradient
 from sweetspot.design.measures import Bench
-from sweetspot.design.outline_curve import _ROUND, HANDLES, SAMPLES, STATIONS
-from sweetspot.design.turned import TurnedSpace, knob_of
+from sweetspot.design.turned import _ROUND, HANDLES, SAMPLES, STATIONS, TurnedSpace, knob_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array

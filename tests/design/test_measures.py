@@ -9,12 +9,11 @@ import pytest
 
 from sweetspot import analyse, catalog
 from sweetspot.analysis.two_way import varied
-from sweetspot.design.contacts import FROM_TIP
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.gain import present_measured
 from sweetspot.design.measures import Bench
-from sweetspot.design.outline_curve import HANDLES, STATIONS, stations, waist
 from sweetspot.design.spaces import hollow_space
-from sweetspot.design.turned import TurnedSpace, turned_space
+from sweetspot.design.turned import HANDLES, STATIONS, TurnedSpace, stations, turned_space, waist
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -73,7 +72,7 @@ def test_heavier_is_better_only_while_the_swing_does_not_mind(bench: Bench) -> N
 
 
 def test_a_thinner_barrel_is_harder_to_hit_well(bench: Bench) -> None:
-    wide, narrow = bench.kept_of(np.array([[0.066], [0.050]]))
+    wide, narrow = bench.retained_of(np.array([[0.066], [0.050]]))
     assert narrow < wide < 1
 
 

@@ -9,9 +9,8 @@ from sweetspot import catalog
 from sweetspot.analysis.certification.rules import Verdict, check_rules
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.design.batter import Batter
+from sweetspot.design.batter import FROM_TIP, Batter, normal_contact
 from sweetspot.design.constraints import findings_of, league_limits
-from sweetspot.design.contacts import FROM_TIP, normal_contact
 from sweetspot.design.gain import GainVerdict, gain_of, present_measured
 from sweetspot.design.measures import Bench, bench_of
 from sweetspot.design.spaces import club_space, cricket_space, racket_space

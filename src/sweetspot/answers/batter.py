@@ -7,9 +7,8 @@ from pathlib import Path
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse
-from sweetspot.design.batter import Batter
+from sweetspot.design.batter import Batter, ContactPlaces, contacts_at, fitted_contact, known_contact, usual_batter
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
-from sweetspot.design.contacts import ContactPlaces, contacts_at, fitted_contact, known_contact, usual_batter
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions

@@ -12,10 +12,9 @@ from sweetspot.answers.answer import Answer, Progress
 from sweetspot.answers.certify import RuleCheck, rule_check
 from sweetspot.answers.design_question import Designed, DesignQuestion, all_searched, designed_bat
 from sweetspot.answers.records import INLINE, INTERNAL, Length, Speed, Time, to_dict
-from sweetspot.design.breaking import HandleBending
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.constraints import Limit
-from sweetspot.design.contacts import FROM_TIP
-from sweetspot.design.gain import Gain, GainVerdict
+from sweetspot.design.gain import Gain, GainVerdict, HandleBending
 from sweetspot.design.local_search import best_of, best_value
 from sweetspot.design.measures import MeasuredDesigns
 from sweetspot.design.pareto import Front

@@ -12,9 +12,8 @@ import numpy as np
 from sweetspot.analysis.certification.rules import Check, League, check_rules
 from sweetspot.answers.answer import Progress
 from sweetspot.design.batter import Batter
-from sweetspot.design.breaking import HandleBending, handle_bending
 from sweetspot.design.constraints import Limit, findings_of, kept_limits
-from sweetspot.design.gain import Gain, gain_of, present_measured
+from sweetspot.design.gain import Gain, HandleBending, gain_of, handle_bending, present_measured
 from sweetspot.design.local_search import designed
 from sweetspot.design.measures import Bench, MeasuredDesigns, bench_of
 from sweetspot.design.pareto import GENERATIONS, POPULATION, DesignSearch, Front, measured_rows, resumed

@@ -69,7 +69,7 @@ class FitPlayerQuestion:
 
     def bat_named(self, name: str) -> Bat:
         """Return the bat that a name in the file is; raises `InputError` where it is not known."""
-        named = {one_name(known): bat for known, bat in self.named_bats.items()}
+        named = {one_name(name_in_file): bat for name_in_file, bat in self.named_bats.items()}
         return named[one_name(name)] if one_name(name) in named else self.load_bat(name)
 
     def stand_in_for(self, name: str) -> Bat:
@@ -117,14 +117,14 @@ def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> P
     InputError
         for a file that cannot be read, tells too little of a player, or has a misspelt bat.
     """
-    own = most_swung or question.bat or catalog.load_bat(DEFAULT_BAT)
+    players_bat = most_swung or question.bat or catalog.load_bat(DEFAULT_BAT)
     table = read_swings(
         question.file,
-        length=own.length,
+        length=players_bat.length,
         given=question.columns,
         pitch_speed=question.pitch_speed,
         batter=question.batter,
-        sport=own.sport,
+        sport=players_bat.sport,
     )
     good, bats, bad, notes = bats_of(
         table.swings, load=question.bat_named, stand_in_for=question.stand_in_for if question.stand_ins else None
@@ -140,16 +140,18 @@ def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> P
         meant = maybe_meant(names[0], catalog.bat_names())
         raise InputError(f"{question.file} has the bat {meant}: mend the name, or say which bat it is with --bat")
     if callable(question.speed_from_tip):
-        question.speed_from_tip(own)  # is that place on the bat?
-    same = {name for name, other in bats.items() if other == own}
+        question.speed_from_tip(players_bat)  # is that place on the bat?
+    same = {name for name, other in bats.items() if other == players_bat}
     good = tuple(replace(swing, bat="") if swing.bat in same else swing for swing in good)
     rows = tuple(sorted((*table.bad_rows, *bad), key=lambda row: row.row))
     check_enough(good, question.file, rows)
     good, thinned = evenly(good, MOST_SWINGS)
     unnamed = question.bat is None and most_swung is None
-    assumed = (f"No bat was named: the swings are taken as made with {own.name}; say --bat.",) if unnamed else ()
+    assumed = (
+        (f"No bat was named: the swings are taken as made with {players_bat.name}; say --bat.",) if unnamed else ()
+    )
     file = replace(table, swings=good, bad_rows=rows, notes=(*assumed, *table.notes, *notes, *thinned))
-    return PlayerSwings(question, file, own, {name: bat for name, bat in bats.items() if name not in same})
+    return PlayerSwings(question, file, players_bat, {name: bat for name, bat in bats.items() if name not in same})
 
 
 def player_posterior(swings: PlayerSwings) -> PlayerPosterior:

@@ -83,21 +83,21 @@ def design(
     from sweetspot.cli.output import present, progress
     from sweetspot.report.design.document import design_document
 
-    own = catalog.load_implement(bat)
+    present_bat = catalog.load_implement(bat)
     refuse_unused(given(swing, "same_speed"), "a bat that was changed", "ask report, hit or play of it")
-    conditions = conditions_for(own, swing)
+    conditions = conditions_for(present_bat, swing)
     question = DesignQuestion(
-        bat=own,
-        batter=batter_of(batter, own, conditions),
+        bat=present_bat,
+        batter=batter_of(batter, present_bat, conditions),
         conditions=conditions,
         wants=tuple(name.replace("-", "_") for name in want or ("exit-speed", "zone")),
         keep=kept_measures(limit),
         bands=bands_of(limit),
         handle=handle_of(limit),
-        deepest_cup=deepest_cup_of(limit, own),
+        deepest_cup=deepest_cup_of(limit, present_bat),
         ranges=ranges_of(limit),
         materials=materials_of(limit),
-        league=league_of(own, limit),
+        league=league_of(present_bat, limit),
         pick=search.pick,
         seed=search.seed,
         population=search.population,

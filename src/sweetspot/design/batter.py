@@ -1,19 +1,212 @@
-"""Who the bat is for: where and how high the ball is met, how fast the swing is, and how it depends on the bat."""
+"""Who the bat is for: where and how high the ball is met, how surely that is known, and how the swing is."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
-from sweetspot.design.contacts import FROM_TIP, ContactPlaces
+from sweetspot.catalog.records import quantity, read_table
+from sweetspot.errors import InputError
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.units import INCH
+from sweetspot.units import INCH, format_length
 
+FROM_TIP = np.arange(0.25, 13.0, 0.5) * INCH
+"""m from the tip where every bat is hit."""
+FARTHEST = 16 * INCH
+LAST = FROM_TIP[-1] + 0.25 * INCH
+LEAST_INSIDE = 2 / 3
+"""Least part of the contacts that has to lie where hits are computed."""
+PRIORS = "player_priors.toml"
+USUAL_OF = ("position", "position_spread", "offset", "offset_spread")
+SHAPE_BALLS = 20
+"""Balls that a normal curve counts for beside a table's own shape (assumed: fewer show none)."""
+SPREADS = np.linspace(-4.0, 4.0, 161)
+"""Standard deviations of the prior at which the scatter of places is looked at."""
+MEANS, MEAN_SHARES = np.polynomial.hermite_e.hermegauss(7)
+"""Where the mean is looked at for every scatter, in its standard deviations, and how much each counts."""
 RARE = 0.02
 """Part of the contacts on either side that is left out: the farthest of a scatter would be met once in a career."""
 USUAL_PLACES = 8
+
+
+@dataclass(frozen=True)
+class ContactPlaces:
+    """Where a batter meets the ball.
+
+    Parameters
+    ----------
+    weight : part of the contacts at every place of `FROM_TIP`, shape (places,), summing to 1.
+    possible : such parts, of batters who may be the one who met these balls, shape (ways, places); none: no doubt.
+    likely : probability of each of them, shape (ways,).
+    balls : how many were seen; 0: none.
+    """
+
+    weight: Array
+    possible: Array
+    likely: Array
+    balls: float
+
+    @property
+    def mean(self) -> float:
+        """Mean place, m from the tip."""
+        return float(self.weight @ FROM_TIP)
+
+    @property
+    def mean_doubt(self) -> float:
+        """Standard deviation in m of where the mean lies."""
+        return self.doubt_of(FROM_TIP)
+
+    @property
+    def spread(self) -> float:
+        """Standard deviation of places in m, without what is not known of their mean."""
+        whole = float(self.weight @ (FROM_TIP - self.mean) ** 2)
+        return float(np.sqrt(max(whole - self.mean_doubt**2, 0.0)))
+
+    def doubt_of(self, curve: Array) -> float:
+        """Return the standard deviation of a curve's mean over the contacts, from not knowing the contacts better.
+
+        Parameters
+        ----------
+        curve : anything at `FROM_TIP`, shape (places,).
+        """
+        means = self.possible @ curve
+        return float(np.sqrt(self.likely @ (means - self.likely @ means) ** 2))
+
+
+@cache
+def usual_batter() -> dict[str, float]:
+    """Return the middles in m of what is known of players before any swing, by name (`player_priors.toml`)."""
+    return {name: _prior(name)[0] for name in USUAL_OF}
+
+
+def normal_contact(mean: float, spread: float) -> Array:
+    """Return the parts of contacts at `FROM_TIP` of a batter who meets the ball at ``mean`` m, give or take ``spread``.
+
+    Raises
+    ------
+    InputError
+        when mean or spread are none that a batter has.
+    """
+    if not 0 < mean < FARTHEST:
+        raise InputError(
+            f"contact is {format_length(mean)} from the tip; allowed is more than 0 and less than "
+            f"{format_length(FARTHEST)}"
+        )
+    if not 0.1 * INCH <= spread <= 6 * INCH:
+        raise InputError(
+            f"the contacts spread by {format_length(spread)}; allowed is {format_length(0.1 * INCH)} to "
+            f"{format_length(6 * INCH)}"
+        )
+    ends = (-mean, LAST - mean)
+    inside = 0.5 * (math.erf(ends[1] / spread / math.sqrt(2)) - math.erf(ends[0] / spread / math.sqrt(2)))
+    if inside < LEAST_INSIDE:
+        raise InputError(
+            f"{1 - inside:.0%} of contacts {format_length(mean)} from the tip, give or take {format_length(spread)}, "
+            f"lie beyond the outer 13 in of the bat, where hits are computed; allowed is up to {1 - LEAST_INSIDE:.0%}"
+        )
+    weight = np.exp(-(((FROM_TIP - mean) / spread) ** 2) / 2)
+    return np.asarray(weight / weight.sum())
+
+
+def known_contact(mean: float, spread: float) -> ContactPlaces:
+    """Return the contacts of a batter whose mean and scatter are simply told; see `normal_contact`."""
+    weight = normal_contact(mean, spread)
+    return ContactPlaces(weight, weight[None], np.ones(1), 0.0)
+
+
+def fitted_contact(mean: tuple[float, float], spread: tuple[float, float], *, balls: float) -> ContactPlaces:
+    """Return the contacts of a batter whose mean and scatter were fitted, each with its doubt.
+
+    Parameters
+    ----------
+    mean : m from the tip, and its standard deviation in m.
+    spread : standard deviation of places in m, and the standard deviation of its logarithm.
+    balls : from how many.
+
+    Raises
+    ------
+    InputError
+        when mean or spread are none that a batter has.
+    """
+    normal_contact(mean[0], spread[0])
+    means = mean[0] + mean[1] * MEANS
+    spreads = spread[0] * np.exp(spread[1] * MEANS)
+    likely = MEAN_SHARES / MEAN_SHARES.sum()
+    return _mixed(np.repeat(means, len(MEANS)), np.tile(spreads, len(MEANS)), np.outer(likely, likely).ravel(), balls)
+
+
+def contacts_at(place: Array, share: Array | None = None) -> ContactPlaces:
+    """Return the contacts of a batter of whom single ones are known, and what they leave open.
+
+    Places are normal about a mean with a scatter, both of which are known of players before any ball: the mean is
+    normal, the logarithm of the scatter is (`player_priors.toml`). The scatter's posterior is summed on a grid; the
+    mean's is normal for each. A table's own shape counts by its balls beside `SHAPE_BALLS` of the normal curves.
+
+    Parameters
+    ----------
+    place : m from the tip, shape (n,).
+    share : how much each counts, shape (n,): whole numbers count balls, others are shares of as many balls as
+        (sum share)^2 / sum share^2; None: one ball each.
+
+    Raises
+    ------
+    InputError
+        when none lies on a bat, or one counts less than nothing.
+    """
+    share = np.ones(len(place)) if share is None else share
+    usable = (place >= 0) & (place <= LAST)
+    if not np.any(share[usable] > 0) or np.any(share < 0):
+        raise InputError("no contact on the outer 13 in of a bat was given; check its unit and its weights")
+    place, share = place[usable], share[usable]
+    whole = bool(np.all(share == np.round(share)))
+    balls = float(share.sum() if whole else share.sum() ** 2 / (share**2).sum())
+    edges = np.concatenate([FROM_TIP - 0.25 * INCH, [LAST]])
+    counts, _ = np.histogram(place, bins=edges, weights=share)
+    table = np.convolve(counts, [0.25, 0.5, 0.25], mode="same")  # a table knows places to half an inch
+    mean = float(share @ place / share.sum())
+    about = _posterior(mean, float(share @ (place - mean) ** 2 / share.sum()), balls)
+    part = balls / (balls + SHAPE_BALLS)
+    weight = part * table / table.sum() + (1 - part) * about.weight
+    return ContactPlaces(weight, about.possible, about.likely, balls)
+
+
+def _posterior(mean: float, variance: float, balls: float) -> ContactPlaces:
+    """Return the normal contacts that balls of this mean (m) and variance (m^2) leave possible."""
+    (middle, width), (usual, ratio) = _prior("position"), _prior("position_spread")
+    noise = quantity(read_table(PRIORS)["fixed"], "position_noise", "length", "position_noise")
+    assert noise is not None
+    spread = usual * np.exp(ratio * SPREADS)
+    seen = spread**2 + noise**2  # of marks
+    log = -(SPREADS**2) / 2 - balls * variance / (2 * seen) - (balls - 1) / 2 * np.log(seen)
+    log -= (mean - middle) ** 2 / (2 * (width**2 + seen / balls)) + np.log(width**2 + seen / balls) / 2
+    likely = np.exp(log - log.max())
+    precision = 1 / width**2 + balls / seen
+    centre = (middle / width**2 + mean * balls / seen) / precision
+    means = centre[:, None] + MEANS / np.sqrt(precision)[:, None]
+    return _mixed(means.ravel(), np.repeat(spread, len(MEANS)), np.outer(likely, MEAN_SHARES).ravel(), balls)
+
+
+def _mixed(mean: Array, spread: Array, likely: Array, balls: float) -> ContactPlaces:
+    """Return the contacts of one of many normal batters, who is not known better."""
+    usable = (mean > 0) & (mean < FROM_TIP[-1])
+    mean, spread, likely = mean[usable], np.maximum(spread[usable], 0.1 * INCH), likely[usable] / likely[usable].sum()
+    possible = np.exp(-(((FROM_TIP - mean[:, None]) / spread[:, None]) ** 2) / 2)
+    possible /= possible.sum(axis=1, keepdims=True)
+    return ContactPlaces(likely @ possible, possible, likely, balls)
+
+
+@cache
+def _prior(name: str) -> tuple[float, float]:
+    """Return the middle in m of a number of players, and the width in m or, of a scatter, of its logarithm."""
+    entry = read_table(PRIORS)[name]
+    middle = quantity(entry, "centre", "length", name)
+    width = quantity(entry, "width", "length" if entry["scale"] == "plain" else "ratio", name)
+    assert middle is not None and width is not None
+    return middle, width
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.design.contacts import ContactPlaces, contacts_at
+from sweetspot.design.batter import ContactPlaces, contacts_at
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.numerics.text_files import read_text
 from sweetspot.plausibility import parse
@@ -120,13 +120,13 @@ def _of_batter(
                 f"{path} has no column batter, so that {batter!r} cannot be found in it; leave --batter out"
             )
         return lines
-    known = sorted({cells[column].strip() for _, cells in lines})
-    if batter is None and len(known) > 1:
+    names = sorted({cells[column].strip() for _, cells in lines})
+    if batter is None and len(names) > 1:
         raise InputError(
-            f"{path} holds contacts of {len(known)} batters; name one of them by --batter: {known[0]}, ..."
+            f"{path} holds contacts of {len(names)} batters; name one of them by --batter: {names[0]}, ..."
         )
-    if batter is not None and batter not in known:
-        raise InputError(f"{path} holds no contact of the batter {batter!r}. {nearest_names(batter, known)}")
+    if batter is not None and batter not in names:
+        raise InputError(f"{path} holds no contact of the batter {batter!r}. {nearest_names(batter, names)}")
     return [(line, cells) for line, cells in lines if batter is None or cells[column].strip() == batter]
 
 

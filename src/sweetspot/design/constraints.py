@@ -222,7 +222,7 @@ def _number(value: float, measure: str) -> str:
 
 def kept_limits(
     bench: Bench,
-    kept: Sequence[str],
+    keep: Sequence[str],
     *,
     bands: Sequence[Limit] = (),
     league: League | None,
@@ -233,7 +233,7 @@ def kept_limits(
 
     Parameters
     ----------
-    kept : some of `KEPT`, which stay as the present bat has them.
+    keep : some of `KEPT`, which stay as the present bat has them.
     bands : other limits that somebody gave.
     league : whose rules are kept; None: nobody's.
     handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
@@ -241,7 +241,7 @@ def kept_limits(
     """
     present = bench.space.present
     values = (now or present_measured(bench)).values
-    limits = [band(name, float(values[name][0]), part=WITHIN) for name in kept if name != "handle" and name in values]
+    limits = [band(name, float(values[name][0]), part=WITHIN) for name in keep if name != "handle" and name in values]
     limits += bands
     if league is not None:
         left_out = set() if bench.tested else {"bbcor", "bpf"}
@@ -249,7 +249,7 @@ def kept_limits(
             left_out.add("cup_diameter")  # the cup keeps its width
         limits += [limit for limit in league_limits(league, present) if limit.measure not in left_out]
     if isinstance(bench.space, TurnedSpace):
-        if "handle" in kept:
+        if "handle" in keep:
             limits.append(band("handle", float(values["handle"][0]), part=GRIP_WITHIN))
         else:
             least = float(values["handle"][0]) if handle is None else handle

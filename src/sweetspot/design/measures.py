@@ -15,10 +15,9 @@ from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.kernel import STEP, struck
 from sweetspot.collision.time_step import contact_step
-from sweetspot.design.batter import Batter
-from sweetspot.design.contacts import FROM_TIP
+from sweetspot.design.batter import FROM_TIP, Batter
 from sweetspot.design.durability import BatterHits, Breaking, Handles, breaking_of, margins
-from sweetspot.design.off_centre_hits import WIDTHS, kept_at_widths, off_centre
+from sweetspot.design.off_centre_hits import WIDTHS, off_centre, retained_at_widths
 from sweetspot.design.variables import Space
 from sweetspot.dynamics.batch.bending import BendingBatch
 from sweetspot.dynamics.batch.reduction import ReducedBats
@@ -119,7 +118,7 @@ class Bench:
     batter : whom they are for.
     conditions : of a hit with the present bat.
     moi_now : kg m^2 of the present bat about the swing law's axis.
-    sine, kept : sine of the line of centres' angle, and the part of the exit speed that is left.
+    sine, retained : sine of the line of centres' angle, and the part of the exit speed that is left.
     step : s of time in a hit.
     tested : whether every bat is also fired at as in the tests of BBCOR and BPF.
     breaking : what strains are held against where durability is asked for; None: it is not.
@@ -130,7 +129,7 @@ class Bench:
     conditions: Conditions
     moi_now: float
     sine: Array
-    kept: Array
+    retained: Array
     step: float = STEP
     tested: bool = False
     breaking: Breaking | None = None
@@ -174,7 +173,7 @@ class Bench:
         )
         efficiency = np.where(np.isfinite(impacts.collision_efficiency), impacts.collision_efficiency, -1.0)
         curve = efficiency * pitch + (1 + efficiency) * speed
-        worth = np.maximum(curve, 0.0) * self.kept_of(widths)
+        worth = np.maximum(curve, 0.0) * self.retained_of(widths)
         best, place = _tops(curve)
         values = dict(shapes) | {
             "exit_speed": worth @ self.batter.weight,
@@ -215,7 +214,7 @@ class Bench:
         arm = self.space.present.length - self.batter.speed_from_tip - self.conditions.swing.pivot
         return self.speed_ratio(bats) * self.batter.bat_speed / arm
 
-    def kept_of(self, widths: Array) -> Array:
+    def retained_of(self, widths: Array) -> Array:
         """Return the part of the exit speed that this batter's scatter about the axis leaves, of the widths' shape."""
         return np.asarray(self._keeping(np.minimum(widths, self._keeping.x[-1])))
 
@@ -224,7 +223,7 @@ class Bench:
         from scipy.interpolate import PchipInterpolator
 
         return PchipInterpolator(
-            WIDTHS, kept_at_widths(self.sine, self.kept, batter=self.batter, ball=self.conditions.ball)
+            WIDTHS, retained_at_widths(self.sine, self.retained, batter=self.batter, ball=self.conditions.ball)
         )
 
     def _sting(self, bats: ReducedBats, displacement: Array, velocity: Array) -> Array:

@@ -63,7 +63,7 @@ def _reduced(bat: Bat, ball: Ball) -> ReducedBat[Bat]:
     return reduced_bat(bat, ball=ball)
 
 
-def kept_at_widths(sine: Array, retained: Array, *, batter: Batter, ball: Ball) -> Array:
+def retained_at_widths(sine: Array, retained: Array, *, batter: Batter, ball: Ball) -> Array:
     """Return the part of the exit speed that a batter's scatter about the axis leaves at `WIDTHS`.
 
     The mean over offsets within `REACH` standard deviations, by quadrature on either side of the axis up to the last
@@ -71,7 +71,7 @@ def kept_at_widths(sine: Array, retained: Array, *, batter: Batter, ball: Ball) 
 
     Parameters
     ----------
-    sine, kept : sines of angles and the parts kept there; see `off_centre`.
+    sine, retained : sines of angles and the parts retained there; see `off_centre`.
     """
     from scipy.interpolate import PchipInterpolator
 

@@ -6,8 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sweetspot.design.outline_curve import REFERENCE_LENGTH
-from sweetspot.design.turned import turned_space
+from sweetspot.design.turned import REFERENCE_LENGTH, turned_space
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, Space, Variable
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body

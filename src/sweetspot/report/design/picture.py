@@ -9,7 +9,7 @@ from matplotlib.ticker import MaxNLocator
 
 from sweetspot.answers.design_question import Designed
 from sweetspot.catalog.sports import sport
-from sweetspot.design.contacts import FROM_TIP
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.answers.design_question import Designed
-from sweetspot.design.outline_curve import HANDLES
-from sweetspot.design.turned import TurnedSpace
+from sweetspot.design.turned import HANDLES, TurnedSpace
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.document import Cell, Column, Paragraph, Table

@@ -8,7 +8,7 @@ from sweetspot.analysis.certification.rules import PERFORMANCE, Verdict, title
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.answers.design_question import Designed
 from sweetspot.catalog.sports import sport
-from sweetspot.design.contacts import FROM_TIP
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE, GainVerdict
 from sweetspot.design.measures import MEASURES
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD

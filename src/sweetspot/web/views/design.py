@@ -16,14 +16,13 @@ from sweetspot.answers.design_question import Designed
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.files.write import bat_toml, legible
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
 from sweetspot.design.constraints import Limit, findings_of
-from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.gain import CLEARLY, LIKELY, GainVerdict, gain_of
 from sweetspot.design.measures import MEASURES, MeasuredDesigns
-from sweetspot.design.outline_curve import HANDLES
 from sweetspot.design.pareto import Front
-from sweetspot.design.turned import TurnedSpace
+from sweetspot.design.turned import HANDLES, TurnedSpace
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -76,14 +75,14 @@ def answer(state: DesignState) -> dict[str, Any]:
     """Return the bat that is being shaped beside the present one: sizes, weights, rules, and curves along both."""
     request = asked(state)
     space = request.bench.space
-    numbers, own = numbers_of(state, request)
-    bat, measured = _made(request, numbers, own=own)
+    numbers, shaped = numbers_of(state, request)
+    bat, measured = _made(request, numbers, shaped=shaped)
     body = rigid_body(beam_model(bat))
     return {
         "bat": bat_picture(state, reduced(state, ball_of(state))),
         "ball": ball_picture(state, ball_of(state)),
         "key": request.key,
-        "own": own,
+        "own": shaped,
         "left_out": request.left_out,
         "present": outline(_present(request)),
         "variables": [
@@ -114,10 +113,10 @@ def answer(state: DesignState) -> dict[str, Any]:
     }
 
 
-def _made(request: ShapedBat, numbers: Array, *, own: bool) -> tuple[Bat, MeasuredDesigns]:
+def _made(request: ShapedBat, numbers: Array, *, shaped: bool) -> tuple[Bat, MeasuredDesigns]:
     """Return the bat of some numbers and what it is; while nothing was changed, the present bat to the last digit."""
     space, now = request.bench.space, request.now
-    if not own:
+    if not shaped:
         return _present(request), MeasuredDesigns({**request.sizes, **now.values}, now.curve, now.worth)
     measured = request.bench.measured(numbers)
     bat = space.made(numbers, f"{space.present.name}, designed")
@@ -177,8 +176,8 @@ def _checks(state: DesignState, request: ShapedBat, bat: Bat, measured: Measured
     league = league_of(state, request)
     if league is None:
         return []
-    known = findings_of(bat, measured, like=_present(request), ball=request.bench.conditions.ball)
-    return [(league, check) for check in check_rules(league, bat=bat, findings=known)]
+    findings = findings_of(bat, measured, like=_present(request), ball=request.bench.conditions.ball)
+    return [(league, check) for check in check_rules(league, bat=bat, findings=findings)]
 
 
 def _rules(state: DesignState, request: ShapedBat, bat: Bat, measured: MeasuredDesigns) -> list[dict[str, Any]]:
@@ -221,8 +220,8 @@ def gain(state: DesignState) -> dict[str, Any]:
 def _designed(state: DesignState, request: ShapedBat) -> Designed:
     """Return one bat as the only one of its front, with everything around it."""
     bench = request.bench
-    numbers, own = numbers_of(state, request)
-    bat, measured = _made(request, numbers, own=own)
+    numbers, shaped = numbers_of(state, request)
+    bat, measured = _made(request, numbers, shaped=shaped)
     front = Front(numbers[None], measured, 0, numbers[None])
     gain = gain_of(bench, numbers, measured, request.now)
     checks = tuple(check for _, check in _checks(state, request, bat, measured))
@@ -232,8 +231,8 @@ def _designed(state: DesignState, request: ShapedBat) -> Designed:
 def files(state: DesignState) -> dict[str, Any]:
     """Return the bat's file and its drawings for the maker, in either system of units."""
     request = asked(state)
-    numbers, own = numbers_of(state, request)
-    bat, _ = _made(request, numbers, own=own)
+    numbers, shaped = numbers_of(state, request)
+    bat, _ = _made(request, numbers, shaped=shaped)
     endings = ("svg", "dxf", "csv") if bat.shell is None else ()
     return {
         "toml": legible(bat_toml(bat), digits=ENOUGH),
@@ -261,8 +260,8 @@ def batter(state: DesignState) -> dict[str, Any]:
                 f"the table has swings of {len(names)} batters; give it to the view Player, "
                 "choose one there, and come back",
             )
-        own = {name: getattr(state, name) for name in (*BatState.model_fields, "swings_of")}
-        posterior = learned(PlayerState(**own, swings_csv=state.swings_csv))
+        present = {name: getattr(state, name) for name in (*BatState.model_fields, "swings_of")}
+        posterior = learned(PlayerState(**present, swings_csv=state.swings_csv))
         values = {
             name: posterior.learned[name].interval.value
             for name in ("position", "position_spread", "offset", "offset_spread", "bat_speed")
@@ -289,8 +288,14 @@ def recipe(state: DesignState) -> dict[str, str]:
 
     That has every digit: which bats a search finds follows from the last one.
     """
-    kept = {"keep_mass": "mass", "keep_moi": "moi", "keep_wood": "wood", "keep_balance": "balance", "keep_grip": "grip"}
-    keep = [word for field, word in kept.items() if getattr(state, field)] or ["nothing"]
+    locks = {
+        "keep_mass": "mass",
+        "keep_moi": "moi",
+        "keep_wood": "wood",
+        "keep_balance": "balance",
+        "keep_grip": "grip",
+    }
+    keep = [word for field, word in locks.items() if getattr(state, field)] or ["nothing"]
     wants = dict.fromkeys((state.want, state.also_want))
     options = [
         *(f"--want {want.replace('_', '-')}" for want in wants),

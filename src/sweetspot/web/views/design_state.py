@@ -14,9 +14,8 @@ from pydantic import Field
 from sweetspot.analysis.certification.rules import League
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.design.batter import Batter
+from sweetspot.design.batter import Batter, normal_contact
 from sweetspot.design.constraints import Limit, kept_limits, locked
-from sweetspot.design.contacts import normal_contact
 from sweetspot.design.gain import present_measured
 from sweetspot.design.measures import Bench, MeasuredDesigns, bench_of
 from sweetspot.design.pareto import DesignSearch
@@ -112,8 +111,8 @@ class ShapedBat:
 
 def asked(state: DesignState) -> ShapedBat:
     """Return the bench of a state; only another bat, swing or batter makes it anew."""
-    kept = {name: getattr(state, name) for name in _OF_BENCH}
-    return _asked(_FIRST.model_copy(update=kept), "durability" in (state.want, state.also_want))
+    bench = {name: getattr(state, name) for name in _OF_BENCH}
+    return _asked(_FIRST.model_copy(update=bench), "durability" in (state.want, state.also_want))
 
 
 @lru_cache(maxsize=64)
@@ -168,8 +167,8 @@ def limits_of(state: DesignState) -> tuple[Limit, ...]:
 @lru_cache(maxsize=64)
 def _limits(state: DesignState) -> tuple[Limit, ...]:
     request = asked(state)
-    kept = [measure for field, measure in LOCKS.items() if getattr(state, field)]
-    return kept_limits(request.bench, kept, league=league_of(state, request), now=request.now)
+    locks = [measure for field, measure in LOCKS.items() if getattr(state, field)]
+    return kept_limits(request.bench, locks, league=league_of(state, request), now=request.now)
 
 
 def locks_of(state: DesignState) -> tuple[Limit, ...]:
@@ -181,12 +180,12 @@ def locks_of(state: DesignState) -> tuple[Limit, ...]:
 def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
     """Return the numbers of the bat that is being shaped, and whether those of the state belong to it."""
     space = request.bench.space
-    own = state.design_si is not None and len(state.design_si) == len(space.variables)
-    own = own and state.design_for in (None, request.key)
+    shaped = state.design_si is not None and len(state.design_si) == len(space.variables)
+    shaped = shaped and state.design_for in (None, request.key)
     low, high = (np.array([getattr(variable, end) for variable in space.variables]) for end in ("low", "high"))
-    numbers = np.clip(np.array(state.design_si), low, high) if own else space.start
+    numbers = np.clip(np.array(state.design_si), low, high) if shaped else space.start
     locks = locks_of(state)
-    return (locked(request.bench, numbers, locks, pulled=state.pulled) if own and locks else numbers), own
+    return (locked(request.bench, numbers, locks, pulled=state.pulled) if shaped and locks else numbers), shaped
 
 
 def league_of(state: DesignState, request: ShapedBat) -> League | None:

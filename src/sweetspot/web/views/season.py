@@ -240,7 +240,7 @@ def player(state: SeasonState) -> ReadDocument | None:
 
 def contacts(state: SeasonState) -> dict[str, float]:
     """Return where the chosen player meets the ball and how fast the swing is, as controls of the view Design."""
-    from sweetspot.design.contacts import contacts_at
+    from sweetspot.design.batter import contacts_at
     from sweetspot.season.ball_maps import contact_places
 
     folder = _folder(state)
