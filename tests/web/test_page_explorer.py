@@ -278,7 +278,7 @@ def test_the_export_gives_the_numbers_and_pictures(opened: Page) -> None:
     assert json.loads(found["json"])["answer"]["bat"]["name"] == "R161, white ash"
     assert b'material = "white-ash"' in found["toml"]
     expect(opened.locator("[data-lines=command]")).to_contain_text("sweetspot report r161-ash")
-    expect(opened.locator("[data-lines=python]")).to_contain_text("analyse(bat, conditions)")
+    expect(opened.locator("[data-lines=python]")).to_contain_text("sweetspot.report('r161-ash')")
 
 
 def test_how_sure_the_numbers_are_stands_below(opened: Page) -> None:

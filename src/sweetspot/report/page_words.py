@@ -54,7 +54,7 @@ def energy_words(shares: Mapping[str, float], words: Terms) -> list[Sentence]:
         for name, share in shares.items()
         if share > LEAST_SHARE
     ]
-    return [say("Of the energy of the meeting: {parts}.", parts=joined(parts, ", "))] if parts else []
+    return [say("Of the energy of the meeting: {parts}.", parts=joined(parts, "; "))] if parts else []
 
 
 def wave_words(name: str, *, contact_time: float, arrival: float | None, given: float | None) -> list[Sentence]:

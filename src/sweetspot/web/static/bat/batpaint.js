@@ -2,7 +2,11 @@
 
 import { heat } from "../charts/heat.js";
 import { FONT, arrow } from "../charts/surface.js";
-/** @import { Answer, Colors } from "../shell/main.js" */
+/** @import { BatPicture, BatShape, DrawnBore } from "../answers.js" */
+/** @import { Colors } from "../shell/main.js" */
+/** @typedef {BatShape & Pick<BatPicture, "length_m"> & Partial<Pick<BatPicture, "balance_point_m">>} DrawnBat */
+/** @typedef {{ position_m: number[], values: (number | null)[], least: number, most: number }} Warmth */
+/** @typedef {{ position_m: number, radius_m: number, offset_m?: number, launch_angle_rad?: number | null }} DrawnBall */
 
 /** @typedef {{ left: number, scale: number, middle: number, edge?: number }} Place where a bat is drawn: pixels, and pixels per m */
 /** @typedef {(x: number) => number} Way from a value to a pixel */
@@ -12,8 +16,8 @@ const BESIDE = 16, ARROW = 34; // pixels of the meeting seen from the tip: besid
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Answer} ball
- * @param {Answer} bat
+ * @param {DrawnBall} ball
+ * @param {DrawnBat} bat
  * @param {Place} place
  * @param {Colors} colors
  */
@@ -38,8 +42,8 @@ export function paintBall(context, ball, bat, place, colors) {
 }
 
 /**
- * @param {Answer} ball
- * @param {Answer} bat
+ * @param {DrawnBall} ball
+ * @param {DrawnBat} bat
  * @param {Place} place
  */
 function meetingSizes(ball, bat, place) {
@@ -49,8 +53,8 @@ function meetingSizes(ball, bat, place) {
 
 // Pixels that the meeting seen from the tip takes across.
 /**
- * @param {Answer} ball
- * @param {Answer} bat
+ * @param {DrawnBall} ball
+ * @param {DrawnBat} bat
  * @param {Place} place
  */
 export function meetingWide(ball, bat, place) {
@@ -61,8 +65,8 @@ export function meetingWide(ball, bat, place) {
 // Bat and ball as seen along the bat: how far off the axis they meet, and where the ball goes.
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Answer} ball
- * @param {Answer} bat
+ * @param {DrawnBall} ball
+ * @param {DrawnBat} bat
  * @param {Place} place
  * @param {Colors} colors
  * @param {string} words
@@ -71,7 +75,7 @@ export function paintMeeting(context, ball, bat, place, colors, words) {
   const { scale, own, its } = meetingSizes(ball, bat, place);
   const x = (place.edge ?? 0) + own + BESIDE;
   const y = place.middle + (WIDEST / 2) * place.scale + own + 2 * its;
-  const up = ball.offset_m * scale;
+  const up = (ball.offset_m ?? 0) * scale;
   const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
   const circle = (/** @type {number} */ at, /** @type {number} */ height, /** @type {number} */ radius, /** @type {string} */ fill, /** @type {string} */ edge) => {
     context.beginPath();
@@ -94,7 +98,7 @@ export function paintMeeting(context, ball, bat, place, colors, words) {
 }
 
 /**
- * @param {Answer} bat
+ * @param {DrawnBat} bat
  * @param {number} x
  */
 export function radiusAt(bat, x) {
@@ -127,15 +131,16 @@ export function paintOutline(context, { outline: { position_m: places, diameter_
 // The bat alone, cut open: wood, wall, holes, what fills them, and the cup.
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Answer} bat
+ * @param {DrawnBat} bat
  * @param {{ left: number, scale: number, middle: number }} given
  * @param {Colors} colors
+ * @param {Warmth | null} [warm]
  */
 export function paintBat(context, bat, { left, scale, middle }, colors, warm = null) {
   const { position_m: places, diameter_m: widths } = bat.outline;
-  const points = places.map((/** @type {number} */ place, /** @type {number} */ i) => [left + place * scale, (widths[i] / 2) * scale]);
+  const points = places.map((place, i) => [left + place * scale, (widths[i] / 2) * scale]);
   context.beginPath();
-  points.forEach((/** @type {[number, number]} */ [x, r]) => context.lineTo(x, middle - r));
+  points.forEach(([x, r]) => context.lineTo(x, middle - r));
   [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
   context.closePath();
   context.fillStyle = bat.hollow ? colors.metal : colors.wood;
@@ -147,9 +152,9 @@ export function paintBat(context, bat, { left, scale, middle }, colors, warm = n
     context.globalAlpha = 1;
   }
   for (const bore of bat.bores) paintBore(context, bore, { left, scale, middle }, colors);
-  if (bat.cup) paintCup(context, bat, { left, scale, middle }, colors);
+  paintCup(context, bat, { left, scale, middle }, colors);
   context.beginPath();
-  points.forEach((/** @type {[number, number]} */ [x, r]) => context.lineTo(x, middle - r));
+  points.forEach(([x, r]) => context.lineTo(x, middle - r));
   [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
   context.closePath();
   context.strokeStyle = bat.hollow ? colors.metalEdge : colors.woodEdge;
@@ -165,17 +170,18 @@ export function paintBat(context, bat, { left, scale, middle }, colors, warm = n
 // Colours on the bat for a quantity along it: { position_m, values, least, most }.
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Answer} bat
+ * @param {DrawnBat} bat
  * @param {{ left: number, scale: number, middle: number }} given
- * @param {{ position_m: number[], values: number[], least: number, most: number }} given
+ * @param {Warmth} given
  */
 export function paintHeat(context, bat, { left, scale, middle }, { position_m: places, values, least, most }) {
   for (let i = 0; i + 1 < places.length; i += 1) {
-    if (values[i] === null || values[i + 1] === null) continue;
+    const [here, next] = [values[i], values[i + 1]];
+    if (here === null || next === null) continue;
     const [a, b] = [Math.round(left + places[i] * scale), Math.round(left + places[i + 1] * scale)];
     if (b <= a) continue;
     const [ra, rb] = [radiusAt(bat, places[i]) * scale, radiusAt(bat, places[i + 1]) * scale];
-    context.fillStyle = heat(((values[i] + values[i + 1]) / 2 - least) / (most - least || 1));
+    context.fillStyle = heat(((here + next) / 2 - least) / (most - least || 1));
     context.beginPath();
     context.moveTo(a, middle - ra);
     context.lineTo(b, middle - rb);
@@ -188,14 +194,14 @@ export function paintHeat(context, bat, { left, scale, middle }, { position_m: p
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Answer} bat
+ * @param {DrawnBat} bat
  * @param {number[][]} points
  * @param {{ scale: number, middle: number }} given
  * @param {Colors} colors
  */
 function paintInside(context, bat, points, { scale, middle }, colors) {
   context.beginPath();
-  const inner = points.map(([x, r], i) => [x, Math.max(0, r - bat.wall_m[i] * scale)]);
+  const inner = points.map(([x, r], i) => [x, Math.max(0, r - (bat.wall_m?.[i] ?? 0) * scale)]);
   inner.forEach(([x, r]) => context.lineTo(x, middle - r));
   [...inner].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
   context.closePath();
@@ -205,7 +211,7 @@ function paintInside(context, bat, points, { scale, middle }, colors) {
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Answer} bore
+ * @param {DrawnBore} bore
  * @param {{ left: number, scale: number, middle: number }} given
  * @param {Colors} colors
  */
@@ -230,11 +236,12 @@ function paintBore(context, bore, { left, scale, middle }, colors) {
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Answer} bat
+ * @param {DrawnBat} bat
  * @param {{ left: number, scale: number, middle: number }} given
  * @param {Colors} colors
  */
 function paintCup(context, bat, { left, scale, middle }, colors) {
+  if (!bat.cup) return;
   const tip = left + bat.length_m * scale;
   const [radius, depth] = [(bat.cup.diameter_m / 2) * scale, bat.cup.depth_m * scale];
   context.beginPath();

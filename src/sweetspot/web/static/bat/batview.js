@@ -13,7 +13,23 @@ import { WIDEST, meetingWide, paintBall, paintBat, paintMeeting, paintOutline, r
 import table from "../quantities.js";
 import { FONT, Surface, haloText } from "../charts/surface.js";
 import { text } from "../controls/units.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { SweetSpotPlaces } from "../answers.js" */
+/** @import { App, State } from "../shell/main.js" */
+/** @import { DrawnBall, DrawnBat, Warmth } from "./batpaint.js" */
+/** @import { Grip } from "./grips.js" */
+/** @typedef {Exclude<keyof SweetSpotPlaces, "zone_m" | "zone_low_m" | "zone_high_m">} Spot */
+/** @typedef {{ [Name in keyof SweetSpotPlaces]: SweetSpotPlaces[Name] | null }} Spots */
+/**
+ * What is shown: warm colours by values along the bat, what can be gripped, and the ball.
+ * @typedef {object} Shown
+ * @property {DrawnBat} bat
+ * @property {Spots} [sweet_spots]
+ * @property {number[]} [hands_m]
+ * @property {Grip[]} [grips]
+ * @property {Warmth | null} [warm]
+ * @property {DrawnBall} [ball]
+ * @property {DrawnBat} [ghost] another outline over it
+ */
 /** @import { Zoom } from "../charts/zoom.js" */
 /** @import { Place, Way } from "./batpaint.js" */
 
@@ -40,6 +56,7 @@ export class BatView {
     this.onGrip = onGrip;
     this.zoom = zoom;
     this.drawing = false;
+    /** @type {Shown | null} */
     this.data = null;
     this.held = null;
     this.grip = null;
@@ -50,7 +67,7 @@ export class BatView {
     if (onBall) this.listen();
   }
 
-  /** @param {Answer} data */
+  /** @param {Shown} data */
   draw(data) {
     this.data = data;
     this.surface.draw();
@@ -75,7 +92,7 @@ export class BatView {
   }
   /** @param {number} width */
   place(width) {
-    const rows = this.data.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
+    const rows = this.data?.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
     const scale = this.scaleAt(width);
     return { left: LEFT - this.range[0] * scale, edge: LEFT, scale, middle: rows + (WIDEST / 2) * scale };
   }
@@ -117,9 +134,10 @@ export class BatView {
    */
   gripAt(x, y) {
     const { left, scale, middle } = this.place(this.surface.width);
-    const far = (this.data.grips ?? []).map((/** @type {{ at: number, aside: number }} */ { at, aside }) => Math.hypot(x - left - at * scale, Math.abs(y - middle) - aside * scale));
+    const grips = this.data?.grips ?? [];
+    const far = grips.map(({ at, aside }) => Math.hypot(x - left - at * scale, Math.abs(y - middle) - aside * scale));
     const nearest = far.indexOf(Math.min(...far));
-    return far[nearest] < 15 ? this.data.grips[nearest] : null;
+    return far[nearest] < 15 ? grips[nearest] : null;
   }
 
   /**
@@ -128,7 +146,7 @@ export class BatView {
    */
   stationAt(x, y) {
     const { left, scale, middle } = this.place(this.surface.width);
-    const far = this.data.bat.stations.map((/** @type {{ position_m: number, diameter_m: number }} */ { position_m, diameter_m }) =>
+    const far = (this.data?.bat.stations ?? []).map(({ position_m, diameter_m }) =>
       Math.hypot(x - left - position_m * scale, Math.abs(y - middle) - (diameter_m / 2) * scale));
     const nearest = far.indexOf(Math.min(...far));
     return far[nearest] < 24 ? nearest : null;
@@ -141,7 +159,7 @@ export class BatView {
    * @param {boolean} last
    */
   dragStation(index, along, width, last) {
-    const stations = this.data.bat.stations.map((/** @type {Answer} */ station) => ({ ...station }));
+    const stations = (this.data?.bat.stations ?? []).map((station) => ({ ...station }));
     const inner = index > 0 && index < stations.length - 1;
     const [before, after] = [stations[index - 1]?.position_m, stations[index + 1]?.position_m];
     if (inner) stations[index].position_m = Math.min(after - 0.002, Math.max(before + 0.002, along));
@@ -188,7 +206,7 @@ export class BatView {
    */
   paintGrips(context, across, place) {
     const { colors } = this.app;
-    for (const { at, aside } of this.data.grips ?? []) {
+    for (const { at, aside } of this.data?.grips ?? []) {
       for (const side of aside ? [-1, 1] : [1]) {
         Object.assign(context, { fillStyle: colors.panel, strokeStyle: colors.accent, lineWidth: 2 });
         context.beginPath();
@@ -227,8 +245,8 @@ export class BatView {
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {Answer} bat
-   * @param {Answer} hands
+   * @param {DrawnBat} bat
+   * @param {number[] | undefined} hands
    * @param {Way} across
    * @param {Place} place
    */
@@ -275,7 +293,7 @@ export class BatView {
    * @param {Place} place
    */
   besideBall(x, half, across, place) {
-    const { ball } = this.data;
+    const ball = this.data?.ball;
     if (!ball) return x;
     const [at, clear] = [across(ball.position_m), ball.radius_m * place.scale + half];
     if (Math.abs(x - at) >= clear) return x;
@@ -286,15 +304,15 @@ export class BatView {
   // that no line crosses another.
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {Answer} spots
-   * @param {Answer} bat
+   * @param {Spots} spots
+   * @param {DrawnBat} bat
    * @param {Way} across
    * @param {Place} place
    */
   paintSpots(context, spots, bat, across, place) {
     const { colors } = this.app;
     const [least, most] = this.range;
-    const found = Object.entries(SPOTS).map(([key, [name, color]]) => ({ name, color, at: spots[key] })).filter(({ at }) => at !== null && at >= least && at <= most);
+    const found = Object.entries(SPOTS).map(([key, [name, color]]) => ({ name, color, at: spots[/** @type {Spot} */ (key)] ?? NaN })).filter(({ at }) => at >= least && at <= most);
     found.sort((a, b) => a.at - b.at);
     const wordsOf = (/** @type {{ name: string | null, at: number }} */ { name, at }) => `${name}  ${text("spot_m", bat.length_m - at, this.app.units, 1)}`;
     context.font = `600 12px ${FONT}`;
@@ -343,7 +361,7 @@ export class BatView {
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {Answer} bat
+   * @param {DrawnBat} bat
    * @param {Way} across
    * @param {Place} place
    */

@@ -12,7 +12,8 @@ import { posted } from "../shell/post.js";
 import { wordsOf } from "../shell/status.js";
 import { endWithRow } from "../controls/tables.js";
 import { INCH, OUNCE, fromShown, toShown, unitOf } from "../controls/units.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { BatPicture } from "../answers.js" */
+/** @import { App, State } from "../shell/main.js" */
 /** @import { Desk, Options, Words } from "../controls/controls.js" */
 /** @import { BatView } from "./batview.js" */
 /** @import { System } from "../controls/units.js" */
@@ -160,7 +161,7 @@ export class Bench {
     this.app.setState({ profile_in: profile }, { commit: last });
   }
 
-  /** @param {{ bat: Answer }} given */
+  /** @param {{ bat?: BatPicture }} given */
   update({ bat }) {
     if (!bat) return;
     this.show(bat);

@@ -6,17 +6,17 @@ import { button } from "../controls/controls.js";
 import { download } from "../shell/download.js";
 import { make, write } from "../controls/parts.js";
 import { posted } from "../shell/post.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { App, State } from "../shell/main.js" */
 
 // A field that changes the bat: what to say of it.
 const CHANGES = {
   profile_in: () => "outline drawn",
-  mass_oz: (/** @type {any} */ value, /** @type {App} */ app) => `weight ${app.text("mass_oz", value)}`,
-  wall_factor: (/** @type {any} */ value) => `wall × ${value}`,
-  bore_diameter_in: (/** @type {any} */ value, /** @type {App} */ app) => `hole ${app.text("bore_diameter_in", value)} wide`,
-  cup_diameter_in: (/** @type {any} */ value, /** @type {App} */ app) => `cup ${app.text("cup_diameter_in", value)} wide`,
-  weight_oz: (/** @type {any} */ value, /** @type {App} */ app) => `${app.text("weight_oz", value)} added`,
-  choke_up_in: (/** @type {any} */ value, /** @type {App} */ app) => `choked up ${app.text("choke_up_in", value)}`,
+  mass_oz: (/** @type {number} */ value, /** @type {App} */ app) => `weight ${app.text("mass_oz", value)}`,
+  wall_factor: (/** @type {number} */ value) => `wall × ${value}`,
+  bore_diameter_in: (/** @type {number} */ value, /** @type {App} */ app) => `hole ${app.text("bore_diameter_in", value)} wide`,
+  cup_diameter_in: (/** @type {number} */ value, /** @type {App} */ app) => `cup ${app.text("cup_diameter_in", value)} wide`,
+  weight_oz: (/** @type {number} */ value, /** @type {App} */ app) => `${app.text("weight_oz", value)} added`,
+  choke_up_in: (/** @type {number} */ value, /** @type {App} */ app) => `choked up ${app.text("choke_up_in", value)}`,
 };
 
 export class Chip {
@@ -77,7 +77,7 @@ export class Chip {
   }
 
   /**
-   * @param {Answer} bat
+   * @param {string} bat
    * @param {string} text
    */
   async look(bat, text) {

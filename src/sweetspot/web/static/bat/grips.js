@@ -3,11 +3,12 @@
 //   gripsOf(answer, app)   [{ at, aside, take(along, aside) -> part of the state }], m from the knob end and from the axis
 
 import { INCH } from "../controls/units.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { BatPicture } from "../answers.js" */
+/** @import { App, State } from "../shell/main.js" */
 
 /** @typedef {{ at: number, aside: number, take: (along: number, aside: number) => State }} Grip */
 /**
- * @param {Answer} answer
+ * @param {{ bat: BatPicture, hands_m?: number[] }} answer
  * @param {App} app
  */
 export function gripsOf({ bat, hands_m: hands }, app) {
@@ -20,13 +21,14 @@ export function gripsOf({ bat, hands_m: hands }, app) {
   };
   /** @type {Grip[]} */
   const grips = [];
-  if (state.bore_diameter_in && bat.bores.length) {
-    const bore = bat.bores.at(-1);
+  const bore = bat.bores.at(-1);
+  if (state.bore_diameter_in && bore) {
     grips.push({ at: bore.start_m, aside: bore.diameter_m / 2, take: (along, aside) => ({
       bore_depth_in: within("bore_depth_in", inches(bat.length_m - along)), bore_diameter_in: Math.max(0.1, within("bore_diameter_in", inches(2 * aside))) }) });
   }
-  if (state.cup_diameter_in && bat.cup) {
-    grips.push({ at: bat.length_m - 0.6 * bat.cup.depth_m, aside: bat.cup.diameter_m / 2, take: (along, aside) => ({
+  const { cup } = bat;
+  if (state.cup_diameter_in && cup) {
+    grips.push({ at: bat.length_m - 0.6 * cup.depth_m, aside: cup.diameter_m / 2, take: (along, aside) => ({
       cup_depth_in: within("cup_depth_in", inches((bat.length_m - along) / 0.6)), cup_diameter_in: Math.max(0.1, within("cup_diameter_in", inches(2 * aside))) }) });
   }
   if (state.weight_oz) {

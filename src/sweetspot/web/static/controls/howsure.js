@@ -11,7 +11,7 @@ import { make } from "./parts.js";
 export class HowSure {
   /**
    * @param {App} app
-   * @param {{ aside?: string, but?: string[], title?: string }} [options]
+   * @param {{ aside?: "sure" | "rules_sure", but?: string[], title?: string }} [options]
    */
   constructor(app, { aside = "sure", but = [], title = "How sure these numbers are, and what that comes from" } = {}) {
     this.app = app;

@@ -5,6 +5,7 @@
 //   list.show([{ state: "pass", name: "weight", words: "31.0 oz" }]);     // pass, fail, unsure, doubt or none
 
 import { make, partOf } from "./parts.js";
+/** @import { RuleCheck } from "../answers.js" */
 /** @import { Answer, App } from "../shell/main.js" */
 
 const SIGNS = { pass: ["✓", "kept"], fail: ["✗", "not kept"], unsure: ["?", "not sure"], doubt: ["?", "not decidable"], none: ["–", "does not apply"] };
@@ -40,10 +41,10 @@ export class Lights {
 const LIGHTS = { pass: "pass", fail: "fail", "not decidable": "doubt" };
 
 /** Whether a rule is decided though what is not known of the value reaches across its limit. */
-export const isUnsure = (/** @type {Answer} */ { verdict, sure }) => (verdict === "pass" || verdict === "fail") && !sure;
+export const isUnsure = (/** @type {Pick<RuleCheck, "verdict" | "sure">} */ { verdict, sure }) => (verdict === "pass" || verdict === "fail") && !sure;
 
 /** The light of a rule that was held against a bat. */
-export const stateOf = (/** @type {Answer} */ check) => (isUnsure(check) ? "unsure" : LIGHTS[check.verdict] ?? "none");
+export const stateOf = (/** @type {Pick<RuleCheck, "verdict" | "sure">} */ check) => (isUnsure(check) ? "unsure" : LIGHTS[check.verdict] ?? "none");
 
 /** @type {Record<string, string>} */
 const KINDS = { m: "length", "kg m^2": "moi" };

@@ -1,6 +1,6 @@
 // What is asked or drawn later, once the hand that drags rests: asides of a view's answer, and what follows its picture.
 
-/** @import { Answer, App } from "./main.js" */
+/** @import { App, AsideAnswer, AsideName } from "./main.js" */
 
 const REST = 120; // ms without a change after which a dragging hand rests
 
@@ -43,10 +43,11 @@ export class Later {
   // Ask apart for what takes longer, once the state has rested for a while (ms); asked again only when something changes
   // besides the fields in `but`. onAnswer hears what is still about the present state.
   /**
-   * @param {string} name
+   * @template {AsideName} Aside
+   * @param {Aside} name
    * @param {string[]} but
    * @param {number} wait
-   * @param {(answer: Answer) => void} onAnswer
+   * @param {(answer: AsideAnswer<Aside>) => void} onAnswer
    */
   aside(name, but, wait, onAnswer) {
     const about = JSON.stringify(Object.entries(this.app.state).filter(([field]) => !but.includes(field)));

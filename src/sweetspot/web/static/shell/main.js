@@ -51,7 +51,7 @@ import { exportButton, stepButton, switchOf, themeButton } from "./toolbar.js";
 import { text } from "../controls/units.js";
 import { fillBar, pointBar } from "./viewbar.js";
 import { fetchOthers, fetched } from "./viewfiles.js";
-/** @import { Answers, States } from "../answers.js" */
+/** @import { Answers, Asides, States } from "../answers.js" */
 /** @import { System } from "../controls/units.js" */
 
 const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "{}");
@@ -63,7 +63,12 @@ const QUESTION = "answer";
 const MEANINGS = "meanings of words";
 
 /** @typedef {keyof Answers} ViewName */
-/** @typedef {any} Answer  of a view whose answer has no type yet */
+/** @typedef {{ [Name in ViewName]: keyof Asides[Name] }[ViewName]} AsideName of some view */
+/**
+ * @template {AsideName} Aside
+ * @typedef {{ [Name in ViewName]: Aside extends keyof Asides[Name] ? Asides[Name][Aside] : never }[ViewName]} AsideAnswer
+ */
+/** @typedef {any} Answer  of any view */
 /** @typedef {Record<string, any>} State of a view: its fields, by their names in web/views */
 /** @typedef {Record<string, string>} Colors by name */
 /** @typedef {{ name: string, width: number, height: number, paint: (context: any, width: number, height: number) => void }} Figure */
