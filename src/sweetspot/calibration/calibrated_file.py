@@ -150,13 +150,13 @@ def calibrated_table(posterior: BatPosterior, damping: Measured | None) -> dict[
         return _implement_table(posterior, damping)
     table = bat_table(calibrated_bat(posterior, damping))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2"}
-    for name, one in properties(posterior).items():
-        table[name] = _record(table[name], one, units[name])
+    for name, found in properties(posterior).items():
+        table[name] = _record(table[name], found, units[name])
     material = table["material"] if isinstance(table["material"], dict) else {"like": table["material"]}
     units = {"longitudinal_modulus": "Pa", "shear_modulus": "Pa", "density": "kg/m^3"}
-    for name, one in material_values(posterior).items():
-        written = material.get(name, f"{one.value.value!r} {units[name]}")
-        material[name] = _record(written, one, units[name])
+    for name, found in material_values(posterior).items():
+        written = material.get(name, f"{found.value.value!r} {units[name]}")
+        material[name] = _record(written, found, units[name])
     if damping is not None:
         material["damping_ratio"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
     table["material"] = material
@@ -199,9 +199,9 @@ def _implement_table(posterior: BatPosterior, damping: Measured | None) -> dict[
     implement = posterior.beam.bat
     table = implement_table(implement.replaced(name=f"{implement.name}, calibrated", fitted=fitted_names(posterior)))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"}
-    for name, one in {**properties(posterior), **material_values(posterior)}.items():
+    for name, found in {**properties(posterior), **material_values(posterior)}.items():
         if name in table:
-            table[name] = _record(f"{one.value.value!r} {units[name]}", one, units[name])
+            table[name] = _record(f"{found.value.value!r} {units[name]}", found, units[name])
     if damping is not None and "damping" in table:
         table["damping"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
     if isinstance(implement, GolfClub):

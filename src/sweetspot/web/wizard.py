@@ -181,18 +181,20 @@ def _swing_weight(sport: str, usual: WholeImplement, lengths: tuple[float, float
         letters = its.zero is not None
         label = _same(f"{its.name.capitalize()}, such as D2, if known; it stands for the balance point")
         return [WizardQuestion(field="swing_points", label=label, kind="")] if letters else []
-    own: Literal["si"] | None = None if words.weighed_in == "oz" else "si"  # kg cm^2 the world over
+    system: Literal["si"] | None = None if words.weighed_in == "oz" else "si"  # kg cm^2 the world over
     axis = f"{{{_place(its.axis, words.place_unit)}}}"
-    told = words_in_both_systems(f"Swing weight about the axis {axis} from the {words.butt}, if measured")
-    if own is not None:
-        told = _same(told[own])
+    label = words_in_both_systems(f"Swing weight about the axis {axis} from the {words.butt}, if measured")
+    if system is not None:
+        label = _same(label[system])
     if its.axis == 0:
-        told = _same(f"Moment of inertia about the {words.butt}, if measured")
+        label = _same(f"Moment of inertia about the {words.butt}, if measured")
     least, most = (
         mass * ((gyration * length) ** 2 + (balance * length - its.axis) ** 2) / OUNCE_INCH_SQUARED
         for mass, gyration, balance, length in zip(usual.mass, usual.gyration, usual.balance, lengths, strict=True)
     )
-    return [WizardQuestion(field="swing_weight_oz_in2", label=told, kind="_oz_in2", system=own, least=least, most=most)]
+    return [
+        WizardQuestion(field="swing_weight_oz_in2", label=label, kind="_oz_in2", system=system, least=least, most=most)
+    ]
 
 
 def _stiffness(pattern: Implement, usual: WholeImplement) -> list[WizardQuestion]:
@@ -204,8 +206,8 @@ def _stiffness(pattern: Implement, usual: WholeImplement) -> list[WizardQuestion
     strings = _number("string_tension_n", "Tension of the strings", pattern.bed.tension, (tension.low, most))
     if pattern.sport != "tennis":
         return [tone, strings]
-    known = read_table("racket_stiffness.toml")["ra"]
-    bounds = float(unwrapped(known["low"])), float(unwrapped(known["high"]))
+    ratings = read_table("racket_stiffness.toml")["ra"]
+    bounds = float(unwrapped(ratings["low"])), float(unwrapped(ratings["high"]))
     return [_number("ra", "Stiffness of the frame (RA), if known", None, bounds), strings]
 
 
@@ -259,12 +261,12 @@ def described_by(wanted: Wanted) -> tuple[str, str]:
         pattern = _built(catalog.implement(wanted.pattern), wanted).replaced(name=wanted.name)
     with about("sport"):
         axis = swing_weight(wanted.sport).axis
-    tool, told = pattern, ""
-    for field, known in _steps(pattern, wanted, axis):
+    tool, note = pattern, ""
+    for field, measures in _steps(pattern, wanted, axis):
         with about(field):
-            tool, told = scaled_to(pattern, known)
+            tool, note = scaled_to(pattern, measures)
     tool = tool.replaced(sport=wanted.sport)
-    return f"# {told}\n{_text(tool, wanted)}" if told else _text(tool, wanted), told
+    return f"# {note}\n{_text(tool, wanted)}" if note else _text(tool, wanted), note
 
 
 def _built(tool: Implement, wanted: Wanted) -> Implement:
@@ -293,23 +295,23 @@ def _built(tool: Implement, wanted: Wanted) -> Implement:
 
 def _steps(pattern: Implement, wanted: Wanted, axis: float) -> list[tuple[str, Measures]]:
     """Return what is known, answer by answer, so that the one that cannot be met is the one that is named."""
-    known = Measures(length=None if wanted.length_in is None else wanted.length_in * INCH)
-    steps = [("length_in", known)]
+    measures = Measures(length=None if wanted.length_in is None else wanted.length_in * INCH)
+    steps = [("length_in", measures)]
     if wanted.mass_oz is not None:
-        known = replace(known, mass=wanted.mass_oz * OUNCE)
-        steps.append(("mass_oz", known))
+        measures = replace(measures, mass=wanted.mass_oz * OUNCE)
+        steps.append(("mass_oz", measures))
     if wanted.balance_in is not None:
-        known = replace(known, balance_point=wanted.balance_in * INCH)
-        steps.append(("balance_in", known))
+        measures = replace(measures, balance_point=wanted.balance_in * INCH)
+        steps.append(("balance_in", measures))
     if wanted.swing_weight_oz_in2 is not None:
-        known = replace(known, moi=wanted.swing_weight_oz_in2 * OUNCE_INCH_SQUARED, moi_axis=axis)
-        steps.append(("swing_weight_oz_in2", known))
+        measures = replace(measures, moi=wanted.swing_weight_oz_in2 * OUNCE_INCH_SQUARED, moi_axis=axis)
+        steps.append(("swing_weight_oz_in2", measures))
     if wanted.swing_points is not None:
         with about("swing_points"):
             moment = swing_weight(wanted.sport).moment_of(wanted.swing_points)
-        mass = known.mass or rigid_body(beam_model(scaled_to(pattern, known)[0])).mass
-        known = replace(known, balance_point=axis + moment / mass)
-        steps.append(("swing_points", known))
+        mass = measures.mass or rigid_body(beam_model(scaled_to(pattern, measures)[0])).mass
+        measures = replace(measures, balance_point=axis + moment / mass)
+        steps.append(("swing_points", measures))
     return steps[-1:] if isinstance(pattern, GolfClub) else steps  # a club's weight is met together with its balance
 
 
