@@ -137,7 +137,7 @@ def compare(
 
 def _check_alike(bats: Sequence[Implement]) -> None:
     """Refuse implements of different sports, unless all are round bats, or somebody insists."""
-    strangers = [one for one in bats if type(one) is not type(bats[0]) or one.sport != bats[0].sport]
+    strangers = [bat for bat in bats if type(bat) is not type(bats[0]) or bat.sport != bats[0].sport]
     if strangers and not insisted() and not all(isinstance(one, Bat) for one in bats):
         first, other = bats[0], strangers[0]
         raise InputError(
@@ -181,10 +181,10 @@ def speed_ratios(
 
     The moment of inertia is taken about the law's axis, counted from the bottom of each bat's grip.
     """
-    moi, known = body.moi(bat.choke + law.axis), reference_body.moi(reference.choke + law.axis)
+    moi, reference_moi = body.moi(bat.choke + law.axis), reference_body.moi(reference.choke + law.axis)
     exponents = law.exponents
     ratios = [
-        law.speed_ratio(moi, reference_moi=known, exponent=power)
+        law.speed_ratio(moi, reference_moi=reference_moi, exponent=power)
         for power in (exponents.value, exponents.low, exponents.high)
     ]
     return Interval(ratios[0], min(ratios), max(ratios))
@@ -223,11 +223,11 @@ def best_exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditio
 
 def _exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditions]) -> list[Array]:
     """Return the exit speeds of the same, swing by swing."""
-    bat_speeds = [one.swing.angular_speed * (positions - one.swing.pivot) for one in swung]
-    pitches = [one.pitch.speed for one in swung]
+    bat_speeds = [bat.swing.angular_speed * (positions - bat.swing.pivot) for bat in swung]
+    pitches = [bat.pitch.speed for bat in swung]
     closing = np.concatenate([pitch + speed for pitch, speed in zip(pitches, bat_speeds, strict=True)])
-    done = hits(modes, ball=swung[0].ball, position=np.tile(positions, len(swung)), closing_speed=closing)
-    shared = np.split(done.collision_efficiency, len(swung))
+    outcome = hits(modes, ball=swung[0].ball, position=np.tile(positions, len(swung)), closing_speed=closing)
+    shared = np.split(outcome.collision_efficiency, len(swung))
     return [
         exit_speed(efficiency, ball_speed=pitch, bat_speed=speed)
         for efficiency, pitch, speed in zip(shared, pitches, bat_speeds, strict=True)
@@ -289,14 +289,15 @@ def _break_even_speed(barrel: _Barrel, *, swung: Sequence[Conditions], exits: In
         swing = swung[0].swing.replaced(bat_speed=bat_speed)
         return barrel.best([swung[0].replaced(swing=swing)])[0] - exit_speed
 
-    speeds = [one.swing.bat_speed for one in swung]
-    known = sorted(zip(speeds, (each - exit_speed for each in (exits.value, exits.low, exits.high)), strict=True))
+    speeds = [bat.swing.bat_speed for bat in swung]
+    changes = sorted(zip(speeds, (each - exit_speed for each in (exits.value, exits.low, exits.high)), strict=True))
     speed, miss, bend = speeds[0], exits.value - exit_speed, 0.0
-    slope = (known[-1][1] - known[0][1]) / (known[-1][0] - known[0][0]) if known[-1][0] > known[0][0] else USUAL_SLOPE
-    if known[0][0] < speed < known[-1][0]:  # three swings tell how the slope changes
-        before, after = ((miss - there) / (speed - at) for at, there in (known[0], known[-1]))
-        bend = (after - before) / (known[-1][0] - known[0][0])
-        slope = before + bend * (speed - known[0][0])
+    (slowest, least), (fastest, most) = changes[0], changes[-1]
+    slope = (most - least) / (fastest - slowest) if fastest > slowest else USUAL_SLOPE
+    if slowest < speed < fastest:  # three swings tell how the slope changes
+        before, after = ((miss - there) / (speed - at) for at, there in ((slowest, least), (fastest, most)))
+        bend = (after - before) / (fastest - slowest)
+        slope = before + bend * (speed - slowest)
     for _ in range(TRIALS):
         if abs(miss) < ACCURACY:
             break
@@ -318,9 +319,9 @@ def _compared(
     outer = along.position > body.balance_point
     barrel = _Barrel(analysis.modes, along.position[outer], along.exit_speed[outer])
     fastest = peak(barrel.known)
-    alike = all(one.swing == swung[0].swing for one in swung)  # the reference's are, and all at the same speed
+    alike = all(bat.swing == swung[0].swing for bat in swung)  # the reference's are, and all at the same speed
     exits = Interval(fastest, fastest, fastest) if alike else Interval(fastest, *barrel.best(swung[1:]))
-    known = exits.value if reference is None else reference.exit_speed.value
+    reference_speed = exits.value if reference is None else reference.exit_speed.value
     return Compared(
         label=label,
         analysis=analysis,
@@ -328,6 +329,6 @@ def _compared(
         bbcor=peak(along.bbcor[outer]),
         bat_speed=Interval(*(conditions.swing.bat_speed for conditions in swung)),
         exit_speed=exits,
-        change=exits.shifted(-known),
-        break_even=_break_even_speed(barrel, swung=swung, exits=exits, exit_speed=known),
+        change=exits.shifted(-reference_speed),
+        break_even=_break_even_speed(barrel, swung=swung, exits=exits, exit_speed=reference_speed),
     )

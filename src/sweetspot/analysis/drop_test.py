@@ -177,9 +177,9 @@ def bounce(block: Block, *, ball: Ball, height: float) -> tuple[float, float]:
     speed = math.sqrt(2 * STANDARD_GRAVITY * height)
     modes = block_modes(block, patch=expected_patch(ball, speed))
     step = _step(modes, ball, speed)
-    done = hits(modes, ball=ball, position=0.0, closing_speed=speed, step=step)
+    rebounds = hits(modes, ball=ball, position=0.0, closing_speed=speed, step=step)
     share = static_share(ball, speed=speed, compliance=SurfaceModes(modes.frequency, modes.shape_at(0.0)).compliance)
-    back = float(np.maximum(0.0, done.collision_efficiency[0]))  # which keeps nan
+    back = float(np.maximum(0.0, rebounds.collision_efficiency[0]))  # which keeps nan
     return back**2 * height, share
 
 

@@ -86,13 +86,13 @@ def face_map(
     swing, ball = conditions.swing, conditions.ball
     bat_speed = swing.angular_speed * (places[inside] - swing.pivot)
     modes = held_modes(reduced.modes, conditions.hands)
-    done = hits_with_motion(
+    outcome = hits_with_motion(
         modes, ball=ball, position=places[inside], lateral=across[inside],
         closing_speed=conditions.pitch.speed + bat_speed,
     )  # fmt: skip
-    efficiency = done.collision_efficiency
+    efficiency = outcome.collision_efficiency
     speed = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
-    felt = sting(modes, hands=conditions.hands, displacement=done.displacement, velocity=done.velocity)
+    felt = sting(modes, hands=conditions.hands, displacement=outcome.displacement, velocity=outcome.velocity)
     return FaceMap(outline, position, lateral, *(_on_grid(values, inside) for values in (efficiency, speed, felt)))
 
 

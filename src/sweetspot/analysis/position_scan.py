@@ -127,8 +127,8 @@ def scan(
     ball_speed = conditions.pitch.speed
     bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)
     closing = ball_speed + bat_speed
-    done = hits_with_motion(modes, ball=ball, position=positions, closing_speed=closing)
-    efficiency = done.collision_efficiency
+    outcome = hits_with_motion(modes, ball=ball, position=positions, closing_speed=closing)
+    efficiency = outcome.collision_efficiency
     rigid = rigid_efficiency(ball, body=body, position=positions, closing_speed=closing)
     rigid = np.where(closing > 0, rigid, np.nan)
     ratio = hand_impulse_ratio(body, positions, hands=hands.position)
@@ -142,11 +142,11 @@ def scan(
         exit_speed=exit_speed(efficiency, ball_speed=ball_speed, bat_speed=bat_speed),
         rigid_exit_speed=exit_speed(rigid, ball_speed=ball_speed, bat_speed=bat_speed),
         hand_impulse=ratio * ball.mass * closing * (1 + efficiency),
-        sting=sting(modes, hands=hands, displacement=done.displacement, velocity=done.velocity),
-        contact_time=done.contact_time,
-        peak_force=done.peak_force,
-        touches=done.touches,
-        energy=energy_shares(done, modes=modes, ball=ball, closing_speed=closing),
+        sting=sting(modes, hands=hands, displacement=outcome.displacement, velocity=outcome.velocity),
+        contact_time=outcome.contact_time,
+        peak_force=outcome.peak_force,
+        touches=outcome.touches,
+        energy=energy_shares(outcome, modes=modes, ball=ball, closing_speed=closing),
     )
 
 

@@ -66,8 +66,8 @@ class Changed:
         conditions : with the pivot and hands of the changed bat's grip, and the bat speed of the bat as it was.
         """
         swing, grip = conditions.swing, self.bat.choke - self.before.choke
-        known = swing.replaced(pivot=swing.pivot - grip)
-        turned = turned_faster(known, self.ratio, measured_at=swing.measured_at, pivot=swing.pivot)
+        gripped = swing.replaced(pivot=swing.pivot - grip)
+        turned = turned_faster(gripped, self.ratio, measured_at=swing.measured_at, pivot=swing.pivot)
         return conditions.replaced(swing=turned)
 
     def speed_before(self, conditions: Conditions) -> float:

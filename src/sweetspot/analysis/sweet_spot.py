@@ -98,8 +98,8 @@ def held_speeds(speed: Array, *, step: float) -> Array:
     step : m between positions.
     """
     window = max(3, 2 * round(NARROWEST / step / 2) + 1)
-    known = np.where(np.isnan(speed), -np.inf, speed)
-    return np.minimum(speed, _opened(known, window) + ZONE_LOSS)
+    speeds = np.where(np.isnan(speed), -np.inf, speed)
+    return np.minimum(speed, _opened(speeds, window) + ZONE_LOSS)
 
 
 def _opened(values: Array, window: int) -> Array:

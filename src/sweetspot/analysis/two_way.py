@@ -217,18 +217,18 @@ def _answers(
     beam = beam_model(bat)
     body = rigid_body(beam)
     pitch, swing, ball = conditions.pitch, conditions.swing, conditions.ball
-    told = conditions.replaced(
+    changed = conditions.replaced(
         pitch=pitch.replaced(speed=settings.get("pitch_speed", pitch.speed)),
         swing=swing.replaced(bat_speed=settings.get("bat_speed", swing.bat_speed)),
     )
     ratio = None if law is None else speed_ratios(law, bat, body, reference, reference_body).value
-    swung = swung_conditions(bat, reference=reference, conditions=told, ratio=ratio)
+    swung = swung_conditions(bat, reference=reference, conditions=changed, ratio=ratio)
     free = all_modes(beam, ball)
     places = np.linspace(body.balance_point, bat.length, PLACES)
     bat_speed = swung.swing.angular_speed * (places - swung.swing.pivot)
     closing = swung.pitch.speed + bat_speed
-    done = hits(held_modes(free, swung.hands), ball=ball, position=places, closing_speed=closing)
-    efficiency = done.collision_efficiency
+    outcome = hits(held_modes(free, swung.hands), ball=ball, position=places, closing_speed=closing)
+    efficiency = outcome.collision_efficiency
     return TableCell(
         exit_speed=peak(exit_speed(efficiency, ball_speed=swung.pitch.speed, bat_speed=bat_speed)),
         collision_efficiency=peak(efficiency),

@@ -85,7 +85,7 @@ def drag_spread(law: Aerodynamics) -> float:
     >>> round(drag_spread(aerodynamics("baseball")), 4)
     0.0061
     """
-    record = next((one["drag"] for one in read_table(FILE).values() if one["name"] == law.name), None)
+    record = next((table["drag"] for table in read_table(FILE).values() if table["name"] == law.name), None)
     spread = record.get("spread") if isinstance(record, dict) else None
     return float(spread) / law.drag if spread is not None and law.drag > 0 else 0.0
 

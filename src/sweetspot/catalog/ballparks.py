@@ -47,9 +47,10 @@ def park(name: str, year: int | None = None) -> Park:
     ('Oakland Coliseum', 'Sutter Health Park')
     """
     wanted = canonical(name)
-    own = next((key for key, one in read_table(FIELDS).items() if wanted in {key, *map(canonical, one["also"])}), None)
-    if own is not None:
-        return _field(own)
+    fields = read_table(FIELDS).items()
+    field = next((key for key, table in fields if wanted in {key, *map(canonical, table["also"])}), None)
+    if field is not None:
+        return _field(field)
     left = [
         entry
         for entry in read_table(FORMER).values()
@@ -66,15 +67,15 @@ def park(name: str, year: int | None = None) -> Park:
     ]
     if moved:
         return _park(read_table(FILE)[moved[0]])
-    known = _keys()
-    begun = {key for word, key in known.items() if word == wanted or word.startswith(f"{wanted}-")}
-    if wanted not in known and len(begun) != 1:
-        names = sorted({*known, *read_table(FIELDS), *(word.partition("-")[0] for word in known)})  # coors does too
+    keys = _keys()
+    begun = {key for word, key in keys.items() if word == wanted or word.startswith(f"{wanted}-")}
+    if wanted not in keys and len(begun) != 1:
+        names = sorted({*keys, *read_table(FIELDS), *(word.partition("-")[0] for word in keys)})  # coors does too
         raise InputError(
             f"park {name!r} is not in the catalogue. {nearest_names(wanted, names)} "
             "A team's name or letters do too; `sweetspot parks` lists all."
         )
-    return _park((read_table(FILE) | read_table(FORMER))[known.get(wanted) or begun.pop()])
+    return _park((read_table(FILE) | read_table(FORMER))[keys.get(wanted) or begun.pop()])
 
 
 @cache

@@ -136,7 +136,7 @@ def wall_doubt(bat: Bat) -> float:
 
 @cache
 def _names_by_wall() -> dict[Stations, str]:
-    drawn = {name: (one.drawn_shell or one.shell) for name in bat_names() for one in (bat(name),)}
+    drawn = {name: (each.drawn_shell or each.shell) for name in bat_names() for each in (bat(name),)}
     return {shell.wall: name for name, shell in drawn.items() if shell is not None}
 
 

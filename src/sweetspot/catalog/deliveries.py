@@ -64,7 +64,7 @@ def usual_height(name: str) -> float:
 
 def _entry(name: str) -> dict[str, Any]:
     table = read_table(FILE) | read_table(OTHERS)
-    known = known_names(table)
-    if canonical(name) not in known:
-        raise InputError(f"pitch {name!r} is not in the catalogue. {nearest_names(canonical(name), list(known))}")
-    return table[known[canonical(name)]]
+    names = known_names(table)
+    if canonical(name) not in names:
+        raise InputError(f"pitch {name!r} is not in the catalogue. {nearest_names(canonical(name), list(names))}")
+    return table[names[canonical(name)]]

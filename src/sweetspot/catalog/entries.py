@@ -61,8 +61,8 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
             value = table[key]
             text = tomli_w.dumps(value if sources else _plain(value), multiline_strings=True)
             return text if sources else _marked(text, value)
-    known = sorted({canonical(key) for table in tables.values() for key in table})
-    hint = nearest_names(wanted[:60], known)
+    names = sorted({canonical(key) for table in tables.values() for key in table})
+    hint = nearest_names(wanted[:60], names)
     where = "" if hint.endswith("?") else " `sweetspot bats`, `sports` and `parks` list most of them."
     raise InputError(f"{name[:60]!r} is not in the catalogue. {hint}{where}")
 
@@ -114,4 +114,5 @@ def terms() -> tuple[Term, ...]:
     >>> next(term.source for term in terms() if term.key == "bbcor")
     'astm_f2219'
     """
-    return tuple(Term(key, tuple(one["names"]), one["words"], one["source"]) for key, one in read_table(FILE).items())
+    terms = read_table(FILE).items()
+    return tuple(Term(key, tuple(table["names"]), table["words"], table["source"]) for key, table in terms)

@@ -65,13 +65,13 @@ def material_spreads(name: str) -> dict[str, float]:
     table = read_table(FILE)
     key = next((key for key, material_entry in table.items() if material_entry["name"] == name), name)
     _, material_entry = entry(table, key, "material")
-    known = material(key)
+    standard = material(key)
     kinds: dict[str, Kind] = {"density": "density", "longitudinal_modulus": "pressure", "shear_modulus": "pressure"}
     spreads = {}
     for field, kind in kinds.items():
         record = material_entry.get(field)
         if isinstance(record, dict) and "spread" in record:
-            spreads[field] = parse(record["spread"], kind, f"{name} {field} spread") / getattr(known, field)
+            spreads[field] = parse(record["spread"], kind, f"{name} {field} spread") / getattr(standard, field)
     return spreads
 
 

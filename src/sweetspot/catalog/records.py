@@ -57,12 +57,12 @@ def entry(table: Mapping[str, Entry], name: str, what: str) -> tuple[str, Entry]
     An entry is known by its key, and by what else it has under ``also``.
     """
     key = canonical(name)
-    known = known_names(table)
-    if key not in known:
+    names = known_names(table)
+    if key not in names:
         listed = f" {LISTED[what]} lists all." if what in LISTED else ""
-        hint = nearest_names(key[:60], sorted(known), listed=sorted(map(_also_called, table.items())))
+        hint = nearest_names(key[:60], sorted(names), listed=sorted(map(_also_called, table.items())))
         raise InputError(f"{what} {name[:60]!r} is not in the catalogue. {hint}{'' if hint.endswith('?') else listed}")
-    return known[key], table[known[key]]
+    return names[key], table[names[key]]
 
 
 def _also_called(described: tuple[str, Any]) -> str:

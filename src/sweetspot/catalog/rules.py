@@ -56,11 +56,11 @@ def leagues_and_ball(name: str, ball_name: str | None = None) -> tuple[list[Leag
             raise InputError(f"no league's rules name the ball {ball_name!r}; name one league")
         return using, asked
     chosen = league(name)
-    wanted, own = (sport(ball_sport(each)).name.lower() for each in (ball_name or chosen.ball, chosen.ball))
-    if wanted != own and not insisted():
+    wanted, played = (sport(ball_sport(each)).name.lower() for each in (ball_name or chosen.ball, chosen.ball))
+    if wanted != played and not insisted():
         raise InputError(
-            f"ball was given as {ball_name}, a ball of {wanted}; {chosen.key} tests bats with a ball of {own}. Leave "
-            "it out, or add --force if it is meant"
+            f"ball was given as {ball_name}, a ball of {wanted}; {chosen.key} tests bats with a ball of {played}. "
+            "Leave it out, or add --force if it is meant"
         )
     return [chosen], ball(ball_name or chosen.ball)
 
@@ -76,9 +76,9 @@ def usual_league(implement: Implement) -> str | None:
         return "cricket"
     if not isinstance(implement, Bat):
         return None
-    own = sport(implement.sport).rules
+    default = sport(implement.sport).rules
     turned = implement.material.family == "wood" and implement.shell is None
-    return WOODEN_LEAGUE if own == DEFAULT_LEAGUE and turned else own
+    return WOODEN_LEAGUE if default == DEFAULT_LEAGUE and turned else default
 
 
 def _rule(table: dict[str, Any], what: str) -> Rule:

@@ -205,8 +205,8 @@ def _balanced(club: GolfClub, mass: float, balance: float) -> GolfClub:
 
     def excess(factor: float) -> float:
         """Return by how much the balance point is too far out, m."""
-        own, first, _ = moments(BeamModel(_with_wall(club, factor), 1.0, 0.0, ()))
-        return (first + (mass - own) * middle) / mass - balance
+        mass_of_parts, first, _ = moments(BeamModel(_with_wall(club, factor), 1.0, 0.0, ()))
+        return (first + (mass - mass_of_parts) * middle) / mass - balance
 
     out, near = (excess(factor) for factor in factors)
     if not near <= 0 <= out:

@@ -97,13 +97,15 @@ def certainty(name: str) -> dict[Certainty, int]:
 def sport_records(name: str) -> list[Record]:
     """Return the provenance of every number of a sport, its balls and its implements in the catalogue."""
     game = sport(name)
-    own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in game.numbers()]
+    records = [
+        Record(number.name, number.written, None, number.source, number.where, number.kind) for number in game.numbers()
+    ]
     balls = {canonical(key): table for key, table in read_table(BALLS).items()}
     tools = implement_tables()
     air = {canonical(key): table for key, table in read_table(AIR).items()}
     for names, tables in ((game.balls, balls), (sport_implements(game.key), tools), ((game.aerodynamics,), air)):
-        own += [record for key in names if key in tables for record in all_records(tables[key], key)]
-    return own
+        records += [record for key in names if key in tables for record in all_records(tables[key], key)]
+    return records
 
 
 @cache
@@ -114,9 +116,9 @@ def sport_implements(name: str) -> tuple[str, ...]:
     (('tennis-racket',), ('fast-pitch',))
     """
     key = sport(name).key
-    own = [name for name, table in implement_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
+    names = [name for name, table in implement_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
     shared = entry(read_table(FILE), name, "sport")[1].get("implements", ())  # of another sport, where it has none
-    return tuple(sorted(own, key=lambda name: (name != DEFAULT_BAT, name))) or tuple(shared)
+    return tuple(sorted(names, key=lambda name: (name != DEFAULT_BAT, name))) or tuple(shared)
 
 
 def _known(table: dict[str, Any]) -> Fact:

@@ -177,5 +177,5 @@ def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[Arra
     rigid = (velocity @ modes.rigid_part.T) ** 2 / 2
     translation, rotation = rigid[..., 0], rigid[..., 1:].sum(axis=-1)
     walls = (modes.of_family(family) for family in ("hoop", "face"))
-    hoop, face = (each[..., own].sum(axis=-1) if own else np.zeros(each.shape[:-1]) for own in walls)
+    hoop, face = (each[..., members].sum(axis=-1) if members else np.zeros(each.shape[:-1]) for members in walls)
     return translation, rotation, each.sum(axis=-1) - translation - rotation - hoop - face, hoop, face

@@ -147,15 +147,15 @@ def _hits(
 
 def _of_modes(modes: Modes, step: float) -> tuple[Array, ...]:
     """Return what the kernel knows of the motions themselves (`BatNumbers` from omega on), once for a step."""
-    known = modes.for_steps.get(step)
-    if known is None:
+    constants = modes.for_steps.get(step)
+    if constants is None:
         omega = modes.angular_frequency
         every = (omega, give_of_steps(omega, step), modal_propagator_of(modes, step), modes.dashpots,
                  dashpot_factors(modes, step / 2))  # fmt: skip
-        known = tuple(contiguous(each) for each in every)
+        constants = tuple(contiguous(each) for each in every)
         modes.for_steps.clear()  # one step serves all hits but those that are asked for another
-        modes.for_steps[step] = known
-    return known
+        modes.for_steps[step] = constants
+    return constants
 
 
 def steps_of(ball: Ball, step: float) -> Steps:
@@ -230,8 +230,8 @@ def struck(
     outcome = np.empty((count, places), np.int64)
     results = np.empty((RESULT_ROWS, count, places))
     motion = np.empty((2, count, places if keep_motion else 0, size))
-    balls = {one: (numbers_of(one), steps_of(one, step)) for one in ({ball} if isinstance(ball, Ball) else {*ball})}
-    constants = [balls[one] for one in ([ball] * count if isinstance(ball, Ball) else ball)]
+    balls = {kind: (numbers_of(kind), steps_of(kind, step)) for kind in ({ball} if isinstance(ball, Ball) else {*ball})}
+    constants = [balls[kind] for kind in ([ball] * count if isinstance(ball, Ball) else ball)]
     lanes = min(LANES, 4 * math.ceil(places / 4))
     nothing, none = np.zeros((0, size)), np.zeros(0)
     speeds = contiguous(closing_speed)

@@ -89,7 +89,7 @@ def beam_model(bat: Implement) -> BeamModel:
     (0.8788, 0.8788)
     """
     beam = _measured_beam(bat)
-    weights = [Lump(one.position, one.mass, roll_moi=one.mass * one.lateral**2) for one in bat.added]
+    weights = [Lump(weight.position, weight.mass, roll_moi=weight.mass * weight.lateral**2) for weight in bat.added]
     return replace(beam, point_masses=(*beam.point_masses, *weights)) if weights else beam
 
 
@@ -101,8 +101,8 @@ def _measured_beam(bat: Implement) -> BeamModel:
         start = replace(_measured_beam(bat.original), bat=bat, point_masses=bat.lumps())
         if bat.as_measured() is not bat:
             return start
-    known = bat.density_range
-    return BeamModel(bat, 1.0, 0.0, bat.lumps()) if known is None else _fitted(bat, known, start)
+    density_range = bat.density_range
+    return BeamModel(bat, 1.0, 0.0, bat.lumps()) if density_range is None else _fitted(bat, density_range, start)
 
 
 def turning_as(beam: BeamModel, moi: float, *, axis: float) -> BeamModel:
@@ -227,9 +227,9 @@ def _corrected(drawn: BeamModel) -> BeamModel:
 def _shifted(beam: BeamModel, gradient: float, grip: float) -> BeamModel:
     """Return a line of the same mass whose density changes along it; gradient and grip over the line's own density."""
     gradient, grip = beam.density_gradient + gradient, beam.grip_excess + grip  # beyond what the drawing has
-    own = moments(replace(beam, density_gradient=0.0, grip_excess=0.0))[0] - _mass_of_others(beam)
+    scaled_mass = moments(replace(beam, density_gradient=0.0, grip_excess=0.0))[0] - _mass_of_others(beam)
     added = moments(replace(beam, density_gradient=gradient, grip_excess=grip))[0] - moments(beam)[0]
-    part = 1 - added / own
+    part = 1 - added / scaled_mass
     return replace(
         beam, density_factor=beam.density_factor * part, density_gradient=gradient / part, grip_excess=grip / part
     )
@@ -258,10 +258,10 @@ def _check_density(beam: BeamModel, known: DensityRange) -> None:
     if _within(beam, known):
         return
     others, bat, (usual, low, high) = _mass_of_others(beam), beam.bat, _allowed(beam.bat, known)
-    own = ((bat.mass or 0.0) - others) / (beam.density_factor * usual)
+    mass = ((bat.mass or 0.0) - others) / (beam.density_factor * usual)
     raise InputError(
         f"{bat.name} weighs {format_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, known)}, so that "
-        f"the nearest it can weigh is {format_mass(others + own * low)} to {format_mass(others + own * high)}. Check "
+        f"the nearest it can weigh is {format_mass(others + mass * low)} to {format_mass(others + mass * high)}. Check "
         "the weight, the diameters and the material"
     )
 

@@ -286,8 +286,8 @@ def _without_the_fast(surface: SurfaceModes, *, most: int | None = None) -> Surf
     slow = np.arange(len(surface.frequency)) < (most or len(surface.frequency))
     slow &= surface.frequency < STIFF_FREQUENCY
     rest = SurfaceModes(surface.frequency[~slow], surface.shape[~slow]).compliance
-    kept = SurfaceModes(surface.frequency[slow], surface.shape[slow])
+    slow_modes = SurfaceModes(surface.frequency[slow], surface.shape[slow])
     if not rest:
-        return kept
+        return slow_modes
     stiff = spring(rest)
-    return SurfaceModes(np.append(kept.frequency, stiff.frequency), np.append(kept.shape, stiff.shape))
+    return SurfaceModes(np.append(slow_modes.frequency, stiff.frequency), np.append(slow_modes.shape, stiff.shape))

@@ -295,7 +295,7 @@ def _local(beam: BeamModel, grid: Array, radii: Array) -> Array:
     places = np.linspace(grid[0], grid[-1], LOCAL_PLACES)
     outer = np.asarray(bat_of_beam(beam).diameter_at(places)) / 2
     local = local_compliance(wall_stiffness(beam, places), outer=outer, radii=radii)
-    return np.stack([np.interp(grid, places, one) for one in local.T], axis=1)
+    return np.stack([np.interp(grid, places, values) for values in local.T], axis=1)
 
 
 def ring_felt(beam: BeamModel, *, harmonic: int, patch: float) -> float:

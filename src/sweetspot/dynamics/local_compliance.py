@@ -168,8 +168,8 @@ def _radial_parts(stiffness: Array, void: float) -> Array:
     """
     fine = void + (1 - void) * (1 - (1 - np.linspace(0, 1, ELEMENTS + 1)) ** 2)
     gauss, weights = leggauss(DEGREE + 3)
-    own = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
-    powers = np.linalg.inv(np.vander(own, increasing=True))
+    nodes = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
+    powers = np.linalg.inv(np.vander(nodes, increasing=True))
     values = (np.vander(gauss, DEGREE + 1, increasing=True) @ powers).T
     slopes = (np.vander(gauss, DEGREE, increasing=True) * np.arange(1, DEGREE + 1) @ powers[1:]).T
     half = np.diff(fine)[:, None, None] / 2

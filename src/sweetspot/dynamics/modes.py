@@ -86,7 +86,7 @@ class Modes(ShownInNotebooks):
 
     def __repr__(self) -> str:
         """Return how many motions there are of each family, short."""
-        counts = ", ".join(f"{self.families.count(one)} {one}" for one in dict.fromkeys(self.families))
+        counts = ", ".join(f"{self.families.count(family)} {family}" for family in dict.fromkeys(self.families))
         return f"<Modes: {counts}>"
 
     @property

@@ -288,9 +288,9 @@ def moi_doubt(bat: Implement, body: RigidBody, axis: float) -> float:
 
 def is_swung(bat: Bat) -> bool:
     """Return whether a bat's moment of inertia was measured, on it or on what it was before it was changed."""
-    return any(one.moi is not None and "moi" not in one.fitted for one in bat.lineage())
+    return any(ancestor.moi is not None and "moi" not in ancestor.fitted for ancestor in bat.lineage())
 
 
 def is_balanced(bat: Bat) -> bool:
     """Return whether a bat's balance point was measured, on it or on what it was before it was changed."""
-    return any(one.balance_point is not None and "balance_point" not in one.fitted for one in bat.lineage())
+    return any(each.balance_point is not None and "balance_point" not in each.fitted for each in bat.lineage())

@@ -267,11 +267,11 @@ def _edges(beam: BeamModel, start: float, elements: int) -> Array:
     ends = [] if shell is None else [*shell.edges(), *(end for ring in shell.rings for end in ring.ends)]
     size = (bat.length - start) / elements
     inside = sorted(end for end in set(ends) if start + 1e-3 < end < bat.length - 1e-3)
-    kept = [start]
+    edges = [start]
     for end in inside:
-        if end - kept[-1] > CLOSEST:
-            kept.append(end)
-    pieces = [np.linspace(a, b, max(1, round((b - a) / size)) + 1)[1:] for a, b in pairwise([*kept, bat.length])]
+        if end - edges[-1] > CLOSEST:
+            edges.append(end)
+    pieces = [np.linspace(a, b, max(1, round((b - a) / size)) + 1)[1:] for a, b in pairwise([*edges, bat.length])]
     return np.concatenate([[start], *pieces])
 
 
@@ -308,10 +308,10 @@ def _slopes_last(size: Array) -> Array:
 
 def _strain(size: Array, radius: Array, harmonics: Array) -> Array:
     """Return each function's six strains, shape (harmonics, elements, points, 6, 12)."""
-    t, one = (NODES + 1) / 2, np.ones_like(NODES)
+    t, ones = (NODES + 1) / 2, np.ones_like(NODES)
     h, r, n = size[:, None, None], radius[..., None], harmonics[:, None, None, None]
     p, w, scale = plane_functions(t), outward_functions(t, size[:, None]), _slopes_last(size[:, None])
-    p1 = np.stack([-one, 4 - 8 * t, 10 - 60 * t + 60 * t**2, one], axis=-1) / h
+    p1 = np.stack([-ones, 4 - 8 * t, 10 - 60 * t + 60 * t**2, ones], axis=-1) / h
     w1 = np.stack([6 * t**2 - 6 * t, 1 - 4 * t + 3 * t**2, 6 * t - 6 * t**2, 3 * t**2 - 2 * t], axis=-1) * scale / h
     w2 = np.stack([12 * t - 6, 6 * t - 4, 6 - 12 * t, 6 * t - 2], axis=-1) * scale / h**2
     strain = np.zeros((len(harmonics), *radius.shape, 6, UNKNOWNS))

@@ -71,8 +71,8 @@ def wall_stiffness(beam: BeamModel, position: Array) -> WallSection:
     plate = _nothing(places)
     ring = np.zeros_like(places)  # mass per length over 2 pi
     for part in parts:
-        own = _plate(part)
-        plate = plate + (own.seen_from(part.middle - middle) if bonded else own)
+        plate_of_part = _plate(part)
+        plate = plate + (plate_of_part.seen_from(part.middle - middle) if bonded else plate_of_part)
         ring = ring + part.density * scale * part.thickness * part.middle
     return WallSection(ring / middle, middle, thickness, plate.stretching, plate.coupling, plate.bending)
 
@@ -134,8 +134,8 @@ def ring_at_edge(material: Material, *, harmonic: int, outer: float, hole: float
     law = modulus * np.array([[1, poisson, 0], [poisson, 1, 0], [0, 0, (1 - poisson) / 2]])
     area = np.pi * weights * half * radius
     stiffness = np.einsum("aiq,ab,bjq,q->ij", strain, law, strain, area)
-    one = np.einsum("iq,jq,q->ij", values, values, material.density * area)
-    inertia = np.block([[one, np.zeros_like(one)], [np.zeros_like(one), one]])
+    half_mass = np.einsum("iq,jq,q->ij", values, values, material.density * area)
+    inertia = np.block([[half_mass, np.zeros_like(half_mass)], [np.zeros_like(half_mass), half_mass]])
     edge = np.array([len(values) - 1, 2 * len(values) - 1])
     within = np.setdiff1d(np.arange(2 * len(values)), edge)
     motion = np.zeros((2 * len(values), 2))

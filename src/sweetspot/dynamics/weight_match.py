@@ -97,8 +97,8 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
         return bat
     ways = _as_drawn(bat, bat.shell)
     candidates = [ways[name] for name in ((by,) if by is not None else ORDER)]
-    if (met := first_that_weighs(candidates, bat.mass, drawn_mass)) is not None:
-        changed, how = met
+    if (match := first_that_weighs(candidates, bat.mass, drawn_mass)) is not None:
+        changed, how = match
         return changed.replaced(remark=f"The measured weight, {_weighed(bat.mass)}, is met by the drawing where {how}.")
     tried = [f"{way.name}: {' to '.join(map(_weighed, way.weights(drawn_mass)))}" for way in candidates]
     raise InputError(
@@ -121,13 +121,13 @@ def weighing(bat: Bat, mass: float) -> Bat:
     """
     if bat.shell is None:
         raise InputError(f"{bat.name} is solid: other wood makes it lighter or heavier, not a cap")
-    met = first_that_weighs(_made_otherwise(bat, bat.shell), mass, _mass_of)
-    if met is None:
+    match = first_that_weighs(_made_otherwise(bat, bat.shell), mass, _mass_of)
+    if match is None:
         low, high = weights(bat)
         raise InputError(
             f"{bat.name} can weigh {format_mass(low)} to {format_mass(high)}; given was {format_mass(mass)}"
         )
-    changed, how = met
+    changed, how = match
     return changed.replaced(remark=f"Its weight, {format_mass(mass)}, is that with {how}.")
 
 
@@ -211,8 +211,9 @@ def _density_can(bat: Bat) -> bool:
     assert bat.mass is not None
     others = moments(BeamModel(bat, 0.0, bat.density_gradient, bat.lumps()))[0]
     factor = (bat.mass - others) / (drawn_mass(bat) - others)
-    known = bat.density_range
-    return known.lightest <= factor * known.usual * (1 + 1e-9) and factor * known.usual * (1 - 1e-9) <= known.heaviest
+    allowed = bat.density_range
+    density = factor * allowed.usual
+    return allowed.lightest <= density * (1 + 1e-9) and density * (1 - 1e-9) <= allowed.heaviest
 
 
 def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
@@ -269,7 +270,7 @@ def _handle_wall(bat: Bat, shell: Shell, size: float) -> Bat:
     places = (0.1 * bat.length, *(place for place, _ in bat.profile if 0.1 * bat.length < place < start))
     sizes = [float(between(bat.profile, place)) for place in places]
     tapering = max(place for place, diameter in zip(places, sizes, strict=True) if diameter <= 1.05 * min(sizes))
-    kept = tuple((place, thick) for place, thick in shell.wall if place > tapering)
-    if not any(place <= start for place, _ in kept):
-        kept = ((start, float(between(shell.wall, start))), *kept)
-    return bat.replaced(shell=shell.replaced(wall=((0.0, size), (tapering, size), *kept)))
+    stations = tuple((place, thick) for place, thick in shell.wall if place > tapering)
+    if not any(place <= start for place, _ in stations):
+        stations = ((start, float(between(shell.wall, start))), *stations)
+    return bat.replaced(shell=shell.replaced(wall=((0.0, size), (tapering, size), *stations)))

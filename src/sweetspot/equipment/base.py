@@ -68,9 +68,11 @@ class _Readable(ModelMetaclass):
         return Signature(
             [
                 Parameter(
-                    name, Parameter.KEYWORD_ONLY, default=Parameter.empty if one.is_required() else one.get_default()
+                    name,
+                    Parameter.KEYWORD_ONLY,
+                    default=Parameter.empty if field.is_required() else field.get_default(),
                 )
-                for name, one in fields.items()
+                for name, field in fields.items()
             ]
         )
 
@@ -79,8 +81,8 @@ class _Readable(ModelMetaclass):
         """Pass over pydantic's own, in which every bound of every type is spelled out."""
 
     def __dir__(self) -> list[str]:
-        own = (name for name in super().__dir__() if name not in MACHINERY)
-        return [name for name in own if not name.startswith(("__pydantic", "__private", "__class_vars", "__weakref"))]
+        names = (name for name in super().__dir__() if name not in MACHINERY)
+        return [name for name in names if not name.startswith(("__pydantic", "__private", "__class_vars", "__weakref"))]
 
 
 class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic hashes what is frozen
@@ -115,13 +117,13 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
         >>> Pitch(speed=40.0).replaced(speed=35.0).speed
         35.0
         """
-        kept = {name: getattr(self, name) for name in type(self).model_fields}
-        return type(self)(**{**kept, **changes})
+        values = {name: getattr(self, name) for name in type(self).model_fields}
+        return type(self)(**{**values, **changes})
 
     def unchecked(self, **changes: Any) -> Self:
         """Return a copy with some fields changed that is not validated: for many copies hardly unlike a valid one."""
-        kept = {name: getattr(self, name) for name in type(self).model_fields}
-        return cast("Self", self.model_construct(**{**kept, **changes}))
+        values = {name: getattr(self, name) for name in type(self).model_fields}
+        return cast("Self", self.model_construct(**{**values, **changes}))
 
 
 @cache
@@ -135,7 +137,7 @@ def _types_of(annotation: Any) -> set[Any]:
     """Return the types that an annotation allows, without their bounds."""
     if get_origin(annotation) is Annotated:
         return _types_of(get_args(annotation)[0])
-    return {one for part in get_args(annotation) for one in _types_of(part)} or {annotation}
+    return {kind for part in get_args(annotation) for kind in _types_of(part)} or {annotation}
 
 
 def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> str:
@@ -156,8 +158,8 @@ def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> 
             if fault["type"] == "string_type":
                 no_texts.add(fault["loc"][:1])
     lines = list(dict.fromkeys(_fault(fault, known) for fault in faults[:MOST_FAULTS]))
-    told = next((line for line in lines if known and line.endswith(_all_known(known))), "")
-    lines = [line if line == told else line.removesuffix(_all_known(known)) for line in lines]
+    named = next((line for line in lines if known and line.endswith(_all_known(known))), "")
+    lines = [line if line == named else line.removesuffix(_all_known(known)) for line in lines]
     if len(faults) > MOST_FAULTS:
         lines.append(f"and {len(faults) - MOST_FAULTS} more")
     words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).strip()

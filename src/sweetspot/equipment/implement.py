@@ -181,10 +181,10 @@ class Implement(ShownInNotebooks, Validated, ABC):
 
     def lineage(self) -> Iterator[Implement]:
         """Yield this implement, then what it was changed from, and so on back to the piece that it was made from."""
-        one: Implement | None = self
-        while one is not None:
-            yield one
-            one = one.original
+        ancestor: Implement | None = self
+        while ancestor is not None:
+            yield ancestor
+            ancestor = ancestor.original
 
     def lumps(self) -> tuple[Lump, ...]:
         """Return everything that sits at one place and is not part of the sections."""

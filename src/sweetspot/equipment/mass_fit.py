@@ -100,8 +100,8 @@ def least_departure(corrections: Sequence[Correction], *, misses: Array, scatter
     from scipy.optimize import nnls
 
     usual, effects, low, high = _arrays(corrections)
-    own = np.eye(len(usual))
-    sides = np.vstack([effects / scatter[:, None], -effects / scatter[:, None], own, -own])
+    identity = np.eye(len(usual))
+    sides = np.vstack([effects / scatter[:, None], -effects / scatter[:, None], identity, -identity])
     bounds = np.concatenate([misses / scatter - 1, -misses / scatter - 1, low, -high])
     if np.all(bounds <= 0):
         return np.zeros(len(usual))
@@ -128,6 +128,6 @@ def nearest(corrections: Sequence[Correction], *, misses: Array, scatter: Array)
 
 def _arrays(corrections: Sequence[Correction]) -> tuple[Array, Array, Array, Array]:
     """Return what is usual, effects (quantity, correction) and limits, the last three for units of what is usual."""
-    usual = np.array([one.usual for one in corrections])
+    usual = np.array([correction.usual for correction in corrections])
     low, high = np.array([one.limits for one in corrections]).T / usual
     return usual, np.array([one.effects for one in corrections]).T * usual, low, high

@@ -42,7 +42,7 @@ def _bat(bat: Bat, length: float) -> dict[str, Any]:
     part = length / bat.length
     places: dict[str, Any] = {
         "profile": _moved(bat.profile, part),
-        "point_masses": tuple(one.replaced(position=one.position * part) for one in bat.point_masses),
+        "point_masses": tuple(mass.replaced(position=mass.position * part) for mass in bat.point_masses),
         "mass": None, "balance_point": None, "moi": None, "original": None,
         "drawn_shell": None,
     }  # fmt: skip

@@ -144,7 +144,7 @@ class Airs:
 
     def at(self, rows: slice | NDArray[np.intp] | NDArray[np.bool_]) -> Airs:
         """Return the air of some of the flights."""
-        return Airs(*(getattr(self, one.name)[rows] for one in fields(self)))
+        return Airs(*(getattr(self, field.name)[rows] for field in fields(self)))
 
 
 VACUUM = Air(pressure=0.0, humidity=0.0)

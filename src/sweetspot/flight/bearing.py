@@ -73,13 +73,13 @@ def launched_to(
     wanted, speed, up, words = np.broadcast_arrays(
         *(np.atleast_1d(np.asarray(values)) for values in (bearing, exit_speed, launch_angle, bats))
     )
-    line, known = (spins, (None, None)) if isinstance(spins, SpinLine) else (TRACKED, spins)
+    line, given_spins = (spins, (None, None)) if isinstance(spins, SpinLine) else (TRACKED, spins)
     given = [None if spin is None else np.broadcast_to(np.asarray(spin, float), wanted.shape)
-             for spin in known]  # fmt: skip
+             for spin in given_spins]  # fmt: skip
 
     def flown(spray: Array) -> tuple[Array, Flights]:
         usual = batted_ball_spin(up, spray, bats=words, line=line)
-        back, side = (own if chosen is None else chosen for own, chosen in zip(usual, given, strict=True))
+        back, side = (default if chosen is None else chosen for default, chosen in zip(usual, given, strict=True))
         axes = spin_axes(up, spray)
         result = flights(
             BallMotions(

@@ -154,7 +154,7 @@ def _levels(elevations: tuple[float, ...]) -> tuple[Array, Array]:
     fallen = np.exp(-PRESSURE_FALL * np.array(elevations))
     apart = max(np.ptp(fallen) / 2, ALIKE)
     nodes = (fallen.min() + fallen.max()) / 2 + apart * np.array([-1.0, 0.0, 1.0])
-    return -np.log(nodes) / PRESSURE_FALL, np.array([_weights(one, nodes) for one in fallen])
+    return -np.log(nodes) / PRESSURE_FALL, np.array([_weights(value, nodes) for value in fallen])
 
 
 def _densities(air: Air | Airs, levels: Array, *, own_elevation: bool) -> Array:

@@ -179,12 +179,12 @@ def flight_table(
     parts = []
     for cell in cells_of(rows, columns):
         changes: dict[str, Any] = dict(cell)
-        one = directed(replace(hit, **changes), ball=ball, aerodynamics=aerodynamics)
-        motion = one.motion
+        batted = directed(replace(hit, **changes), ball=ball, aerodynamics=aerodynamics)
+        motion = batted.motion
         if motion.position[2] < 0:
-            raise InputError(f"height is {one.height:g} m, below the ground; allowed is 0 m or more")
+            raise InputError(f"height is {batted.height:g} m, below the ground; allowed is 0 m or more")
         parts.append(
-            flights(motion, FlightConditions(ball=ball, aerodynamics=aerodynamics, air=one.air, wind=one.wind))
+            flights(motion, FlightConditions(ball=ball, aerodynamics=aerodynamics, air=batted.air, wind=batted.wind))
         )  # fmt: skip
     names = [field.name for field in fields(Flights)]
     return FlightTable(

@@ -19,4 +19,4 @@ def vectors(*parts: ArrayLike) -> Array:
     >>> vectors([1.0, 2.0], 0.0, [5.0, 6.0]).tolist()
     [[1.0, 0.0, 5.0], [2.0, 0.0, 6.0]]
     """
-    return np.moveaxis(np.stack(np.broadcast_arrays(*(np.asarray(one, float) for one in parts))), 0, -1)
+    return np.moveaxis(np.stack(np.broadcast_arrays(*(np.asarray(part, float) for part in parts))), 0, -1)

@@ -64,9 +64,9 @@ def tops(values: Array) -> tuple[Array, Array]:
     ([1.25, 0.0], [3.125, 5.0])
     """
     rows, last = np.arange(len(values)), values.shape[1] - 1
-    known = np.where(np.isnan(values), -np.inf, values)
-    index = np.argmax(known, axis=1)
-    before, middle, after = (known[rows, np.clip(index + step, 0, last)] for step in (-1, 0, 1))
+    heights = np.where(np.isnan(values), -np.inf, values)
+    index = np.argmax(heights, axis=1)
+    before, middle, after = (heights[rows, np.clip(index + step, 0, last)] for step in (-1, 0, 1))
     with np.errstate(invalid="ignore", divide="ignore"):
         bend = before - 2 * middle + after
         inside = (index > 0) & (index < last) & np.isfinite(bend) & (bend < 0)

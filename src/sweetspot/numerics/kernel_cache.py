@@ -76,10 +76,10 @@ def kernel_folder() -> Path | None:
         if _writable(place):
             return place
     try:
-        own = Path(tempfile.gettempdir(), f"sweetspot-{os.getuid() if hasattr(os, 'getuid') else 'user'}")
-        own.mkdir(mode=0o700, exist_ok=True)
-        if _is_private(own) and _writable(own / installation):
-            return own / installation
+        private = Path(tempfile.gettempdir(), f"sweetspot-{os.getuid() if hasattr(os, 'getuid') else 'user'}")
+        private.mkdir(mode=0o700, exist_ok=True)
+        if _is_private(private) and _writable(private / installation):
+            return private / installation
     except OSError:
         pass
     _say_that_nothing_is_kept("no folder for them can be written to; NUMBA_CACHE_DIR can name one")
@@ -244,8 +244,8 @@ def _looked_up(function: FunctionType, package: str, seen: set[int]) -> Iterator
     cells = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
     scope = function.__globals__ | {word: cell.cell_contents for word, cell in cells}
     modules = [scope[word] for word in words & scope.keys() if isinstance(scope[word], ModuleType)]
-    own = [vars(module) for module in modules if module.__name__.partition(".")[0] == package]
-    for space in (scope, *own):
+    spaces = [vars(module) for module in modules if module.__name__.partition(".")[0] == package]
+    for space in (scope, *spaces):
         for word in words & space.keys():
             yield from _reached(space[word], package, seen, word)
     yield from _reached(function.__defaults__ or (), package, seen, f"defaults of {function.__qualname__}")

@@ -54,14 +54,14 @@ class Piecewise:
         if places.ndim != 1 or places.size >= MANY:
             return self._values(places, order)
         key = (order, places.tobytes())
-        known = self._recent.get(key)
-        if known is None:
-            known = self._values(places, order)
-            known.flags.writeable = False
-            self._recent[key] = known
+        found = self._recent.get(key)
+        if found is None:
+            found = self._values(places, order)
+            found.flags.writeable = False
+            self._recent[key] = found
             for oldest in list(self._recent)[:-RECENT]:
                 self._recent.pop(oldest, None)  # another thread may have been here too
-        return known
+        return found
 
     @cached_property
     def _recent(self) -> dict[tuple[int, bytes], Array]:

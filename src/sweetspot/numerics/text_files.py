@@ -86,9 +86,9 @@ def near_file(path: Path) -> Path | None:
     """Return the file beside a path that does not exist whose name is spelled almost so; None: there is none."""
     with suppress(OSError, ValueError):  # a folder that is not there, a name that none may have
         files = [one for one in islice(path.parent.iterdir(), MOST_BESIDE) if one.is_file()]
-        known = {(one.name if path.suffix else one.stem).lower(): one for one in files}
-        near = spelt_almost(path.name, known)
-        return known[near] if near else None
+        names = {(file.name if path.suffix else file.stem).lower(): file for file in files}
+        near = spelt_almost(path.name, names)
+        return names[near] if near else None
     return None
 
 

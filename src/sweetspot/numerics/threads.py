@@ -66,9 +66,9 @@ def in_order(
             try:
                 return pool.submit(work, item)
             except RuntimeError:  # the system may refuse another thread
-                done: Future[RESULT] = Future()
-                done.set_result(work(item))
-                return done
+                future: Future[RESULT] = Future()
+                future.set_result(work(item))
+                return future
 
         waiting = deque(begun(item) for item in islice(left, workers))
         try:
@@ -112,10 +112,10 @@ def side_by_side(
         with suppress(RuntimeError):  # the system may refuse another thread
             while len(running) < len(items):
                 running.append(pool.submit(alone, items[len(running)]))
-        for done, job in enumerate(as_completed(running), start=1):
+        for count, job in enumerate(as_completed(running), start=1):
             job.result()
             if progress is not None:
-                progress(done, len(items))
+                progress(count, len(items))
         results = [job.result() for job in running]
         return [*results, *(work(item) for item in items[len(results) :])]
     finally:

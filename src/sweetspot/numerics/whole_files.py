@@ -74,8 +74,8 @@ def refusal(error: BaseException) -> tuple[int, str] | None:
     >>> refusal(ValueError("underlying IO error: No space left on device (os error 28)"))
     (28, 'no space left on device')
     """
-    told = re.search(r"\(os error (\d+)\)", str(error))
-    number = int(told[1]) if told else getattr(error, "errno", None)
+    code = re.search(r"\(os error (\d+)\)", str(error))
+    number = int(code[1]) if code else getattr(error, "errno", None)
     return None if number is None else (number, os.strerror(number).lower())
 
 

@@ -52,10 +52,10 @@ def unpack_all(frame: pl.LazyFrame) -> None:
 def _unprinted() -> Iterator[None]:
     """Shut standard error, where Rust prints a panic; only in the main thread, for all threads share it."""
     try:
-        kept = os.dup(2) if threading.current_thread() is threading.main_thread() else None
+        saved = os.dup(2) if threading.current_thread() is threading.main_thread() else None
     except OSError:  # it is closed
-        kept = None
-    if kept is None:
+        saved = None
+    if saved is None:
         yield
         return
     try:
@@ -63,5 +63,5 @@ def _unprinted() -> Iterator[None]:
             os.dup2(nowhere.fileno(), 2)
         yield
     finally:
-        os.dup2(kept, 2)
-        os.close(kept)
+        os.dup2(saved, 2)
+        os.close(saved)

@@ -31,9 +31,9 @@ def _farthest(places: Any) -> float:
     """Return the place farthest from the knob end; one that is not known is none."""
     import numpy as np
 
-    known = np.asarray(places, float)
-    known = known[np.isfinite(known)]
-    return float(known[np.abs(known).argmax()]) if known.size else 0.0
+    finite = np.asarray(places, float)
+    finite = finite[np.isfinite(finite)]
+    return float(finite[np.abs(finite).argmax()]) if finite.size else 0.0
 
 
 def check_angles(values: Any, what: str) -> None:

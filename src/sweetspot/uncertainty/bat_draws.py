@@ -63,7 +63,7 @@ class DrawnBats:
     def angular_frequency(self) -> Array:
         """Of rigid motions (0), bending and hoop modes, rad/s, shape (bats, n)."""
         if self.whole is not None:
-            return self.followed([one.angular_frequency for one in (self.whole, *self.wholes)])
+            return self.followed([modes.angular_frequency for modes in (self.whole, *self.wholes)])
         beams = np.pad(self.bending.omega, ((0, 0), (2, 0)))
         walls = [wall.angular_frequency[order] for wall, order in self.walls]
         return np.hstack([beams, self.followed(walls)]) if walls else beams
@@ -72,7 +72,7 @@ class DrawnBats:
     def damping_rate(self) -> Array:
         """2 zeta omega in 1/s, shape (bats, n)."""
         if self.whole is not None:
-            return self.followed([one.damping_rate for one in (self.whole, *self.wholes)])
+            return self.followed([modes.damping_rate for modes in (self.whole, *self.wholes)])
         rate = 2 * self.bending.damping_ratio[:, None] * self.bending.omega
         beams = np.pad(rate, ((0, 0), (2, 0)))
         walls = [wall.damping_rate[order] for wall, order in self.walls]
@@ -83,7 +83,7 @@ class DrawnBats:
         speed = self._pressed(closing_speed)
         if self.whole is not None:
             every = (self.whole, *self.wholes)
-            return self.followed(_alike([one.shape_at(position, closing_speed=speed) for one in every]))
+            return self.followed(_alike([modes.shape_at(position, closing_speed=speed) for modes in every]))
         beams = self.bending.shapes_at(position)
         if not self.walls:
             return beams
@@ -102,7 +102,7 @@ class DrawnBats:
         speed = self._pressed(closing_speed)
         if self.whole is not None:
             every = (self.whole, *self.wholes)
-            gives = [one.compliance_at(position, closing_speed=speed) for one in every]
+            gives = [modes.compliance_at(position, closing_speed=speed) for modes in every]
             return np.asarray(np.maximum(self.followed(gives), 0.0))
         give = self.bending.left_out_at(position)
         if self.surfaces:
@@ -180,11 +180,11 @@ def drawn_bats(
     if not isinstance(beam.bat, Bat):
         return _drawn_implements(beam, unknowns, deviations, sizes, ball)
     beams = [deviated(beam, unknowns, row) for row in deviations]
-    own = _surface(beam, law)
-    surfaces: list[Surface] = [own]
-    for one, step in zip(unknowns, np.diag(sizes), strict=True):
+    surface = _surface(beam, law)
+    surfaces: list[Surface] = [surface]
+    for unknown, step in zip(unknowns, np.diag(sizes), strict=True):
         ends = (deviated(beam, unknowns, sign * step) for sign in (1.0, -1.0))
-        surfaces += [own, own] if one.name in UNFELT else [_surface(end, law) for end in ends]
+        surfaces += [surface, surface] if unknown.name in UNFELT else [_surface(end, law) for end in ends]
     return DrawnBats(bending_batch(BeamRow(beams), threads=threads), tuple(surfaces), deviations / sizes)
 
 
@@ -192,11 +192,11 @@ def _drawn_implements(
     beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array, sizes: Array, ball: Ball
 ) -> DrawnBats:
     """Return implements that are no bats: weight, balance and all motions are followed by slope and bend."""
-    own = as_described(beam.bat)
-    ends = [deviated(own, unknowns, sign * step) for step in np.diag(sizes) for sign in (1.0, -1.0)]
+    described = as_described(beam.bat)
+    ends = [deviated(described, unknowns, sign * step) for step in np.diag(sizes) for sign in (1.0, -1.0)]
     whole = all_modes(beam, ball)
     count = whole.families.count("bending")  # of all: one mode is followed only where every end has it
-    wholes = tuple(all_modes(one, ball, count=count) for one in ends)
+    wholes = tuple(all_modes(end, ball, count=count) for end in ends)
     same = joined_batches([bending_batch(BeamRow([beam]), threads=1)] * len(deviations))
     drawn = DrawnBats(same, (), deviations / sizes, whole, wholes)
     bodies = [rigid_body(one) for one in (beam, *ends)]
@@ -234,6 +234,6 @@ def _given(surface: Surface, position: Array, weights: Array) -> Array:
 def _in_order(wall: Modes, first: Modes) -> list[int]:
     """Return the modes of a wall in the order of another's: of one family and harmonic, by frequency."""
     kinds = list(zip(first.families, first.harmonics, strict=True))
-    own = list(zip(wall.families, wall.harmonics, strict=True))
-    ranks = {kind: iter([index for index, other in enumerate(own) if other == kind]) for kind in set(kinds)}
+    numbered = list(zip(wall.families, wall.harmonics, strict=True))
+    ranks = {kind: iter([index for index, other in enumerate(numbered) if other == kind]) for kind in set(kinds)}
     return [next(ranks[kind]) for kind in kinds]

@@ -95,15 +95,15 @@ def drawn_comparison(
         power = np.clip(law.exponent + power, 0.0, GREATEST_EXPONENT)
     of_others = shared[:, : len(first.others)]
     bats: list[DrawnBat] = []
-    for one, own in zip(comparison.compared, sources, strict=True):
-        joint = Sources(own.doubt, first.others)
-        analysis = one.analysis
-        drawn = np.hstack([of_bats[:, [behind[number] for number in own.doubt.behind]], of_others])
+    for compared, its_sources in zip(comparison.compared, sources, strict=True):
+        joint = Sources(its_sources.doubt, first.others)
+        analysis = compared.analysis
+        drawn = np.hstack([of_bats[:, [behind[number] for number in its_sources.doubt.behind]], of_others])
         draws = draws_of(analysis.beam, analysis.conditions, joint, count=count, normal=drawn)
         if bats and law is not None:
             reference = bats[0].draws
             draws = draws.swung(reference.bat_speed / reference.bat_speed[0] * _ratios(law, draws, reference, power))
-        bats.append(_drawn_bat(one, draws, comparison.reference, bats[0] if bats else None))
+        bats.append(_drawn_bat(compared, draws, comparison.reference, bats[0] if bats else None))
     return DrawnComparison(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, tuple(bats))
 
 
@@ -144,15 +144,15 @@ def _drawn_bat(
 
 def drawn_names(comparison: Comparison[Implement], sources: Sequence[Sources]) -> tuple[str, ...]:
     """Return the name of the source of every column of a draw: of the bats, then of what they share."""
-    own = _behind(comparison, sources).values()
-    return (*own, *(one.name for one in (*sources[0].others, *_of_law(comparison.law))))
+    names_behind = _behind(comparison, sources).values()
+    return (*names_behind, *(source.name for source in (*sources[0].others, *_of_law(comparison.law))))
 
 
 def _behind(comparison: Comparison[Implement], sources: Sequence[Sources]) -> dict[Hashable, str]:
     """Return whose every number behind the bats' deviations is, and what the first bat is called that it is behind."""
     called: dict[Hashable, str] = {}
-    for label, one in zip(names_of_bats(comparison), sources, strict=True):
-        called |= {number: label for number in one.doubt.behind if number not in called}
+    for label, source in zip(names_of_bats(comparison), sources, strict=True):
+        called |= {number: label for number in source.doubt.behind if number not in called}
     return called
 
 
@@ -171,7 +171,7 @@ def _break_even(one: Compared[Implement], bat_speed: Array, change: Array) -> Ar
 
 def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
     """Return what every bat's own doubt is called: the bat's name, with its number where two are named alike."""
-    labels = [one.label for one in comparison.compared]
+    labels = [bat.label for bat in comparison.compared]
     return tuple(
         label if labels.count(label) == 1 else f"{label} (number {number})" for number, label in enumerate(labels, 1)
     )

@@ -76,7 +76,7 @@ class Draws:
         position, closing_speed : m from the knob end and m/s, broadcast together to (draws, places).
         """
         shape = np.broadcast_shapes(position.shape, closing_speed.shape, (len(self), 1))
-        places, speeds = (np.ascontiguousarray(np.broadcast_to(one, shape)) for one in (position, closing_speed))
+        places, speeds = (np.ascontiguousarray(np.broadcast_to(values, shape)) for values in (position, closing_speed))
         return struck(
             self.bats, ball=self.balls, position=places, closing_speed=speeds,
             keep_motion=keep_motion, step=self._step,
@@ -124,9 +124,9 @@ def draws_of(
         beam, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.doubt.covariance)), ball=ball
     )
     patch = np.exp(sources.of(PATCH, off))
-    own = patch * np.array([contact_patch(one) for one in balls]) / contact_patch(ball)
+    radii = patch * np.array([contact_patch(kind) for kind in balls]) / contact_patch(ball)
     # a patch goes as v^(1 / (n + 1)): another radius at this speed is that of another speed
-    pressing = (own ** (ball.exponent + 1))[:, None]
+    pressing = (radii ** (ball.exponent + 1))[:, None]
     return Draws(
         sources, normal, beam, conditions, replace(drawn_ones, pressing=pressing), balls, patch,
         np.clip(swung, SLOWEST, MAX_SPEED), np.clip(thrown, 0.0, MAX_SPEED),
@@ -161,8 +161,8 @@ def hits_along(draws: Draws, places: Array) -> HitsAlong:
     bat = turning[:, None] * (places - swing.pivot)
     thrown, mass = draws.pitch_speed[:, None], draws.ball_mass[:, None]
     closing = thrown + bat
-    done = draws.struck(places[None, :], closing, keep_motion=True)
-    efficiency = done.collision_efficiency
+    outcome = draws.struck(places[None, :], closing, keep_motion=True)
+    efficiency = outcome.collision_efficiency
     recoil = mass * (places - STANDARD_AXIS) ** 2 / body.moi(STANDARD_AXIS)[:, None]
     held = 1 - (body.mass * (body.balance_point - hands.position) / body.moi(hands.position))[:, None] * (
         places - hands.position
@@ -173,19 +173,19 @@ def hits_along(draws: Draws, places: Array) -> HitsAlong:
         exit_speed=exit_speed(efficiency, ball_speed=0.0, bat_speed=closing) - thrown,  # seen by the flying ball
         rigid_exit_speed=exit_speed(_rigid(draws, places, closing), ball_speed=0.0, bat_speed=closing) - thrown,
         bat_speed=bat, hand_impulse=held * mass * closing * (1 + efficiency),
-        sting=_sting(draws, done), contact_time=done.contact_time, peak_force=done.peak_force,
-        peak_compression=done.peak_compression, displacement=done.displacement, velocity=done.velocity,
+        sting=_sting(draws, outcome), contact_time=outcome.contact_time, peak_force=outcome.peak_force,
+        peak_compression=outcome.peak_compression, displacement=outcome.displacement, velocity=outcome.velocity,
     )  # fmt: skip
 
 
 def _rigid(draws: Draws, places: Array, closing: Array) -> Array:
     """Return q of bats without any vibration, shape (draws, places); see `rigid_efficiency`."""
     body = draws.bats.bending
-    met = 1 / body.mass[:, None] + (places - body.balance_point[:, None]) ** 2 / body.moi_cm[:, None]
-    recoil = draws.ball_mass[:, None] * met
+    inverse_mass = 1 / body.mass[:, None] + (places - body.balance_point[:, None]) ** 2 / body.moi_cm[:, None]
+    recoil = draws.ball_mass[:, None] * inverse_mass
     on_wall = closing / (1 + recoil) ** 0.5
-    own = np.array([ball.restitution.at(speed) for ball, speed in zip(draws.balls, on_wall, strict=True)])
-    return np.asarray(np.where(closing > 0, collision_efficiency(own, recoil=recoil), np.nan))
+    restitution = np.array([ball.restitution.at(speed) for ball, speed in zip(draws.balls, on_wall, strict=True)])
+    return np.asarray(np.where(closing > 0, collision_efficiency(restitution, recoil=recoil), np.nan))
 
 
 def _sting(draws: Draws, done: Impacts) -> Array:
@@ -219,15 +219,15 @@ def drawn_ledger(
     closing = along.closing_speed[:, column]
     incoming = draws.ball_mass * closing**2 / 2
     parts = {"ball": along.collision_efficiency[:, column] ** 2 * incoming, **_motions(draws, along, column)}
-    known = asdict(impact.energy)
+    energies = asdict(impact.energy)
     ringing = parts["bending"] + parts["hoop"] + parts["face"]
-    parts["damping"] = known["damping"] * ringing / ringing[0] if ringing[0] > 0 else np.zeros(len(draws))
+    parts["damping"] = energies["damping"] * ringing / ringing[0] if ringing[0] > 0 else np.zeros(len(draws))
     parts["heat"] = incoming - sum(parts.values(), np.zeros(len(draws)))
     joules, shares = {}, {}
     for name, energy in parts.items():
         share = energy / incoming
-        joules[name] = known[name] + energy - energy[0]
-        shares[name] = known[name] / max(known["incoming"], 1e-300) + share - share[0]
+        joules[name] = energies[name] + energy - energy[0]
+        shares[name] = energies[name] / max(energies["incoming"], 1e-300) + share - share[0]
     return joules, shares
 
 

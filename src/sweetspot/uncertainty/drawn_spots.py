@@ -128,8 +128,8 @@ def drawn_nodes(draws: Draws, families: Collection[str]) -> list[Array]:
     """
     bats, unknowns = draws.bats, draws.sources.unknowns
     if bats.whole is not None:
-        told = [index for index, family in enumerate(bats.whole.families) if family in families]
-        return _followed_nodes(bats, [(one, told) for one in (bats.whole, *bats.wholes)])
+        chosen = [index for index, family in enumerate(bats.whole.families) if family in families]
+        return _followed_nodes(bats, [(modes, chosen) for modes in (bats.whole, *bats.wholes)])
     steps = np.diag(np.sqrt(np.diag(draws.sources.doubt.covariance)))
     ends = [deviated(draws.beam, unknowns, sign * step) for step in steps for sign in (1.0, -1.0)]
     around = bending_batch(BeamRow([draws.beam, *ends]), threads=1)
@@ -147,13 +147,13 @@ def _followed_nodes(bats: DrawnBats, bodies: Sequence[tuple[Modes, Sequence[int]
     """
     first, order = bodies[0]
     nodes = [first.nodes(index) for index in order]
-    ends = np.cumsum([0, *(len(one) for one in nodes)])
+    ends = np.cumsum([0, *(len(node) for node in nodes)])
     owner = np.repeat(np.arange(len(nodes)), np.diff(ends))
     start = np.concatenate([np.zeros(0), *nodes])
     each = np.arange(len(start))
     moved = []
-    for body, own in bodies:
-        places, mode = start, np.asarray(own)[owner]
+    for body, its_modes in bodies:
+        places, mode = start, np.asarray(its_modes)[owner]
         for _ in range(NEWTON_STEPS):
             value, slope = body.shape_at(places)[each, mode], body.slope_at(places)[each, mode]
             shift = np.divide(value, slope, out=np.zeros_like(value), where=slope != 0)

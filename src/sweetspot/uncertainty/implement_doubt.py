@@ -121,7 +121,7 @@ def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array
         rest = moi_doubt(bat, body, STANDARD_AXIS) ** 2 - (OF_CENTRE * body.moi_cm) ** 2
         moved = max(rest, 0.0) ** 0.5 / (2 * body.mass * (body.balance_point - STANDARD_AXIS))  # I_cm + M (x - axis)^2
         more.append(Unknown("balance_point", moved / body.balance_point))
-    spreads = [one.spread for one in more]
+    spreads = [unknown.spread for unknown in more]
     return (*unknowns, *more), np.pad(covariance, (0, len(more))) + np.diag([*np.zeros(len(unknowns)), *spreads]) ** 2
 
 
@@ -136,7 +136,7 @@ def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
         return (), np.zeros((0, 0))
     given = _written(bat)
     if not given:
-        return unknowns, np.diag([one.spread**2 for one in unknowns])
+        return unknowns, np.diag([unknown.spread**2 for unknown in unknowns])
     return unknowns, calibrate(described(bat), unknowns, given).covariance
 
 
@@ -146,7 +146,7 @@ def _written(own: Implement) -> list[Measurement]:
     Of a racket, club or stick the catalogue's own values were not measured.
     """
     others = () if isinstance(own, Bat) else map(implement, other_files())
-    usual = own.original or next((one for one in others if one.sport == own.sport), None)
+    usual = own.original or next((other for other in others if other.sport == own.sport), None)
     mass, balance_point, moi, frequency = (
         None if name in own.fitted or (usual and getattr(own, name) == getattr(usual, name)) else getattr(own, name)
         for name in ("mass", "balance_point", "moi", "frequency")

@@ -35,10 +35,10 @@ def interval_ends(values: Array) -> tuple[Array, Array]:
     if np.isfinite(values).all():  # most are, and many columns together take a tenth of the time
         low, high = np.quantile(values, ENDS, axis=0)
         return np.asarray(low), np.asarray(high)
-    known = np.isfinite(values).any(axis=0)
+    finite = np.isfinite(values).any(axis=0)
     with np.errstate(all="ignore"):
-        low, high = np.nanquantile(np.where(known, values, 0.0), ENDS, axis=0)
-    return np.where(known, low, np.nan), np.where(known, high, np.nan)
+        low, high = np.nanquantile(np.where(finite, values, 0.0), ENDS, axis=0)
+    return np.where(finite, low, np.nan), np.where(finite, high, np.nan)
 
 
 def reach_of_draws(values: Array) -> Reach:
@@ -61,8 +61,8 @@ def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[
     >>> {name: round(share, 3) for name, share in shares.items()}  # 9 and 1 of 10
     {'a': 0.9, 'b': 0.1, 'together': 0.0}
     """
-    known = np.isfinite(values)
-    z, answer = normal[known], values[known]
+    finite = np.isfinite(values)
+    z, answer = normal[finite], values[finite]
     count = z.shape[1]
     pairs = list(combinations(range(count), 2))
     terms = [(i,) for i in range(count)] * 2 + pairs

@@ -69,7 +69,7 @@ class Sources:
     @property
     def names(self) -> tuple[str, ...]:
         """Name of every column of a draw."""
-        return (self.implement,) * len(self.doubt.behind) + tuple(one.name for one in self.others)
+        return (self.implement,) * len(self.doubt.behind) + tuple(other.name for other in self.others)
 
     @property
     def unknowns(self) -> tuple[Unknown, ...]:
@@ -80,11 +80,11 @@ class Sources:
     def described(self) -> dict[str, str]:
         """What each source's distribution rests on, by its name."""
         bat = {self.implement: self.bat_where} if self.bat_where else {}
-        return bat | {one.name: one.where for one in self.others}
+        return bat | {other.name: other.where for other in self.others}
 
     def without(self, *names: str) -> Sources:
         """Return the sources but those of these names."""
-        others = tuple(one for one in self.others if one.name not in names)
+        others = tuple(other for other in self.others if other.name not in names)
         return replace(self, others=others)
 
     def with_source(self, one: Source) -> Sources:
@@ -109,19 +109,19 @@ class Sources:
         """
         import scipy.special
 
-        own, rest = np.split(normal, [len(self.doubt.behind)], axis=1)
+        of_bat, rest = np.split(normal, [len(self.doubt.behind)], axis=1)
         others = np.empty_like(rest)
-        for column, one in enumerate(self.others):
-            if isinstance(one.spread, tuple):
-                low, high = one.spread
+        for column, source in enumerate(self.others):
+            if isinstance(source.spread, tuple):
+                low, high = source.spread
                 others[:, column] = low + (high - low) * scipy.special.ndtr(rest[:, column])
             else:
-                others[:, column] = one.spread * rest[:, column]
-        return np.hstack([own @ self.doubt.factor.T, others])
+                others[:, column] = source.spread * rest[:, column]
+        return np.hstack([of_bat @ self.doubt.factor.T, others])
 
     def of(self, name: str, deviations: Array) -> Array:
         """Return the deviations of one source that is not the bat's, shape (count,); 0 where it is no source."""
-        names = [one.name for one in self.others]
+        names = [other.name for other in self.others]
         column = len(self.unknowns) + names.index(name) if name in names else None
         return np.zeros(len(deviations)) if column is None else deviations[:, column]
 

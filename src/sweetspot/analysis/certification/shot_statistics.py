@@ -154,12 +154,12 @@ class ShotStatistics:
     def _speed_doubt(self, speed: float) -> str:
         if _near(self.slowest, speed) and _near(self.fastest, speed):
             return ""
-        told = (
+        message = (
             f"the shots closed at {self.slowest / MPH:.1f} to {self.fastest / MPH:.1f} mph, and the limit holds for "
             f"{speed / MPH:.0f} mph"
         )
         other_unit = ", which looks like a column of speeds in another unit"
-        return told + (other_unit if abs(self.fastest / speed - 1) > FAR_FROM_TEST else "")
+        return message + (other_unit if abs(self.fastest / speed - 1) > FAR_FROM_TEST else "")
 
 
 def measure(
@@ -203,13 +203,13 @@ def measure(
     values = [hit.normalised for hit in best]
     outliers = _outliers(best)
     named = {outlier.row for outlier in outliers}
-    kept = [hit.normalised for hit in best if hit.shot.row not in named]
+    remaining = [hit.normalised for hit in best if hit.shot.row not in named]
     efficiency = estimate([_normalised_efficiency(hit, body, ball) for hit in best])
     swung = swung_test(bat, ball)
     speeds = [swung.batted_ball_speed(_normalised_efficiency(hit, body, ball)) for hit in best]
     slow = all(_near(hit.shot.closing_speed, BPF_SPEED) for hit in best)
-    own = [(hit.bbcor, hit.shot.ball_cor) for hit in best if slow and hit.shot.ball_cor is not None]
-    factors = [bpf(value, ball_restitution=cor) for value, cor in own]
+    pairs = [(hit.bbcor, hit.shot.ball_cor) for hit in best if slow and hit.shot.ball_cor is not None]
+    factors = [bpf(value, ball_restitution=cor) for value, cor in pairs]
     by_moi = _by_moi(best, bat, body, ball)
     stiff = [hit.shot.ball_stiffness for hit in best if hit.shot.ball_stiffness is not None]
     return ShotStatistics(
@@ -223,7 +223,7 @@ def measure(
         swung=swung,
         batted_ball_speed=estimate(speeds),
         outliers=outliers,
-        without_outliers=estimate(kept) if outliers and len(kept) > 1 else None,
+        without_outliers=estimate(remaining) if outliers and len(remaining) > 1 else None,
         standard_restitution=standard if all(given) else None,
         slowest=min(hit.shot.closing_speed for hit in best),
         fastest=max(hit.shot.closing_speed for hit in best),

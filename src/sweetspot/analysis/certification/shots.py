@@ -122,8 +122,8 @@ def _rows(path: Path, given: GivenColumns) -> list[tuple[int, list[str]]]:
     text = read_text(path, most=MOST_TABLE_BYTES, advice=f"give a CSV file with the columns {COLUMNS_HINT}")
 
     def is_heading(cells: Sequence[str]) -> bool:
-        told = any(cell.strip() in given.told for cell in cells)
-        return told or all(names_one_of(cells, (needed,)) for needed in NEEDED)
+        has_header = any(cell.strip() in given.told for cell in cells)
+        return has_header or all(names_one_of(cells, (needed,)) for needed in NEEDED)
 
     return list(table_rows(text, path, is_heading=is_heading))
 

@@ -273,7 +273,7 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
         bat, ball, body, swung, *both(usual, body),
         other_patches=tuple(both(modes, body) for modes in others),
         other_mois=tuple(both(_bending_as(usual, one), rigid_body(one)) for one in turning),
-        other_walls=tuple(both(all_modes(one, ball), rigid_body(one)) for one in walls),
+        other_walls=tuple(both(all_modes(wall, ball), rigid_body(wall)) for wall in walls),
     )  # fmt: skip
 
 
@@ -323,8 +323,8 @@ def bat_test(
     if ball.mass >= body.mass:
         raise InputError(f"the ball weighs {ball.mass:.4g} kg and the bat {body.mass:.4g} kg; give a heavier bat")
     places = np.linspace(length - FAR, length - NEAR, PLACES) if positions is None else positions
-    done = hits(modes, ball=ball, position=places, closing_speed=closing_speed)
-    efficiency = done.collision_efficiency
+    outcome = hits(modes, ball=ball, position=places, closing_speed=closing_speed)
+    efficiency = outcome.collision_efficiency
     restitution = bbcor(efficiency, body=body, ball=ball, position=places, pivot=CLAMP)
     if not np.isfinite(restitution).any():
         raise InputError("no hit of the test ended with ball and bat apart; check the bat's wall and the ball")

@@ -120,7 +120,7 @@ def best_swing(
         )
 
     best = _climbed(tried, length=model.bat.length, held=held)
-    done = tried(*best[:, None])
+    flown = tried(*best[:, None])
     reach = conditions.ball.radius + float(model.bat.diameter_at(best[2])) / 2
     normal = contact_frame(*plane.axes(best[0]), lift=np.arcsin(best[1] / reach)).normal
     return BestSwing(
@@ -128,9 +128,9 @@ def best_swing(
         offset=float(best[1]),
         undercut=reach * float(normal[2]),
         position=float(best[2]),
-        carry=float(done.flights.carry[0]),
-        hang_time=float(done.flights.hang_time[0]),
-        launched=BallMotion(pitch.position, done.strikes.velocity[0], done.strikes.spin[0]),
+        carry=float(flown.flights.carry[0]),
+        hang_time=float(flown.flights.hang_time[0]),
+        launched=BallMotion(pitch.position, flown.strikes.velocity[0], flown.strikes.spin[0]),
     )
 
 

@@ -220,9 +220,9 @@ def bat_of_table(table: dict[str, Any], where: str) -> Bat:
     try:
         if table.get("sport", "baseball") != "baseball":
             check_sport(str(unwrapped(table["sport"])), kind="bat")
-        told = with_fitted(table)
+        merged = with_fitted(table)
         with insisting(insisted() or "calibration" in table):  # what was fitted to a checked drawing need not be usual
-            return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in told.items()})))
+            return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in merged.items()})))
     except InputError as error:
         message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
         raise InputError(f"{where}: {message}") from None
@@ -231,9 +231,9 @@ def bat_of_table(table: dict[str, Any], where: str) -> Bat:
 def with_fitted(table: dict[str, Any]) -> dict[str, Any]:
     """Return a file's table that says under ``fitted`` what its records say was fitted, also of the original bat."""
     original = table.get("original")
-    told = {**table, "original": with_fitted(original)} if isinstance(original, dict) else table
-    by_record = [name for name in MEASURED if isinstance(one := table.get(name), dict) and _is_fitted(one)]
-    return {**told, "fitted": by_record} if by_record else told
+    changed = {**table, "original": with_fitted(original)} if isinstance(original, dict) else table
+    by_record = [name for name in MEASURED if isinstance(record := table.get(name), dict) and _is_fitted(record)]
+    return {**changed, "fitted": by_record} if by_record else changed
 
 
 def _is_fitted(record: dict[str, Any]) -> bool:
@@ -272,7 +272,7 @@ AS_WRITTEN = (
 
 def _bat(file: BatFile) -> Bat:
     given = in_si(file, implement="bat")
-    own = _material(file.material, measured=file.calibration is not None)
+    of_wood = _material(file.material, measured=file.calibration is not None)
     outlines = [name for name in ("profile", "turned", "linear_density") if given[name] is not None]
     if len(outlines) != 1:
         among = " and ".join(outlines) or "none of them"
@@ -283,10 +283,10 @@ def _bat(file: BatFile) -> Bat:
         check(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
         given["profile"] = turned_profile(length=given["length"], **sizes)
     original = None if file.original is None else _bat(file.original)
-    shell = None if file.shell is None else _shell(file.shell, own, length=file.length)
+    shell = None if file.shell is None else _shell(file.shell, of_wood, length=file.length)
     bat = Bat(
         **{name: given[name] for name in AS_WRITTEN},
-        material=own,
+        material=of_wood,
         bores=tuple(Bore(**_of_materials(bore, "bore")) for bore in file.bore),
         cup=None if file.cup is None else Cup(**in_si(file.cup, "cup", implement="bat")),
         shell=shell,
@@ -347,10 +347,10 @@ def _material(given: str | MaterialTable, *, measured: bool) -> Material:
     """Return the material of a file; a measured density may lie outside what its kind usually has."""
     if isinstance(given, str):
         return material(given)
-    own = material(given.like)
+    made_of = material(given.like)
     values = in_si(given, "material", implement="bat")
     changes = {name: value for name, value in values.items() if value is not None and name != "like"}
     density = changes.pop("density", None)
     if density is not None:
-        own = own.of_density(density) if measured else own.replaced(density=density)
-    return own.replaced(**changes)
+        made_of = made_of.of_density(density) if measured else made_of.replaced(density=density)
+    return made_of.replaced(**changes)

@@ -198,8 +198,8 @@ def implement_of_table(table: dict[str, Any], where: str) -> Implement:
     if kind == "bat":
         return bat_of_table(table, where)
     if not isinstance(kind, str) or kind not in KINDS:
-        known = nearest_names(str(kind)[:40], sorted((*KINDS, "bat")))
-        raise InputError(f"{where}: kind {repr(kind)[:60]} is not known. {known}")
+        names = nearest_names(str(kind)[:40], sorted((*KINDS, "bat")))
+        raise InputError(f"{where}: kind {repr(kind)[:60]} is not known. {names}")
     made_from, make = KINDS[kind]
     try:
         check_sport(str(unwrapped(table.get("sport", ""))), kind=kind)
@@ -230,8 +230,8 @@ def _common(file: CommonTable) -> dict[str, Any]:
 
 def added_masses(weights: Sequence[AddedTable], kind: str) -> tuple[AddedMass, ...]:
     """Return the weights of a file's [[point_mass]] tables; ``kind`` is that of the implement."""
-    each = [in_si(weight, "point_mass", implement=kind) for weight in weights]
-    return tuple(AddedMass(position=one["position"], mass=one["mass"], lateral=one["beside"]) for one in each)
+    tables = [in_si(weight, "point_mass", implement=kind) for weight in weights]
+    return tuple(AddedMass(position=table["position"], mass=table["mass"], lateral=table["beside"]) for table in tables)
 
 
 def _racket(file: RacketFile) -> Racket:

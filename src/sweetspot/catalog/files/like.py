@@ -93,8 +93,8 @@ def _parent(name: str, folder: Path | None, before: tuple[Path, ...]) -> Table:
         if not path.is_file():
             raise InputError(f"like = {name[:60]!r}: there is no file {path}; it is looked for beside the file itself")
     else:
-        known = {canonical(path.stem): path for folder in FOLDERS for path in (FOLDER / folder).glob("*.toml")}
-        path = known[entry({key: {} for key in known}, name, "bat")[0]]
+        entries = {canonical(path.stem): path for folder in FOLDERS for path in (FOLDER / folder).glob("*.toml")}
+        path = entries[entry({key: {} for key in entries}, name, "bat")[0]]
     path = path.resolve()
     if path in before:
         ring = " is like ".join(one.name for one in (*before[before.index(path) :], path))
@@ -150,10 +150,10 @@ def _scaled_to(parent: Table, changes: Table, length: float | None) -> Table:
     tool = implement_of_table(parent, "its parent")
     more = _weights(changes, parent["kind"])
     weights = more if changes.get("point_mass") == [] else (*tool.added, *more)
-    whole = rigid_body(beam_model(tool)).mass + sum(one.mass for one in more)
-    known = _bare(weights, changes, whole, tool.moi_axis)
+    whole = rigid_body(beam_model(tool)).mass + sum(weight.mass for weight in more)
+    bare = _bare(weights, changes, whole, tool.moi_axis)
     plain = tool.replaced(added=())
-    made, _ = scaled_to(plain, replace(known, length=length))
+    made, _ = scaled_to(plain, replace(bare, length=length))
     follows = [name for name in MEASURED if name not in changes and getattr(made, name) != getattr(plain, name)]
     fitted = [name for name in MEASURED if name in follows or (name in tool.fitted and name not in changes)]
     return {**_kept(parent), **implement_table(made.replaced(fitted=tuple(fitted)))}
@@ -161,12 +161,12 @@ def _scaled_to(parent: Table, changes: Table, length: float | None) -> Table:
 
 def _before_added(table: Table) -> Table:
     """Return what was measured on an implement with its weights as its file has it: without them."""
-    own, weights = set(MEASURED) & table.keys(), _weights(table, table["kind"])
-    if not own or not weights:
+    given, weights = set(MEASURED) & table.keys(), _weights(table, table["kind"])
+    if not given or not weights:
         return {}
     whole = rigid_body(beam_model(implement_of_table(_without(table, *MEASURED), "its parent"))).mass
     known = _bare(weights, table, whole, 0.0)
-    return {name: f"{getattr(known, name)!r} {UNITS[name][1]}" for name in own}
+    return {name: f"{getattr(known, name)!r} {UNITS[name][1]}" for name in given}
 
 
 def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float) -> Measures:
@@ -181,18 +181,18 @@ def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float)
         parse(table[name], kind, name) if name in table else None for name, (kind, _) in UNITS.items()
     )
     axis = parse(table["moi_axis"], "length", "moi_axis") if "moi_axis" in table else axis
-    added = sum(one.mass for one in weights)
-    own = (whole if mass is None else mass) - added
+    added = sum(weight.mass for weight in weights)
+    bare_mass = (whole if mass is None else mass) - added
     if balance is not None:
-        balance = (balance * (own + added) - sum(one.mass * one.position for one in weights)) / own
+        balance = (balance * (bare_mass + added) - sum(one.mass * one.position for one in weights)) / bare_mass
     if moi is not None:
         moi -= sum(one.mass * (one.position - axis) ** 2 for one in weights)
-    return Measures(mass=None if mass is None else own, balance_point=balance, moi=moi, moi_axis=axis)
+    return Measures(mass=None if mass is None else bare_mass, balance_point=balance, moi=moi, moi_axis=axis)
 
 
 def _weights(table: Table, kind: str) -> tuple[AddedMass, ...]:
     return added_masses(
-        [AddedTable(**one) for one in _listed(table.get("point_mass", [])) if isinstance(one, dict)], kind
+        [AddedTable(**weight) for weight in _listed(table.get("point_mass", [])) if isinstance(weight, dict)], kind
     )
 
 
@@ -200,7 +200,7 @@ def _is_other_material(parent: Any, own: Any) -> bool:
     """Say whether a material's name or density is another than the parent's; stiffer wood is still the same piece."""
     if own is None or parent is None:
         return False
-    before, after = (one if isinstance(one, dict) else {"like": one} for one in (parent, own))
+    before, after = (part if isinstance(part, dict) else {"like": part} for part in (parent, own))
     name = after.get("like", before.get("like"))
     return canonical(str(name)) != canonical(str(before.get("like"))) or "density" in after
 
@@ -215,11 +215,12 @@ def _whole_material(parent: Any, own: Any) -> Table:
 def _completed(base: Table, changes: Table) -> Table:
     table = dict(base)
     for key, value in changes.items():
-        own = table.get(key)
-        if isinstance(own, dict) and isinstance(value, dict) and value.get("like", own.get("like")) == own.get("like"):
-            table[key] = _completed(own, value)
-        elif key in ADDED_TO and value and own:
-            table[key] = [*_listed(own), *_listed(value)]
+        of_base = table.get(key)
+        like = of_base.get("like") if isinstance(of_base, dict) else None
+        if isinstance(of_base, dict) and isinstance(value, dict) and value.get("like", like) == like:
+            table[key] = _completed(of_base, value)
+        elif key in ADDED_TO and value and of_base:
+            table[key] = [*_listed(of_base), *_listed(value)]
         else:
             table[key] = value
     return table

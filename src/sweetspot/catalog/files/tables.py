@@ -129,8 +129,8 @@ allowed for a bat: baseball, slow-pitch, softball, youth-baseball
     kinds = _kinds()
     played_with = kinds.get(canonical(sport))
     if played_with is not None and kind not in played_with:
-        allowed = ", ".join(sorted(one for one, played in kinds.items() if kind in played))
-        with_what = " or ".join(f"a {one.replace('-', ' ')}" for one in sorted(played_with))
+        allowed = ", ".join(sorted(kind_of_tool for kind_of_tool, played in kinds.items() if kind in played))
+        with_what = " or ".join(f"a {kind_of_tool.replace('-', ' ')}" for kind_of_tool in sorted(played_with))
         raise InputError(
             f"sport was given as {sport!r}, and that is played with {with_what}, not with a "
             f"{kind.replace('-', ' ')}; allowed for a {kind.replace('-', ' ')}: {allowed}"

@@ -184,12 +184,12 @@ def legible(text: str, *, digits: int = 9) -> str:
 def _material(own: Material) -> str | dict[str, Any]:
     """Return a material's name, or a table of what it has of its own where the catalogue's values were changed."""
     key = _key(own)
-    known = material(key)
-    if own == known:
+    standard = material(key)
+    if own == standard:
         return key
     names = MaterialTable.model_fields.keys() - {"like"}
-    changed = {name: getattr(own, name) for name in names if getattr(own, name) != getattr(known, name)}
-    if known.of_density(own.density).replaced(**changed) != own or None in changed.values():
+    changed = {name: getattr(own, name) for name in names if getattr(own, name) != getattr(standard, name)}
+    if standard.of_density(own.density).replaced(**changed) != own or None in changed.values():
         raise InputError(f"{own.name} differs from the catalogue's in ways that a bat file cannot describe")
     return written(MaterialTable, {"like": key, **changed})
 

@@ -40,9 +40,9 @@ def _different(table: dict[str, Any], pattern: dict[str, Any]) -> dict[str, Any]
     """Return what of a table is not in the pattern's; of a table inside it, what of that is not."""
     changed: dict[str, Any] = {}
     for name, value in table.items():
-        known = pattern.get(name)
-        if isinstance(value, dict) and isinstance(known, dict) and value != known:
-            changed[name] = _different(value, known)
-        elif value != known:
+        before = pattern.get(name)
+        if isinstance(value, dict) and isinstance(before, dict) and value != before:
+            changed[name] = _different(value, before)
+        elif value != before:
             changed[name] = value
     return changed

@@ -223,7 +223,7 @@ class BeamRow:
         borders = np.searchsorted(owner, np.arange(len(self) + 1))
         sections = [section(beam, position[borders[i] : borders[i + 1]]) for i, beam in enumerate(self.beams)]
         return CrossSection(
-            *(np.concatenate([getattr(one, field.name) for one in sections]) for field in fields(CrossSection))
+            *(np.concatenate([getattr(part, field.name) for part in sections]) for field in fields(CrossSection))
         )
 
     def as_measured(self) -> Beams:
@@ -246,5 +246,5 @@ def _distinct(ends: Array) -> Mesh:
     ends = np.sort(ends, axis=1)
     inner = (np.diff(ends, axis=1)[:, :-1] > CLOSEST) & (ends[:, -1:] - ends[:, 1:-1] > CLOSEST)
     always = np.ones((len(ends), 1), bool)
-    kept = np.concatenate([always, inner, always], axis=1)
-    return Mesh(ends[kept], np.concatenate([[0], np.cumsum(kept.sum(axis=1))]))
+    chosen = np.concatenate([always, inner, always], axis=1)
+    return Mesh(ends[chosen], np.concatenate([[0], np.cumsum(chosen.sum(axis=1))]))

@@ -258,7 +258,7 @@ def _some(beams: Beams, count: int, elements: int, start: int) -> BendingBatch:
     kept = np.empty((*sampled_at.shape, count))
     shapes_at(mesh.first_piece, mesh.left, mesh.width, coefficients, sampled_at, kept)
     slices = [drawn.plain.divided(length / number) for number in (CELLS, CELLS // 2)]
-    slow = extrapolated(*(_slowly(beams, one, drawn.points, sampled_at) for one in slices)) / stiffening[:, None]
+    slow = extrapolated(*(_slowly(beams, cut, drawn.points, sampled_at) for cut in slices)) / stiffening[:, None]
     left_out = slow - np.einsum("bpm,bm->bp", kept**2, 1 / squares)
     return BendingBatch(
         length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,

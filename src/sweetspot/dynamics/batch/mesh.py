@@ -143,9 +143,9 @@ def mesh_of(rows: list[Array]) -> Mesh:
 
 def apart(ends: list[float]) -> tuple[float, ...]:
     """Return increasing ends without those that are as good as the one before; the first and the last stay."""
-    kept = [ends[0]]
-    kept += [end for before, end in pairwise(ends[:-1]) if end - before > CLOSEST and ends[-1] - end > CLOSEST]
-    return (*kept, ends[-1])
+    apart = [ends[0]]
+    apart += [end for before, end in pairwise(ends[:-1]) if end - before > CLOSEST and ends[-1] - end > CLOSEST]
+    return (*apart, ends[-1])
 
 
 def least_elements(count: int) -> int:
