@@ -9,7 +9,8 @@ from pathlib import Path
 import polars as pl
 import pytest
 
-from sweetspot.answers.season import SeasonAnswer, SeasonQuestion, season_answer
+from sweetspot.answers.season import SeasonAnswer, season_answer
+from sweetspot.answers.season_question import SeasonQuestion
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.units import MPH
 from tests.season.conftest import made_up

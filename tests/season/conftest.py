@@ -11,8 +11,8 @@ import numpy as np
 import polars as pl
 import pytest
 
-from sweetspot.season.plan import Plan
-from sweetspot.season.season_table import Season, analyse_season, run_here, season_setting
+from sweetspot.season.plan import Plan, run_here
+from sweetspot.season.season_table import Season, analyse_season, season_setting
 
 
 def made_up(count: int = 60, *, seed: int = 1, year: int = 2024) -> pl.DataFrame:

@@ -19,8 +19,8 @@ from distributed.utils import get_mp_context
 from sweetspot.errors import InputError
 from sweetspot.season import cluster
 from sweetspot.season.cluster import run_on_cluster
-from sweetspot.season.plan import Plan, do_task, is_done
-from sweetspot.season.season_table import Season, analyse_season, run_here, season_columns, season_setting
+from sweetspot.season.plan import Plan, do_task, is_done, run_here
+from sweetspot.season.season_table import Season, analyse_season, season_columns, season_setting
 from tests.season.conftest import files_of, made_up
 
 USUAL_PORT = 8787

@@ -11,7 +11,8 @@ import pytest
 from polars.testing import assert_frame_equal
 
 from sweetspot import catalog
-from sweetspot.answers.season import SeasonQuestion, season_answer
+from sweetspot.answers.season import season_answer
+from sweetspot.answers.season_question import SeasonQuestion
 from sweetspot.errors import InputError
 from sweetspot.report import html
 from sweetspot.report.quantities import US

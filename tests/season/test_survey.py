@@ -11,7 +11,8 @@ import numpy as np
 import polars as pl
 import pytest
 
-from sweetspot.answers.season import SeasonQuestion, season_answer
+from sweetspot.answers.season import season_answer
+from sweetspot.answers.season_question import SeasonQuestion
 from sweetspot.errors import InputError
 from sweetspot.report.season.document import season_document
 from sweetspot.season import csv_copy, duplicates, plan, rows

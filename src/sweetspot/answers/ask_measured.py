@@ -72,7 +72,8 @@ def season(
     InputError
         for tables that are not there, batters whom no table has, or a bat that is not known.
     """
-    from sweetspot.answers.season import SeasonQuestion, season_answer
+    from sweetspot.answers.season import season_answer
+    from sweetspot.answers.season_question import SeasonQuestion
 
     given = {"": bats} if isinstance(bats, str) else bats
     question = SeasonQuestion(

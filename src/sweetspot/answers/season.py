@@ -5,7 +5,6 @@ from __future__ import annotations
 import secrets
 import shutil
 import tempfile
-import warnings
 import weakref
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -16,20 +15,18 @@ import polars as pl
 
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL
-from sweetspot.equipment.bat import Bat
-from sweetspot.errors import InputError, UnusualWarning
-from sweetspot.flight.air import Air
+from sweetspot.answers.season_question import SeasonQuestion, checked_season
+from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
-from sweetspot.season.ball_columns import SeasonSetting
 from sweetspot.season.ball_maps import is_home_run, known_sum
-from sweetspot.season.batters import require_batter, strangers, tables_of_balls, unknown_batter
+from sweetspot.season.batters import unknown_batter
 from sweetspot.season.place_relation import SCALE, PlaceRelation
 from sweetspot.season.plan import Plan, Progress
 from sweetspot.season.pooling import Spread
 from sweetspot.season.rows import USED
 from sweetspot.season.season_drag import EDGES, DragOfMonth, LeftOver, drag_by_month, home_runs_with, left_over_by
-from sweetspot.season.season_table import Season, analyse_season, season_setting
+from sweetspot.season.season_table import Season, analyse_season
 from sweetspot.season.standings import (
     OtherBatGain,
     Standing,
@@ -41,7 +38,6 @@ from sweetspot.season.standings import (
 from sweetspot.season.survey import Survey, TrackingBias, tracking_bias
 from sweetspot.season.swings import SwingSpeeds
 from sweetspot.season.table_warnings import cannot_tell
-from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 from sweetspot.units import FOOT
 from sweetspot.units.dimensions import ANGLE, LENGTH, SPEED, System
 
@@ -49,72 +45,6 @@ MOST_DRAWN = 2_000_000
 """Balls that are held together, for what cannot be added up part by part."""
 MOST_NAMED = 8
 """Batters of one name whose numbers are listed."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class SeasonQuestion:
-    """Tables of balls in play that are asked about.
-
-    Parameters
-    ----------
-    paths : tables, CSV or Parquet.
-    bats : of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's usual.
-    others : bats that every swing is tried with.
-    air : of games whose weather the tables do not give; None: the usual.
-    contact : whether contacts are wanted beside flights.
-    given : what a person says of columns that are not understood, ``GivenColumns({"exit_speed": "EV:mph"})``.
-    system : units of the columns of balls and groups.
-    player : number or name of a batter who must be in the tables; None: nobody is asked for.
-    folder : where the answers go, made if need be; None: one that is removed with the last answer that needs it.
-    resume : whether answers of the same plan that are in the folder already are kept.
-    threads : workers of a task; None: one per core.
-    setting : all that hangs on bats and air; None: made of them.
-    """
-
-    paths: Sequence[Path | str]
-    bats: Mapping[str, str | Bat] | None = None
-    others: Sequence[str | Bat] = ()
-    air: Air | None = None
-    contact: bool = True
-    given: GivenColumns = NOTHING_GIVEN
-    system: System = "us"
-    player: str | None = None
-    folder: Path | str | None = None
-    resume: bool = False
-    threads: int | None = None
-    setting: SeasonSetting | None = None
-
-
-def checked_season(question: SeasonQuestion) -> SeasonQuestion:
-    """Return a question that can be worked on: without tables that a season wrote itself, with its setting.
-
-    Raises
-    ------
-    InputError
-        for tables that are not there, batters whom no table has, or a bat that is not known.
-    """
-    folder = None if question.folder is None else Path(question.folder)
-    paths, written = tables_of_balls([Path(path) for path in question.paths], out=folder)
-    if written:
-        _warn(f"left out, as season wrote them itself: {', '.join(path.name for path in written)}")
-    if batters := [batter for batter in question.bats or () if batter]:
-        for batter in strangers(paths, batters, given=question.given):
-            _warn(f"{batter!r} has a bat and is no batter of the tables")
-    if question.player is not None:
-        require_batter(paths, question.player, given=question.given)
-    setting = question.setting or season_setting(
-        bats=question.bats,
-        others=question.others,
-        air=question.air,
-        contact=question.contact,
-        system=question.system,
-        threads=question.threads,
-    )
-    return replace(question, paths=tuple(paths), setting=setting)
-
-
-def _warn(text: str) -> None:
-    warnings.warn(text, UnusualWarning, stacklevel=3)
 
 
 @dataclass(frozen=True)

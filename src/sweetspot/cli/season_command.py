@@ -112,7 +112,8 @@ def season(
         raise InputError(work.needs_folder)
     from functools import partial
 
-    from sweetspot.answers.season import SeasonQuestion, checked_season, season_answer
+    from sweetspot.answers.season import season_answer
+    from sweetspot.answers.season_question import SeasonQuestion, checked_season
     from sweetspot.cli.options.weather import weather_of
     from sweetspot.cli.output import patience, progress
     from sweetspot.season.cluster import run_on_cluster

@@ -13,7 +13,7 @@ from multiprocessing import resource_tracker
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.season.plan import Plan, Progress, Task, do_task, is_done, serial
+from sweetspot.season.plan import Plan, Progress, Task, do_task, is_done, run_here, serial
 
 PATIENCE = "20s"
 """How long a scheduler is waited for, at first and when it was lost."""
@@ -38,8 +38,6 @@ def run_on_cluster(
         where Dask is not installed, the scheduler cannot be reached, or a task fails.
     """
     if not workers and scheduler is None:
-        from sweetspot.season.season_table import run_here
-
         run_here(plan, progress)
         return
     try:

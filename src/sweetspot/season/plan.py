@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -166,6 +168,37 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
     with _room_for(plan.note(task)) as file:
         file.write(_note(plan, task))
     return task.rows
+
+
+def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | None = None) -> None:
+    """Do all tasks of a plan in this process.
+
+    Parameters
+    ----------
+    workers : tasks at a time; None: one per core, at most two.
+    """
+    total, finished = sum(table.rows for table in plan.tables), 0
+    tasks, workers = list(plan.tasks()), workers or min(os.cpu_count() or 1, 2)
+    if workers > 1 and len(tasks) > 1:
+        plan = serial(plan)
+    reader = reader_of(plan)
+    with ThreadPoolExecutor(workers) as pool:
+        waiting: set[Future[int]] = set()
+        with suppress(RuntimeError):  # the system may refuse another thread
+            while len(waiting) < len(tasks):
+                waiting.add(pool.submit(do_task, plan, tasks[len(waiting)], reader))
+        try:
+            for future in as_completed(waiting):
+                finished += future.result()
+                if progress is not None:
+                    progress(finished, total)
+        except BaseException:
+            pool.shutdown(wait=True, cancel_futures=True)
+            raise
+    for task in tasks[len(waiting) :]:
+        finished += do_task(plan, task, reader)
+        if progress is not None:
+            progress(finished, total)
 
 
 def _numbered(rows: pl.DataFrame, table: TableFile) -> pl.Series:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -46,10 +44,8 @@ from sweetspot.season.plan import (
     LEDGER,
     Plan,
     Progress,
-    do_task,
     plan_fingerprint,
-    reader_of,
-    serial,
+    run_here,
     sweep_plan,
 )
 from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
@@ -138,32 +134,33 @@ def season_setting(
     """
     pitched: Ball = catalogue_ball(ball)
     flight = FlightSetting(pitched, aerodynamics(ball), air or USUAL_AIR, threads=threads)
-    loaded: dict[str, Bat] = {}
-
-    def named(given: str | Bat) -> str:
-        if isinstance(given, str) and given == UNKNOWN_BAT:
-            return given
-        bat = given if isinstance(given, Bat) else load_bat(given)
-        name = given if isinstance(given, str) else bat.name
-        loaded.setdefault(Path(name).stem if "/" in name or name.endswith(".toml") else name, bat)
-        return Path(name).stem if "/" in name or name.endswith(".toml") else name
-
-    names = {who: named(given) for who, given in (bats or {"": DEFAULT_BAT}).items()}
-    other_names = [named(given) for given in others]
+    bat_of = {batter: _named(given) for batter, given in (bats or {"": DEFAULT_BAT}).items()}
+    tried = [_named(given) for given in others]
+    names = {batter: name for batter, (name, _) in bat_of.items()}
     if not contact:
         return SeasonSetting(flight, None, names, system)
     law = swing_law()
-    mois = {name: reduced_bat(bat, ball=pitched).body.moi(bat.choke + law.axis) for name, bat in loaded.items()}
-    surfaces = {name: surface_of(bat, ball=pitched) for name, bat in loaded.items()}
-    used = tuple(dict.fromkeys(name for name in names.values() if name != UNKNOWN_BAT))
+    tables = {
+        name: OtherBat(
+            name, surface_of(bat, ball=pitched), reduced_bat(bat, ball=pitched).body.moi(bat.choke + law.axis)
+        )
+        for name, bat in dict([*bat_of.values(), *tried]).items()
+        if bat is not None
+    }
+    swung = [tables[name] for name in dict.fromkeys(names.values()) if name in tables]
+    surfaces, mois = tuple(table.surface for table in swung), tuple(table.moi for table in swung)
+    others_tried = tuple(tables[name] for name, _ in tried if name in tables)
     return SeasonSetting(
-        flight,
-        ContactSetting(
-            pitched, tuple(surfaces[name] for name in used), tuple(mois[name] for name in used),
-            tuple(OtherBat(name, surfaces[name], mois[name]) for name in other_names), law, threads=threads,
-        ),
-        names, system,
-    )  # fmt: skip
+        flight, ContactSetting(pitched, surfaces, mois, others_tried, law, threads=threads), names, system
+    )
+
+
+def _named(given: str | Bat) -> tuple[str, Bat | None]:
+    """Return what a bat is called in columns, and the bat; None for one that is not known."""
+    if isinstance(given, str) and given == UNKNOWN_BAT:
+        return given, None
+    bat, name = (given, given.name) if isinstance(given, Bat) else (load_bat(given), given)
+    return Path(name).stem if "/" in name or name.endswith(".toml") else name, bat
 
 
 def analyse_season(
@@ -277,37 +274,6 @@ def _unread(survey: Survey) -> str:
     """Return in how many rows something stands that is no number where one should be, in words."""
     count = sum(warning.count for warning in survey.warnings if warning.name == "unreadable")
     return f"; {count} rows hold words, or numbers with another unit, where a number should be" if count else ""
-
-
-def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | None = None) -> None:
-    """Do all tasks of a plan in this process.
-
-    Parameters
-    ----------
-    workers : tasks at a time; None: one per core, at most two.
-    """
-    total, finished = sum(table.rows for table in plan.tables), 0
-    tasks, workers = list(plan.tasks()), workers or min(os.cpu_count() or 1, 2)
-    if workers > 1 and len(tasks) > 1:
-        plan = serial(plan)
-    reader = reader_of(plan)
-    with ThreadPoolExecutor(workers) as pool:
-        waiting: set[Future[int]] = set()
-        with suppress(RuntimeError):  # the system may refuse another thread
-            while len(waiting) < len(tasks):
-                waiting.add(pool.submit(do_task, plan, tasks[len(waiting)], reader))
-        try:
-            for future in as_completed(waiting):
-                finished += future.result()
-                if progress is not None:
-                    progress(finished, total)
-        except BaseException:
-            pool.shutdown(wait=True, cancel_futures=True)
-            raise
-    for task in tasks[len(waiting) :]:
-        finished += do_task(plan, task, reader)
-        if progress is not None:
-            progress(finished, total)
 
 
 def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:

@@ -126,7 +126,8 @@ def made_up(bat: Bat, folder: Path) -> Path:
 
 def analysed(paths: list[Path], folder: Path, bat: Bat, *, resume: bool, say: Say) -> SeasonAnswer:
     """Return what is told of some tables; what is wrong with one is said by the name that people know."""
-    from sweetspot.answers.season import SeasonQuestion, season_answer
+    from sweetspot.answers.season import season_answer
+    from sweetspot.answers.season_question import SeasonQuestion
 
     question = SeasonQuestion(paths=paths, bats={"": bat}, folder=folder, resume=resume, threads=1)
     try:
