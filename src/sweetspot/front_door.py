@@ -246,8 +246,8 @@ def _numbers(value: Any, name: str, *, callers: int = 3) -> Any:
     """Return the number or numbers of a parameter in SI; each of further keywords by its own name."""
     if isinstance(value, dict):
         found = {}
-        for key, one in value.items():
-            found[key] = _numbers(one, key, callers=callers + 1)
+        for key, each in value.items():
+            found[key] = _numbers(each, key, callers=callers + 1)
         return found
     if name not in KIND_OF:
         return value
@@ -315,7 +315,7 @@ def _thing(value: Any, name: str, kind: str, ball: Ball | None) -> Any:
     if kind in MANY:
         if _is_list(value) and not value:
             raise InputError(f"{name} is empty; give {THINGS[MANY[kind]][1]}")
-        return [_thing(one, name, MANY[kind], ball) for one in (value if _is_list(value) else [value])]
+        return [_thing(each, name, MANY[kind], ball) for each in (value if _is_list(value) else [value])]
     types, wanted = THINGS[kind]
     if kind in NAMED and isinstance(value, str):
         from sweetspot import catalog

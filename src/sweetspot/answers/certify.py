@@ -145,21 +145,25 @@ class CertifyAnswer(Answer):
     def sure(self) -> bool:
         """Whether what is not known cannot turn pass into fail, or a fail into pass: one sure fail is enough."""
         if self.failed:
-            return any(one.sure for one in self.failed)
-        return all(one.sure for one in self.checks if one.outcome.decided)
+            return any(each.sure for each in self.failed)
+        return all(check.sure for check in self.checks if check.outcome.decided)
 
 
 def _failed(checks: Sequence[RuleCheck]) -> list[RuleCheck]:
-    return [one for one in checks if one.outcome.verdict is Verdict.FAIL]
+    return [check for check in checks if check.outcome.verdict is Verdict.FAIL]
 
 
 def _untested(checks: Sequence[RuleCheck]) -> list[RuleCheck]:
-    asked = [one for one in checks if one.quantity in PERFORMANCE and one.outcome.verdict is not Verdict.NOT_APPLICABLE]
-    return [] if any(one.outcome.decided for one in asked) else asked
+    asked = [
+        check
+        for check in checks
+        if check.quantity in PERFORMANCE and check.outcome.verdict is not Verdict.NOT_APPLICABLE
+    ]
+    return [] if any(each.outcome.decided for each in asked) else asked
 
 
 def _passed(checks: Sequence[RuleCheck]) -> bool:
-    kept = any(one.outcome.verdict is Verdict.PASS for one in checks)
+    kept = any(check.outcome.verdict is Verdict.PASS for check in checks)
     return not _failed(checks) and not _untested(checks) and (kept or not checks)
 
 
@@ -242,13 +246,13 @@ def certificate_of(
     if question.sources is None:
         return plain
     if isinstance(test, ShotStatistics):
-        return _with_chances(plain, [chance_by_shots(one.outcome, test) for one in checks])
+        return _with_chances(plain, [chance_by_shots(each.outcome, test) for each in checks])
     asked, conditions = sources_of_test(question.sources), standard_conditions(bat).replaced(ball=ball)
     drawn = drawn_test(beam_model(bat), conditions, asked, test, count=question.draws)
     known = uncertainty_of(
         drawn.bbcor, of="test.bbcor", normal=drawn.draws.normal, names=asked.names, sources=asked.described
     )
-    likely = _with_chances(plain, [chance_of_draws(one.outcome, drawn) for one in checks])
+    likely = _with_chances(plain, [chance_of_draws(each.outcome, drawn) for each in checks])
     return with_intervals(replace(likely, uncertainty=known), _columns(checks, drawn), reach_of_draws)
 
 
@@ -285,7 +289,7 @@ def passing_walls(bat: Bat, leagues: Sequence[League], *, ball: Ball) -> tuple[W
     InputError
         where no rule limits either, or the bat has no wall that keeps the limit.
     """
-    limits = [(one, rule) for one in leagues for rule in one.rules if rule.quantity in MEASURES and rule.most]
+    limits = [(each, rule) for each in leagues for rule in each.rules if rule.quantity in MEASURES and rule.most]
     if not limits:
         raise InputError("no rule of this league limits BBCOR or BPF, so no wall can be asked for that passes")
     walls = []
@@ -300,11 +304,13 @@ def passing_walls(bat: Bat, leagues: Sequence[League], *, ball: Ball) -> tuple[W
 
 def _with_chances(answer: CertifyAnswer, chances: Sequence[float | None]) -> CertifyAnswer:
     """Return an answer whose checks say how probable it is that they are kept; None where that cannot be said."""
-    checks = tuple(replace(one, passes_probability=chance) for one, chance in zip(answer.checks, chances, strict=True))
+    checks = tuple(
+        replace(each, passes_probability=chance) for each, chance in zip(answer.checks, chances, strict=True)
+    )
     passes = tuple(
-        RuleChance(one.league, one.quantity, one.passes_probability)
-        for one in checks
-        if one.passes_probability is not None
+        RuleChance(check.league, check.quantity, check.passes_probability)
+        for check in checks
+        if check.passes_probability is not None
     )
     return replace(answer, checks=checks, passes=passes or None)
 
@@ -312,8 +318,8 @@ def _with_chances(answer: CertifyAnswer, chances: Sequence[float | None]) -> Cer
 def _columns(checks: Sequence[RuleCheck], drawn: DrawnTest) -> Columns:
     """Return what draws answer, by the fields of `CertifyAnswer`."""
     ruled: list[Columns] = []
-    for one in checks:
-        answers = {"value": drawn.of_rule(one.quantity), "margin": drawn_margin(one.outcome, drawn)}
+    for check in checks:
+        answers = {"value": drawn.of_rule(check.quantity), "margin": drawn_margin(check.outcome, drawn)}
         ruled.append({name: column for name, column in answers.items() if column is not None})
     return {
         "bat": mass_columns(drawn.draws),

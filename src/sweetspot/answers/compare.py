@@ -240,7 +240,7 @@ def _described(comparison: Comparison[Implement]) -> CompareAnswer:
         same="speed" if law is None else "effort",
         swing_law=None if law is None else EffortLaw(law.name, law.exponents, law.axis, law.lightest_moi),
         interval=ALIKE,
-        bats=tuple(_compared_bat(one, reference) for one in comparison.compared),
+        bats=tuple(_compared_bat(each, reference) for each in comparison.compared),
         conditions=hit_conditions(reference.analysis.conditions),
         comparison=comparison,
     )
@@ -300,8 +300,8 @@ def _uncertainty(answer: CompareAnswer, found: DrawnComparison) -> ComparisonUnc
     last = len(found.bats) - 1
     main = "change" if last else "exit_speed"
     labels = names_of_bats(answer.comparison)
-    own = {label: one.bat_where for label, one in zip(labels, answer.sources, strict=True)}
-    others = {one.name: one.where for one in answer.sources[0].others}
+    own = {label: each.bat_where for label, each in zip(labels, answer.sources, strict=True)}
+    others = {other.name: other.where for other in answer.sources[0].others}
     known = uncertainty_of(
         getattr(found.bats[last], main),
         of=f"bats.{last}.{main}",
@@ -325,11 +325,11 @@ def chance_above_zero(values: Array) -> float:
 def _with_rules(answer: CompareAnswer) -> CompareAnswer:
     """Return a comparison whose bats are held against the rules of their own sport."""
     bats = []
-    for one in answer.bats:
-        implement = one.compared.analysis.bat
+    for bat in answer.bats:
+        implement = bat.compared.analysis.bat
         certificate = certificate_of_sport(implement) if isinstance(implement, Bat) else None
         rules = None if certificate is None else _rules_kept(certificate)
-        bats.append(replace(one, rules=rules, certificate=certificate))
+        bats.append(replace(bat, rules=rules, certificate=certificate))
     return replace(answer, bats=tuple(bats))
 
 
@@ -343,8 +343,8 @@ def certificate_of_sport(bat: Bat) -> CertifyAnswer:
 
 def _rules_kept(certificate: CertifyAnswer) -> RulesKept:
     checks = tuple(
-        DecidedRule(one.league, one.quantity, one.verdict, one.sure, one.value, one.unit)
-        for one in certificate.checks
-        if one.outcome.decided
+        DecidedRule(check.league, check.quantity, check.verdict, check.sure, check.value, check.unit)
+        for check in certificate.checks
+        if check.outcome.decided
     )
     return RulesKept(certificate.passed, certificate.verdict.value, certificate.sure, checks)

@@ -156,8 +156,8 @@ def _in_parks(plain: FlyAnswer, park: Park) -> FlyAnswer:
     # the scatter of chances knows of roofs
     outdoors = FlightConditions(ball=question.ball, aerodynamics=question.aerodynamics, air=hit.air, wind=hit.wind)
     here, *everywhere = [
-        float(home_run_chances(hit.motion, outdoors, parks=(one,), own_elevation=question.own_elevation).chance[0, 0])
-        for one in (park, *parks)
+        float(home_run_chances(hit.motion, outdoors, parks=(each,), own_elevation=question.own_elevation).chance[0, 0])
+        for each in (park, *parks)
     ]
     return replace(
         plain,
@@ -174,14 +174,14 @@ def court_of(flight: Flight, sport: Sport, *, ball: Ball) -> Court:
     passed = passages(flight, sport.marks, ball=ball) if flight.outcome is FlightOutcome.LANDED else ()
     marks = tuple(
         PassedMark(
-            name=one.mark.name,
-            side=one.mark.side,
-            distance=one.mark.distance.value,
-            height=one.mark.height.value if one.mark.height else None,
-            ball_height=one.ball_height,
-            margin=one.margin,
-            good=one.good,
+            name=each.mark.name,
+            side=each.mark.side,
+            distance=each.mark.distance.value,
+            height=each.mark.height.value if each.mark.height else None,
+            ball_height=each.ball_height,
+            margin=each.margin,
+            good=each.good,
         )
-        for one in passed
+        for each in passed
     )
     return Court(sport.key, marks)

@@ -54,7 +54,7 @@ class PendulumQuestion:
         """What is not known: every value that was measured with an error."""
         swung = PERIOD if self.timed else MOI
         measured = {WEIGHT: self.mass, BALANCE: self.balance_point, swung: self.swung, AXIS: self.pivot}
-        return Sources(NO_DOUBT, written_errors({name: one.error for name, one in measured.items()}))
+        return Sources(NO_DOUBT, written_errors({name: each.error for name, each in measured.items()}))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -156,7 +156,7 @@ def drawn_pendulum(question: PendulumQuestion) -> tuple[Array, dict[str, Array]]
         AXIS: question.pivot,
         swung_name: question.swung,
     }
-    mass, balance, pivot, swung = (one.value + sources.of(name, off) for name, one in measured.items())
+    mass, balance, pivot, swung = (each.value + sources.of(name, off) for name, each in measured.items())
     torque = STANDARD_GRAVITY * mass * _above_zero(balance - pivot)
     if question.timed:
         period, moi = swung, torque * (swung / (2 * np.pi)) ** 2

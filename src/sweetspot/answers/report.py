@@ -326,7 +326,7 @@ def misses_of(analysis: Analysis[Implement]) -> tuple[Miss, ...]:
     """Return what misses cost that still hit the face on the hands' side, up to three."""
     best, nearest = analysis.sweet_spots.max_exit_speed, float(analysis.scan.position[0])
     usual = MISSES[sport(analysis.bat.sport).words.place_unit]
-    fitting = [tuple(part * one for one in usual if best - part * one >= nearest) for part in (1.0, 0.5)]
+    fitting = [tuple(part * each for each in usual if best - part * each >= nearest) for part in (1.0, 0.5)]
     distances = fitting[0] if len(fitting[0]) > 1 else fitting[1]  # half as far on a short face
     costs: Sequence[tuple[Loss, Loss]] = miss_costs(analysis, distances) if distances else []
     return tuple(

@@ -48,7 +48,7 @@ def main(arguments: list[str] | None = None) -> None:
         beating = nullcontext() if given[:1] == [SERVER] else heartbeat()
         with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), beating:
             unasked = (FORCE, SURE) if given[:1] and given[0] in ALWAYS_SURE else (FORCE,)
-            words = understood([one for one in given if one not in unasked])
+            words = understood([each for each in given if each not in unasked])
             ASKED.set(tuple(given))
             if dropped := uncounted(given):
                 _complain(dropped)

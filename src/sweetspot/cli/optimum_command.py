@@ -102,7 +102,7 @@ def optimum(
 def _check_shown(show: str, pitch: PitchOptions, contact: ContactOptions, sent: SentOptions) -> None:
     """Refuse what belongs to a question that is left out."""
     if show in ("launch", "parks"):
-        swung = given(contact, *(one.name for one in fields(contact) if one.name not in ("ball", "uncertainty")))
+        swung = given(contact, *(field.name for field in fields(contact) if field.name not in ("ball", "uncertainty")))
         refuse_unused([*given(pitch, "pitch", "release_speed"), *swung], "the best swing", "leave --show out")
     if show in ("swing", "parks"):
         refuse_unused(given(sent, "exit_speed"), "the best launch", "leave --show out")

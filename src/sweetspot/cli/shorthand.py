@@ -36,7 +36,7 @@ def understood(given: Sequence[str]) -> list[str]:
     if given and given[0] in ASIDE:
         command = given[1:2] if given[0] == "help" else ()
         return [*command, ASIDE[given[0]]]
-    return [word for one in given for word in SHORT.get(one, (one,))]
+    return [word for each in given for word in SHORT.get(each, (each,))]
 
 
 def uncounted(given: Sequence[str]) -> str:
@@ -47,5 +47,5 @@ def uncounted(given: Sequence[str]) -> str:
     >>> uncounted(["hit", "r161-ash", "--at", "27in", "--bat-speed", "70mph±2mph", "--uncertainty"])
     ''
     """
-    dropped = bool(given) and given[0] in ERRORS_ASKED and SURE not in given and any("±" in one for one in given)
+    dropped = bool(given) and given[0] in ERRORS_ASKED and SURE not in given and any("±" in each for each in given)
     return f"an error behind ± counts where {SURE} is given, and here it is not" if dropped else ""

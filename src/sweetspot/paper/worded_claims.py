@@ -43,7 +43,7 @@ def metal_is_swung_faster(analysis: Analysis[Implement]) -> Row:
     body = rigid_body(beam_model(metal))
     ratio = speed_ratios(catalog.swing_law(), metal, body, own, analysis.body)
     speed = analysis.conditions.swing.bat_speed
-    faster, low, high = (speed * (one - 1) for one in (ratio.value, ratio.low, ratio.high))
+    faster, low, high = (speed * (each - 1) for each in (ratio.value, ratio.low, ratio.high))
     right = "Right in kind" if low > 0 else "Not so for this bat" if high < 0 else "Not to be told apart here"
     return Row(
         "W", "bat speed with the same effort, metal less this bat", "mph", "more", None, faster / MPH,

@@ -41,7 +41,7 @@ class Words(str):
     numbers: tuple[Number, ...]
 
     def __new__(cls, template: str, *numbers: Number) -> Words:
-        made = super().__new__(cls, template.format(*(one.text for one in numbers)))
+        made = super().__new__(cls, template.format(*(number.text for number in numbers)))
         made.template, made.numbers = template, numbers
         return made
 

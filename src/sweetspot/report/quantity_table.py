@@ -57,8 +57,8 @@ def quantity_data() -> dict[str, Any]:
         "scales": {name: _shown(name, "plain") for name in SCALES},
         "endings": {ending: _shown(scale, stored) for ending, (scale, stored) in ENDINGS.items()},
         "quantities": {
-            name: {"label": one.label, "scale": one.scale, "colour": _hue(one.colour)}
-            for name, one in QUANTITIES.items()
+            name: {"label": each.label, "scale": each.scale, "colour": _hue(each.colour)}
+            for name, each in QUANTITIES.items()
         },
         "spots": {name: {"label": spot.labelled(Terms()), "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
         "palette": dict(PALETTE),

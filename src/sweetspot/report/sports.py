@@ -58,7 +58,7 @@ def sport_document(described: Sport, rows: Sequence[Row]) -> Document:
     if described.terms:
         blocks.append(Table("Words", [Column("word"), Column("what it is here")], described.terms))
     missing = Bullets(described.not_covered)
-    known = [_record(one) for one in described.numbers()]
+    known = [_record(each) for each in described.numbers()]
     data = _summary(described) | {
         "words": described.words.model_dump(), "numbers": known, "formulas": [to_dict(row) for row in rows],
         "terms": dict(described.terms), "not_covered": list(described.not_covered),
@@ -103,9 +103,9 @@ def _stroke(described: Sport) -> Table:
 
 def _known_table(known: Sequence[Fact], title: str) -> Table:
     rows: list[list[Cell]] = []
-    for one in known:
-        value, *others = _cells(one)
-        rows.append([one.name, f"at {one.side} {value}" if isinstance(one, RuleLimit) else value, *others])
+    for each in known:
+        value, *others = _cells(each)
+        rows.append([each.name, f"at {each.side} {value}" if isinstance(each, RuleLimit) else value, *others])
     return Table(title, [Column(name) for name in ("what", "value", "kind", "source")], rows)
 
 

@@ -156,7 +156,7 @@ def mode_shapes(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw how the bat bends in its first modes, each on its own line, nodes as dots."""
     analysis = report.analysis
     bat, modes = analysis.bat, analysis.modes
-    tones = [one.frequency for one in report.modes if one.family == "bending"]
+    tones = [mode.frequency for mode in report.modes if mode.family == "bending"]
     marks.set_limits(axes, bat.length)
     hands = analysis.conditions.hands
     held = "held" if any((hands.mass, hands.stiffness, hands.damping)) else "free"

@@ -188,9 +188,9 @@ def soft_defaults(implement: Implement, ball: Ball, conditions: Conditions | Non
         else ()
     )
     soft = [
-        say("{name} {speed}", name=one.name, speed=Slot(value, "speed", round=True))
-        for one, value in used
-        if one.kind == "assumed" and one.value == value
+        say("{name} {speed}", name=each.name, speed=Slot(value, "speed", round=True))
+        for each, value in used
+        if each.kind == "assumed" and each.value == value
     ]
     if values := assumed_of_ball(ball):
         listed = " and ".join([*filter(None, [", ".join(values[:-1])]), values[-1]])

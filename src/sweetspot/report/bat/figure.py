@@ -200,7 +200,7 @@ def sheet_figure(report: ReportAnswer, reading: Reader) -> Figure:
         across *= NARROW
         panel = bat_panel(bat, across)
     room, side = room - panel.height, (SHEET - across) / 2
-    shown = [one for number, one in enumerate(SHEET_PANELS, 1)
+    shown = [each for number, each in enumerate(SHEET_PANELS, 1)
              if number == 1 or sum(tall + between for _, tall in SHEET_PANELS[:number]) <= room]  # fmt: skip
     height = panel.height + RULER + sum(tall + between for _, tall in shown) + SHEET_FOOT
     figure = Figure(figsize=(SHEET, height))

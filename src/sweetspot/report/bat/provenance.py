@@ -49,7 +49,7 @@ def own_values(analysis: Analysis[Implement]) -> list[str]:
     """Return in words what was used but is not the catalogue's: a bat from a file, changed materials or balls."""
     words = []
     described, used = analysis.bat, analysis.conditions.ball
-    known = [one for one in described.lineage() if _key_of(one) is not None]
+    known = [each for each in described.lineage() if _key_of(each) is not None]
     if not known:
         words.append(f"Sizes and weight of {described.name}: as given by whoever described it.")
     elif known[0] is not described:

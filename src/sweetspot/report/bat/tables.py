@@ -119,11 +119,11 @@ def misses_table(report: ReportAnswer) -> Table:
     off = f"off the {words.implement}"
     rows: list[list[Cell]] = [
         [
-            Slot(one.distance, "place", round=True),
-            cost(one.inside, drawn=drawn),
-            off if np.isnan(float(one.outside)) else cost(one.outside, drawn=drawn),
+            Slot(miss.distance, "place", round=True),
+            cost(miss.inside, drawn=drawn),
+            off if np.isnan(float(miss.outside)) else cost(miss.outside, drawn=drawn),
         ]
-        for one in report.misses
+        for miss in report.misses
     ]
     columns = [
         Column("miss by"),
@@ -183,7 +183,7 @@ def modes_table(bat: Implement, modes: Sequence[VibrationMode]) -> Table:
     words = words_of(bat)
     rows: list[list[Cell]] = []
     for family, most in SHOWN_MODES.items():
-        for mode in [one for one in modes if one.family == family][:most]:
+        for mode in [each for each in modes if each.family == family][:most]:
             nodes = [mode.nodes[index] for index in range(len(values_of(mode.nodes)))]
             places = joined((_from(bat.length, node).bare for node in nodes[::-1]), ", ")
             frequency = Slot(mode.frequency, "frequency", unit=False)

@@ -163,10 +163,10 @@ def _miss(report: ReportAnswer, words: Terms) -> Sentence:
     costs = [
         in_words(
             "{distance}: {inside} towards the {hands}, {outside} towards the {tip}", words,
-            distance=Slot(one.distance, "place", round=True), inside=cost(one.inside, drawn=drawn),
-            outside=f"off the {words.implement}" if np.isnan(float(one.outside)) else cost(one.outside, drawn=drawn),
+            distance=Slot(miss.distance, "place", round=True), inside=cost(miss.inside, drawn=drawn),
+            outside=f"off the {words.implement}" if np.isnan(float(miss.outside)) else cost(miss.outside, drawn=drawn),
         )
-        for one in report.misses
+        for miss in report.misses
     ]  # fmt: skip
     if not costs:
         return Sentence(())

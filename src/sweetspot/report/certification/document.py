@@ -48,7 +48,7 @@ MANY = 14
 
 def certificate_document(answer: CertifyAnswer) -> Document:
     """Return a tested bat as a document."""
-    chances = [one for one in answer.checks if one.passes_probability is not None]
+    chances = [check for check in answer.checks if check.passes_probability is not None]
     blocks: list[Block] = [Paragraph(_headline(answer))] if answer.checks else []
     blocks += [Paragraph(joined(map(_chance_words, chances)))] if chances else []
     blocks += [Paragraph(words, "warning") for words in _superseded(answer.checks)]
@@ -120,30 +120,30 @@ def _passing(answer: CertifyAnswer, wall: WallThatPasses) -> Sentence:
 
 def _headline(answer: CertifyAnswer) -> Sentence:
     exempt = any(
-        one.outcome.verdict is Verdict.NOT_APPLICABLE and one.outcome.rule.construction == "not one piece of wood"
-        for one in answer.checks
+        check.outcome.verdict is Verdict.NOT_APPLICABLE and check.outcome.rule.construction == "not one piece of wood"
+        for check in answer.checks
     )
     return (_broken(answer) if answer.failed else _kept(answer)) + (ONE_PIECE if exempt else "")
 
 
 def _broken(answer: CertifyAnswer) -> Sentence:
     """Return the rules that a bat breaks; where none is broken surely, those that it breaks as far as is known."""
-    bat, sure = answer.bat.name, [one for one in answer.failed if one.sure]
-    rules = joined([broken_words(one) for one in (sure or answer.failed)], "; ")
+    bat, sure = answer.bat.name, [each for each in answer.failed if each.sure]
+    rules = joined([broken_words(each) for each in (sure or answer.failed)], "; ")
     if not sure:
         return say(
             "{bat} fails as far as is known, but not surely: {rules}. What is not known reaches across the limit.",
             bat=bat, rules=rules,
         )  # fmt: skip
-    unsure = unsure_words([one.outcome for one in answer.checks], verdict=Verdict.FAIL)
+    unsure = unsure_words([check.outcome for check in answer.checks], verdict=Verdict.FAIL)
     return say("{bat} fails: {rules}." + unsure, bat=bat, rules=rules)
 
 
 def _kept(answer: CertifyAnswer) -> Sentence:
     """Return how many rules a bat surely keeps, and those that are not sure or left open."""
-    bat, checks = answer.bat.name, [one.outcome for one in answer.checks]
+    bat, checks = answer.bat.name, [each.outcome for each in answer.checks]
     if answer.untested:
-        rules = joined(dict.fromkeys(one.title for one in answer.untested), " and ")
+        rules = joined(dict.fromkeys(each.title for each in answer.untested), " and ")
         return say(
             "{bat} is not passed: this test does not decide {rules}: {reason}.",
             bat=bat, rules=rules, reason=answer.untested[0].reason,
@@ -152,7 +152,7 @@ def _kept(answer: CertifyAnswer) -> Sentence:
     counted = sum(check.verdict is not Verdict.NOT_APPLICABLE for check in checks)
     if not kept and not unsure:
         return say("No rule could be decided for {bat}, so nothing is passed.", bat=bat)
-    if all(one.rules.superseded for one in answer.checks):
+    if all(each.rules.superseded for each in answer.checks):
         return say("{bat} keeps limits that hold no more; they say nothing about today." + unsure, bat=bat)
     if kept == counted:
         return say("{bat} keeps every rule.", bat=bat)
@@ -164,14 +164,14 @@ def _kept(answer: CertifyAnswer) -> Sentence:
 
 
 def _superseded(checks: Sequence[RuleCheck]) -> list[str]:
-    leagues = {one.league: one.rules for one in checks}.values()
+    leagues = {check.league: check.rules for check in checks}.values()
     return [f"{league.name}: {league.superseded}." for league in leagues if league.superseded]
 
 
 def _ball_of_the_rule(answer: CertifyAnswer) -> list[Sentence]:
     """Return why a bat is tested with another ball than it is swung at; nothing where it is the same."""
     own = standard_conditions(answer.implement).ball
-    named = [one for one in answer.checks if ball(one.rules.ball) == answer.fired]
+    named = [check for check in answer.checks if ball(check.rules.ball) == answer.fired]
     if answer.fired == own or not named or answer.test is None:
         return []
     source = named[0].rules.rules[0].source
@@ -270,9 +270,10 @@ def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
         for place in shots.places
     ]
     lines = [
-        f"Row {one.row} stands out: BBCOR {one.bbcor:.4f}, {one.deviation:+.1f} robust standard deviations from the "
-        "median. It is counted." for one in shots.outliers
-    ]  # fmt: skip
+        f"Row {outlier.row} stands out: BBCOR {outlier.bbcor:.4f}, {outlier.deviation:+.1f} robust standard deviations "
+        "from the median. It is counted."
+        for outlier in shots.outliers
+    ]
     lines += [f"Row {bad.row} is not used: {bad.reason}." for bad in shots.bad_rows]
     if shots.ignored_columns:
         lines.append(f"Columns not used: {', '.join(shots.ignored_columns)}.")
@@ -293,11 +294,12 @@ def _rules(answer: CertifyAnswer) -> Table:
     columns += [Column(name, right=True) for name in ("value", "limit", "margin")]
     rows: list[list[Cell]] = [
         [
-            *([one.league] if alone is None else []), one.title, marked_verdict(one.outcome), _value(answer, one),
-            limit_shown(one), value_shown(one.quantity, one.margin, sign=True),
-            Cited(one.source, str(one.year or ""), "" if one.reading == "primary" else one.reading),
+            *([check.league] if alone is None else []), check.title, marked_verdict(check.outcome),
+            _value(answer, check),
+            limit_shown(check), value_shown(check.quantity, check.margin, sign=True),
+            Cited(check.source, str(check.year or ""), "" if check.reading == "primary" else check.reading),
         ]
-        for one in answer.checks
+        for check in answer.checks
     ]  # fmt: skip
     name = "certified rules" if len(rows) < MANY else "certified rules many"
     heading = "Rules" if alone is None else f"Rules of {alone}"
@@ -312,7 +314,7 @@ def _value(answer: CertifyAnswer, check: RuleCheck) -> Sentence:
 
 def _only_league(checks: Sequence[RuleCheck]) -> str | None:
     """Return the league's name, if all rules are of one."""
-    names = {one.league_name for one in checks}
+    names = {check.league_name for check in checks}
     return names.pop() if len(names) == 1 else None
 
 
@@ -324,7 +326,7 @@ def _reasons(checks: Sequence[RuleCheck]) -> list[str]:
     """Return why a rule is not a plain pass or fail."""
     alone = _only_league(checks)
     return [
-        f"{one.title}{'' if alone else f' ({one.league_name})'}: {one.outcome.words}: {one.reason}."
-        for one in checks
-        if one.reason
+        f"{check.title}{'' if alone else f' ({check.league_name})'}: {check.outcome.words}: {check.reason}."
+        for check in checks
+        if check.reason
     ]

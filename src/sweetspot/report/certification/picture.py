@@ -112,7 +112,7 @@ def _header(figure: Figure, answer: CertifyAnswer, width: float, height: float) 
     verdicts = "; ".join(
         _counted(count, verdict, doubt)
         for verdict, doubt in product(Verdict, ("", NOT_SURE))
-        if (count := sum(one.outcome.words == f"{verdict}{doubt}" for one in answer.checks))
+        if (count := sum(check.outcome.words == f"{verdict}{doubt}" for check in answer.checks))
     )
     figure.text(SIDE / width, 1 - 0.68 / height, f"{answer.ball}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
                 parse_math=False)  # fmt: skip
@@ -131,7 +131,7 @@ def _capital(verdicts: str) -> str:
 
 def _curve(answer: CertifyAnswer) -> _Curve:
     """Return what is drawn: what the rules limit, BBCOR where they limit something else."""
-    asked = {one.quantity for one in answer.checks if one.most is not None}
+    asked = {check.quantity for check in answer.checks if check.most is not None}
     test = answer.result
     if isinstance(test, ShotStatistics):
         places = np.array([place.position for place in test.places])
@@ -140,7 +140,7 @@ def _curve(answer: CertifyAnswer) -> _Curve:
     measure = "bpf" if "bpf" in asked and "bbcor" not in asked else "bbcor"
     tests = [(test.slow if measure == "bpf" else test.fast)]
     tests += [slow if measure == "bpf" else fast for fast, slow in test.other_patches]
-    curves = np.array([_values(one, measure) for one in tests])
+    curves = np.array([_values(each, measure) for each in tests])
     best = test.bpf if measure == "bpf" else test.bbcor
     return _Curve(measure, tests[0].position, curves[0], curves.min(axis=0), curves.max(axis=0),
                   (tests[0].best_position, best))  # fmt: skip
@@ -153,10 +153,10 @@ def _values(test: BatTest, measure: str) -> Array:
 def _limits(answer: CertifyAnswer, measure: str) -> list[tuple[str, float, str]]:
     """Return the leagues that limit a measure, the limit, and its colour; leagues with one limit share a line."""
     limits: dict[float, tuple[list[str], str]] = {}
-    for one in answer.checks:
-        if one.quantity == measure and one.most is not None:
-            names, _ = limits.setdefault(one.most, ([], COLOURS[one.outcome.verdict] if one.sure else MUTED))
-            names.append(one.league)
+    for check in answer.checks:
+        if check.quantity == measure and check.most is not None:
+            names, _ = limits.setdefault(check.most, ([], COLOURS[check.outcome.verdict] if check.sure else MUTED))
+            names.append(check.league)
     return [(", ".join(names), limit, colour) for limit, (names, colour) in limits.items()]
 
 

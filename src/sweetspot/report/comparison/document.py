@@ -54,7 +54,7 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(bats)
     gains, corked = verdict(answer), cork_verdict(answer) if corking else []
-    chances = [] if known is None else [gain_words(one, answer.reference) for one in known.gains]
+    chances = [] if known is None else [gain_words(gain, answer.reference) for gain in known.gains]
     main = "exit speed" if number == 1 else f"change of {bats[-1].label}"
     picture = Picture(
         "curves", lambda reading: _drawn(answer, reading),
@@ -62,7 +62,7 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
         caption="Tips aligned. Boxes: sweet zones. Dots: best places.",
         sheet=lambda reading: _drawn_sheet(answer, reading),
     )  # fmt: skip
-    ruled = any(one.certificate is not None for one in bats)
+    ruled = any(bat.certificate is not None for bat in bats)
     taken = assumed(answer, draws="`--uncertainty`")
     notes: list[Words] = [
         joined([taken, PLUS_MINUS] if _has_doubt(bats) else [taken]),
@@ -78,15 +78,15 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
             *(Paragraph(note, "note") for note in notes),
             *([] if known is None else [how_sure(known, main)]),
         ],
-        data=data, rows=as_columns([_row(one) for one in data["bats"]]), reader=reading, drawing=picture,
+        data=data, rows=as_columns([_row(each) for each in data["bats"]]), reader=reading, drawing=picture,
         details=_by_place(answer),
     )  # fmt: skip
 
 
 def comparison_document(comparison: Comparison[Implement]) -> Document:
     """Return a comparison alone as a document: nothing is known of its implements but what they are."""
-    every = (one.analysis for one in comparison.compared)
-    return compare_document(compare_of(comparison, [sources_of(one.bat, one.conditions) for one in every]))
+    every = (each.analysis for each in comparison.compared)
+    return compare_document(compare_of(comparison, [sources_of(each.bat, each.conditions) for each in every]))
 
 
 def _effort(answer: CompareAnswer) -> str:
@@ -96,8 +96,8 @@ def _effort(answer: CompareAnswer) -> str:
 
 def _has_doubt(bats: Sequence[ComparedBat]) -> bool:
     """Return whether a moment of inertia among them was not measured."""
-    every = (one.compared.analysis for one in bats)
-    return any(isinstance(one.bat, Bat) and moi_doubt(one.bat, one.body, STANDARD_AXIS) > 0 for one in every)
+    every = (bat.compared.analysis for bat in bats)
+    return any(isinstance(each.bat, Bat) and moi_doubt(each.bat, each.body, STANDARD_AXIS) > 0 for each in every)
 
 
 def _things(answer: CompareAnswer) -> Table:
@@ -109,19 +109,19 @@ def _things(answer: CompareAnswer) -> Table:
     columns += [weighed, Column("f1", "frequency"), Column("q max", "ratio")]
     columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
     rows: list[list[Cell]] = []
-    for one in answer.bats:
-        own, body = one.compared.analysis.bat, one.compared.analysis.body
+    for each in answer.bats:
+        own, body = each.compared.analysis.bat, each.compared.analysis.body
         turning: Cell = convention.text_of(body)
         if isinstance(own, Bat):
-            turning = moment(_of_draws(answer, one.bat.moi_6in), moi_doubt(own, body, STANDARD_AXIS))
+            turning = moment(_of_draws(answer, each.bat.moi_6in), moi_doubt(own, body, STANDARD_AXIS))
         row: list[Cell] = [
-            one.label, Slot(_of_draws(answer, one.bat.mass), "mass", unit=False),
-            Slot(_of_draws(answer, one.bat.balance_point), "length", unit=False),
+            each.label, Slot(_of_draws(answer, each.bat.mass), "mass", unit=False),
+            Slot(_of_draws(answer, each.bat.balance_point), "length", unit=False),
             turning,
-            Slot(_of_draws(answer, one.bending_1), "frequency", unit=False),
-            Slot(_of_draws(answer, one.max_collision_efficiency), "ratio"),
+            Slot(_of_draws(answer, each.bending_1), "frequency", unit=False),
+            Slot(_of_draws(answer, each.max_collision_efficiency), "ratio"),
         ]  # fmt: skip
-        row += [Slot(_of_draws(answer, one.max_bbcor), "ratio")] if isinstance(bat, Bat) else []
+        row += [Slot(_of_draws(answer, each.max_bbcor), "ratio")] if isinstance(bat, Bat) else []
         rows.append(row)
     return Table(f"The {tool}s", columns, rows, name="compared")
 
@@ -146,11 +146,11 @@ def _in_play(answer: CompareAnswer) -> Table:
 
     rows: list[list[Cell]] = [
         [
-            one.label, speed(one.bat_speed), speed(one.exit_speed),
-            speed(one.change, "speed_change", sign=True) if number else "reference",
-            Slot(_of_draws(answer, one.break_even_bat_speed), "speed", unit=False),
+            each.label, speed(each.bat_speed), speed(each.exit_speed),
+            speed(each.change, "speed_change", sign=True) if number else "reference",
+            Slot(_of_draws(answer, each.break_even_bat_speed), "speed", unit=False),
         ]
-        for number, one in enumerate(answer.bats)
+        for number, each in enumerate(answer.bats)
     ]  # fmt: skip
     return Table("In play", columns, rows, name="compared")
 
@@ -161,9 +161,9 @@ def _by_place(answer: CompareAnswer) -> list[Block]:
     if not isinstance(first.analysis.bat, Bat) or not 0 < len(others) <= MOST_BY_PLACE:
         return []
     known = first.exit_speed_from_tip(PLACES)
-    changes = [one.exit_speed_from_tip(PLACES) - known for one in others]
+    changes = [other.exit_speed_from_tip(PLACES) - known for other in others]
     columns = [
-        Column("hit from the tip", "place"), *(Column(f"{one.label},", "speed_change", sign=True) for one in others)
+        Column("hit from the tip", "place"), *(Column(f"{other.label},", "speed_change", sign=True) for other in others)
     ]  # fmt: skip
     rows: list[list[Cell]] = [list(map(float, row)) for row in zip(PLACES, *changes, strict=True)]
     return [Table(f"Change by place, against {first.label}", columns, rows)]
@@ -199,9 +199,9 @@ def legality_table(bats: Sequence[ComparedBat]) -> Table:
     """Return the verdict on every bat that was held against rules, and which rules make it or stay open."""
     columns = [Column("bat"), Column("rules of"), Column("verdict"), Column("why")]
     rows: list[list[Cell]] = [
-        [one.label, _leagues(tested), _verdict(tested), _reason(tested)]
-        for one in bats
-        if (tested := one.certificate) is not None
+        [bat.label, _leagues(tested), _verdict(tested), _reason(tested)]
+        for bat in bats
+        if (tested := bat.certificate) is not None
     ]
     return Table("By the rules, as the model sees it; no certificate", columns, rows, name="compared")
 
@@ -217,19 +217,19 @@ def _verdict(tested: CertifyAnswer) -> Marked:
 def _reason(tested: CertifyAnswer) -> Sentence:
     """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
     if tested.failed:
-        return joined([broken_words(one) + say(_doubt(one)) for one in tested.failed], "; ")
+        return joined([broken_words(each) + say(_doubt(each)) for each in tested.failed], "; ")
     lively = [
-        say("{rule} of the test {value}, allowed {limit}{doubt}", rule=one.title,
-            value=value_shown(one.quantity, one.value), limit=limit_shown(one), doubt=_doubt(one))
-        for one in tested.checks
-        if one.outcome.verdict is Verdict.PASS and one.quantity in ("bbcor", "bpf", "besr")
+        say("{rule} of the test {value}, allowed {limit}{doubt}", rule=check.title,
+            value=value_shown(check.quantity, check.value), limit=limit_shown(check), doubt=_doubt(check))
+        for check in tested.checks
+        if check.outcome.verdict is Verdict.PASS and check.quantity in ("bbcor", "bpf", "besr")
     ]  # fmt: skip
     lively += [
-        say("one piece of wood, which {league} do not hold to {rule}", league=one.league_name, rule=one.title)
-        for one in tested.checks
-        if one.outcome.verdict is Verdict.NOT_APPLICABLE and one.quantity == "bbcor"
+        say("one piece of wood, which {league} do not hold to {rule}", league=check.league_name, rule=check.title)
+        for check in tested.checks
+        if check.outcome.verdict is Verdict.NOT_APPLICABLE and check.quantity == "bbcor"
     ]
-    left = [one.title for one in tested.checks if one.outcome.verdict is Verdict.NOT_DECIDABLE]
+    left = [check.title for check in tested.checks if check.outcome.verdict is Verdict.NOT_DECIDABLE]
     return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
 
 
@@ -238,5 +238,5 @@ def _doubt(check: RuleCheck) -> str:
 
 
 def _leagues(tested: CertifyAnswer) -> str:
-    names = {one.league: one.league_name for one in tested.checks}
+    names = {check.league: check.league_name for check in tested.checks}
     return "; ".join(names.values())

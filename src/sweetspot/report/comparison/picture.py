@@ -64,10 +64,10 @@ def compare_figure(answer: CompareAnswer, reading: Reader = US) -> Figure:
     reading : whose units.
     """
     compared = answer.comparison.compared
-    length = max(one.analysis.bat.length for one in compared)
+    length = max(each.analysis.bat.length for each in compared)
     across = WIDTH - 2 * SIDE
     scale = marks.metres_per_inch_of_paper(length, across)
-    outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
+    outlines = max(float(each.analysis.bat.width_at(_places(each)).max()) for each in compared) / scale + 0.1
     rows, differences = ROW * (len(compared) + 0.4), DIFFERENCES + BETWEEN if len(compared) > 1 else 0.0
     zoomed = _window(compared, length) > 0
     between = BETWEEN + (ZOOMED if zoomed else 0.0)
@@ -104,9 +104,9 @@ def compare_figure(answer: CompareAnswer, reading: Reader = US) -> Figure:
 def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
     """Return `compare_figure` for a printed sheet, whose tables hold the zones' numbers: curves side by side."""
     compared, side, top = answer.comparison.compared, 0.5, 0.22
-    length, across = max(one.analysis.bat.length for one in compared), SHEET - 2 * side
+    length, across = max(each.analysis.bat.length for each in compared), SHEET - 2 * side
     scale = marks.metres_per_inch_of_paper(length, across)
-    outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
+    outlines = max(float(each.analysis.bat.width_at(_places(each)).max()) for each in compared) / scale + 0.1
     drawn = len(compared) <= MOST_OUTLINES
     tall = 1.3 if drawn else 0.9  # the tables of many bats leave little room, and letters are as small as it makes them
     names = 0.2 * math.ceil(len(compared) / NAMES_IN_A_ROW)
@@ -131,15 +131,15 @@ def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
         marks.show_from_tip(axes, length, reading)
         axes.set_xlabel(from_the_tip(compared[0].analysis.bat, reading), labelpad=2)
     lines = [Line2D([], [], color=_look(number)[0], linestyle=_look(number)[1]) for number in range(len(compared))]
-    labels = [fitted(one.label, width=2.0, size=SMALL, smallest=SMALL)[0].replace("$", r"\$") for one in compared]
+    labels = [fitted(each.label, width=2.0, size=SMALL, smallest=SMALL)[0].replace("$", r"\$") for each in compared]
     figure.legend(lines, labels, loc="lower left", ncols=NAMES_IN_A_ROW, frameon=False, fontsize=SMALL, borderpad=0)
     return figure
 
 
 def _window(compared: Sequence[Compared[Implement]], length: float) -> float:
     """Return where the panels begin in m on the common axis: at the longest one's end, or where all faces do."""
-    return min(marks.window(one.analysis.bat)[0] + length - one.analysis.bat.length
-               if marks.is_zoomed(one.analysis.bat) else 0.0 for one in compared)  # fmt: skip
+    return min(marks.window(each.analysis.bat)[0] + length - each.analysis.bat.length
+               if marks.is_zoomed(each.analysis.bat) else 0.0 for each in compared)  # fmt: skip
 
 
 def _header(figure: Figure, answer: CompareAnswer, height: float, reading: Reader) -> None:
@@ -159,9 +159,9 @@ def _header(figure: Figure, answer: CompareAnswer, height: float, reading: Reade
 
 def _outlines(axes: Axes, compared: Sequence[Compared[Implement]], length: float, half: float) -> None:
     """Draw every outline to scale, the first one filled."""
-    for number, one in reversed(list(enumerate(compared))):
-        places, (colour, dash) = _places(one), _look(number)
-        across, along = one.analysis.bat.width_at(places) / 2, places + length - one.analysis.bat.length
+    for number, each in reversed(list(enumerate(compared))):
+        places, (colour, dash) = _places(each), _look(number)
+        across, along = each.analysis.bat.width_at(places) / 2, places + length - each.analysis.bat.length
         ends = np.concatenate([along, along[::-1], along[:1]]), np.concatenate([across, -across[::-1], across[:1]])
         axes.plot(*ends, color=colour, linestyle=dash, linewidth=1.0)
         if number == 0:
@@ -180,12 +180,12 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
     heading(axes, name, f"how fast the {words.ball} leaves, {reading.unit('speed')}")
     size = reading.units["speed"].size
     tops, lows = [], []
-    for number, one in reversed(list(enumerate(compared))):  # the reference last, on top
-        scan, (colour, dash) = one.analysis.scan, _look(number)
-        places, speed = scan.position + length - one.analysis.bat.length, scan.exit_speed / size
+    for number, each in reversed(list(enumerate(compared))):  # the reference last, on top
+        scan, (colour, dash) = each.analysis.scan, _look(number)
+        places, speed = scan.position + length - each.analysis.bat.length, scan.exit_speed / size
         speed = np.where(places > (1 - OUTER) * length, speed, np.nan)  # nobody means to hit nearer the hands
         axes.plot(places, speed, color=colour, linestyle=dash, linewidth=1.5)
-        axes.plot(_best(one, length), one.exit_speed.value / size, "o", color=colour, markersize=5,
+        axes.plot(_best(each, length), each.exit_speed.value / size, "o", color=colour, markersize=5,
                   markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)  # fmt: skip
         tops.append(float(np.nanmax(speed)))
         lows.append(float(np.nanmin(speed)))
@@ -204,9 +204,9 @@ def _differences(axes: Axes, bats: Sequence[ComparedBat], length: float, reading
     places = np.linspace((1 - OUTER) * length, length, POINTS)
     axes.axhline(0, color=COLOURS[0], linewidth=1.0)
     ends = [0.0]
-    for number, one in enumerate(bats[1:], start=1):
-        along, (colour, dash) = one.scan.position + length - one.compared.analysis.bat.length, _look(number)
-        change = one.scan.change
+    for number, each in enumerate(bats[1:], start=1):
+        along, (colour, dash) = each.scan.position + length - each.compared.analysis.bat.length, _look(number)
+        change = each.scan.change
         sides = (change.value, change.low, change.high) if isinstance(change, Band) else (change,)
         shown = [np.interp(places, along, side, left=np.nan, right=np.nan) / size for side in sides]
         axes.plot(places, shown[0], color=colour, linestyle=dash, linewidth=1.5)
@@ -230,22 +230,22 @@ def _zones(axes: Axes, bats: Sequence[ComparedBat], length: float, reading: Read
     axes.set_ylim(-len(bats) + 0.3, 0.7)
     heading(axes, "Sweet zones", "fast and quiet; with the exit speed at the best place, and its change")
     edge = axes.get_xlim()[0]
-    for number, one in enumerate(bats):
+    for number, each in enumerate(bats):
         colour, dash = _look(number)
-        zone, best = one.zone, _best(one.compared, length)
+        zone, best = each.zone, _best(each.compared, length)
         if zone is not None:
-            start = zone[0] + length - one.compared.analysis.bat.length
+            start = zone[0] + length - each.compared.analysis.bat.length
             axes.add_patch(
                 Rectangle((start, -number - 0.3), zone[1] - zone[0], 0.6, facecolor=colour, alpha=0.22, linewidth=0,
                           gid="zone")
             )  # fmt: skip
         axes.plot(best, -number, "o", color=colour, markersize=5, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)
         axes.plot([edge, edge + 0.025 * length], [-number, -number], color=colour, linestyle=dash, linewidth=2)
-        name, size = fitted(one.label, width=NAME_WIDTH, size=NORMAL, smallest=SMALL)
+        name, size = fitted(each.label, width=NAME_WIDTH, size=NORMAL, smallest=SMALL)
         look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": size, "parse_math": False}
         axes.text(edge + 0.035 * length, -number, name, ha="left", **look)
-        change = within(interval_of(one.change), "speed_change", sign=True).read(reading)
-        words = reading.shown(float(one.exit_speed), "speed") + (f"  {change}" if number else "")
+        change = within(interval_of(each.change), "speed_change", sign=True).read(reading)
+        words = reading.shown(float(each.exit_speed), "speed") + (f"  {change}" if number else "")
         left = edge + 0.66 * (axes.get_xlim()[1] - edge)
         axes.text(left, -number, words, ha="right", va="center_baseline", color=INK, size=SMALL, parse_math=False)
 

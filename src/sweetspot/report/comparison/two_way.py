@@ -47,11 +47,11 @@ def two_way_document(table: TwoWay, answer: str, bat: str = "") -> Document:
 def _every_answer(table: TwoWay) -> Table:
     """Return every answer of every row: variants of a bat side by side."""
     name = table.rows.variation
-    names = [one for one in TableCell.__dataclass_fields__ if one != name]
+    names = [dataclass_field for dataclass_field in TableCell.__dataclass_fields__ if dataclass_field != name]
     columns = [Column(name.replace("_", " "), QUANTITIES[name].scale)]
-    columns += [Column(HEADINGS[one], QUANTITIES[one].scale) for one in names]
+    columns += [Column(HEADINGS[each], QUANTITIES[each].scale) for each in names]
     rows: list[list[Cell]] = [
-        [varied(name, value), *(getattr(cell.answers, one, math.nan) for one in names)]
+        [varied(name, value), *(getattr(cell.answers, each, math.nan) for each in names)]
         for value, (cell,) in zip(table.rows.values, table.cells, strict=True)
     ]
     return Table("", columns, rows)

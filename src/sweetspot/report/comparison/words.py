@@ -28,16 +28,16 @@ def verdict(answer: CompareAnswer) -> list[Sentence]:
     What is not in the intervals is taken as described, and a sentence says itself that it holds only if that is so.
     """
     sentences = []
-    for index, one in enumerate(answer.bats[1:], start=1):
+    for index, each in enumerate(answer.bats[1:], start=1):
         taken = [answer.bats[which].label for which in (0, index) if not answer.sources[which].unknowns]
         given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
-        sentences.append(_sentence(answer, one, given=given))
+        sentences.append(_sentence(answer, each, given=given))
     return sentences
 
 
 def changes(answer: CompareAnswer) -> list[Sentence]:
     """Return one sentence for every bat after the first, without a word on how sure it is."""
-    return [_change_words(answer, one) + "." for one in answer.bats[1:]]
+    return [_change_words(answer, bat) + "." for bat in answer.bats[1:]]
 
 
 def gain_words(gain: BatGain, reference: str) -> Sentence:
@@ -55,7 +55,7 @@ def cork_verdict(answer: CompareAnswer) -> list[Sentence]:
 
     The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
     """
-    first, corked = answer.bats[0], next(one for one in answer.bats if one.label == "cork")
+    first, corked = answer.bats[0], next(bat for bat in answer.bats if bat.label == "cork")
     return [_answer(first, corked, answer), _beside_published(first, corked), _papers_argument(first, corked)]
 
 
@@ -131,7 +131,9 @@ def without_draws(answer: CompareAnswer, draws: str) -> Sentence:
 def taken_as_described(answer: CompareAnswer) -> list[Sentence]:
     """Return of which of them no doubt is in the intervals, bat by bat; none: of every one it is."""
     every = zip(answer.bats, answer.sources, strict=True)
-    return [say("{label} is {where}.", label=one.label, where=its.bat_where) for one, its in every if not its.unknowns]
+    return [
+        say("{label} is {where}.", label=each.label, where=its.bat_where) for each, its in every if not its.unknowns
+    ]
 
 
 def _axis(axis: float, butt: str) -> Sentence:

@@ -257,10 +257,10 @@ def touched_again_between(from_tip: Array, touches: Array, words: Terms) -> list
     places = np.flatnonzero(touches > 1)
     if len(places) == 0:
         return []
-    stretches = [from_tip[one] for one in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)]
+    stretches = [from_tip[each] for each in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)]
     spans = (
-        Sentence((Span(float(one.min()), float(one.max()), "place", unit=False),))
-        for one in sorted(stretches, key=np.min)
+        Sentence((Span(float(stretche.min()), float(stretche.max()), "place", unit=False),))
+        for stretche in sorted(stretches, key=np.min)
     )
     where = in_words(
         "Hit {places} {unit} from the {tip}, the", words, unit=UnitName("place"), places=joined(spans, " and "),

@@ -19,7 +19,7 @@ from sweetspot.units import grouped
 def impacts_document(hits: Impacts | Strikes) -> Document:
     """Return many collisions as a document; nobody says here whose they are, or how fast the bat was swung."""
     columns = {
-        "outcome": [Outcome(int(one)).name.lower() for one in hits.outcome.ravel()],
+        "outcome": [Outcome(int(each)).name.lower() for each in hits.outcome.ravel()],
         **{key(name): getattr(hits, name).ravel().tolist()
            for name in ("collision_efficiency", "contact_time", "peak_force", "peak_compression")},
     }  # fmt: skip

@@ -226,7 +226,7 @@ def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = 
     shown = limits[1] - limits[0]
     step = TICKS[unit.name][1]
     if shown <= length / 2:
-        step = next(one for one in STEPS if shown / (one * unit.size) < MOST_TICKS)
+        step = next(each for each in STEPS if shown / (each * unit.size) < MOST_TICKS)
     counts = np.arange(0, length / unit.size + 1e-6, step)
     places = length - counts * unit.size
     seen = (places >= limits[0]) & (places <= limits[1])
