@@ -27,7 +27,7 @@ from sweetspot.validation.computations.collision import rigid_wall
 from sweetspot.validation.computations.flight import best_swing_at, pitch_flight
 from sweetspot.validation.computations.space import league_sidespin
 from sweetspot.web.answers import TIME_LIMIT
-from sweetspot.web.limits import LARGEST_BODY, MESSAGES_PER_SECOND, MOST_SOCKETS, REQUESTS_PER_SECOND
+from sweetspot.web.limits import LARGEST_BODY, MOST_SOCKETS
 from sweetspot.web.states import LONGEST_TOML, MOST_STATIONS
 
 
@@ -69,8 +69,6 @@ def _page() -> dict[str, str]:
         "page_bat": f"{LONGEST_TOML // 1000} kB",
         "page_stations": str(MOST_STATIONS),
         "page_time": f"{TIME_LIMIT:g} s",
-        "page_rate": f"{REQUESTS_PER_SECOND:g}",
-        "page_messages": f"{MESSAGES_PER_SECOND:g}",
         "page_sockets": str(MOST_SOCKETS),
     }
 
@@ -137,9 +135,9 @@ def _two_laws(analysis: Analysis) -> dict[str, str]:
         return float(np.interp(length - inches * INCH, other.position, other.exit_speed - ours)) / MPH
 
     def on_wall(speed: float, stiffness: float, law_speed: float) -> Impact:
-        own = ball.replaced(stiffness=stiffness)
-        law = HuntCrossley.for_speed(own, law_speed)
-        return hit(rigid_wall(), ball=own, position=0.0, closing_speed=speed, law=law)
+        stiffened = ball.replaced(stiffness=stiffness)
+        law = HuntCrossley.for_speed(stiffened, law_speed)
+        return hit(rigid_wall(), ball=stiffened, position=0.0, closing_speed=speed, law=law)
 
     hard = 151 * MPH
     real = hit(rigid_wall(), ball=ball, position=0.0, closing_speed=hard)
