@@ -1,4 +1,4 @@
-"""The catalogue's bats under the standard conditions, analysed once per build."""
+"""The catalog's bats under the standard conditions, analyzed once per build."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FLAGSHIP = "r161-ash"
 
 @cache
 def analysed(name: str = FLAGSHIP) -> Analysis:
-    """Return the full answer for a bat of the catalogue."""
+    """Return the full answer for a catalog bat."""
     bat = catalog.bat(name)
     return analyse(bat, standard_conditions(bat))
 
@@ -32,7 +32,7 @@ def from_tip(analysis: Analysis, position: Any) -> Any:
 
 @cache
 def best_contact(pitch: str, attack_angle: float | None = None) -> BestSwing:
-    """Return the contact of the flagship bat, held level, that carries a pitch of the catalogue farthest."""
+    """Return the contact of the flagship bat, held level, that carries a catalog pitch farthest."""
     bat, ball = catalog.bat(FLAGSHIP), catalog.ball()
     return best_swing(
         reduced_bat(bat, ball=ball),

@@ -1,4 +1,4 @@
-"""What the program stands on: every pinned package with its licence, as the packages themselves state it."""
+"""The program's dependencies: every pinned package with its license, from the package's own metadata."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ PIN = re.compile(r"^([A-Za-z0-9_.-]+)==([^\s;]+)", re.MULTILINE)
 LICENCE_CLASS = "License :: "
 UNSAID = "not said"
 LONGEST = 60
-"""Letters; a licence field that is longer holds the licence's whole text."""
+"""Characters; a longer license field holds the whole text."""
 
 
 def licences_table() -> str:
-    """Return a Markdown table of packages, versions, licences and what each is."""
+    """Return a Markdown table of packages, versions, licenses and summaries."""
     rows = []
     for name, version in PIN.findall(PINNED.read_text(encoding="utf-8")):
         try:
@@ -30,7 +30,7 @@ def licences_table() -> str:
 
 
 def licence_of(about: metadata.PackageMetadata) -> str:
-    """Return the licence that a package's metadata name, in whichever of the three places they do."""
+    """Return the license in a package's metadata, from whichever of its three fields has it."""
     stated = about.get("License-Expression") or about.get("License") or ""
     if stated and len(stated) <= LONGEST and "\n" not in stated:
         return stated

@@ -24,8 +24,8 @@ def reference_pages() -> dict[str, str]:
 
 def _page(name: str, files: list[Path]) -> str:
     front = ROOT / name / "__init__.py"
-    told = ast.get_docstring(ast.parse(front.read_text(encoding="utf-8"))) if front.exists() else None
-    parts = [_titled(name, "="), *([told] if told else [])]
+    docstring = ast.get_docstring(ast.parse(front.read_text(encoding="utf-8"))) if front.exists() else None
+    parts = [_titled(name, "="), *([docstring] if docstring else [])]
     for file in files:
         place = file.relative_to(ROOT).with_suffix("").parts
         if place[-1] != "__init__" and not any(part.startswith("_") for part in place):

@@ -1,4 +1,4 @@
-"""Tables of the sports' pages, written as Markdown from the catalogue and the published cases."""
+"""Tables of the sports' pages, written as Markdown from the catalog and the published cases."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ CASES: dict[str, tuple[str, ...]] = {
 
 def pages() -> dict[str, Callable[[], str]]:
     """Return every included text of the sports' pages by the name of its file."""
-    each = {f"sport_{name.replace('-', '_')}": partial(sport_page, name) for name in CASES}
-    return {"sports_table": sports_table, **each}
+    by_sport = {f"sport_{name.replace('-', '_')}": partial(sport_page, name) for name in CASES}
+    return {"sports_table": sports_table, **by_sport}
 
 
 def sports_table() -> str:
@@ -62,7 +62,9 @@ def sport_page(name: str) -> str:
         parts.append(_marks(found))
     parts.append("## The paper's formulas\n\n" + _formulas(found))
     if found.terms:
-        parts.append("## Words\n\n" + "\n\n".join(f"{escaped(word)}\n: {escaped(told)}" for word, told in found.terms))
+        parts.append(
+            "## Words\n\n" + "\n\n".join(f"{escaped(word)}\n: {escaped(meaning)}" for word, meaning in found.terms)
+        )
     parts.append("## Published cases\n\n" + _cases(name))
     left_out = "\n".join(f"- {escaped(text)}" for text in found.not_covered)
     parts.append(f"## What the model does not cover\n\n{left_out}")
@@ -71,14 +73,14 @@ def sport_page(name: str) -> str:
 
 def _numbers(found: Sport) -> str:
     stroke = found.stroke
-    known: tuple[Fact, ...] = (stroke.swing_speed, stroke.ball_speed, *found.speeds, *found.limits, *found.facts)
+    facts: tuple[Fact, ...] = (stroke.swing_speed, stroke.ball_speed, *found.speeds, *found.limits, *found.facts)
 
-    def row(one: Fact) -> str:
-        side = f"at {one.side} " if isinstance(one, RuleLimit) else ""
-        cells = (one.name, f"{side}{one.marked}", one.kind, source(one.source), one.where)
+    def row(fact: Fact) -> str:
+        side = f"at {fact.side} " if isinstance(fact, RuleLimit) else ""
+        cells = (fact.name, f"{side}{fact.marked}", fact.kind, source(fact.source), fact.where)
         return "| " + " | ".join(cell if "](#" in cell else escaped(cell) for cell in cells) + " |"
 
-    return "\n".join(["| | value | kind | source | where |", "|" + " --- |" * 5, *map(row, known)])
+    return "\n".join(["| | value | kind | source | where |", "|" + " --- |" * 5, *map(row, facts)])
 
 
 def _marks(found: Sport) -> str:
@@ -109,7 +111,7 @@ def _results() -> tuple[Result, ...]:
 
 
 def _cases(name: str) -> str:
-    own = [result for result in _results() if result.source in CASES[name]]
+    results = [result for result in _results() if result.source in CASES[name]]
     rows = [
         (
             f"{result.name}: {result.quantity}",
@@ -118,12 +120,12 @@ def _cases(name: str) -> str:
             f"{result.status}, {result.evidence}",
             f"[{result.source}]",
         )
-        for result in own
+        for result in results
     ]
     misses = "\n".join(
         f"- **{escaped(result.name)}, {escaped(result.quantity)}:** {escaped(result.expected_miss)}"
-        for result in own
+        for result in results
         if result.expected_miss
     )
-    told = f"\n\nWhy some miss:\n\n{misses}" if misses else ""
-    return table(("case", "printed", "computed", "verdict", "source"), rows) + told
+    explained = f"\n\nWhy some miss:\n\n{misses}" if misses else ""
+    return table(("case", "printed", "computed", "verdict", "source"), rows) + explained

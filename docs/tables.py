@@ -123,7 +123,7 @@ def paper_table() -> str:
 
 
 def bats_table() -> str:
-    """Return length, weight, balance and swing weight of every bat of the catalogue."""
+    """Return length, weight, balance and swing weight of every catalog bat."""
     rows = []
     for name in catalog.bat_names():
         analysis = analysed(name)
@@ -142,7 +142,7 @@ def bats_table() -> str:
 
 
 def catalogue_page() -> str:
-    """Return every value of the catalogue with its source."""
+    """Return every value of the catalog with its source."""
     parts = []
     for heading, entries in (
         ("Materials", read_table("materials.toml")),
@@ -162,11 +162,14 @@ def catalogue_page() -> str:
 
 def _records_table(found: list[Record]) -> str:
     rows = [
-        f"| {one.name.rsplit('.', 1)[1].replace('_', ' ')} | {_written(one.value)} | {_written(one.spread)} | "
-        f"{one.kind}, {source(one.source)} | {escaped(one.where)} |"
-        for one in found
+        f"| {record.name.rsplit('.', 1)[1].replace('_', ' ')} | {_written(record.value)} | {_written(record.spread)} | "
+        f"{record.kind}, {source(record.source)} | {escaped(record.where)} |"
+        for record in found
     ]
-    return "\n".join(["| value | is | ± | kind, source | where in it, or why |", "|" + " --- |" * 5, *rows]) + "\n"
+    return (
+        "\n".join(["| value | is | ± | kind, source | place in the source, or reason |", "|" + " --- |" * 5, *rows])
+        + "\n"
+    )
 
 
 def _written(value: Any) -> str:
@@ -242,12 +245,12 @@ def parks_table() -> str:
         yield str(fence["year"])
         yield f"{fence['spread_ft']:.0f}" if "spread_ft" in fence else "-"
 
-    head = ("park", "team", "elevation, ft", "roof", "left, ft", "", "centre", "", "right", "wall, ft", "year", "±, ft")
+    head = ("park", "team", "elevation, ft", "roof", "left, ft", "", "center", "", "right", "wall, ft", "year", "±, ft")
     return table(head, [list(row(name)) for name in catalog.park_names()])
 
 
 def pitches_table() -> str:
-    """Return the catalogue's pitches as they leave the hand and as they arrive."""
+    """Return the catalog's pitches as they leave the hand and as they arrive."""
 
     def row(name: str) -> Iterator[str]:
         found = pitch_flight(name, "pitched-baseball")
@@ -267,7 +270,7 @@ def pitches_table() -> str:
 
 
 def optimum_table() -> str:
-    """Return the best contact with each of the catalogue's pitches, the flagship bat held level."""
+    """Return the best contact with each of the catalog's pitches, the flagship bat held level."""
 
     def row(name: str) -> Iterator[str]:
         best, pitch = best_contact(name), pitch_flight(name, "pitched-baseball")
@@ -320,5 +323,5 @@ def home_runs_table() -> str:
         yield f"{best.distance / FOOT:.0f}"
         yield f"{best.height / FOOT:.0f}"
 
-    head = ("park", "exit speed, mph", "launch, deg", "towards, deg", "fence, ft", "wall, ft")
+    head = ("park", "exit speed, mph", "launch, deg", "direction, deg", "fence, ft", "wall, ft")
     return table(head, [list(row(best)) for best in sorted(found, key=lambda best: best.exit_speed)])

@@ -1,6 +1,6 @@
 """A directive that draws a formula with matplotlib's own mathtext, as SVG inside the page.
 
-No network and no LaTeX: the formula is drawn when the page is read. The text colour is the page's, so it also reads
+No network and no LaTeX: the formula is drawn when the page is read. The text color is the page's, so it also reads
 in the dark theme.
 """
 

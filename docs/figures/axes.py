@@ -48,19 +48,19 @@ def _whole_bat(axes: Axes) -> None:
 
     for place in np.linspace(12, length - 2, 9):
         _arrow(axes, (place, 3.8), (place, 3.8 + place / 12), BLUE, 0.9)
-    axes.text(36, 8.6, "bat speed = ω (x \N{MINUS SIGN} pivot), > 0 towards the ball", color=BLUE, ha="center")
+    axes.text(36, 8.6, "bat speed = ω (x \N{MINUS SIGN} pivot), > 0 toward the ball", color=BLUE, ha="center")
     axes.add_patch(Arc((0, 0), 13, 13, theta1=10, theta2=75, color=BLUE, linewidth=1.4))
     _arrow(axes, (2.6, 5.95), (1.4, 6.35), BLUE, 1.4)
     axes.text(-1.5, 7.6, "ω about the pivot\n(default: knob end)", color=BLUE, ha="right", va="center")
 
     axes.add_patch(Circle((HIT, 17.5), 3.7, facecolor="white", edgecolor=INK))
     _arrow(axes, (HIT - 1.6, 24.5), (HIT - 1.6, 14.8), RED, 1.8)
-    axes.text(HIT - 5.0, 20.5, "ball speed, > 0\ntowards the bat", color=RED, ha="right", va="center")
+    axes.text(HIT - 5.0, 20.5, "ball speed, > 0\ntoward the bat", color=RED, ha="right", va="center")
     _arrow(axes, (HIT + 1.6, 14.8), (HIT + 1.6, 24.5), GREEN, 1.8)
     axes.text(HIT + 5.0, 20.5, "exit speed, > 0\naway from the bat", color=GREEN, ha="left", va="center")
 
     _arrow(axes, (HANDS, -5.6), (HANDS, -1.6), INK, 1.8)
-    axes.text(HANDS + 1.5, -4.6, "hand impulse, > 0 the way the bat was going", ha="left", va="center")
+    axes.text(HANDS + 1.5, -4.6, "hand impulse, > 0 in the direction of the swing", ha="left", va="center")
     axes.set(xlim=(-21, length + 14), ylim=(-17.5, 26), aspect="equal")
     axes.axis("off")
 
@@ -81,11 +81,11 @@ def _oblique(axes: Axes) -> None:
     axes.add_patch(Arc((11, 0), 11, 11, theta1=90, theta2=90 + 32, color=INK, linewidth=1.2))
     axes.text(9.35, 5.9, f"{ALPHA} > 0", ha="center")
     _arrow(axes, (11.0, 0.35), (15.0, 0.35), BLUE, 1.6)
-    axes.text(15.2, 0.75, f"along the bat: v sin {ALPHA}, > 0 towards the tip", color=BLUE, va="center")
+    axes.text(15.2, 0.75, f"along the bat: v sin {ALPHA}, > 0 toward the tip", color=BLUE, va="center")
     _arrow(axes, (14.0, 7.5), (14.0, 3.3), BLUE, 1.6)
-    axes.text(14.3, 5.4, f"across the bat: v cos {ALPHA}, what the normal collision sees", color=BLUE, va="center")
+    axes.text(14.3, 5.4, f"across the bat: v cos {ALPHA}, the speed of the normal collision", color=BLUE, va="center")
     _measure(axes, 11.0, 13.0, -0.9, "")
-    axes.text(13.2, -0.95, "S, travel along the bat while they touch", va="center")
+    axes.text(13.2, -0.95, "S, displacement along the bat during contact", va="center")
     axes.set(xlim=(-1, 31), ylim=(-3.2, 12.2), aspect="equal")
     axes.axis("off")
 

@@ -1,4 +1,4 @@
-"""What each measurement of a bat is worth: the doubt of its wood and of its exit speed, step by step."""
+"""The value of each measurement of a bat: uncertainty of its moduli and exit speed, step by step."""
 
 from __future__ import annotations
 
@@ -41,16 +41,16 @@ def worth_figure() -> Figure:
     for new in STEPS.values():
         values = predicted(beam, new).tolist()
         so_far += [
-            Measurement(one.kind, Measured(value, one.value.error), mode=one.mode)
-            for one, value in zip(new, values, strict=True)
+            Measurement(old.kind, Measured(value, old.value.error), mode=old.mode)
+            for old, value in zip(new, values, strict=True)
         ]
-        covariance = np.diag([one.spread**2 for one in unknowns])
-        known = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
+        covariance = np.diag([unknown.spread**2 for unknown in unknowns])
+        described = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
         if so_far:
             posterior = calibrate(beam, unknowns, so_far)
-            covariance, known = posterior.covariance, calibrated_bat(posterior, None)
-        open_yet = sources_of(known, conditions, known=(unknowns, covariance))  # with what the outline leaves open
-        question = HitQuestion(known, conditions, place, sources=replace(open_yet, others=()), draws=256)
+            covariance, described = posterior.covariance, calibrated_bat(posterior, None)
+        open_yet = sources_of(described, conditions, known=(unknowns, covariance))  # with what the outline leaves open
+        question = HitQuestion(described, conditions, place, sources=replace(open_yet, others=()), draws=256)
         sure = hit_answer(question).exit_speed
         assert isinstance(sure, Interval)
         speed.append((sure.high - sure.low) / 2 / MPH)

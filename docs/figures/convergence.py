@@ -1,4 +1,4 @@
-"""How the answers settle: with finer meshes, shorter time steps and more modes."""
+"""Convergence of the answers with finer meshes, shorter time steps and more modes."""
 
 from __future__ import annotations
 
@@ -43,9 +43,9 @@ def mesh_convergence() -> Figure:
         counts = np.array([len(modes.shapes.ends) - 1 for modes in meshes])
         for mode, color in ((1, BLUE), (3, GREEN), (5, GREY), (12, RED)):
             errors = np.array([abs(modes.frequency[mode + 1] / converged[mode - 1] - 1) for modes in meshes])
-            shown = errors > ROUNDING
+            resolved = errors > ROUNDING
             label = f"mode {mode}" if name == BAT else None
-            plot.loglog(counts[shown], errors[shown], style, color=color, linewidth=1, markersize=4, label=label)
+            plot.loglog(counts[resolved], errors[resolved], style, color=color, linewidth=1, markersize=4, label=label)
         if name == BAT:
             _mark(plot, counts[1], f"default: at least {ELEMENTS}, here {counts[1]}")
     _guide(plot, np.array([8.0, 32.0]), 2e-4, -6, "order 6")
@@ -119,8 +119,8 @@ def mode_count_convergence() -> Figure:
 
 
 def _exit_speeds(modes: Modes, places: Array, step: float) -> Array:
-    done = hits(modes, ball=catalog.ball(), position=places, closing_speed=CLOSING, step=step)
-    q = done.collision_efficiency
+    impacts = hits(modes, ball=catalog.ball(), position=places, closing_speed=CLOSING, step=step)
+    q = impacts.collision_efficiency
     return q * PITCH + (1 + q) * (CLOSING - PITCH)
 
 

@@ -1,4 +1,4 @@
-"""Flights: what the air does to one hit, and how the answer settles with shorter steps."""
+"""Flights: the effect of air on one hit, and convergence with shorter steps."""
 
 from __future__ import annotations
 

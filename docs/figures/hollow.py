@@ -1,4 +1,4 @@
-"""What the thickness of an aluminium barrel's wall does to its ring, to the ball, and where the energy goes."""
+"""Hoop frequency, BBCOR and energy of an aluminum barrel against wall thickness."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ def wall_figure() -> Figure:
         plot.plot(thickness, values, color=color, marker=".")
         plot.set(ylabel=label)
     stored = [100 * point.energy.share for point in points]
-    kept = [100 * point.energy.left / whole for point, whole in zip(points, incoming, strict=True)]
-    plots[2].plot(thickness, stored, color=GREEN, marker=".", label="stored by the wall at most")
-    plots[2].plot(thickness, kept, color=RED, marker=".", label="still in it when the ball has gone")
+    remaining = [100 * point.energy.left / whole for point, whole in zip(points, incoming, strict=True)]
+    plots[2].plot(thickness, stored, color=GREEN, marker=".", label="greatest energy in the wall")
+    plots[2].plot(thickness, remaining, color=RED, marker=".", label="left in the wall after release")
     plots[2].set(ylabel="energy (% of the ball's)", xlabel="wall thickness (mm)")
     plots[2].legend(frameon=False)
     for plot in plots:

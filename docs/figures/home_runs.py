@@ -1,4 +1,4 @@
-"""Home runs as probabilities: what was told against what was hit."""
+"""Home runs as probabilities: predicted against observed."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ BANDS = (
 
 
 def calibration_figure() -> Figure:
-    """Return the part of balls that were home runs against the chance they were given, with standard errors."""
+    """Return the fraction of balls that were home runs against the predicted probability, with standard errors."""
     figure, (plot,) = new_figure(5.0, 4.4)
-    plot.plot([0, 1], [0, 1], color=GREY, linewidth=1, label="as told")
-    for count, told, hit in BANDS:
-        error = (max(told * (1 - told), 1 / count) / count) ** 0.5
-        plot.errorbar(told, hit, yerr=error, fmt="o", color=BLUE, ecolor=INK, capsize=2, markersize=3 + count**0.3)
-    plot.set(xlabel="chance of a home run, told", ylabel="part that were home runs", xlim=(-0.03, 1.03))
+    plot.plot([0, 1], [0, 1], color=GREY, linewidth=1, label="perfect calibration")
+    for count, chance, hit in BANDS:
+        error = (max(chance * (1 - chance), 1 / count) / count) ** 0.5
+        plot.errorbar(chance, hit, yerr=error, fmt="o", color=BLUE, ecolor=INK, capsize=2, markersize=3 + count**0.3)
+    plot.set(xlabel="predicted probability of a home run", ylabel="observed fraction of home runs", xlim=(-0.03, 1.03))
     plot.grid(alpha=0.3)
     return figure

@@ -1,4 +1,4 @@
-"""The hit in space: what an inch above or below the middle does, for a level and for a tilted bat."""
+"""Off-center hits: exit speed, launch angle and spin against offset, for a level and for a tilted bat."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def offset_figure() -> Figure:
     spin.plot([], [], color=BLUE, linestyle="--", label="side spin, negative: slice to right field")
     speed.set(ylabel="exit speed (mph)")
     angle.set(ylabel="angle (deg)")
-    spin.set(ylabel="spin (rpm)", xlabel="ball's centre above the bat's axis (in)")
+    spin.set(ylabel="spin (rpm)", xlabel="ball's center above the bat's axis (in)")
     for plot in (speed, angle, spin):
         plot.grid(alpha=0.3)
         plot.legend(frameon=False)

@@ -58,6 +58,6 @@ def optimum_figure() -> Figure:
     column = int(np.abs(ANGLES - math.radians(LEAGUE)).argmin())
     top = int(carry[:, column].argmax())
     plot.plot(LEAGUE, OFFSETS[top] / INCH, "s", color=INK, label=f"best at {LEAGUE:.0f}°: {carry[top, column]:.0f} ft")
-    plot.set(xlabel="attack angle (degrees)", ylabel="ball's centre above the bat's axis (in)")
+    plot.set(xlabel="attack angle (degrees)", ylabel="ball's center above the bat's axis (in)")
     plot.legend(loc="upper right")
     return figure

@@ -11,5 +11,5 @@ NAMED = ("fenway-park", "yankee-stadium", "coors-field", "oracle-park", "daikin-
 
 
 def parks_figure() -> Figure:
-    """Return all fences, the most unlike ones in colour."""
+    """Return all fences, the most unusual ones in color."""
     return drawn(catalog.parks(), [catalog.park(name) for name in NAMED])

@@ -1,4 +1,4 @@
-"""The paper's equation 9: what the hands must give, for the paper's rod and for a real bat."""
+"""The paper's equation 9: the force of the hands, for the paper's rod and for a real bat."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ def hand_force_figure() -> Figure:
     figure, (plot,) = new_figure(7.5, 3.8)
     for body, words, color in ((rod, "the paper's uniform rod", GREY), (analysis.body, "R161, white ash", RED)):
         ratio = [paper.hand_force_ratio(body, place, hands=hands) for place in places]
-        centre = centre_of_percussion(body, pivot=hands)
-        label = f"{words}: zero at {(length - centre) / INCH:.1f} in from the tip"
+        place = centre_of_percussion(body, pivot=hands)
+        label = f"{words}: zero at {(length - place) / INCH:.1f} in from the tip"
         plot.plot(places / INCH, ratio, color=color, label=label)
-        plot.plot([centre / INCH], [0], "o", color=color)
+        plot.plot([place / INCH], [0], "o", color=color)
     plot.axhline(0, color=INK, linewidth=0.8)
     plot.set(xlabel="place of the blow, from the knob end (in)", ylabel="hand force / force of the blow")
     plot.legend(frameon=False)

@@ -14,7 +14,7 @@ from sweetspot.units import INCH, MPH
 MEANINGS = (
     ("node_1", "node of mode 1", BLUE),
     ("node_2", "node of mode 2", BLUE),
-    ("center_of_percussion", "centre of percussion", GREEN),
+    ("center_of_percussion", "center of percussion", GREEN),
     ("max_collision_efficiency", "greatest efficiency q", RED),
     ("max_exit_speed", "greatest exit speed", RED),
     ("min_sting", "least sting", GREEN),
@@ -51,7 +51,7 @@ def _zone(axes: Axes, analysis: Analysis) -> None:
 
 
 def _marked_barrel(axes: Axes, analysis: Analysis) -> None:
-    """Draw the barrel with one labelled line per meaning, sorted so that labels do not cross."""
+    """Draw the barrel with one labeled line per meaning, sorted so that labels do not cross."""
     bat, spots = analysis.bat, analysis.sweet_spots
     places = np.linspace(bat.length - 14 * INCH, bat.length, 200)
     half = bat.diameter_at(places) / 2 / INCH
@@ -104,14 +104,14 @@ def ledger_figure() -> Figure:
         for inches in distances
     ]
     parts = {
-        "heat in the ball": [one.heat for one in ledgers],
-        "ball leaving": [one.ball for one in ledgers],
-        "bat pushed": [one.translation for one in ledgers],
-        "bat turned": [one.rotation for one in ledgers],
-        "bat left ringing": [one.bending for one in ledgers],
-        "damped in the bat": [one.damping for one in ledgers],
+        "heat in the ball": [hit.heat for hit in ledgers],
+        "ball leaving": [hit.ball for hit in ledgers],
+        "bat, translation": [hit.translation for hit in ledgers],
+        "bat, rotation": [hit.rotation for hit in ledgers],
+        "bat, vibration": [hit.bending for hit in ledgers],
+        "damped in the bat": [hit.damping for hit in ledgers],
     }
-    incoming = np.array([one.incoming for one in ledgers])
+    incoming = np.array([hit.incoming for hit in ledgers])
     figure, (plot,) = new_figure(8.5, 4.0)
     shares = [100 * np.array(values) / incoming for values in parts.values()]
     colors = ["#c9b8a8", RED, BLUE, "#7fb0d8", GREEN, "#9fcbb0"]

@@ -1,4 +1,4 @@
-"""What the documentation's own figures share."""
+"""Shared style of the documentation's figures."""
 
 from __future__ import annotations
 

@@ -21,8 +21,8 @@ wood = bat("r161-ash")
 body = rigid_body(beam_model(wood))
 for inches in (0, 2, 4, 6, 8, 10):
     place = wood.length - inches * INCH
-    met = effective_mass(body, place) / OUNCE
-    print(f"{inches:2} in from the tip the effective mass is {met:4.1f} oz of {body.mass / OUNCE:.1f}")
+    mass = effective_mass(body, place) / OUNCE
+    print(f"{inches:2} in from the tip the effective mass is {mass:4.1f} oz of {body.mass / OUNCE:.1f}")
 
 # %%
 # The impulse at the hands changes sign, as the paper says: it is zero at the center of percussion. Move the hit
@@ -37,7 +37,7 @@ places = wood.length - np.linspace(0, 14, 60) * INCH
 ratio = [hand_impulse_ratio(body, float(place), hands=6 * INCH) for place in places]
 figure, axes = plt.subplots(figsize=(7, 3), layout="constrained")
 axes.plot((wood.length - places) / INCH, ratio)
-axes.axhline(0, color="grey", lw=0.8)
+axes.axhline(0, color="gray", lw=0.8)
 axes.set(xlabel="inches from the tip", ylabel="impulse at the top hand / impulse of the ball", xlim=(14, 0))
 plt.show()
 

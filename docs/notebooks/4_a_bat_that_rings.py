@@ -22,7 +22,7 @@ figure, axes = plt.subplots(figsize=(7, 3.2), layout="constrained")
 for index in bending:
     shape = shapes[:, index]
     axes.plot(places / INCH, shape / abs(shape).max(), label=f"{modes.frequency[index]:.0f} Hz")
-axes.axhline(0, color="grey", lw=0.8)
+axes.axhline(0, color="gray", lw=0.8)
 axes.set(xlabel="inches from the knob", ylabel="displacement")
 axes.legend(loc="lower left")
 plt.show()

@@ -27,15 +27,17 @@ for part in summary(found):
 import matplotlib.pyplot as plt
 
 bats = [
-    one
-    for one in found
-    if one.evidence == "prediction about bats" and one.printed.replace(".", "").isdigit() and float(one.printed)
+    result
+    for result in found
+    if result.evidence == "prediction about bats"
+    and result.printed.replace(".", "").isdigit()
+    and float(result.printed)
 ]
 figure, axes = plt.subplots(figsize=(5.5, 5), layout="constrained")
-ratio = [one.computed / float(one.printed) for one in bats]
-missed = [bool(one.expected_miss) for one in bats]
-axes.axhline(1, color="grey", lw=0.8)
-axes.scatter(range(len(bats)), ratio, s=12, c=["tab:red" if one else "tab:blue" for one in missed])
+ratio = [result.computed / float(result.printed) for result in bats]
+missed = [bool(result.expected_miss) for result in bats]
+axes.axhline(1, color="gray", lw=0.8)
+axes.scatter(range(len(bats)), ratio, s=12, c=["tab:red" if miss else "tab:blue" for miss in missed])
 axes.set(xlabel="predictions, source by source (red: an explained miss)", ylabel="computed / printed", ylim=(0.5, 1.5))
 plt.show()
 

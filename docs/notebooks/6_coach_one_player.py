@@ -17,33 +17,24 @@ from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import INCH, MPH
 
-own, other, ball = catalog.bat("r161-ash"), catalog.bat("mlb-a"), catalog.ball()
+bat, other, ball = catalog.bat("r161-ash"), catalog.bat("mlb-a"), catalog.ball()
 truth = natural(np.zeros(len(NAMES)))
-swings = simulated_swings(truth, bats=[own, other], ball=ball, count=24, pitch_speed=60 * MPH, seed=4)
+swings = simulated_swings(truth, bats=[bat, other], ball=ball, count=24, pitch_speed=60 * MPH, seed=4)
 file = Path(mkdtemp()) / "swings.csv"
 lines = ["bat,bat_speed_mph,exit_speed_mph,pitch_speed_mph"]
-for one in swings:
-    lines.append(f"{one.bat or 'r161-ash'},{one.bat_speed / MPH:.1f},{one.exit_speed / MPH:.1f},60")
+for swing in swings:
+    lines.append(f"{swing.bat or 'r161-ash'},{swing.bat_speed / MPH:.1f},{swing.exit_speed / MPH:.1f},60")
 file.write_text("\n".join(lines).replace(other.name, "mlb-a"))
 print("\n".join(lines[:4]))
 
 # %%
 # Read the file as ``sweetspot fit-player swings.csv`` does, and fit:
 
-from sweetspot.flight.air import Air
-from sweetspot.player.advice import advise
-from sweetspot.player.goal import Goal
-from sweetspot.player.model import bats_of, player_model
-from sweetspot.player.posterior import fit_player
-from sweetspot.player.swings import read_swings
-from sweetspot.report.player.document import player_document
+import sweetspot
 
-read = read_swings(file, length=own.length)
-good, bats, bad, notes = bats_of(read.swings, load=catalog.load_bat)
-model = player_model(good, bat=own, ball=ball, others=bats, law=catalog.swing_law())
-fitted = fit_player(model, seed=1)
+player = sweetspot.fit_player(file, bat="r161-ash")
 for name in ("bat_speed", "position", "position_spread"):
-    interval = fitted.learned[name].interval
+    interval = player.posterior.learned[name].interval
     size, unit = (MPH, "mph") if name == "bat_speed" else (INCH, "in")
     print(f"{name:16} {interval.value / size:5.1f} {unit} ({interval.low / size:.1f} to {interval.high / size:.1f})")
 
@@ -51,14 +42,12 @@ for name in ("bat_speed", "position", "position_spread"):
 # The intervals contain the truth. The interval of the place along the bat is wide, because exit speed hardly shows
 # on which side of the best place a ball was hit. What would help this player?
 
-advice = advise(fitted, goal=Goal("exit-speed"), aerodynamics=catalog.aerodynamics(), air=Air())
-sheet = player_document(fitted, advice, read, player="made up")
-sheet
+player
 
 # %%
 # In one picture:
 
-sheet.plot()
+player.plot()
 
 # %%
 # **Try it.** Add twenty swings with the contact marked by tape: put ``position_in_from_tip`` into the file and see

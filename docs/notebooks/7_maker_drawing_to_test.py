@@ -29,8 +29,8 @@ bat
 # A cup removes weight where it matters most. How much, and what is the effect?
 
 cupped = bat.cupped(diameter="1.4 in", depth="0.9 in")
-for one in (bat, cupped):
-    body = rigid_body(beam_model(one))
+for design in (bat, cupped):
+    body = rigid_body(beam_model(design))
     print(f"{body.mass / OUNCE:5.1f} oz, MOI about 6 in {body.moi(6 * INCH) / OUNCE_INCH_SQUARED:,.0f} oz in2")
 
 found = sweetspot.compare(bat, cupped, "torpedo")

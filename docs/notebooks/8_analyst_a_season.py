@@ -37,7 +37,7 @@ inside = balls["true_from_tip_in"].is_between(balls["from_tip_low90_in"], balls[
 print(f"{100 * inside.mean():.0f} % of the 90 % intervals contain the true place")
 figure, axes = plt.subplots(figsize=(5, 4.4), layout="constrained")
 axes.scatter(balls["true_from_tip_in"], balls["from_tip_in"], s=8)
-axes.plot([0, 14], [0, 14], color="grey", lw=0.8)
+axes.plot([0, 14], [0, 14], color="gray", lw=0.8)
 axes.set(xlabel="true place, in from the tip", ylabel="estimated place, in from the tip", xlim=(0, 14), ylim=(0, 14))
 plt.show()
 
