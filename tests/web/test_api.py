@@ -315,7 +315,7 @@ def test_a_fault_of_the_program_is_told_as_json(monkeypatch: pytest.MonkeyPatch)
     def broken(self: object, name: str, state: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(answers.Answers, "json", broken)
+    monkeypatch.setattr(answers.AnswerPool, "json", broken)
 
     async def asked() -> httpx.Response:
         transport = httpx.ASGITransport(app=server.create_app(), raise_app_exceptions=False)

@@ -36,7 +36,7 @@ def test_kernels_are_loaded_behind_the_first_picture(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(answers, "load_lists", begun.set)
     monkeypatch.setattr(answers, "answer_json", lambda *_: b"{}")
     monkeypatch.setattr(answers, "work_out", lambda *_: ())
-    found = answers.Answers()
+    found = answers.AnswerPool()
     with ThreadPoolExecutor(2) as pool:
         preparing = pool.submit(found.prepare)
         assert not begun.wait(0.2)
@@ -54,7 +54,7 @@ def test_without_kept_pictures_kernels_are_loaded_at_once(monkeypatch: pytest.Mo
     monkeypatch.setattr(answers, "load_lists", lambda: None)
     monkeypatch.setattr(answers, "answer_json", lambda *_: b"{}")
     monkeypatch.setattr(answers, "work_out", lambda *_: ())
-    found = answers.Answers()
+    found = answers.AnswerPool()
     found.prepare()
     assert found.prepared
     found.close()

@@ -51,20 +51,20 @@ def test_a_question_is_answered_under_its_number(server: str, client: httpx.Clie
 def test_the_latest_question_wins(server: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A burst is not answered one by one: what was overtaken while it waited is left out."""
     last, taken, all_taken = 60, socket._Conversation._take, threading.Event()
-    answer = answers.Answers.json
+    answer = answers.AnswerPool.json
 
     async def take(self: socket._Conversation, text: str | None) -> None:
         await taken(self, text)
         if f'"id": {last},' in str(text):
             all_taken.set()
 
-    async def answered(self: answers.Answers, *question: Any) -> bytes:
+    async def answered(self: answers.AnswerPool, *question: Any) -> bytes:
         await asyncio.to_thread(all_taken.wait, LATE)
         return await answer(self, *question)
 
     monkeypatch.setattr(socket._Conversation, "_take", take)
     with talking(server) as line:
-        monkeypatch.setattr(answers.Answers, "json", answered)
+        monkeypatch.setattr(answers.AnswerPool, "json", answered)
         for number in range(1, last + 1):
             state = {"pitch_speed_mph": 50 + number / 2}
             line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
@@ -152,7 +152,7 @@ def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPat
 
     monkeypatch.setitem(VIEWS, "slow", View("slow", "Slow", ViewState, slow))
     monkeypatch.setattr(answers, "TIME_LIMIT", 0.05)
-    found = answers.Answers()
+    found = answers.AnswerPool()
     found.prepared = True
     with ThreadPoolExecutor(1) as apart, pytest.raises(FieldError, match="longer than"):
         apart.submit(

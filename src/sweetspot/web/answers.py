@@ -24,7 +24,7 @@ from sweetspot.web.views import VIEWS
 TIME_LIMIT = 10.0
 """s that one answer may take."""
 KEPT = 512
-"""Answers kept, about 25 kB each."""
+"""AnswerPool kept, about 25 kB each."""
 WORKERS = max(2, os.cpu_count() or 1)
 UNASKED = 2.0
 """s that preparing waits for the first question where the first pictures are kept: they need none of what it loads."""
@@ -37,7 +37,7 @@ class TooSlowError(FieldError):
         super().__init__("", f"this takes longer than {TIME_LIMIT:g} s")
 
 
-class Answers:
+class AnswerPool:
     """A pool of threads that answers; the collision kernel works without the interpreter's lock.
 
     The first answers are kept on disk or worked out at the start, which also loads or compiles the kernels. Until that

@@ -16,7 +16,7 @@ from starlette.middleware.gzip import GZipMiddleware
 
 from sweetspot import __version__
 from sweetspot.errors import SweetspotError
-from sweetspot.web.answers import Answers, TooSlowError, answer_json
+from sweetspot.web.answers import AnswerPool, TooSlowError, answer_json
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import fault
 from sweetspot.web.files import File, shell, static_files
@@ -65,7 +65,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     ----------
     names : host names, besides localhost and number addresses, under which browsers may ask for it.
     """
-    answers, jobs = Answers(), Jobs()
+    answers, jobs = AnswerPool(), Jobs()
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
@@ -111,7 +111,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     return app
 
 
-def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
+def _view_route(api: APIRouter, view: View, answers: AnswerPool) -> None:
     def route(path: str, name: str, asked: Callable[[Any], Any], aside: str) -> None:
         async def endpoint(state: Any) -> Response:
             return Response(await answers.json(view.name, state, aside), media_type="application/json")

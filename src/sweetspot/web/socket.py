@@ -11,14 +11,14 @@ from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sweetspot.errors import SweetspotError
-from sweetspot.web.answers import Answers, TooSlowError, state_of
+from sweetspot.web.answers import AnswerPool, TooSlowError, state_of
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.limits import LARGEST_BODY, MOST_SOCKETS
 
 TRY_AGAIN_LATER = 1013
 
 
-class Question(BaseModel):
+class SocketQuestion(BaseModel):
     """One message of a browser: which view's answer it wants, with which controls."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -31,7 +31,7 @@ class Question(BaseModel):
 class Sockets:
     """Every open socket of this server; their number is limited, and they know nothing of each other."""
 
-    def __init__(self, answers: Answers) -> None:
+    def __init__(self, answers: AnswerPool) -> None:
         self._answers = answers
         self._open = 0
 
@@ -51,9 +51,9 @@ class Sockets:
 class _Conversation:
     """One socket. A question replaces the one of the same view that still waits; that one gets no answer."""
 
-    def __init__(self, socket: WebSocket, answers: Answers) -> None:
+    def __init__(self, socket: WebSocket, answers: AnswerPool) -> None:
         self._socket, self._answers = socket, answers
-        self._waiting: dict[str, Question] = {}
+        self._waiting: dict[str, SocketQuestion] = {}
         self._arrived = asyncio.Event()
 
     async def run(self) -> None:
@@ -75,7 +75,7 @@ class _Conversation:
         try:
             if text is None or len(text) > LARGEST_BODY:
                 raise FieldError("", f"a message is JSON text of at most {LARGEST_BODY} letters")
-            question = Question.model_validate_json(text)
+            question = SocketQuestion.model_validate_json(text)
         except (SweetspotError, ValidationError) as error:
             await self._say({"id": _id_in(text), "error": fault(error)})
             return
@@ -92,7 +92,7 @@ class _Conversation:
                     await self._reply(question)
                 self._arrived.clear()
 
-    async def _reply(self, question: Question) -> None:
+    async def _reply(self, question: SocketQuestion) -> None:
         head = {"id": question.id, "view": question.view}
         if not self._answers.prepared:
             await self._say({**head, "status": "preparing"})
