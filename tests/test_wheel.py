@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import zipfile
 from pathlib import Path
 
 import pytest
+
+from sweetspot.numerics.kernel_cache import kernel_folder
 
 ROOT = Path(__file__).parents[1]
 PROGRAM = """
@@ -40,6 +43,10 @@ def outside(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (wheel,) = folder.glob("*.whl")
     with zipfile.ZipFile(wheel) as packed:
         packed.extractall(folder / "installed")
+    kept = kernel_folder()
+    assert kept is not None
+    compiled = folder / "installed" / "sweetspot" / "__pycache__" / "kernels"
+    shutil.copytree(kept, compiled, dirs_exist_ok=True)  # taken where the wheel has the same sources, else compiled
     return folder / "installed"
 
 
