@@ -9,14 +9,17 @@ from typing import Any
 
 import pytest
 
+from sweetspot.cli import main
+
 Run = Callable[..., tuple[int, str, str]]
 
 
-@pytest.fixture
-def sound(run: Run, tmp_path: Path) -> str:
-    path = tmp_path / "youth.wav"
-    code, _, err = run("tap", "--synthesise", "youth-30", "--at", "1in-from-tip", "--out", str(path))
-    assert (code, "wrote" in err) == (0, True)
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> str:
+    path = tmp_path_factory.mktemp("sound") / "youth.wav"
+    with pytest.raises(SystemExit) as stopped:
+        main(["tap", "--synthesise", "youth-30", "--at", "1in-from-tip", "--out", str(path)])
+    assert not stopped.value.code and path.exists()
     return str(path)
 
 
