@@ -44,8 +44,3 @@ def test_files_and_units(run: Run, tmp_path: Path, arguments: tuple[str, ...], n
     code, out, _ = run("parks", *arguments, "--units", "si", "--out", str(tmp_path))
     assert code == 0 and "94" in out and " ft" not in out
     assert {path.name for path in tmp_path.iterdir()} == {f"{name}{end}" for end in (".html", ".json", ".png", ".svg")}
-
-
-def test_an_unknown_park_names_the_nearest(run: Run) -> None:
-    code, _, err = run("parks", "fenwey")
-    assert code == 2 and "Did you mean fenway" in err

@@ -59,8 +59,3 @@ def test_the_comparison_with_the_bat_as_it_was_says_the_same(choked: str, run_js
     first = run_json("compare", choked, "youth-30", "--bat-speed", "50mph")["bats"]
     own, whole = (row["bat_speed_m_s"]["value"] for row in first)
     assert own == pytest.approx(50 * MPH) and own < whole
-
-
-def test_nothing_was_changed(run: Run) -> None:
-    code, _, err = run("report", "r161-ash", "--same-speed")
-    assert code == 2 and "--same-speed belongs to a bat that was changed or is choked up" in err

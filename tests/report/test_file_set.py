@@ -15,7 +15,7 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.report import files
-from sweetspot.report.files import write_all, write_folder
+from sweetspot.report.files import check_folder, write_all, write_folder
 
 NEW = {"report.json": b"new json", "report.png": b"new png", "report.html": b"new html"}
 CALLS = ("open", "write", "fsync", "mkdir", "rename", "replace", "link")
@@ -75,9 +75,31 @@ def test_a_failing_disk_leaves_all_or_nothing(
             refusal = str(error)
     # without a refusal that many calls of the kind are not made, or the system can do without
     assert tree(tmp_path) == (complete if refusal is None else old)
-    assert refusal is None or "no space left on device" in refusal
+    assert refusal is None or ("cannot be" in refusal and "no space left on device" in refusal)
     write_folder(folder, NEW)
     assert tree(tmp_path) == complete
+
+
+@pytest.mark.parametrize("below", ["taken", "taken/below"])
+def test_a_file_in_the_way_is_refused_and_left_alone(tmp_path: Path, below: str) -> None:
+    (tmp_path / "taken").write_text("mine")
+    with pytest.raises(InputError, match="is not a folder"):
+        check_folder(tmp_path / below, list(NEW))
+    with pytest.raises(InputError, match="cannot be"):
+        write_folder(tmp_path / below, NEW)
+    assert tree(tmp_path) == {"taken": "mine"}
+
+
+def test_folders_that_cannot_be_written_to_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "report.json").mkdir()
+    with pytest.raises(InputError, match=r"report\.json is a folder"):
+        write_folder(tmp_path, NEW)
+    with pytest.raises(InputError, match="cannot be made"):
+        write_folder(tmp_path / "a" / ("x" * 300), NEW)
+    monkeypatch.setattr("os.access", lambda *_: False)
+    with pytest.raises(InputError, match="no permission"):
+        check_folder(tmp_path / "new", list(NEW))
+    assert tree(tmp_path) == {"report.json": "folder"}
 
 
 def test_an_interruption_between_two_files_gives_the_old_ones_back(

@@ -16,15 +16,13 @@ from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
 from sweetspot.answers.report import misses_of, report_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
-from sweetspot.errors import InputError
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.references import keys
-from sweetspot.report import files
 from sweetspot.report.bat.appendix import _predicts, chosen
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
-from sweetspot.report.document import Section
-from sweetspot.report.files import check_folder, files_of, write_document, write_folder
+from sweetspot.report.document import Document, Section
+from sweetspot.report.files import files_of, write_document
 from sweetspot.report.html import page
 from sweetspot.report.pictures.style import INK
 from sweetspot.report.quantities import SI, US
@@ -85,19 +83,19 @@ class Page(HTMLParser):
         return next(row for row in self.rows if row and row[0].startswith(start))
 
 
+@pytest.fixture(scope="module")
+def document(analysis: Analysis) -> Document:
+    return report_document(reported(analysis))
+
+
 def write_report(analysis: Analysis, folder: Path) -> list[Path]:
     return write_document(report_document(reported(analysis)), folder, reader=US)
 
 
 @pytest.fixture(scope="module")
-def written(analysis: Analysis, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    paths = write_report(analysis, tmp_path_factory.mktemp("report") / "new" / "folder")
+def written(document: Document, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    paths = write_document(document, tmp_path_factory.mktemp("report") / "new" / "folder", reader=US)
     return {path.name: path for path in paths}
-
-
-@pytest.fixture(scope="module")
-def contents(written: dict[str, Path]) -> dict[str, bytes]:
-    return {name: path.read_bytes() for name, path in written.items()}
 
 
 @pytest.fixture(scope="module")
@@ -186,16 +184,15 @@ def test_other_numbers_are_the_analysis_s(read: Page, analysis: Analysis) -> Non
     assert read.row("pitch")[1] == "90.0 mph"
 
 
-def test_the_same_page_in_si(analysis: Analysis) -> None:
-    text = page(report_document(reported(analysis)), SI)
+def test_the_same_page_in_si(document: Document, analysis: Analysis) -> None:
+    text = page(document, SI)
     visible = re.sub(r"<style>.*?</style>|<svg.*?</svg>", " ", text, flags=re.DOTALL)
     visible = visible[: visible.index("Beside published values")]
     assert " mph" not in visible and " oz" not in visible and "cm from the tip" in visible
     assert Page(text).row("exit speed")[1] == f"{exit_speed_of(analysis.best, analysis.conditions):.1f} m/s"
 
 
-def test_the_appendix_opens_when_asked(analysis: Analysis) -> None:
-    document = report_document(reported(analysis))
+def test_the_appendix_opens_when_asked(document: Document) -> None:
     assert '<details class="appendix">' in page(document, US)
     assert '<details class="appendix" open>' in page(document, US, long=True)
 
@@ -264,68 +261,12 @@ def test_a_bat_with_no_zone_and_the_end_close_by(cone: Bat, tmp_path: Path) -> N
     assert read.row("3 in")[2] == "off the bat"
 
 
-def test_a_file_in_the_way_is_refused_and_left_alone(contents: dict[str, bytes], tmp_path: Path) -> None:
-    taken = tmp_path / "taken"
-    taken.write_text("mine")
-    for folder in (taken, taken / "below"):
-        with pytest.raises(InputError, match="is not a folder"):
-            check_folder(folder, NAMES)
-        with pytest.raises(InputError, match="cannot be"):
-            write_folder(folder, contents)
-    assert taken.read_text() == "mine"
-    assert list(tmp_path.iterdir()) == [taken]
-
-
-def test_a_folder_where_a_file_would_go_is_refused(contents: dict[str, bytes], tmp_path: Path) -> None:
-    (tmp_path / "report.svg").mkdir()
-    with pytest.raises(InputError, match=r"report\.svg is a folder"):
-        write_folder(tmp_path, contents)
-    assert [path.name for path in tmp_path.iterdir()] == ["report.svg"]
-
-
-def test_no_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("os.access", lambda *_: False)
-    with pytest.raises(InputError, match="no permission"):
-        check_folder(tmp_path / "new", NAMES)
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_full_disk_leaves_nothing(
-    contents: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    write = files._write_to_disk
-
-    def full(path: Path, content: bytes) -> None:
-        if ".json" in path.name:
-            raise OSError(28, "No space left on device")
-        write(path, content)
-
-    monkeypatch.setattr(files, "_write_to_disk", full)
-    with pytest.raises(InputError, match=r"report\.json cannot be written: no space left"):
-        write_folder(tmp_path / "a" / "b", contents)
-    assert not list(tmp_path.iterdir())
-
-
-def test_an_unmakeable_folder_is_refused(contents: dict[str, bytes], tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="cannot be made"):
-        write_folder(tmp_path / "a" / ("x" * 300), contents)
-    assert not list(tmp_path.iterdir())
-
-
-def test_an_old_report_is_replaced(contents: dict[str, bytes], tmp_path: Path) -> None:
-    for name in NAMES:
-        (tmp_path / name).write_text("old")
-    for path in write_folder(tmp_path, contents):
-        assert path.stat().st_size > 1000
-    assert len(list(tmp_path.iterdir())) == len(NAMES)
-
-
-def test_a_held_bat_is_not_called_free(analysis: Analysis) -> None:
+def test_a_held_bat_is_not_called_free(document: Document, analysis: Analysis) -> None:
     from sweetspot.motion.swing import Hands
 
     held = analysis.conditions.replaced(hands=Hands(position=0.15, mass=0.3, stiffness=2e4, damping=100.0))
     gripped = analyse(analysis.bat, held)
-    free, tight = (page(report_document(reported(one)), US) for one in (analysis, gripped))
+    free, tight = (page(found, US) for found in (document, report_document(reported(gripped))))
     assert "The bat is free" in free and "The bat is free" not in tight
     assert "mass, spring and damper each" in tight and "mass, spring and damper each" not in free
 
