@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import fields
 from operator import attrgetter
 from pathlib import Path
 from typing import Any
@@ -38,6 +39,9 @@ INPUT_KINDS = {name: kind for kind, names in _INPUTS.items() for name in names.s
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
 
 
+SHARED = {part.name for part in fields(Row)} & {part.name for part in fields(Result)} - {"tolerance"}
+
+
 def results(folder: Path = CASES) -> tuple[Result, ...]:
     """Return every published case computed and judged, source by source."""
     return tuple(judged(row, case) for case in sources(folder) for row in case.rows)
@@ -58,21 +62,10 @@ def judged(row: Row, case: Case) -> Result:
     low, high = row.allowed
     return Result(
         source=case.source,
-        name=row.name,
-        quantity=row.quantity,
-        printed=row.printed,
         computed=computed,
-        unit=row.unit,
         tolerance=tolerance_text(row),
-        reason=row.reason,
-        kind=row.kind,
-        tag=row.tag,
         ok=bool(low <= computed <= high),
-        comment=row.comment,
-        evidence=row.evidence,
-        expected_miss=row.expected_miss,
-        ours=row.ours,
-        ours_tolerance=row.ours_tolerance,
+        **{name: getattr(row, name) for name in SHARED},
     )
 
 

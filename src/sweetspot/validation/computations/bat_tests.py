@@ -29,29 +29,20 @@ DRILLED_PLACES = np.linspace(4 * INCH, 9 * INCH, 51)
 """m from the tip."""
 
 
-class ClampedTest(NamedTuple):
-    """q and BBCOR at `CLAMPED_PLACES`, and the greatest BBCOR."""
-
-    efficiency: Array
-    bbcor: Array
-    best_bbcor: float
-
-
 @cache
-def _clamped_test(bat: str, closing_speed: float) -> ClampedTest:
+def _clamped_test(bat: str, closing_speed: float) -> tuple[Array, float]:
+    """Return q at `CLAMPED_PLACES` and the greatest BBCOR of a catalogue bat."""
     ball, body = catalog.ball(), shared.body(bat)
     clamped = held_modes(shared.free_modes(bat), CLAMP)
     places = shared.length(bat) - CLAMPED_PLACES
     efficiency = hits(clamped, ball=ball, position=places, closing_speed=closing_speed).collision_efficiency
-    along = np.array(
-        [bbcor(q, body=body, ball=ball, position=place) for q, place in zip(efficiency, places, strict=True)]
-    )
-    return ClampedTest(efficiency, along, float(along.max()))
+    measured = (bbcor(q, body=body, ball=ball, position=place) for q, place in zip(efficiency, places, strict=True))
+    return efficiency, float(max(measured))
 
 
 def laboratory_bbcor(*, bat: str, closing_speed: float) -> float:
     """Return BBCOR at the place where it is greatest."""
-    return _clamped_test(bat, closing_speed).best_bbcor
+    return _clamped_test(bat, closing_speed)[1]
 
 
 def laboratory_exit_speed(*, bat: str, ball_speed: float, bat_speed: float) -> float:
@@ -59,19 +50,19 @@ def laboratory_exit_speed(*, bat: str, ball_speed: float, bat_speed: float) -> f
 
     ``bat_speed`` is 6 in from the tip.
     """
-    efficiency, length = _clamped_test(bat, ball_speed + bat_speed).efficiency, shared.length(bat)
+    efficiency, length = _clamped_test(bat, ball_speed + bat_speed)[0], shared.length(bat)
     swing = bat_speed * (length - CLAMPED_PLACES - STANDARD_AXIS) / (length - 6 * INCH - STANDARD_AXIS)
     return float(exit_speed(efficiency, ball_speed=ball_speed, bat_speed=swing).max())
 
 
 def laboratory_bbcor_spread(*, bats: list[str], closing_speed: float) -> float:
     """Return the range of the greatest BBCOR of several bats."""
-    return float(np.ptp([_clamped_test(bat, closing_speed).best_bbcor for bat in bats]))
+    return float(np.ptp([_clamped_test(bat, closing_speed)[1] for bat in bats]))
 
 
 def laboratory_besr_rise(*, bats: list[str], closing_speed: float) -> float:
     """Return BESR = q + 1/2 of the last bat less that of the first."""
-    first, last = (_clamped_test(bat, closing_speed).efficiency.max() for bat in (bats[0], bats[-1]))
+    first, last = (_clamped_test(bat, closing_speed)[0].max() for bat in (bats[0], bats[-1]))
     return float(last - first)
 
 

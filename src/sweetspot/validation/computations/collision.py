@@ -57,13 +57,7 @@ def rigid_wall() -> Modes:
 
 
 class HeldRod(NamedTuple):
-    """A hit at the tip of a rigid rod hinged at its end.
-
-    Parameters
-    ----------
-    turning : angular speed after the hit times m L over the impulse.
-    hand_force : 1 - m v_c over the impulse: the hinge's share of the impulse.
-    """
+    """Angular speed after a hit times m L over the impulse; the hinge's share of the impulse, 1 - m v_c over it."""
 
     turning: float
     hand_force: float
@@ -71,7 +65,7 @@ class HeldRod(NamedTuple):
 
 @cache
 def held_rod(*, bat: str, closing_speed: float) -> HeldRod:
-    """Return the motion of that rod after the hit."""
+    """Return the motion after a hit at the tip of a rigid rod hinged at its end."""
     free, body, length, ball = shared.free_modes(bat), shared.body(bat), shared.length(bat), catalog.ball()
     hinge = Hands(position=0.0, spacing=0.0, mass=1e6, stiffness=1e9)
     held = held_modes(free.selected(free.of_family("rigid")), hinge)
@@ -179,7 +173,7 @@ def best_to_node(*, bat: str) -> float:
 
 
 def best_to_percussion(*, bat: str, pivot: float) -> float:
-    """Return the distance between the place of greatest exit speed and the centre of percussion about ``pivot``."""
+    """Return the distance between the place of greatest exit speed and the center of percussion about ``pivot``."""
     analysis = shared.standard(bat)
     return abs(analysis.sweet_spots.max_exit_speed - centre_of_percussion(analysis.body, pivot=pivot))
 
@@ -195,14 +189,9 @@ def _restitution(analysis: Analysis, place: float, efficiency: float) -> float:
     return restitution_from_efficiency(efficiency, recoil=recoil)
 
 
-def bat_speed_slope(*, bat: str, speed: float) -> float:
-    """Return the change of exit speed per change of bat speed at the best place, for a change of ``speed``."""
-    return (_exit(bat, swing=speed / 2) - _exit(bat, swing=-speed / 2)) / speed
-
-
-def pitch_speed_slope(*, bat: str, speed: float) -> float:
-    """Return the change of exit speed per change of pitch speed at the best place, for a change of ``speed``."""
-    return (_exit(bat, pitch=speed / 2) - _exit(bat, pitch=-speed / 2)) / speed
+def exit_speed_slope(*, bat: str, by: str, speed: float) -> float:
+    """Return the change of exit speed at the best place per change of ``by``, swing or pitch, over ``speed``."""
+    return (_exit(bat, **{by: speed / 2}) - _exit(bat, **{by: -speed / 2})) / speed
 
 
 def best_exit_speed(*, bat: str, ball_speed: float, bat_speed: float) -> float:
@@ -223,12 +212,8 @@ def _exit(bat: str, *, pitch: float = 0.0, swing: float = 0.0) -> float:
 
 
 HANDS = 6 * INCH
-VICE = 1e9
-"""N/m of each of two places 3.5 in apart: a handle that can neither move nor turn."""
-BENCH = 1e4
-"""kg behind each of them."""
-BARREL = np.linspace(3 * INCH, 9 * INCH, 25)
-"""m from the tip: barrel impacts."""
+GRIPS = (Hands(position=HANDS, **TYPICAL_HAND), Hands(position=HANDS, mass=1e4, stiffness=1e9))
+"""Typical hands, and a vice that holds two places 3.5 in apart: a handle that can neither move nor turn."""
 MANY_MODES = 40
 """Bending modes up to about 30 kHz, so that motion cannot arrive before the wave does."""
 STEP = 2e-6
@@ -242,7 +227,7 @@ def grip_change(*, bat: str) -> float:
     """Return the greatest relative change of exit speed on the barrel by typical hands and by a vice."""
     analysis = shared.standard(bat)
     conditions, free = analysis.conditions, shared.free_modes(bat)
-    places = shared.length(bat) - BARREL
+    places = shared.length(bat) - np.linspace(3 * INCH, 9 * INCH, 25)
     swing = conditions.swing.angular_speed * (places - conditions.swing.pivot)
 
     def speeds(modes: Modes) -> Array:
@@ -252,8 +237,7 @@ def grip_change(*, bat: str) -> float:
         return np.asarray(efficiency * conditions.pitch.speed + (1 + efficiency) * swing)
 
     alone = speeds(free)
-    grips = (Hands(position=HANDS, **TYPICAL_HAND), Hands(position=HANDS, mass=BENCH, stiffness=VICE))
-    return max(float(np.abs(speeds(held_modes(free, hands)) / alone - 1).max()) for hands in grips)
+    return max(float(np.abs(speeds(held_modes(free, hands)) / alone - 1).max()) for hands in GRIPS)
 
 
 def impulse_given_at_arrival(*, bat: str) -> float:

@@ -135,8 +135,8 @@ def dead_spot_from_tip(*, implement: str) -> float:
 
 def usual_smash_factor(*, implement: str) -> float:
     """Return exit speed over the implement's speed at its best place under the usual stroke."""
-    analysis, conditions = _usual(implement), _conditions(implement)
-    return exit_speed_of(analysis.best, conditions) / conditions.swing.speed_at(analysis.best.position)
+    best, conditions = _usual(implement).best, _conditions(implement)
+    return exit_speed_of(best, conditions) / conditions.swing.speed_at(best.position)
 
 
 def usual_exit_speed(*, implement: str) -> float:
