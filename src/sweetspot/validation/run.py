@@ -21,7 +21,7 @@ UNITS |= {"rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
 """Units of printed values, each in SI."""
 
 _INPUTS: dict[Kind, str] = {
-    "speed": "ball_speed bat_speed exit_speed speed other_speed closing_speed wind_speed",
+    "speed": "ball_speed bat_speed exit_speed speed other_speed closing_speed wind_speed faster",
     "ratio": "efficiency besr restitution recoil bat_restitution ball_restitution share humidity poisson_ratio",
     "length": "length pivot axis from_tip distance measured_at bore_diameter bore_depth plug balance_point elevation "
     "height diameter thinner wall bar_length bar_width bar_thickness inward outward",

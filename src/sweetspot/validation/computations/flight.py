@@ -139,22 +139,16 @@ def flight_place(*, time: float, along: str, law: str = "baseball", **changes: A
     return float(place[("right", "out", "up").index(along)])
 
 
-def carry_gain_of_warm_ball(*, bat: str, warmer: float) -> float:
-    """Return how much farther the best hit of a bat carries with a ball ``warmer`` K warmer, in the same air."""
-    ball = catalog.ball()
-    return _carry(bat, temperature=ball.reference_temperature + warmer) - _carry(bat)
+def carry_gain_of_hit(*, bat: str, **changes: float) -> float:
+    """Return the gain of carry of a bat's best hit with a ball ``warmer`` by some K, or a pitch ``faster``."""
+    return _carry(bat, **changes) - _carry(bat)
 
 
-def carry_gain_of_pitch(*, bat: str, speed: float) -> float:
-    """Return how much farther it carries off a pitch faster by ``speed``."""
-    return _carry(bat, faster=speed) - _carry(bat)
-
-
-def _carry(bat: str, *, temperature: float | None = None, faster: float = 0.0) -> float:
+def _carry(bat: str, *, warmer: float = 0.0, faster: float = 0.0) -> float:
     analysis = shared.standard(bat)
     usual = analysis.conditions
     conditions = usual.replaced(
-        ball=usual.ball.conditioned(temperature=temperature),
+        ball=usual.ball.conditioned(temperature=usual.ball.reference_temperature + warmer),
         pitch=usual.pitch.replaced(speed=usual.pitch.speed + faster),
     )
     impact = hit_at(analysis.sweet_spots.max_exit_speed, modes=analysis.modes, conditions=conditions)

@@ -8,6 +8,8 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+from sweetspot.collision.closed_form import collision_efficiency
+from sweetspot.paper.formulas import energy_returned
 from sweetspot.validation.computations import bat_tests, collision, flight, modes, rigid, shared, space, sports
 
 
@@ -19,14 +21,18 @@ def _is_computation(function: Any) -> bool:
     return bool(kinds) and kinds <= {inspect.Parameter.KEYWORD_ONLY, inspect.Parameter.VAR_KEYWORD}
 
 
-COMPUTATIONS: dict[str, Callable[..., Any]] = {
+_OTHERS: dict[str, Callable[..., Any]] = {
+    "efficiency_from_restitution": collision_efficiency,
+    "returned_energy": energy_returned,
     "standard": shared.standard,
     "body": shared.body,
     "pitch_flight": flight.pitch_flight,
-} | {
+}
+
+COMPUTATIONS = _OTHERS | {
     name: function
     for module in (rigid, modes, collision, bat_tests, space, sports, flight)
     for name, function in vars(module).items()
     if name[0] != "_" and getattr(function, "__module__", "") == module.__name__ and _is_computation(function)
 }
-"""Every computation by the name that case files use: the public functions of its modules, and three shared ones."""
+"""Every computation by the name that case files use: the public functions of the modules, and a few others."""

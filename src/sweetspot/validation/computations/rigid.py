@@ -12,7 +12,7 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, pendulum_period
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.paper.formulas import energy_returned, mean_force, rod
+from sweetspot.paper.formulas import mean_force, rod
 from sweetspot.validation.computations import shared
 
 
@@ -128,16 +128,6 @@ def break_even_bat_speed(*, efficiency: float, ball_speed: float, exit_speed: fl
     """Return the bat speed that a bat of this q needs for that exit speed."""
     at_rest = _exit(efficiency, ball_speed, 0.0)
     return (exit_speed - at_rest) / (_exit(efficiency, ball_speed, 1.0) - at_rest)
-
-
-def efficiency_from_restitution(*, restitution: float, recoil: float) -> float:
-    """Return q = (e - r) / (1 + r)."""
-    return collision_efficiency(restitution, recoil=recoil)
-
-
-def returned_energy(*, bat_restitution: float, ball_restitution: float, share: float) -> float:
-    """Return W = k_bat^2 z + k_ball^2 (1 - z)."""
-    return energy_returned(bat_restitution=bat_restitution, ball_restitution=ball_restitution, share=share)
 
 
 def average_force(*, ball_mass: float, ball_speed: float, exit_speed: float, contact_time: float) -> float:

@@ -25,11 +25,12 @@ from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing import Conditions
 from sweetspot.paper.sports import rule_book_drops
+from sweetspot.validation.computations.rigid import listed_body
 
 
-def racket_percussion(*, mass: float, balance_point: float, moi: float, axis: float) -> float:
+def racket_percussion(*, axis: float, **line: float) -> float:
     """Return the center of percussion from the butt of a racket that turns about ``axis``."""
-    return centre_of_percussion(_racket(mass, balance_point, moi, axis), pivot=axis)
+    return centre_of_percussion(listed_body(axis=axis, **line), pivot=axis)
 
 
 class ButtWeight(NamedTuple):
@@ -42,7 +43,7 @@ class ButtWeight(NamedTuple):
 
 def butt_weight(*, mass: float, balance_point: float, moi: float, axis: float, added_mass: float) -> ButtWeight:
     """Return what a weight at the butt changes."""
-    before = _racket(mass, balance_point, moi, axis)
+    before = listed_body(mass=mass, balance_point=balance_point, moi=moi, axis=axis)
     heavier = mass + added_mass
     balance = mass * balance_point / heavier
     after = RigidBody(heavier, balance, before.moi(0.0) - heavier * balance**2, 0.0)
@@ -179,7 +180,3 @@ def _reduced(implement: str) -> ReducedBat[Implement]:
 @cache
 def _usual(implement: str) -> Analysis[Implement]:
     return analyse_reduced(_reduced(implement), _conditions(implement))
-
-
-def _racket(mass: float, balance_point: float, moi: float, axis: float) -> RigidBody:
-    return RigidBody(mass, balance_point, moi - mass * (balance_point - axis) ** 2, 0.0)
