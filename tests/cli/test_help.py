@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
@@ -75,8 +75,13 @@ def test_help_and_version_are_commands_to_those_who_type_them_so(run: Run) -> No
     assert run("version")[1] == run("-V")[1] == run("--version")[1]
 
 
-@pytest.mark.parametrize("columns", ["0", "1", "2", "3", "10", "40"])
-def test_help_ends_however_narrow_the_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, columns: str) -> None:
-    for command in EXAMPLES:
-        monkeypatch.setenv("COLUMNS", columns)
+@pytest.mark.parametrize(
+    ("columns", "commands"),
+    [*((columns, EXAMPLES) for columns in ("1", "10")), *((columns, ["design"]) for columns in ("0", "2", "3", "40"))],
+)  # every command, and the one with most options
+def test_help_ends_however_narrow_the_terminal(
+    run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, commands: Iterable[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    for command in commands:
         assert run(command, "--help")[0] == 0
