@@ -120,17 +120,17 @@ def flexible_over_rigid(*, bat: str) -> float:
 
 
 def best_from_tip(*, bat: str) -> float:
-    """Return how far from the tip the ball leaves fastest."""
+    """Return the distance of the greatest exit speed from the tip."""
     return shared.length(bat) - shared.standard(bat).sweet_spots.max_exit_speed
 
 
 def best_efficiency_from_tip(*, bat: str) -> float:
-    """Return how far from the tip q is greatest."""
+    """Return the distance of the greatest q from the tip."""
     return shared.length(bat) - shared.standard(bat).sweet_spots.max_collision_efficiency
 
 
 def efficiency_fall(*, bat: str, outward: float) -> float:
-    """Return how far q is below its greatest value ``outward`` m nearer the tip; negative: nearer the hands."""
+    """Return the loss of q ``outward`` m from its best place toward the tip; negative: toward the hands."""
     analysis = shared.standard(bat)
     place = analysis.sweet_spots.max_collision_efficiency + outward
     efficiency = analysis.scan.collision_efficiency
@@ -150,7 +150,7 @@ def squared_up_from_tip(*, bat: str, side: str) -> float:
 
 
 def best_restitution_from_tip(*, bat: str) -> float:
-    """Return how far from the tip the ball-bat restitution e = q (1 + r) + r is greatest, barrel half of the bat."""
+    """Return the distance from the tip of the greatest e = q (1 + r) + r in the barrel half of the bat."""
     analysis = shared.standard(bat)
     places = analysis.scan.position
     restitution = [
@@ -161,7 +161,7 @@ def best_restitution_from_tip(*, bat: str) -> float:
 
 
 def rigid_best_place_from_tip(*, bat: str) -> float:
-    """Return how far from the tip a rigid bat of the same mass and inertia would send the ball fastest."""
+    """Return the distance from the tip of the greatest exit speed of a rigid bat of the same mass and inertia."""
     scan = shared.standard(bat).scan
     return shared.length(bat) - float(scan.position[int(np.nanargmax(scan.rigid_exit_speed))])
 
@@ -241,7 +241,7 @@ def grip_change(*, bat: str) -> float:
 
 
 def impulse_given_at_arrival(*, bat: str) -> float:
-    """Return which part of the impulse the ball has given when the wave of the best hit arrives at the top hand.
+    """Return the fraction of the impulse delivered before the wave of the best hit arrives at the top hand.
 
     The handle's motion is the sum of all modes driven by the recorded force, step by step.
     """

@@ -35,7 +35,7 @@ USUAL = BattedBall(
     pressure=29.92 * INCH_OF_MERCURY,
     elevation=15 * FOOT,
 )
-"""A fly ball of 403 ft to centre field with the spin that such balls usually have, in the sheet's own weather."""
+"""A fly ball of 403 ft to center field with the spin that such balls usually have, in the sheet's own weather."""
 
 
 @cache
@@ -62,7 +62,7 @@ def fly_ball(*, law: str = "baseball", **changes: Any) -> Flight:
 
 
 def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -> float:
-    """Return how much farther a fly ball carries when something changes.
+    """Return the gain of carry of a fly ball by a change.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -
 
 
 def carry_gain_of_drag(*, less: float, law: str = "baseball", **changes: Any) -> float:
-    """Return how much farther a fly ball carries when its drag coefficient is smaller by ``less`` all the way."""
+    """Return the gain of carry of a fly ball from a drag coefficient smaller by ``less``."""
     hit, usual = _hit(changes, law), catalog.aerodynamics(law)
     slick = FlightConditions(
         ball=catalog.ball(), aerodynamics=usual.replaced(drag=usual.drag - less), air=hit.air, wind=hit.wind
@@ -92,7 +92,7 @@ def lift_at(*, spin_factor: float, law: str = "baseball") -> float:
 
 
 def wind_asymmetry(*, wind_speed: float, law: str = "baseball") -> float:
-    """Return what a wind out gives less what the same wind in takes."""
+    """Return the gain of carry by a wind out minus the loss by the same wind in."""
     still = _path(_hit({}, law), law).carry
     out = _path(_hit({"wind_speed": wind_speed}, law), law).carry
     head = _path(_hit({"wind_speed": wind_speed, "wind_direction": np.pi}, law), law).carry
@@ -134,7 +134,7 @@ def coefficient(*, part: str, law: str = "baseball", **changes: Any) -> float:
 
 
 def flight_place(*, time: float, along: str, law: str = "baseball", **changes: Any) -> float:
-    """Return where the ball is after a time: out or up."""
+    """Return the ball's position after a time: out or up."""
     place = _path(_hit(changes, law), law).at(time).position
     return float(place[("right", "out", "up").index(along)])
 
@@ -218,12 +218,12 @@ def best_swing_at(pitch: str, model: Model, friction: float = FRICTION) -> BestS
 
 
 def best_carry_gain(*, pitch: str, other_pitch: str, model: Model) -> float:
-    """Return by how much a pitch, hit at its best, is carried farther than another."""
+    """Return the best carry of a pitch minus that of another."""
     return best_swing_at(pitch, model).carry - best_swing_at(other_pitch, model).carry
 
 
 def best_carry_change_by_friction(*, pitch: str, friction: float) -> float:
-    """Return what another coefficient of friction changes of the best carry."""
+    """Return the change of the best carry by another coefficient of friction."""
     return best_swing_at(pitch, "measured", friction).carry - best_swing_at(pitch, "measured").carry
 
 

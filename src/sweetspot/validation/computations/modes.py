@@ -60,19 +60,19 @@ def frequency(*, bat: str, mode: int) -> float:
 
 
 def node_from_tip(*, bat: str, mode: int, node: int) -> float:
-    """Return how far from the tip a node lies; ``node`` counts from the tip."""
+    """Return the distance of a node from the tip; ``node`` counts from the tip."""
     modes = shared.free_modes(bat)
     return float(shared.length(bat) - modes.nodes(modes.of_family("bending")[mode - 1])[-node])
 
 
 def node_from_knob(*, bat: str, mode: int, node: int) -> float:
-    """Return how far from the knob end a node lies; ``node`` counts from the knob."""
+    """Return the distance of a node from the knob end; ``node`` counts from the knob."""
     modes = shared.free_modes(bat)
     return float(modes.nodes(modes.of_family("bending")[mode - 1])[node - 1])
 
 
 def node_percussion_distance(*, bat: str, pivot: float) -> float:
-    """Return how much further from the tip the first mode's node is than the centre of percussion about ``pivot``."""
+    """Return the distance from the first mode's node to the center of percussion about ``pivot``, toward the tip."""
     percussion_from_tip = shared.length(bat) - centre_of_percussion(shared.body(bat), pivot=pivot)
     return node_from_tip(bat=bat, mode=1, node=1) - percussion_from_tip
 
@@ -112,7 +112,7 @@ def tube_hoop_frequency(*, diameter: float, wall: float, modulus: float, density
 
 
 def metal_place(*, metal: str, wood: str) -> float:
-    """Return how much further from the tip the metal bat hits best."""
+    """Return the distance by which the metal bat's best place is farther from the tip."""
     places = [shared.length(bat) - shared.standard(bat).sweet_spots.max_exit_speed for bat in (metal, wood)]
     return places[0] - places[1]
 

@@ -169,7 +169,7 @@ def _along(bat: str) -> tuple[Array, Array]:
 
 
 def league_backspin(*, bat: str, launch_angle: float) -> float:
-    """Return the mean backspin of a league's fly balls to centre field, from a plane fitted to all of them."""
+    """Return the mean backspin of a league's fly balls to center field, from a plane fitted to all of them."""
     return float(_mean_spin(bat)[:, 0] @ [1.0, launch_angle, 0.0])
 
 
