@@ -30,6 +30,8 @@ LONG_FILE, LONG_FUNCTION = 400, 80
 """Lines."""
 BANNED = frozenset({"told", "said", "shown", "known", "done", "met", "own", "one", "kept"})
 """Names of variables and parameters that do not say what they hold."""
+DIALECT = re.compile(r"\b(told|gives? way|giving way|nobody|(?:is|are) meant|Return (?:how far|what|whose|where))\b")
+"""Words of docstrings and messages for which the field has plainer ones: given, deflects, no one, intended, ..."""
 UNITS = frozenset({"mph", "in", "cm", "mm", "ft", "deg", "degf", "oz", "lb", "kg", "m", "m/s", "km/h", "kmh", "rpm"})
 OF_A_HIT = ("exit_speed", "collision_efficiency", "closing_speed", "contact_time", "bbcor", "launch_angle")
 BORDER = frozenset({"report", "web", "cli"})
@@ -126,13 +128,23 @@ def _asserts_under_if(statement: ast.stmt, *, under: bool = False) -> Iterator[a
             yield from _asserts_under_if(inner, under=under or isinstance(statement, ast.If))
 
 
-def banned_bindings() -> int:
-    """Return how often a variable or parameter has a name that does not say what it holds."""
-    return sum(
-        (isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and node.id in BANNED)
-        or (isinstance(node, ast.arg) and node.arg in BANNED)
-        for _, node in nodes()
-    )
+def banned_bindings() -> dict[str, int]:
+    """Return how often a variable or parameter of every package has a name that does not say what it holds."""
+    counted: Counter[str] = Counter()
+    for path, node in nodes():
+        stored = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and node.id in BANNED
+        if stored or (isinstance(node, ast.arg) and node.arg in BANNED):
+            counted[path.relative_to(PACKAGE).with_suffix("").parts[0]] += 1
+    return dict(sorted(counted.items()))
+
+
+def house_words() -> dict[str, int]:
+    """Return how often the texts of every package speak the house's dialect and not the field's language."""
+    counted: Counter[str] = Counter()
+    for path, node in nodes():
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            counted[path.relative_to(PACKAGE).with_suffix("").parts[0]] += len(DIALECT.findall(node.value))
+    return {name: count for name, count in sorted(counted.items()) if count}
 
 
 def long_functions() -> list[str]:
@@ -222,7 +234,8 @@ def measures() -> Iterator[Measure]:
     yield Measure(f"files over {LONG_FILE} lines", sum(text.count("\n") > LONG_FILE for text in source.values()), 0)
     yield Measure(f"functions over {LONG_FUNCTION} lines", len(long_functions()), 0)
     yield Measure("tests with asserts under an `if`", len(conditional_asserts()), 0)
-    yield Measure(f"bindings named {', '.join(sorted(BANNED))}", banned_bindings(), 0)
+    yield Measure(f"bindings named {', '.join(sorted(BANNED))}", sum(banned_bindings().values()), 0)
+    yield Measure("words of the house's dialect in its texts", sum(house_words().values()), 0)
     yield Measure("functions that `report` hands its bat to", steps_of_a_bat(["report", "r161-ash"]))
     yield Measure("functions that `hit` hands its bat to", steps_of_a_bat(["hit", "r161-ash", "--at", "6in-from-tip"]))
 
