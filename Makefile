@@ -27,13 +27,13 @@ test: $(VENV)/.dev browser  ## all tests; three at a time keep two cores busy, a
 	$(BIN)/python -m pytest -q -n 3 --dist worksteal
 
 LOWEST := .venv-lowest
-UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units report cli calibration)
+UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units reports cli calibration)
 QUICK_LOWEST := $(addprefix tests/,units motion equipment catalog/files collision/test_contact_law.py dynamics/test_bending.py \
 	flight/test_trajectory.py cli/test_hostile_files.py calibration/outline/test_drawings.py cli/test_design_command.py \
-	report/drawing/test_drawing_files.py)
+	reports/drawing/test_drawing_files.py)
 
 test-lowest: $(LOWEST)/.installed  ## tests of all but pages in a browser and fits with the lowest versions that pyproject allows
-	$(LOWEST)/bin/python -m pytest -q $(UNDER_LOWEST) --ignore tests/report/test_one_sheet.py \
+	$(LOWEST)/bin/python -m pytest -q $(UNDER_LOWEST) --ignore tests/reports/test_one_sheet.py \
 		--ignore tests/calibration/test_other_code.py
 
 quick-lowest: $(LOWEST)/.installed  ## a part of them, and a report; a minute
@@ -42,7 +42,7 @@ quick-lowest: $(LOWEST)/.installed  ## a part of them, and a report; a minute
 
 # every branch of the physics at least once; what numba compiles is run as Python for it
 PHYSICS := motion numerics equipment collision dynamics flight analysis calibration uncertainty
-COVERED := $(addprefix src/sweetspot/,$(PHYSICS)) $(addprefix tests/,$(PHYSICS) catalog report/test_notebook.py report/uncertainty \
+COVERED := $(addprefix src/sweetspot/,$(PHYSICS)) $(addprefix tests/,$(PHYSICS) catalog reports/test_notebook.py reports/uncertainty \
 	$(patsubst %,cli/test_%_command.py,calibrate certify outline rank tap))
 COVERED_AS_PYTHON := $(addprefix tests/,numerics/test_banded.py collision/test_kernel_agreement.py collision/test_time_history.py \
 	collision/test_hit_convergence.py::test_a_bat_that_overtakes_the_ball_hits_it_again \

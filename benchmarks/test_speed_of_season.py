@@ -20,9 +20,9 @@ import pytest
 
 from benchmarks.cases import QUICK
 from studies import season_rows
-from sweetspot.season.ball_columns import SeasonSetting
-from sweetspot.season.season_table import analyse_season, season_setting
-from sweetspot.season.standings import all_standings
+from sweetspot.seasons.ball_columns import SeasonSetting
+from sweetspot.seasons.season_table import analyse_season, season_setting
+from sweetspot.seasons.standings import all_standings
 
 BALLS = 4_000 if QUICK else 118_000
 MANY = 8_000 if QUICK else 1_000_000

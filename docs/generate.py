@@ -31,7 +31,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from sweetspot.answers.report import report_of
-from sweetspot.report.bat.figure import report_figure
+from sweetspot.reports.bat.figure import report_figure
 
 HERE = Path(__file__).resolve().parent
 SVG = {"svg.hashsalt": "sweetspot", "svg.fonttype": "path", "font.family": "DejaVu Sans", "font.size": 10}

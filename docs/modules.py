@@ -9,10 +9,10 @@ import sweetspot
 
 ROOT = Path(sweetspot.__file__).parent
 FOLDERS = (
-    "numerics", "equipment", "motion", "dynamics", "collision", "flight", "analysis", "catalog", "paper", "player",
-    "season", "calibration", "design", "validation",
+    "numerics", "equipment", "motion", "dynamics", "collision", "flight", "analysis", "catalog", "papers", "player",
+    "seasons", "calibration", "designs", "validation",
 )  # fmt: skip
-"""In the order of the imports; the faces (report, web, cli) are no library."""
+"""In the order of the imports; the faces (reports, web, cli) are no library."""
 FILES = ("units", "errors", "references")
 
 

@@ -10,7 +10,7 @@ from tables import escaped, source, table
 from sweetspot import validation
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
-from sweetspot.paper.sports import sport_rows
+from sweetspot.papers.sports import sport_rows
 from sweetspot.validation.cases import Result
 
 CASES: dict[str, tuple[str, ...]] = {

@@ -17,7 +17,7 @@ from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.paper.chain import paper_rows
+from sweetspot.papers.chain import paper_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.cases import EVIDENCE
 from sweetspot.validation.computations.flight import pitch_flight

@@ -21,15 +21,15 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.season import contact_kernel as kernel
-from sweetspot.season.balls import Balls, balls_of, taken
-from sweetspot.season.bat_surface import BatSurface
-from sweetspot.season.contact import ContactSetting, contacts, learnt
-from sweetspot.season.headings import headings_of
-from sweetspot.season.place_relation import LEVEL, NOISE, PLACE, SPREAD
-from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.season_table import season_setting
-from sweetspot.season.swings import in_plane
+from sweetspot.seasons import contact_kernel as kernel
+from sweetspot.seasons.balls import Balls, balls_of, taken
+from sweetspot.seasons.bat_surface import BatSurface
+from sweetspot.seasons.contact import ContactSetting, contacts, learnt
+from sweetspot.seasons.headings import headings_of
+from sweetspot.seasons.place_relation import LEVEL, NOISE, PLACE, SPREAD
+from sweetspot.seasons.rows import USED, rows_of
+from sweetspot.seasons.season_table import season_setting
+from sweetspot.seasons.swings import in_plane
 from sweetspot.units import DEGREE, FOOT, INCH, MPH
 from tests.real_data import FOLDER
 

@@ -18,8 +18,8 @@ from sweetspot.flight.carry_scatter import usual_launch
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.numerics.arrays import Array
-from sweetspot.season.balls import Balls, balls_of, fields_of
-from sweetspot.season.flight_columns import GLOVE, FlightSetting, flown_balls
+from sweetspot.seasons.balls import Balls, balls_of, fields_of
+from sweetspot.seasons.flight_columns import GLOVE, FlightSetting, flown_balls
 from sweetspot.units import DEGREE, FOOT, MPH
 
 BARS: Mapping[str, float] = {"hang_bias": 0.05, "distance_bias": 2 * FOOT, "distance_spread": 12 * FOOT}

@@ -21,14 +21,14 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot import catalog
-from sweetspot.season.balls import balls_of
-from sweetspot.season.contact import BLAST, LEAGUE_BAT, LEAGUE_PITCH, SQUARED_UP
-from sweetspot.season.headings import headings_of
-from sweetspot.season.made_up import LIKE_THE_LEAGUE, MadeSeason, made_season
-from sweetspot.season.pooling import pooled
-from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.season_table import season_setting
-from sweetspot.season.swings import Errors, ceilings, in_plane
+from sweetspot.seasons.balls import balls_of
+from sweetspot.seasons.contact import BLAST, LEAGUE_BAT, LEAGUE_PITCH, SQUARED_UP
+from sweetspot.seasons.headings import headings_of
+from sweetspot.seasons.made_up import LIKE_THE_LEAGUE, MadeSeason, made_season
+from sweetspot.seasons.pooling import pooled
+from sweetspot.seasons.rows import USED, rows_of
+from sweetspot.seasons.season_table import season_setting
+from sweetspot.seasons.swings import Errors, ceilings, in_plane
 from sweetspot.units import INCH, MPH
 
 Array = NDArray[np.float64]

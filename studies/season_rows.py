@@ -21,7 +21,7 @@ from polars.io.plugins import register_io_source
 from scipy.spatial import cKDTree
 
 from sweetspot import catalog
-from sweetspot.season.made_up import MadeSeason, made_season
+from sweetspot.seasons.made_up import MadeSeason, made_season
 
 Array = NDArray[np.float64]
 DATA = Path(os.environ.get("SWEETSPOT_DATA") or Path(__file__).parents[2] / "shared" / "data")

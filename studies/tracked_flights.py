@@ -23,12 +23,12 @@ from studies.measured_hang import hang_check
 from sweetspot.flight.air import Air
 from sweetspot.flight.carry_scatter import SPIN_SCATTER, TRACKED, CarryErrors, LaunchErrors, carry_errors
 from sweetspot.flight.home_runs import USUAL
-from sweetspot.season.balls import balls_of, fields_of
-from sweetspot.season.flight_columns import GLOVE, FlightSetting, flown_balls
-from sweetspot.season.pooling import REACHES
-from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.season_table import season_setting
-from sweetspot.season.table_file import open_table
+from sweetspot.seasons.balls import balls_of, fields_of
+from sweetspot.seasons.flight_columns import GLOVE, FlightSetting, flown_balls
+from sweetspot.seasons.pooling import REACHES
+from sweetspot.seasons.rows import USED, rows_of
+from sweetspot.seasons.season_table import season_setting
+from sweetspot.seasons.table_file import open_table
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Array = NDArray[np.float64]

@@ -20,15 +20,15 @@ import polars as pl
 from studies.held_out import told
 from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
-from sweetspot.season import contact_kernel as kernel
-from sweetspot.season.balls import balls_of
-from sweetspot.season.headings import headings_of
-from sweetspot.season.made_up import MadeSeason, made_season, normal_scatter
-from sweetspot.season.pooling import pooled
-from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.season_table import Season, analyse_season, season_setting
-from sweetspot.season.standings import BOUNDS
-from sweetspot.season.swings import USUAL_ERRORS, Errors
+from sweetspot.seasons import contact_kernel as kernel
+from sweetspot.seasons.balls import balls_of
+from sweetspot.seasons.headings import headings_of
+from sweetspot.seasons.made_up import MadeSeason, made_season, normal_scatter
+from sweetspot.seasons.pooling import pooled
+from sweetspot.seasons.rows import USED, rows_of
+from sweetspot.seasons.season_table import Season, analyse_season, season_setting
+from sweetspot.seasons.standings import BOUNDS
+from sweetspot.seasons.swings import USUAL_ERRORS, Errors
 from sweetspot.units import DEGREE, MPH
 
 BAT = "r161-ash"

@@ -23,7 +23,7 @@ from sweetspot.cli import UNTIDIED, main, output
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
-from sweetspot.report.pictures import style
+from sweetspot.reports.pictures import style
 from tests import browsers
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import numpy as np
 import polars as pl
 
 from tests.photographs import rendered, saved
-from tests.season.conftest import made_up
+from tests.seasons.conftest import made_up
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"_build", "_generated"} & set(path.relative_to(DOCS).parts))

@@ -85,7 +85,7 @@ ADDITIONS = {
     "a measuring system": Addition(
         {"tables/headings.toml": '\n[systems.moon]\nname = "Moon radar"\nmarks = [["luna"]]\n\n[systems.moon.columns]\n'
          'luna = "exit_speed mph"\n'},
-        "from sweetspot.player.columns import columns_of\nfrom sweetspot.season.headings import headings_of\n"
+        "from sweetspot.player.columns import columns_of\nfrom sweetspot.seasons.headings import headings_of\n"
         "assert headings_of(['LUNA']).system == columns_of(['Luna'], file_name='f').system == 'Moon radar'\n",
     ),
     "a bat": Addition(
@@ -157,13 +157,13 @@ ADDITIONS = {
          "def shrug(bat: str, /, *, output: OutputOptions = DEFAULT_OUTPUT) -> int:\n"
          '    """Say how heavy a bat is."""\n'
          "    from sweetspot import catalog\n    from sweetspot.cli.output import present\n"
-         "    from sweetspot.report.shrug.document import shrug_document\n\n"
+         "    from sweetspot.reports.shrug.document import shrug_document\n\n"
          "    return present(shrug_document(catalog.load_bat(bat)), output)\n",
-         "report/shrug/__init__.py": '"""A weight."""\n',
-         "report/shrug/document.py":
+         "reports/shrug/__init__.py": '"""A weight."""\n',
+         "reports/shrug/document.py":
          '"""A weight as a document."""\n\n'
-         "from sweetspot.equipment.bat import Bat\nfrom sweetspot.report.document import Document, Paragraph\n"
-         "from sweetspot.report.sentences import Slot, say\n\n\n"
+         "from sweetspot.equipment.bat import Bat\nfrom sweetspot.reports.document import Document, Paragraph\n"
+         "from sweetspot.reports.sentences import Slot, say\n\n\n"
          "def shrug_document(bat: Bat) -> Document:\n"
          "    words = say('It weighs {mass}.', mass=Slot(bat.mass or 0.0, 'mass'))\n"
          "    return Document(name='shrug', title=bat.name, subtitle='a weight', kind='Shrug',\n"

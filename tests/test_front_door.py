@@ -167,10 +167,11 @@ def test_a_door_can_be_pickled_and_keeps_its_help() -> None:
     assert sweetspot.hit.__name__ == "hit" and opened(sweetspot.hits).__doc__ == sweetspot.hits.__doc__
 
 
-def test_questions_keep_their_names_whatever_is_loaded() -> None:
-    """`sweetspot.report` is also a package inside, which loads when an answer is shown."""
-
-    assert inspect.isfunction(door.report) and inspect.isfunction(door.paper)
+def test_no_package_has_the_name_of_a_public_function() -> None:
+    """A package that is loaded would take over the name: questions are asked by `report`, and `reports` answers."""
+    functions = {name for name in door.__all__ if inspect.isfunction(getattr(door, name))}
+    packages = {path.stem for path in Path(door.__file__).parent.iterdir() if path.suffix in ("", ".py")}
+    assert {"report", "season", "paper"} <= functions and not functions & packages
 
 
 def test_type_checkers_see_the_parameters_that_there_are() -> None:

@@ -20,7 +20,7 @@ from pydantic import BaseModel
 import sweetspot
 
 GLOSSARY = Path(__file__).parents[1] / "docs" / "glossary.md"
-FACES = ("cli", "web", "plot", "report", "validation", "__main__")
+FACES = ("cli", "web", "reports", "validation", "__main__")
 """Not physics: they take options and figures, whose names their own help explains."""
 
 

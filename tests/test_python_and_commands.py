@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import sweetspot
-from tests.season.conftest import made_up
+from tests.seasons.conftest import made_up
 
 door: Any = sweetspot
 R161 = "r161-ash"

@@ -34,7 +34,7 @@ DIALECT = re.compile(r"\b(told|gives? way|giving way|nobody|(?:is|are) meant|Ret
 """Words of docstrings and messages for which the field has plainer ones: given, deflects, no one, intended, ..."""
 UNITS = frozenset({"mph", "in", "cm", "mm", "ft", "deg", "degf", "oz", "lb", "kg", "m", "m/s", "km/h", "kmh", "rpm"})
 OF_A_HIT = ("exit_speed", "collision_efficiency", "closing_speed", "contact_time", "bbcor", "launch_angle")
-BORDER = frozenset({"report", "web", "cli"})
+BORDER = frozenset({"reports", "web", "cli"})
 """Packages that answer people."""
 SPEED_LIMIT = re.compile(r"(FASTEST|SLOWEST|POSSIBLE|LARGEST|HIGHEST|MOST|SPEEDS?_(RANGE|LIMITS?)|BOUNDS)")
 

@@ -28,7 +28,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.calibration.document import as_part
+from sweetspot.reports.calibration.document import as_part
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
 
 FOLDER = Path(__file__).parents[1] / "tests" / "tutorials"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from sweetspot import catalog
-from sweetspot.report.flight.picture import parks_figure as drawn
+from sweetspot.reports.flight.picture import parks_figure as drawn
 
 NAMED = ("fenway-park", "yankee-stadium", "coors-field", "oracle-park", "daikin-park", "pnc-park")
 

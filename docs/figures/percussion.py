@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from figures.style import GREY, INK, RED, new_figure
 from sweetspot.dynamics.rigid import centre_of_percussion
-from sweetspot.paper import formulas as paper
+from sweetspot.papers import formulas as paper
 from sweetspot.units import INCH
 
 

@@ -15,7 +15,7 @@ sweetspot.paper("r161-ash")
 # Here is one step by hand. Equation 11 puts the best place where the hands feel nothing, x = J / (m l) beyond the
 # center of mass. For a rod held at its end that is two thirds of its length:
 
-from sweetspot.paper.formulas import best_point_beyond_centre, rod
+from sweetspot.papers.formulas import best_point_beyond_centre, rod
 
 thin = rod(length=0.84, mass=0.9)
 beyond = best_point_beyond_centre(thin, hands=0.0)

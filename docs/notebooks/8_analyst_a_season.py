@@ -10,7 +10,7 @@ from pathlib import Path
 from tempfile import mkdtemp
 
 from sweetspot import catalog
-from sweetspot.season.made_up import MadeSeason, made_season
+from sweetspot.seasons.made_up import MadeSeason, made_season
 
 folder = Path(mkdtemp())
 table = made_season(catalog.bat("r161-ash"), MadeSeason(players=8, balls=60))
@@ -20,7 +20,7 @@ table.select("batter", "launch_speed", "launch_angle", "hc_x", "hc_y", "bat_spee
 # %%
 # One call reads any number of such files, whatever the names of their columns:
 
-from sweetspot.season.season_table import analyse_season
+from sweetspot.seasons.season_table import analyse_season
 
 season = analyse_season([folder / "made.csv"], folder=folder / "answers")
 balls = season.balls().collect()
@@ -45,7 +45,7 @@ plt.show()
 # The bow is expected: exit speed falls on both sides of the best place, so a single ball cannot show on which side
 # it was hit. Many balls, partly pooled, distinguish players:
 
-from sweetspot.season.pooling import pooled
+from sweetspot.seasons.pooling import pooled
 
 players, spread = pooled(season.counted(), key="batter", measure="exit_speed")
 players.select("batter", "balls", "mean", "pooled", "low90", "high90")

@@ -35,10 +35,9 @@ The physics below, on things and arrays:
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from importlib import import_module
-from types import FunctionType, ModuleType
+from types import FunctionType
 from typing import Any
 
 from sweetspot.numerics.notebook_display import Renderer, ShownInNotebooks
@@ -96,7 +95,7 @@ _HOMES: Mapping[str, str] = {
     "motion.ball_motion": "BallMotion BallMotions batted_ball",
     "motion.swing": "Conditions Hands Pitch Swing",
     "motion.swing_path": "SwingPath Swings",
-    "paper.chain": "paper_rows",
+    "papers.chain": "paper_rows",
 }
 """Public names by the module that they live in; ``__init__.pyi`` has their types."""
 _HOME_OF: Mapping[str, str] = {name: home for home, names in _HOMES.items() for name in names.split()}
@@ -105,23 +104,12 @@ __all__ = sorted(_HOME_OF)  # noqa: PLE0605 # of strings
 
 def _reports() -> Renderer:
     """Load what shows answers in notebooks, when one asks."""
-    from sweetspot.report import notebook
+    from sweetspot.reports import notebook
 
     return notebook
 
 
 ShownInNotebooks.renderer = staticmethod(_reports)
-
-
-class _FrontDoor(ModuleType):
-    """The package as a module whose public names no package inside takes over when it is loaded: `report`, `paper`."""
-
-    def __setattr__(self, name: str, value: object) -> None:
-        if not (isinstance(value, ModuleType) and _HOME_OF.get(name)):
-            super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _FrontDoor
 
 
 def __dir__() -> list[str]:

@@ -76,7 +76,7 @@ from .motion.swing import Pitch as Pitch
 from .motion.swing import Swing as Swing
 from .motion.swing_path import SwingPath as SwingPath
 from .motion.swing_path import Swings as Swings
-from .paper.chain import paper_rows as paper_rows
+from .papers.chain import paper_rows as paper_rows
 
 __version__: str
 

@@ -14,8 +14,8 @@ from sweetspot.dynamics.block import Block, Support
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
-from sweetspot.paper import formulas as paper
-from sweetspot.paper.chain import paper_rows
+from sweetspot.papers import formulas as paper
+from sweetspot.papers.chain import paper_rows
 from sweetspot.units import FOOT
 
 

@@ -25,7 +25,7 @@ from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.piecewise import Piecewise
-from sweetspot.paper import formulas as paper
+from sweetspot.papers import formulas as paper
 
 
 def spring_wall(stiffness: float, frequency: float) -> Modes:

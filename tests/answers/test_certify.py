@@ -10,7 +10,7 @@ from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import Interval
-from sweetspot.report.notebook import document_of
+from sweetspot.reports.notebook import document_of
 from sweetspot.uncertainty.sources import sources_of
 
 

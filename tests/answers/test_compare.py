@@ -13,7 +13,7 @@ from sweetspot.answers.compare import CompareQuestion, chance_above_zero, compar
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import Band, Interval
-from sweetspot.report.notebook import document_of
+from sweetspot.reports.notebook import document_of
 from sweetspot.uncertainty.sources import Sources, sources_of
 
 

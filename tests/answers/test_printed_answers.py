@@ -9,7 +9,7 @@ import pytest
 import sweetspot
 from sweetspot.answers.answer import Answer
 from sweetspot.cli import main
-from sweetspot.report.terminal import ROOM
+from sweetspot.reports.terminal import ROOM
 
 
 @pytest.mark.parametrize(

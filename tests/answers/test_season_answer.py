@@ -13,7 +13,7 @@ from sweetspot.answers.season import SeasonAnswer, season_answer
 from sweetspot.answers.season_question import SeasonQuestion
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.units import MPH
-from tests.season.conftest import made_up
+from tests.seasons.conftest import made_up
 
 
 @pytest.fixture(scope="module")

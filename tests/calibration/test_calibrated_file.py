@@ -25,7 +25,7 @@ from sweetspot.dynamics.rigid import OF_CENTRE, OF_SWING, moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import REACH
-from sweetspot.report.calibration.document import again_words
+from sweetspot.reports.calibration.document import again_words
 from sweetspot.uncertainty.implement_doubt import expected_deviations
 from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, OUNCE

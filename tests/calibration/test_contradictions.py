@@ -19,7 +19,7 @@ from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.report.calibration.document import contradictions
+from sweetspot.reports.calibration.document import contradictions
 from sweetspot.units import INCH, OUNCE
 from tests.calibration.test_posterior import measured
 

@@ -19,9 +19,9 @@ from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.errors import InputError, UnusualWarning
-from sweetspot.report.calibration.ranking_report import ranking_words
-from sweetspot.report.quantities import US
-from sweetspot.report.sentences import read
+from sweetspot.reports.calibration.ranking_report import ranking_words
+from sweetspot.reports.quantities import US
+from sweetspot.reports.sentences import read
 from sweetspot.tables.headings import GivenColumns
 
 MODEL = catalog.bat("r161-ash")

@@ -187,7 +187,7 @@ def test_start_up_stays_light() -> None:
     assert not {"numpy", "scipy", "numba", "skfem", "matplotlib", "pint"} & loaded(
         "sweetspot, sweetspot.cli.app; sweetspot.cli.app.load_all()"
     )
-    assert not {"matplotlib", "rich"} & loaded("sweetspot.report.html, sweetspot.report.document")
+    assert not {"matplotlib", "rich"} & loaded("sweetspot.reports.html, sweetspot.reports.document")
     loading_a_bat = loaded("sweetspot; sweetspot.catalog.load_implement('r161-ash'); sweetspot.catalog.aerodynamics()")
     assert not {"pint", "matplotlib", "rich", "scipy.linalg", "scipy.special", "scipy.sparse"} & loading_a_bat
 

@@ -34,7 +34,7 @@ def test_a_design_with_its_files(run: Run, tmp_path: Path, monkeypatch: pytest.M
     answer = json.loads((out / "design.json").read_text(encoding="utf-8"))
     bat = read_bat(out / "designed-bat.toml")
     assert bat.mass == pytest.approx(answer["measures"]["mass_kg"], rel=1e-9)
-    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 3)  # it goes on from what was found
+    monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", 3)  # it goes on from what was found
     code, again, _ = run(
         "design", "mlb-a", "--contact", "8in", "--contact-spread", "1.2in", *QUICK, "--format", "csv", "--resume",
         str(out / "search.json"),
@@ -46,9 +46,9 @@ def test_a_design_with_its_files(run: Run, tmp_path: Path, monkeypatch: pytest.M
 @pytest.fixture
 def short_polish(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search that begins with a start hardly polished: every hollow bat costs a tenth of a second."""
-    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 2)
-    monkeypatch.setattr("sweetspot.design.local_search.WAYS", 1)
-    monkeypatch.setattr("sweetspot.design.local_search.POINTS", 5)
+    monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", 2)
+    monkeypatch.setattr("sweetspot.designs.local_search.WAYS", 1)
+    monkeypatch.setattr("sweetspot.designs.local_search.POINTS", 5)
 
 
 @pytest.mark.usefixtures("short_polish")

@@ -18,7 +18,7 @@ WORDS = ("design", "mlb-a", "--contact", "8in", "--population", "8", "--generati
 ENDLESS = """
 import sys
 from sweetspot.cli import main
-from sweetspot.design import fronts, polish
+from sweetspot.designs import fronts, polish
 
 polish.LOOKS, polish.WAYS, polish.POINTS = 2, 1, 5
 real = fronts._next_generation
@@ -51,7 +51,7 @@ def interrupted(words: tuple[str, ...], *, number: int) -> tuple[int, str, str]:
 @pytest.fixture
 def short_polish(monkeypatch: pytest.MonkeyPatch) -> None:
     for name, value in (("LOOKS", 2), ("WAYS", 1), ("POINTS", 5)):
-        monkeypatch.setattr(f"sweetspot.design.local_search.{name}", value)
+        monkeypatch.setattr(f"sweetspot.designs.local_search.{name}", value)
 
 
 @pytest.mark.usefixtures("short_polish")

@@ -1,6 +1,6 @@
 """Every command under every fault of disk, memory and system: one clear line, and the folder is as it was.
 
-What a single file meets, call by call, stands in tests/report/test_file_set.py.
+What a single file meets, call by call, stands in tests/reports/test_file_set.py.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ import pytest
 from sweetspot import validation
 from sweetspot.cli import app
 from sweetspot.errors import InputError
-from sweetspot.report import files
-from sweetspot.report.pictures import style
+from sweetspot.reports import files
+from sweetspot.reports.pictures import style
 from sweetspot.validation.cases import sources
 from sweetspot.validation.run import judged
 from tests.full_disk import no_file_beyond
-from tests.season.conftest import made_up
+from tests.seasons.conftest import made_up
 
 Run = Callable[..., tuple[int, str, str]]
 SWINGS = """bat_speed_mph,exit_speed_mph,launch_angle_deg,pitch_speed_mph
@@ -148,7 +148,7 @@ def test_every_command_under_every_fault(
     monkeypatch.setattr(style, "png_bytes", lambda _: b"a picture, which would take long and is not what fails")
     monkeypatch.setattr(style, "svg_bytes", lambda _: b'<svg xmlns="http://www.w3.org/2000/svg"/>')
     monkeypatch.setattr(validation, "results", some_cases)
-    monkeypatch.setattr("sweetspot.design.local_search.LOOKS", 3)  # a bat found sooner is written like any other
+    monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", 3)  # a bat found sooner is written like any other
     monkeypatch.setattr(threading.Thread, "start", refused)
     monkeypatch.setattr(os, "fork", refused)
     before, met = sorted(tmp_path.rglob("*")), list[str]()

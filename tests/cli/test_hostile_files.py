@@ -22,11 +22,11 @@ from sweetspot.calibration import bat_table
 from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.calibration.recording import BAT_BAND, FASTEST_RATE, SLOWEST_RATE, in_band, read_recording
 from sweetspot.catalog.bats import load_bat
-from sweetspot.design.batter_files import contacts_of_file
+from sweetspot.designs.batter_files import contacts_of_file
 from sweetspot.errors import InputError
 from sweetspot.player.swings import read_swings
-from sweetspot.season.batters import read_bats
-from sweetspot.season.table_file import open_table
+from sweetspot.seasons.batters import read_bats
+from sweetspot.seasons.table_file import open_table
 
 Reader = Callable[[Path], object]
 READERS: dict[str, Reader] = {

@@ -14,14 +14,14 @@ import pytest
 from sweetspot.answers.season import SeasonAnswer
 from sweetspot.cli import main
 from sweetspot.errors import InputError
-from sweetspot.report import html
-from sweetspot.report.quantities import US
-from sweetspot.report.season.one_player import player_page
-from sweetspot.report.season.tables import write_tables
-from sweetspot.season.batters import read_bats, require_batter
-from sweetspot.season.standings import GROUPS, Standing
-from tests.report.season.test_picture import CASES
-from tests.season.conftest import made_up
+from sweetspot.reports import html
+from sweetspot.reports.quantities import US
+from sweetspot.reports.season.one_player import player_page
+from sweetspot.reports.season.tables import write_tables
+from sweetspot.seasons.batters import read_bats, require_batter
+from sweetspot.seasons.standings import GROUPS, Standing
+from tests.reports.season.test_picture import CASES
+from tests.seasons.conftest import made_up
 
 
 def run(*arguments: object) -> int:

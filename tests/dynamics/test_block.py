@@ -15,7 +15,7 @@ from sweetspot.dynamics.block import Block, block_modes, expected_patch, local_m
 from sweetspot.equipment.ball import Ball, RestitutionLaw
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
-from sweetspot.paper import formulas as paper
+from sweetspot.papers import formulas as paper
 
 FALL = math.sqrt(2 * 9.80665)
 

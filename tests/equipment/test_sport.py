@@ -10,7 +10,7 @@ from sweetspot import catalog, references
 from sweetspot.catalog.sports import certainty, sport, sport_names, sport_records
 from sweetspot.equipment.sport import ASSUMED_MARK, CERTAINTIES
 from sweetspot.errors import InputError
-from sweetspot.paper.sports import rule_book_drops, sport_rows
+from sweetspot.papers.sports import rule_book_drops, sport_rows
 
 NAMES = sport_names()
 

@@ -25,7 +25,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.numerics.arrays import Array
-from sweetspot.season.season_table import analyse_season, season_setting
+from sweetspot.seasons.season_table import analyse_season, season_setting
 from sweetspot.units import DEGREE, MPH
 from tests.real_data import real_file
 

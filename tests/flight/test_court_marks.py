@@ -17,9 +17,9 @@ from sweetspot.flight.court_marks import passages
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.report.flight.document import court_words
-from sweetspot.report.quantities import SI, US, reader
-from sweetspot.report.sentences import Sentence
+from sweetspot.reports.flight.document import court_words
+from sweetspot.reports.quantities import SI, US, reader
+from sweetspot.reports.sentences import Sentence
 from sweetspot.units import RPM
 
 

@@ -17,7 +17,7 @@ from sweetspot.motion.swing import Pitch, Swing
 from sweetspot.plausibility import bounds, insisting, parse, verdict
 from sweetspot.plausibility.table import MAX_SPEED, SPEEDS, TABLE
 from sweetspot.player.player_swing import PlayerSwing, fault_of
-from sweetspot.season.rows import POSSIBLE, _near
+from sweetspot.seasons.rows import POSSIBLE, _near
 from sweetspot.units import MPH
 from sweetspot.web.states import SwingState, ViewState
 from sweetspot.web.views.flight_state import FlightState

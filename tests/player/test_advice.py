@@ -38,10 +38,10 @@ from sweetspot.player.posterior import PlayerPosterior, fit_player
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.player.swings import SwingFile, read_swings
-from sweetspot.report.player.document import player_document
-from sweetspot.report.player.phrases import pitch_words
-from sweetspot.report.player.words import answers, findings, notes
-from sweetspot.report.quantities import US
+from sweetspot.reports.player.document import player_document
+from sweetspot.reports.player.phrases import pitch_words
+from sweetspot.reports.player.words import answers, findings, notes
+from sweetspot.reports.quantities import US
 from sweetspot.tables.bad_row import BadRow
 from sweetspot.units import FOOT, INCH, MPH
 from tests.real_data import real_file

@@ -7,9 +7,9 @@ import polars as pl
 import pytest
 
 from studies.measured_hang import HangCheck, hang_check
-from sweetspot.season.headings import headings_of
-from sweetspot.season.rows import rows_of
-from sweetspot.season.season_table import season_columns, season_setting
+from sweetspot.seasons.headings import headings_of
+from sweetspot.seasons.rows import rows_of
+from sweetspot.seasons.season_table import season_columns, season_setting
 from sweetspot.units import FOOT
 
 SETTING = season_setting(contact=False)

@@ -6,7 +6,7 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.player.columns import SWINGS, columns_of
-from sweetspot.season.headings import BALLS, headings_of
+from sweetspot.seasons.headings import BALLS, headings_of
 from sweetspot.tables.headings import GivenColumns, Headings, maybe_heading, read_headings
 from sweetspot.tables.unit_words import UNITS, UNMEASURED
 from sweetspot.tables.vocabulary import quantities, quantities_of, systems

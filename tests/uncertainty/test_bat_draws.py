@@ -17,7 +17,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.hit.ledger import ENERGY_NAMES
+from sweetspot.reports.hit.ledger import ENERGY_NAMES
 from sweetspot.uncertainty.drawn_hits import drawn_ledger, draws_of, hits_along
 from sweetspot.uncertainty.sources import NOTHING, OF_BALL, PATCH, sources_of
 from sweetspot.units import MPH

@@ -16,7 +16,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import REACH, Interval, Number
-from sweetspot.report.bat.words import doubt_words
+from sweetspot.reports.bat.words import doubt_words
 from sweetspot.uncertainty.linear_doubt import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.sources import Sources, sources_of
 

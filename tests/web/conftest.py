@@ -294,7 +294,7 @@ def balls(tmp_path_factory: pytest.TempPathFactory) -> Path:
     import polars as pl
 
     from sweetspot import catalog
-    from sweetspot.season.made_up import MadeSeason, made_season
+    from sweetspot.seasons.made_up import MadeSeason, made_season
 
     path = tmp_path_factory.mktemp("balls") / "my balls.csv"
     made = made_season(catalog.bat("r161-ash"), MadeSeason(players=6, balls=60))

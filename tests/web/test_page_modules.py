@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import BrowserContext, Page, expect
 
-from sweetspot.report.quantities import PALETTE, SI, US
+from sweetspot.reports.quantities import PALETTE, SI, US
 from sweetspot.web.files import FOLDER
 
 Answered = Callable[..., int]

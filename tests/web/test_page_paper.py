@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
-from sweetspot.paper.chain import PARTS
+from sweetspot.papers.chain import PARTS
 
 Answered = Callable[..., int]
 CONTROLS = {

@@ -12,7 +12,7 @@ from playwright.sync_api import BrowserContext
 
 from sweetspot import catalog
 from sweetspot.answers.records import plain_data
-from sweetspot.report.quantities import US
+from sweetspot.reports.quantities import US
 from sweetspot.units import DEGREE, INCH
 from sweetspot.web.views import explorer, flight, hit, modes, optimum, sports
 from sweetspot.web.views.flight_state import FlightState

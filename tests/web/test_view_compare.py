@@ -16,7 +16,7 @@ from sweetspot.answers.records import to_dict
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.rigid import OF_SWING
 from sweetspot.numerics.interval import REACH, interval_of
-from sweetspot.report.comparison.words import changes
+from sweetspot.reports.comparison.words import changes
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views import compare as compare_view
 from sweetspot.web.views.compare import VIEW, CompareState, rules_sure, sure

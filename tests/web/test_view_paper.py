@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from sweetspot.answers.records import to_dict
-from sweetspot.paper.chain import PARTS
+from sweetspot.papers.chain import PARTS
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views.paper import VIEW, PaperState
 from sweetspot.web.views.paper import answer as paper_answer

@@ -195,7 +195,7 @@ def static_share(ball: Ball, *, speed: float, compliance: float) -> float:
     """Return the part of the energy that a slow spring holds when it and the ball carry the force of a rigid wall.
 
     z = E_s / (E_s + E_b), E_s = C F^2 / 2 and E_b = m v^2 / 2 = k U^(n+1) / (n+1), F = k U^n; the same number as
-    `sweetspot.paper.formulas.block_share` for a deep block and a ball with n = 3/2.
+    `sweetspot.papers.formulas.block_share` for a deep block and a ball with n = 3/2.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ from sweetspot.answers.setups import AS_USUAL, CorkSetup, HitSetup, Place, check
 from sweetspot.catalog.implements import Loaded
 from sweetspot.equipment.implement import check_on_face, check_position
 from sweetspot.errors import InputError
-from sweetspot.paper.choices import Choices
+from sweetspot.papers.choices import Choices
 
 if TYPE_CHECKING:
     from sweetspot.analysis.certification.shots import Shots

@@ -7,13 +7,13 @@ from pathlib import Path
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse
-from sweetspot.design.batter import Batter, ContactPlaces, contacts_at, fitted_contact, known_contact, usual_batter
-from sweetspot.design.batter_files import contacts_of_file, fitted_player
+from sweetspot.designs.batter import Batter, ContactPlaces, contacts_at, fitted_contact, known_contact, usual_batter
+from sweetspot.designs.batter_files import contacts_of_file, fitted_player
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
-from sweetspot.season.ball_maps import contact_places
+from sweetspot.seasons.ball_maps import contact_places
 from sweetspot.units import INCH, format_length
 
 WIDEST_SPREAD, WIDEST_DOUBT = 0.1, 0.2

@@ -12,12 +12,12 @@ from sweetspot.answers.answer import Answer, Progress
 from sweetspot.answers.certify import RuleCheck, rule_check
 from sweetspot.answers.design_question import Designed, DesignQuestion, all_searched, designed_bat
 from sweetspot.answers.records import INLINE, INTERNAL, Length, Speed, Time, to_dict
-from sweetspot.design.batter import FROM_TIP
-from sweetspot.design.constraints import Limit
-from sweetspot.design.gain import Gain, GainVerdict, HandleBending
-from sweetspot.design.local_search import best_of, best_value
-from sweetspot.design.measures import MeasuredDesigns
-from sweetspot.design.pareto import Front
+from sweetspot.designs.batter import FROM_TIP
+from sweetspot.designs.constraints import Limit
+from sweetspot.designs.gain import Gain, GainVerdict, HandleBending
+from sweetspot.designs.local_search import best_of, best_value
+from sweetspot.designs.measures import MeasuredDesigns
+from sweetspot.designs.pareto import Front
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.interval import Curve, Interval, Number
 from sweetspot.units.dimensions import CURVATURE, FREQUENCY, LENGTH, MASS, MOI, RATIO, SPEED, TIME, VIBRATION, System
@@ -31,7 +31,7 @@ Measurement = Number | Curve | None
 
 @dataclass(frozen=True, kw_only=True)
 class DesignMeasures:
-    """What is measured on bats; see `sweetspot.design.measures.MEASURES`. None: not measured."""
+    """What is measured on bats; see `sweetspot.designs.measures.MEASURES`. None: not measured."""
 
     length: Annotated[Measurement, LENGTH] = None
     diameter: Annotated[Measurement, LENGTH] = None
@@ -83,7 +83,7 @@ class MaterialBest:
 
 @dataclass(frozen=True, kw_only=True)
 class DesignGain:
-    """What a design gains over the present bat in the batter's hands; see `sweetspot.design.gain.Gain`.
+    """What a design gains over the present bat in the batter's hands; see `sweetspot.designs.gain.Gain`.
 
     Parameters
     ----------

@@ -11,13 +11,13 @@ import numpy as np
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules
 from sweetspot.answers.answer import Progress
-from sweetspot.design.batter import Batter
-from sweetspot.design.constraints import Limit, findings_of, kept_limits
-from sweetspot.design.gain import Gain, HandleBending, gain_of, handle_bending, present_measured
-from sweetspot.design.local_search import designed
-from sweetspot.design.measures import Bench, MeasuredDesigns, bench_of
-from sweetspot.design.pareto import GENERATIONS, POPULATION, DesignSearch, Front, measured_rows, resumed
-from sweetspot.design.spaces import space_of
+from sweetspot.designs.batter import Batter
+from sweetspot.designs.constraints import Limit, findings_of, kept_limits
+from sweetspot.designs.gain import Gain, HandleBending, gain_of, handle_bending, present_measured
+from sweetspot.designs.local_search import designed
+from sweetspot.designs.measures import Bench, MeasuredDesigns, bench_of
+from sweetspot.designs.pareto import GENERATIONS, POPULATION, DesignSearch, Front, measured_rows, resumed
+from sweetspot.designs.spaces import space_of
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material

@@ -10,9 +10,9 @@ from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL
 from sweetspot.answers.setups import SwungWith
 from sweetspot.equipment.bat import Bat
-from sweetspot.paper.chain import paper_rows
-from sweetspot.paper.choices import Choices
-from sweetspot.paper.formulas import Row
+from sweetspot.papers.chain import paper_rows
+from sweetspot.papers.choices import Choices
+from sweetspot.papers.formulas import Row
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -19,15 +19,15 @@ from sweetspot.answers.season_question import SeasonQuestion, checked_season
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
-from sweetspot.season.ball_maps import is_home_run, known_sum
-from sweetspot.season.batters import unknown_batter
-from sweetspot.season.place_relation import SCALE, PlaceRelation
-from sweetspot.season.plan import Plan, Progress
-from sweetspot.season.pooling import Spread
-from sweetspot.season.rows import USED
-from sweetspot.season.season_drag import EDGES, DragOfMonth, LeftOver, drag_by_month, home_runs_with, left_over_by
-from sweetspot.season.season_table import Season, analyse_season
-from sweetspot.season.standings import (
+from sweetspot.seasons.ball_maps import is_home_run, known_sum
+from sweetspot.seasons.batters import unknown_batter
+from sweetspot.seasons.place_relation import SCALE, PlaceRelation
+from sweetspot.seasons.plan import Plan, Progress
+from sweetspot.seasons.pooling import Spread
+from sweetspot.seasons.rows import USED
+from sweetspot.seasons.season_drag import EDGES, DragOfMonth, LeftOver, drag_by_month, home_runs_with, left_over_by
+from sweetspot.seasons.season_table import Season, analyse_season
+from sweetspot.seasons.standings import (
     OtherBatGain,
     Standing,
     above_expected_parts,
@@ -35,9 +35,9 @@ from sweetspot.season.standings import (
     bat_gains,
     rare_shares,
 )
-from sweetspot.season.survey import Survey, TrackingBias, tracking_bias
-from sweetspot.season.swings import SwingSpeeds
-from sweetspot.season.table_warnings import cannot_tell
+from sweetspot.seasons.survey import Survey, TrackingBias, tracking_bias
+from sweetspot.seasons.swings import SwingSpeeds
+from sweetspot.seasons.table_warnings import cannot_tell
 from sweetspot.units import FOOT
 from sweetspot.units.dimensions import ANGLE, LENGTH, SPEED, System
 

@@ -10,9 +10,9 @@ from pathlib import Path
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import UnusualWarning
 from sweetspot.flight.air import Air
-from sweetspot.season.ball_columns import SeasonSetting
-from sweetspot.season.batters import require_batter, strangers, tables_of_balls
-from sweetspot.season.season_table import season_setting
+from sweetspot.seasons.ball_columns import SeasonSetting
+from sweetspot.seasons.batters import require_batter, strangers, tables_of_balls
+from sweetspot.seasons.season_table import season_setting
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 from sweetspot.units.dimensions import System
 

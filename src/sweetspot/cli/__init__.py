@@ -12,7 +12,7 @@ from typing import Any
 
 from sweetspot.errors import SweetspotError, UnusualWarning
 from sweetspot.plausibility import insisting
-from sweetspot.report.plain_signs import spelled_for
+from sweetspot.reports.plain_signs import spelled_for
 
 EXIT_BAD_INPUT = 2
 EXIT_INTERRUPTED = 130

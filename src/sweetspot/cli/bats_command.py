@@ -8,6 +8,6 @@ from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 def bats(*, output: OutputOptions = DEFAULT_OUTPUT) -> int:
     """List the catalogue's bats with their weight, balance and swing weight, then what other sports hit with."""
     from sweetspot.cli.output import present
-    from sweetspot.report.bat.listing import catalogue_document
+    from sweetspot.reports.bat.listing import catalogue_document
 
     return present(catalogue_document(), output)

@@ -104,7 +104,7 @@ def calibrate(
     from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
     from sweetspot.cli.output import present
     from sweetspot.plausibility import parse
-    from sweetspot.report.calibration.document import calibration_document
+    from sweetspot.reports.calibration.document import calibration_document
 
     described = catalog.load_implement(bat).as_drawn()
     diameter_error = parse(trust.diameter_error, "ratio", "--diameter-error")
@@ -125,7 +125,7 @@ def calibrate(
     if not found.consistent:
         print("sweetspot: measurements contradict each other; no bat was written", file=sys.stderr)
     elif out is not None:
-        from sweetspot.report.files import write_all
+        from sweetspot.reports.files import write_all
 
         write_all({out: found.to_toml().encode()})
         print(f"sweetspot: wrote {out}", file=sys.stderr)
@@ -164,7 +164,7 @@ def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tupl
     from sweetspot.answers.tap import TapQuestion, tap_answer
     from sweetspot.calibration.recording import read_recording
     from sweetspot.cli.tap_command import tap_places
-    from sweetspot.report.tap.document import touched_words, unlike_words
+    from sweetspot.reports.tap.document import touched_words, unlike_words
 
     if not recordings:
         if at:

@@ -70,7 +70,7 @@ def compare(
     from sweetspot.answers.setups import CorkSetup
     from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import patience, present
-    from sweetspot.report.comparison.document import compare_document
+    from sweetspot.reports.comparison.document import compare_document
 
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")

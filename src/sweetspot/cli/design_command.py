@@ -81,7 +81,7 @@ def design(
     from sweetspot.cli.options.batter import batter_of
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import present, progress
-    from sweetspot.report.design.document import design_document
+    from sweetspot.reports.design.document import design_document
 
     present_bat = catalog.load_implement(bat)
     refuse_unused(given(swing, "same_speed"), "a bat that was changed", "ask report, hit or play of it")

@@ -77,8 +77,8 @@ def fit_player(
     from sweetspot.cli.output import present, progress, today
     from sweetspot.plausibility import parse
     from sweetspot.player.goal import Goal
-    from sweetspot.report.player.document import player_document
-    from sweetspot.report.player.team import team_document
+    from sweetspot.reports.player.document import player_document
+    from sweetspot.reports.player.team import team_document
 
     if wanted.seed < 0:
         raise InputError(f"--seed was given as {wanted.seed}; allowed is a whole number from 0 up")

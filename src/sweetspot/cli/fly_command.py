@@ -18,7 +18,7 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.answers.flight_setups import LaunchSetup, Weather
     from sweetspot.flight.sweep import Varied
-    from sweetspot.report.document import Document
+    from sweetspot.reports.document import Document
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -126,7 +126,7 @@ def _table(launch: LaunchSetup, weather: Weather, ranges: list[Varied], cell: st
     from sweetspot import catalog
     from sweetspot.cli.output import patience
     from sweetspot.flight.sweep import flight_table
-    from sweetspot.report.flight.many import sweep_document
+    from sweetspot.reports.flight.many import sweep_document
 
     first: dict[str, Any] = {name: values[0] for name, values in ranges}
     with patience():

@@ -16,7 +16,7 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.answers.outline import OutlineQuestion
     from sweetspot.equipment.bat import Bat
-    from sweetspot.report.quantities import Reader
+    from sweetspot.reports.quantities import Reader
 
 BAT_FILE = ".toml"
 
@@ -78,13 +78,13 @@ def outline(
     """Turn a table of diameters, a drawing or a photograph into a bat file, and bats into drawings."""
     from sweetspot.answers.outline import outline_answer
     from sweetspot.cli.output import present
-    from sweetspot.report.calibration.outline_report import outline_document
+    from sweetspot.reports.calibration.outline_report import outline_document
 
     found = outline_answer(_question(source, sizes, columns, material=material, name=name))
     document = outline_document(found)
     contents = {path: _content(path, found.bat, document.reader_of(answer.units)) for path in out or []}
     if contents:
-        from sweetspot.report.files import write_all
+        from sweetspot.reports.files import write_all
 
         for folder in dict.fromkeys(path.parent for path in contents):  # those of one folder together
             write_all({path: content for path, content in contents.items() if path.parent == folder})
@@ -109,7 +109,7 @@ def _question(
         return OutlineQuestion(measured, bat)
     if sizes.given():
         raise InputError(f"--length or --ruler was given, but {source} is a bat and has its own; leave it out")
-    from sweetspot.report.drawing.contour import outline_stations
+    from sweetspot.reports.drawing.contour import outline_stations
 
     bat = catalog.load_bat(source)
     bat = bat if name is None else bat.replaced(name=name)
@@ -120,7 +120,7 @@ def _question(
 def _content(path: Path, bat: Bat, reading: Reader) -> bytes:
     """Return what a file of this name holds."""
     from sweetspot.catalog.files.write import bat_toml, legible
-    from sweetspot.report.drawing.drawing_files import ENDINGS, drawing_bytes
+    from sweetspot.reports.drawing.drawing_files import ENDINGS, drawing_bytes
 
     if path.suffix.lower() == BAT_FILE:
         return legible(bat_toml(bat)).encode()

@@ -22,8 +22,8 @@ from sweetspot.numerics.text_files import harmless
 if TYPE_CHECKING:
     from sweetspot.answers.answer import Answer
     from sweetspot.cli.options.output import OutputOptions
-    from sweetspot.report.document import Document
-    from sweetspot.report.quantities import Reader
+    from sweetspot.reports.document import Document
+    from sweetspot.reports.quantities import Reader
 
 PATIENCE = 3.0
 """s before a run says why it takes a while."""
@@ -53,7 +53,7 @@ def _print(document: Document, reader: Reader) -> None:
     from rich.console import Console
     from rich.measure import Measurement
 
-    from sweetspot.report.terminal import to_terminal
+    from sweetspot.reports.terminal import to_terminal
 
     console = Console(soft_wrap=False)
     if not console.is_terminal:
@@ -84,13 +84,13 @@ def present(answer: Answer | Document, options: OutputOptions, *, long: bool = F
     ----------
     long : whether a printed page goes on after its first sheet.
     """
-    from sweetspot.report.notebook import document_of
+    from sweetspot.reports.notebook import document_of
 
     written: list[Path] = []
     document = document_of(answer)
     document = replace(document, title=options.title or document.title, made_for=options.made_for, made=_made())
     if options.out is not None:
-        from sweetspot.report.files import write_document
+        from sweetspot.reports.files import write_document
 
         written = write_document(document, options.out, reader=document.reader_of(options.units), long=long)
     if options.format == "json":

@@ -53,7 +53,7 @@ def paper(
     from sweetspot.answers.ask_bat import paper as asked
     from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.output import patience, present
-    from sweetspot.paper.choices import Choices
+    from sweetspot.papers.choices import Choices
 
     loaded = loaded_bat(bat)
     choices = replace(read(Choices, options), fill=catalog.material(options.fill))

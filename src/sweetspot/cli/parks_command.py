@@ -19,7 +19,7 @@ def parks(
     from sweetspot import catalog
     from sweetspot.catalog.ballparks import field_names
     from sweetspot.cli.output import present
-    from sweetspot.report.flight.parks import park_document, parks_document
+    from sweetspot.reports.flight.parks import park_document, parks_document
 
     if park is not None:
         return present(park_document(catalog.park(park), catalog.parks()), output)

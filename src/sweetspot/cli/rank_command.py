@@ -47,7 +47,7 @@ def rank(
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present, progress
     from sweetspot.plausibility import parse, parse_position
-    from sweetspot.report.calibration.ranking_report import ranking_document
+    from sweetspot.reports.calibration.ranking_report import ranking_document
 
     model = catalog.load_implement(like).as_drawn()
     axis = model.swing_axis if pivot is None else parse_position(pivot, length=model.length, what="--pivot-of-table")

@@ -29,7 +29,7 @@ def report(
     from sweetspot.cli.output import patience, present
 
     if output.out is not None:
-        from sweetspot.report.files import check_folder, files_of
+        from sweetspot.reports.files import check_folder, files_of
 
         check_folder(output.out, files_of("report"))
     loaded = loaded_implement(bat)

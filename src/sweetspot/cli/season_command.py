@@ -36,7 +36,7 @@ class SwungOptions:
 
     def named(self) -> dict[str, str] | None:
         """Return the bat of each batter, under "" that of all others; None: nothing was said."""
-        from sweetspot.season.batters import read_bats
+        from sweetspot.seasons.batters import read_bats
 
         if self.bat is not None and self.bats is not None:
             raise InputError(
@@ -116,7 +116,7 @@ def season(
     from sweetspot.answers.season_question import SeasonQuestion, checked_season
     from sweetspot.cli.options.weather import weather_of
     from sweetspot.cli.output import patience, progress
-    from sweetspot.season.cluster import run_on_cluster
+    from sweetspot.seasons.cluster import run_on_cluster
 
     with patience():
         question = checked_season(
@@ -147,9 +147,9 @@ def season(
 
 def _presented(answer: SeasonAnswer, output: OutputOptions) -> int:
     from sweetspot.cli.output import present
-    from sweetspot.report.season.document import season_document, unread_of
-    from sweetspot.report.season.one_player import player_page
-    from sweetspot.report.season.tables import write_tables
+    from sweetspot.reports.season.document import season_document, unread_of
+    from sweetspot.reports.season.one_player import player_page
+    from sweetspot.reports.season.tables import write_tables
 
     if output.out is not None:
         written = write_tables(answer, output.out)
@@ -165,7 +165,7 @@ def _presented(answer: SeasonAnswer, output: OutputOptions) -> int:
 def _show_columns(files: list[Path], given: GivenColumns) -> int:
     from tempfile import TemporaryDirectory
 
-    from sweetspot.season.table_file import open_table
+    from sweetspot.seasons.table_file import open_table
 
     bad = 0
     with TemporaryDirectory(prefix="sweetspot-season-") as folder:

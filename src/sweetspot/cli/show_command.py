@@ -30,7 +30,7 @@ def show(
 
     text = entry_toml(name, of, sources=sources)
     if out is not None:
-        from sweetspot.report.files import write_all
+        from sweetspot.reports.files import write_all
 
         if os.path.lexists(out):
             raise InputError(f"{out} is there already; choose another name for --out")

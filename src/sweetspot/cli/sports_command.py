@@ -18,8 +18,8 @@ def sports(
     """List the sports with their balls, implements, speeds and rules, and how sure each number is."""
     from sweetspot.catalog.sports import sport
     from sweetspot.cli.output import patience, present
-    from sweetspot.paper.sports import sport_rows
-    from sweetspot.report.sports import sport_document, sports_document
+    from sweetspot.papers.sports import sport_rows
+    from sweetspot.reports.sports import sport_document, sports_document
 
     if name is None:
         return present(sports_document(), output)

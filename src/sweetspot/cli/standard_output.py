@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TextIO
 
-from sweetspot.report.plain_signs import spelled_for
+from sweetspot.reports.plain_signs import spelled_for
 
 
 class OutputError(Exception):

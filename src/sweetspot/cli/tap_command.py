@@ -92,7 +92,7 @@ def tap(
     from sweetspot.answers.tap import TapQuestion, tap_answer
     from sweetspot.calibration.recording import read_recording
     from sweetspot.cli.output import present
-    from sweetspot.report.tap.document import tap_document
+    from sweetspot.reports.tap.document import tap_document
 
     if synthesis.synthesise is not None:
         read = {"a recording": recordings, "--bat": tapped.bat, "--bar": tapped.bar, "--mass": tapped.mass,
@@ -174,7 +174,7 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     from sweetspot.calibration.recording import recording_bytes, synthesised
     from sweetspot.calibration.tap_analysis import frame_modes
     from sweetspot.plausibility import parse
-    from sweetspot.report.files import write_all
+    from sweetspot.reports.files import write_all
 
     seed = 1 if synthesis.seed is None else synthesis.seed
     if seed < 0:

@@ -9,7 +9,7 @@ def validate(*, output: OutputOptions = DEFAULT_OUTPUT) -> int:
     """Compare with every published case: printed against computed, tolerance, worth. Exit 1 on an unexplained miss."""
     from sweetspot import validation
     from sweetspot.cli.output import patience, present
-    from sweetspot.report.bench import validation_document
+    from sweetspot.reports.bench import validation_document
 
     with patience():
         results = validation.results()

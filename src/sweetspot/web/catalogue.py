@@ -17,7 +17,7 @@ from sweetspot.catalog.rules import league, league_names
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.quantity_table import quantity_data, words_in_both_systems
+from sweetspot.reports.quantity_table import quantity_data, words_in_both_systems
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
 from sweetspot.web.one_system import in_one_system

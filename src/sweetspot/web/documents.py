@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from sweetspot.report.document import Block, Document, Picture, Section
-from sweetspot.report.html import fragment
-from sweetspot.report.quantities import SYSTEMS, System, with_minus_signs
-from sweetspot.report.sentences import Sentence
+from sweetspot.reports.document import Block, Document, Picture, Section
+from sweetspot.reports.html import fragment
+from sweetspot.reports.quantities import SYSTEMS, System, with_minus_signs
+from sweetspot.reports.sentences import Sentence
 
 Sentences = dict[System, list[str]]
 """By the reader's system of units."""

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sweetspot import __version__
-from sweetspot.report.quantity_table import quantity_data
+from sweetspot.reports.quantity_table import quantity_data
 from sweetspot.web.states import CARRIED
 from sweetspot.web.views import VIEWS
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from functools import partial
 
-from sweetspot.report.quantities import SYSTEMS, Reader, System, with_minus_signs
-from sweetspot.report.sentences import Slot
+from sweetspot.reports.quantities import SYSTEMS, Reader, System, with_minus_signs
+from sweetspot.reports.sentences import Slot
 from sweetspot.units.usual_units import WRITTEN
 
 SCALES = {"oz": "mass", "in": "place", "ft": "distance", "mph": "speed", "lb/ft^3": "density", "oz in^2": "moi"}

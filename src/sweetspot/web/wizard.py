@@ -27,7 +27,7 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.plausibility import bounds as bounds_of
 from sweetspot.plausibility.implements import ROUND_BAT, WHOLE, WholeImplement
-from sweetspot.report.quantity_table import words_in_both_systems
+from sweetspot.reports.quantity_table import words_in_both_systems
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import ENOUGH

@@ -18,9 +18,9 @@ from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.catalog.files.bat import checked_drawing
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.drawing.contour import side_view
-from sweetspot.report.drawing.drawing_files import drawing_bytes
-from sweetspot.report.quantities import SI, US, Reader
+from sweetspot.reports.drawing.contour import side_view
+from sweetspot.reports.drawing.drawing_files import drawing_bytes
+from sweetspot.reports.quantities import SI, US, Reader
 
 BAT = catalog.bat("mlb-a")
 CONTOUR = 1e3 * side_view(BAT)

@@ -11,7 +11,7 @@ from cyclopts import Parameter
 from sweetspot.cli.options.reading import option
 
 if TYPE_CHECKING:
-    from sweetspot.design.batter import Batter
+    from sweetspot.designs.batter import Batter
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
 

@@ -11,7 +11,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.certification.rules import League
-    from sweetspot.design.constraints import Limit
+    from sweetspot.designs.constraints import Limit
     from sweetspot.equipment.implement import Implement
     from sweetspot.equipment.material import Material
     from sweetspot.units import Kind
@@ -151,7 +151,7 @@ def handle_of(options: LimitOptions) -> float | None:
 
 
 def _band_of(measure: str, text: str, kind: Kind) -> Limit:
-    from sweetspot.design.constraints import Limit
+    from sweetspot.designs.constraints import Limit
     from sweetspot.plausibility import parse
 
     option, parts = f"--{BANDS[measure]}", text.split(":")

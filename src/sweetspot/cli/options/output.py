@@ -43,7 +43,7 @@ class OutputOptions(AnswerOptions):
     def __post_init__(self) -> None:
         """Refuse a folder that cannot be written before anything is computed."""
         if self.out is not None:
-            from sweetspot.report.files import check_folder
+            from sweetspot.reports.files import check_folder
 
             check_folder(self.out, ())
 

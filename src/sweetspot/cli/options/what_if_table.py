@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from sweetspot.cli.options.swing import SwingOptions
     from sweetspot.equipment.bat import Bat
     from sweetspot.motion.swing_law import SwingLaw
-    from sweetspot.report.document import Document
+    from sweetspot.reports.document import Document
     from sweetspot.units import Kind
 
 KINDS: dict[Variation, Kind] = {
@@ -47,7 +47,7 @@ class TableOptions:
         from sweetspot.analysis.two_way import TableCell, what_if_table
         from sweetspot.cli.options.swing import conditions_for
         from sweetspot.cli.output import patience, progress
-        from sweetspot.report.comparison.two_way import two_way_document
+        from sweetspot.reports.comparison.two_way import two_way_document
 
         answer = self.cell.replace("-", "_")
         if answer not in TableCell.__dataclass_fields__:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from sweetspot.collision.closed_form import collision_efficiency
-from sweetspot.paper.formulas import energy_returned
+from sweetspot.papers.formulas import energy_returned
 from sweetspot.validation.computations import bat_tests, collision, flight, modes, rigid, shared, space, sports
 
 

@@ -12,7 +12,7 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, pendulum_period
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.paper.formulas import mean_force, rod
+from sweetspot.papers.formulas import mean_force, rod
 from sweetspot.validation.computations import shared
 
 

@@ -24,7 +24,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing import Conditions
-from sweetspot.paper.sports import rule_book_drops
+from sweetspot.papers.sports import rule_book_drops
 from sweetspot.validation.computations.rigid import listed_body
 
 

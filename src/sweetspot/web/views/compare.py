@@ -30,7 +30,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve
-from sweetspot.report.comparison.words import (
+from sweetspot.reports.comparison.words import (
     assumed,
     assumptions,
     changes,
@@ -38,8 +38,8 @@ from sweetspot.report.comparison.words import (
     verdict,
     wall_verdict,
 )
-from sweetspot.report.quantities import SYSTEMS
-from sweetspot.report.sentences import Sentence, say
+from sweetspot.reports.quantities import SYSTEMS
+from sweetspot.reports.sentences import Sentence, say
 from sweetspot.uncertainty.sources import Sources
 from sweetspot.units.dimensions import SPEED
 from sweetspot.web.bat_bounds import Range, bounds
@@ -247,7 +247,7 @@ def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], C
 
 def sure(state: CompareState) -> ReadDocument:
     """Return the comparison with an interval beside each number, and what they come from."""
-    from sweetspot.report.comparison.document import compare_document
+    from sweetspot.reports.comparison.document import compare_document
 
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
@@ -257,7 +257,7 @@ def sure(state: CompareState) -> ReadDocument:
 
 def rules_sure(state: CompareState) -> ReadDocument:
     """Return every bat's simulated test with intervals, one below the other, for leagues with the first one's ball."""
-    from sweetspot.report.certification.document import certificate_document
+    from sweetspot.reports.certification.document import certificate_document
 
     state = swung(state)
     reductions, labels = _bats(state, ball_of(state))

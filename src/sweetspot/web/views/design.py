@@ -16,22 +16,22 @@ from sweetspot.answers.design_question import Designed
 from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.files.write import bat_toml, legible
-from sweetspot.design.batter import FROM_TIP
-from sweetspot.design.batter_files import contacts_of_file, fitted_player
-from sweetspot.design.constraints import Limit, findings_of
-from sweetspot.design.gain import CLEARLY, LIKELY, GainVerdict, gain_of
-from sweetspot.design.measures import MEASURES, MeasuredDesigns
-from sweetspot.design.pareto import Front
-from sweetspot.design.turned import HANDLES, TurnedSpace
+from sweetspot.designs.batter import FROM_TIP
+from sweetspot.designs.batter_files import contacts_of_file, fitted_player
+from sweetspot.designs.constraints import Limit, findings_of
+from sweetspot.designs.gain import CLEARLY, LIKELY, GainVerdict, gain_of
+from sweetspot.designs.measures import MEASURES, MeasuredDesigns
+from sweetspot.designs.pareto import Front
+from sweetspot.designs.turned import HANDLES, TurnedSpace
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
-from sweetspot.report.design.document import compared
-from sweetspot.report.design.sizes import drawing, tolerance_words
-from sweetspot.report.design.words import (
+from sweetspot.reports.design.document import compared
+from sweetspot.reports.design.sizes import drawing, tolerance_words
+from sweetspot.reports.design.words import (
     effort_words,
     moved_words,
     unbounded_words,
@@ -39,7 +39,7 @@ from sweetspot.report.design.words import (
     warning_words,
     worth_words,
 )
-from sweetspot.report.quantities import SCALES, SYSTEMS
+from sweetspot.reports.quantities import SCALES, SYSTEMS
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, described, reduced
 from sweetspot.web.documents import in_both_systems

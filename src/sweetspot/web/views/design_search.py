@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.design.local_search import designed
-from sweetspot.design.measures import Bench
-from sweetspot.design.pareto import Front
-from sweetspot.design.turned import TurnedSpace
+from sweetspot.designs.local_search import designed
+from sweetspot.designs.measures import Bench
+from sweetspot.designs.pareto import Front
+from sweetspot.designs.turned import TurnedSpace
 from sweetspot.web.jobs import Say
 from sweetspot.web.views.design_state import DesignState, asked, question_of
 

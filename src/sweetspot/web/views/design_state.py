@@ -14,13 +14,13 @@ from pydantic import Field
 from sweetspot.analysis.certification.rules import League
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.design.batter import Batter, normal_contact
-from sweetspot.design.constraints import Limit, kept_limits, locked
-from sweetspot.design.gain import present_measured
-from sweetspot.design.measures import Bench, MeasuredDesigns, bench_of
-from sweetspot.design.pareto import DesignSearch
-from sweetspot.design.spaces import space_of
-from sweetspot.design.variables import Space
+from sweetspot.designs.batter import Batter, normal_contact
+from sweetspot.designs.constraints import Limit, kept_limits, locked
+from sweetspot.designs.gain import present_measured
+from sweetspot.designs.measures import Bench, MeasuredDesigns, bench_of
+from sweetspot.designs.pareto import DesignSearch
+from sweetspot.designs.spaces import space_of
+from sweetspot.designs.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH, MPH

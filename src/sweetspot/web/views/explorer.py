@@ -20,10 +20,10 @@ from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, values_of
-from sweetspot.report.bat.words import answer_words, speed_difference, why_backwards, why_here, why_off_axis
-from sweetspot.report.hit.document import touched_again_at
-from sweetspot.report.page_words import energy_words, hits_fastest, leaves_here
-from sweetspot.report.sport_words import words_of
+from sweetspot.reports.bat.words import answer_words, speed_difference, why_backwards, why_here, why_off_axis
+from sweetspot.reports.hit.document import touched_again_at
+from sweetspot.reports.page_words import energy_words, hits_fastest, leaves_here
+from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import place_of
@@ -200,7 +200,7 @@ def why(state: ExplorerState) -> ReportWords:
 
 def sure(state: ExplorerState) -> ReadDocument:
     """Return the report with an interval beside each number, and what they come from; speeds are taken as they are."""
-    from sweetspot.report.bat.document import report_document
+    from sweetspot.reports.bat.document import report_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     met = along(state)

@@ -24,9 +24,9 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.hit.document import best_in_doubt, touched_again_between
-from sweetspot.report.sentences import Sentence
-from sweetspot.report.sport_words import words_of
+from sweetspot.reports.hit.document import best_in_doubt, touched_again_between
+from sweetspot.reports.sentences import Sentence
+from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import ANGLE, IMPULSE, LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import ball_of, conditions_of, reduced

@@ -28,7 +28,7 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
-from sweetspot.report.page_words import (
+from sweetspot.reports.page_words import (
     bat_speed_words,
     chance_words,
     leaving_words,
@@ -202,8 +202,8 @@ def sure(state: FlightState) -> ReadDocument:
     from sweetspot.answers.play import play_answer
     from sweetspot.answers.play_draws import play_sources
     from sweetspot.answers.play_question import PlayQuestion
-    from sweetspot.report.flight.document import flight_document
-    from sweetspot.report.play.document import play_document
+    from sweetspot.reports.flight.document import flight_document
+    from sweetspot.reports.play.document import play_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     start = _start(state)

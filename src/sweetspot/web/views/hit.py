@@ -24,9 +24,9 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.hit.document import touched_again
-from sweetspot.report.page_words import wave_words
-from sweetspot.report.sport_words import words_of
+from sweetspot.reports.hit.document import touched_again
+from sweetspot.reports.page_words import wave_words
+from sweetspot.reports.sport_words import words_of
 from sweetspot.units.dimensions import ANGLE, ENERGY, FORCE, LENGTH, SPEED, TIME
 from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
@@ -167,7 +167,7 @@ def _answer(state: HitFilmState) -> FilmAnswer:
 def sure(state: HitFilmState) -> ReadDocument:
     """Return the hit of the free bat with an interval beside each number, and what they come from."""
     from sweetspot.answers.hit import HitQuestion, hit_answer
-    from sweetspot.report.hit.document import hit_document
+    from sweetspot.reports.hit.document import hit_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     reduced_bat, conditions, place = _asked(state)

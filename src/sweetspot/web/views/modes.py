@@ -18,7 +18,7 @@ from sweetspot.dynamics.hoop import barrel_range
 from sweetspot.dynamics.modes import Modes, tapped
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.page_words import motion_words
+from sweetspot.reports.page_words import motion_words
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH
 from sweetspot.web.bats import ball_of, conditions_of, reduced

@@ -16,13 +16,13 @@ from sweetspot.answers.records import to_dict
 from sweetspot.calibration.measurements import MeasuredKind, predicted
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league, usual_league
-from sweetspot.design.variables import sizes_of
+from sweetspot.designs.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import RigidBody, moi_doubt, pendulum_period, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import REACH
-from sweetspot.report.calibration.document import (
+from sweetspot.reports.calibration.document import (
     SCALE_OF,
     VALUES,
     assumption_words,
@@ -35,8 +35,8 @@ from sweetspot.report.calibration.document import (
     source_words,
     unknown_words,
 )
-from sweetspot.report.sentences import Sentence, say
-from sweetspot.report.sport_words import words_of
+from sweetspot.reports.sentences import Sentence, say
+from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.documents import in_both_systems

@@ -24,7 +24,7 @@ from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
-from sweetspot.report.tap.document import touched_words, unlike_words
+from sweetspot.reports.tap.document import touched_words, unlike_words
 from sweetspot.units import INCH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.uploads import UPLOADS

@@ -12,13 +12,13 @@ from pydantic import Field
 from sweetspot import catalog
 from sweetspot.answers.conditions import HitConditions, hit_conditions
 from sweetspot.dynamics.block import Support
-from sweetspot.paper.chain import PARTS
-from sweetspot.paper.choices import RATIOS, Choices
-from sweetspot.paper.formulas import Row
-from sweetspot.paper.words import Number, Words
-from sweetspot.report.paper.page_words import paper_words
-from sweetspot.report.quantities import SYSTEMS, Reader, System
-from sweetspot.report.sentences import Slot
+from sweetspot.papers.chain import PARTS
+from sweetspot.papers.choices import RATIOS, Choices
+from sweetspot.papers.formulas import Row
+from sweetspot.papers.words import Number, Words
+from sweetspot.reports.paper.page_words import paper_words
+from sweetspot.reports.quantities import SYSTEMS, Reader, System
+from sweetspot.reports.sentences import Slot
 from sweetspot.units import INCH
 from sweetspot.web.bats import analysed
 from sweetspot.web.documents import Sentences, in_both_systems

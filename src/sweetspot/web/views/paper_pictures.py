@@ -19,11 +19,11 @@ from sweetspot.dynamics.rigid import hand_impulse_ratio
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.paper import formulas
-from sweetspot.paper.choices import Choices, can_be_drilled, corked_analysis
-from sweetspot.paper.formulas import Row
-from sweetspot.paper.metal_wall import metal_wall_point
-from sweetspot.report.paper.page_words import percussion_places
+from sweetspot.papers import formulas
+from sweetspot.papers.choices import Choices, can_be_drilled, corked_analysis
+from sweetspot.papers.formulas import Row
+from sweetspot.papers.metal_wall import metal_wall_point
+from sweetspot.reports.paper.page_words import percussion_places
 from sweetspot.units.dimensions import FORCE, LENGTH, SPEED, TIME
 from sweetspot.web.drawings import BatShape, outline
 from sweetspot.web.errors import FieldError

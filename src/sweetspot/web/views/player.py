@@ -31,8 +31,8 @@ from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import PlayerPosterior
 from sweetspot.player.swing_table import narrow_csv
 from sweetspot.player.swings import batters
-from sweetspot.report.player.document import player_document
-from sweetspot.report.quantities import SYSTEMS
+from sweetspot.reports.player.document import player_document
+from sweetspot.reports.quantities import SYSTEMS
 from sweetspot.units import MPH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described, listed_bat

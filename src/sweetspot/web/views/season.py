@@ -46,7 +46,7 @@ from sweetspot.web.views.season_work import (
 
 if TYPE_CHECKING:  # tables load slowly, and no other view needs them
     from sweetspot.answers.season import SeasonAnswer
-    from sweetspot.season.ball_maps import BallMap
+    from sweetspot.seasons.ball_maps import BallMap
 
 MOST_TABLES = 60
 PLACES_DOUBT, LEAST_SPREAD = 1.0 * INCH, 0.2 * INCH
@@ -205,8 +205,8 @@ def summary(state: SeasonState) -> SeasonWords:
 
 def maps(state: SeasonState) -> SeasonMaps:
     """Return of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
-    from sweetspot.season import ball_maps
-    from sweetspot.season.season_table import counted_in
+    from sweetspot.seasons import ball_maps
+    from sweetspot.seasons.season_table import counted_in
 
     folder = _folder(state)
     if folder is None:
@@ -229,7 +229,7 @@ def _boxes(ball_map: BallMap | None) -> BallsInBoxes | None:
 
 def player(state: SeasonState) -> ReadDocument | None:
     """Return one player's page; None where nobody is chosen."""
-    from sweetspot.report.season.one_player import player_page
+    from sweetspot.reports.season.one_player import player_page
 
     folder = _folder(state)
     if folder is None or state.batter is None:
@@ -240,8 +240,8 @@ def player(state: SeasonState) -> ReadDocument | None:
 
 def contacts(state: SeasonState) -> dict[str, float]:
     """Return where the chosen player meets the ball and how fast the swing is, as controls of the view Design."""
-    from sweetspot.design.batter import contacts_at
-    from sweetspot.season.ball_maps import contact_places
+    from sweetspot.designs.batter import contacts_at
+    from sweetspot.seasons.ball_maps import contact_places
 
     folder = _folder(state)
     if folder is None or state.batter is None:

@@ -115,7 +115,7 @@ def named(handed: Handed, folder: Path) -> list[Path]:
 
 def made_up(bat: Bat, folder: Path) -> Path:
     """Return the table of a made-up season, made unless it is there."""
-    from sweetspot.season.made_up import MadeSeason, made_season
+    from sweetspot.seasons.made_up import MadeSeason, made_season
 
     path = folder / "made-up season.parquet"
     if not path.exists():
@@ -165,9 +165,9 @@ def without_folders(words: str, paths: list[Path]) -> str:
 
 def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     """Write what the view tells of a season, the tables that can be taken away, and the summary last of all."""
-    from sweetspot.report.season.document import season_document, unread_of
-    from sweetspot.report.season.tables import write_tables
-    from sweetspot.season.ball_maps import choices_of
+    from sweetspot.reports.season.document import season_document, unread_of
+    from sweetspot.reports.season.tables import write_tables
+    from sweetspot.seasons.ball_maps import choices_of
 
     tables = folder / TAKEN_AWAY
     tables.mkdir(exist_ok=True)

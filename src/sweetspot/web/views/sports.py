@@ -25,10 +25,10 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.bat.words import answer_words
-from sweetspot.report.hit.document import touched_again_at, touched_again_between
-from sweetspot.report.page_words import hits_fastest, leaves_here
-from sweetspot.report.sport_words import words_of
+from sweetspot.reports.bat.words import answer_words
+from sweetspot.reports.hit.document import touched_again_at, touched_again_between
+from sweetspot.reports.page_words import hits_fastest, leaves_here
+from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH, MPH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import implement_of

@@ -1,0 +1,248 @@
+"""The report of an implement of any sport as a document: one sheet with the answer, then tables, limits and sources."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.records import to_dict
+from sweetspot.answers.report import ReportAnswer
+from sweetspot.answers.unhit import UnhitAnswer
+from sweetspot.catalog.sports import sport
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing import Conditions
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import Interval
+from sweetspot.reports.bat.tables import (
+    along_table,
+    conditions_table,
+    mass_table,
+    misses_table,
+    modes_table,
+    places_table,
+    spots_table,
+    stations,
+)
+from sweetspot.reports.bat.words import answer_words, from_tip, why_intervals
+from sweetspot.reports.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList
+from sweetspot.reports.hit.document import hit_picture, hit_table, masses_words, touched_again_between
+from sweetspot.reports.quantities import Reader
+from sweetspot.reports.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
+from sweetspot.reports.sport_words import in_words, made_of_words, reader_of, weight, words_of
+from sweetspot.reports.uncertainty.section import how_sure
+
+COLUMNS, ROWS = 120, 90
+"""Places of the maps of a face: enough for the eye."""
+
+
+def report_document(report: ReportAnswer) -> Document:
+    """Return a report as a document."""
+    bat, data = report.analysis.bat, report.to_dict()
+    overview = _overview(report)
+    return Document(
+        name="report", title=bat.name, subtitle=_sizes(report), kind=f"{sport(bat.sport).name}: sweet spot report",
+        blocks=[
+            _cards(report),
+            *(Paragraph(words) for words in answer_words(report)),
+            *(Paragraph(words) for words in remarks(bat)),
+            overview,
+            *([] if report.uncertainty is None else [how_sure(report.uncertainty, "best exit speed")]),
+        ],
+        details=_details(report), appendix=partial(_appendix, report),
+        data=data, rows=data["scan"],
+        reader=reader_of(bat), drawing=overview,
+    )  # fmt: skip
+
+
+def described_document(bat: Implement) -> Document:
+    """Return an implement alone, as nobody swings it, as a document: its size, weight and balance."""
+    body = rigid_body(beam_model(bat))
+    mass = mass_properties(bat, body)
+    data = to_dict(mass)
+    return Document(
+        name="bat", title=bat.name, subtitle=made_of_words(bat),
+        kind=f"{sport(bat.sport).name}: {words_of(bat).implement}",
+        blocks=[*_mass(bat, body, mass), *(Paragraph(words) for words in remarks(bat))],
+        data=data, rows={name: [value] for name, value in data.items()}, reader=reader_of(bat),
+    )  # fmt: skip
+
+
+def remarks(bat: Implement) -> list[str]:
+    """Return how a bat's description was made to agree with what was measured on it; nothing where it did."""
+    return [bat.remark] if isinstance(bat, Bat) and bat.remark else []
+
+
+def _sizes(report: ReportAnswer) -> Sentence:
+    bat, ball = report.analysis.bat, report.analysis.conditions.ball
+    other = "" if ball == standard_conditions(bat).ball else f"; hit by: {ball.name}"
+    return in_words(
+        "{length} long, {mass}, {made_of}, balance {balance} from the {butt}{other}", words_of(bat), other=other,
+        length=Slot(bat.length, "length"), mass=Slot(report.bat.mass, "mass"), made_of=made_of_words(bat),
+        balance=Slot(report.bat.balance_point, "place"),
+    )  # fmt: skip
+
+
+def _cards(report: ReportAnswer) -> Cards:
+    """Return the few numbers that everybody asks for."""
+    spots, words = report.sweet_spots, words_of(report.analysis.bat)
+    width: Words | Slot = "none" if spots.zone_width is None else Slot(spots.zone_width, "place")
+    wide = "{zone}: no stretch is fast and quiet" if spots.zone is None else "wide: the {zone}, fast and quiet"
+    cards: list[tuple[Words | Slot, Words]] = [
+        (from_tip(report, spots.max_exit_speed), in_words("from the {tip}: where it hits best", words)),
+        (Slot(report.best_hit.exit_speed, "speed"), f"{words.exit_speed} of the best hit"),
+        (width, in_words(wide, words)),
+    ]
+    if len(report.misses) > 1:
+        miss = report.misses[1]
+        worse = miss.inside
+        if float(miss.outside) > float(miss.inside):  # not where it is off the implement, which is nan
+            worse = miss.outside
+        drawn, bounds = report.uncertainty is not None, say("")
+        if isinstance(worse, Interval) and not drawn:
+            bounds = Sentence((Bounds(Slot(worse.value, "speed"), worse.low, worse.high),))
+        told = say("for missing it by {missed}{bounds}", missed=Slot(miss.distance, "place", round=True), bounds=bounds)
+        lost = worse if drawn else float(worse)
+        cards.append((Slot(-lost, "speed"), told))
+    return Cards([(joined([number]), words) for number, words in cards])
+
+
+def _overview(report: ReportAnswer) -> Picture:
+    bat, spots = report.analysis.bat, report.sweet_spots
+    words = words_of(bat)
+    label = in_words(
+        "{name} drawn to scale, its sweet spots marked. Below it curves of exit speed, collision efficiency, jolt at "
+        "the hand, sting and bending modes along it. {exit_speed} is greatest, {speed}, {place} from the {tip}.", words,
+        name=bat.name, speed=Slot(report.best_hit.exit_speed, "speed"), place=from_tip(report, spots.max_exit_speed),
+    )  # fmt: skip
+    shaded = "" if spots.zone is None else in_words(" Shaded: the {zone}.", words)
+    caption = in_words("The {implement} to scale and, place for place, what a hit there does.", words) + shaded
+    return Picture("overview", partial(_drawn_overview, report), label, caption, partial(_drawn_sheet, report))
+
+
+def _drawn_overview(report: ReportAnswer, reading: Reader) -> Any:
+    from sweetspot.reports.bat.figure import report_figure
+
+    return report_figure(report, reading)
+
+
+def _drawn_sheet(report: ReportAnswer, reading: Reader) -> Any:
+    from sweetspot.reports.bat.figure import sheet_figure
+
+    return sheet_figure(report, reading)
+
+
+def _details(report: ReportAnswer) -> list[Block]:
+    """Return the tables, which terminals show too."""
+    analysis = report.analysis
+    words = words_of(analysis.bat)
+    caption = in_words(
+        "Left: the force between {ball} and {implement}. Right: the same force against the {ball}'s compression; the "
+        "area inside the loop is heat. Below: the energy as a laboratory counts it that fires the {ball} at a "
+        "{implement} at rest, where a {ball} that flies back slowly has little energy left.", words,
+    )  # fmt: skip
+    where = in_words("The best hit, {place} from the {tip}", words, place=from_tip(report, analysis.best.position))
+    table = hit_table(report.best_hit, analysis.bat, masses_words(report.bat.mass, report.conditions.ball_mass, words))
+    return [
+        Section("sweet-spots", "Every sweet spot", [spots_table(report)]),
+        Section("along", f"Along the {words.implement}", [along_table(report), *_touched_again(analysis)]),
+        Section("mass", "Weight and balance", _mass(analysis.bat, analysis.body, report.bat, told=True)),
+        Section("modes", "How it rings", [modes_table(analysis.bat, report.modes)]),
+        Section("best-hit", where, [table, hit_picture(analysis.best, words, caption)]),
+        Section("conditions", "Conditions", [conditions_table(report)]),
+    ]
+
+
+def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
+    """Return what is not known of hits in the table that touch the ball more than once."""
+    scan, length = analysis.scan, analysis.bat.length
+    from_tip = length - scan.position
+    shown = from_tip <= stations(analysis)[-1]
+    doubts = touched_again_between(from_tip[shown], scan.touches[shown], words_of(analysis.bat))
+    return [Paragraph(doubt, "note") for doubt in doubts]
+
+
+def _mass(bat: Implement, body: RigidBody, mass: MassProperties, *, told: bool = False) -> list[Block]:
+    """Return the table of weight and balance, and what ± means where it has one or was told of a speed before."""
+    doubted = told or moi_doubt(bat, body, STANDARD_AXIS) > 0
+    return [mass_table(bat, body, mass), *([Paragraph(PLUS_MINUS, "note")] if doubted else [])]
+
+
+def _appendix(report: ReportAnswer) -> list[Block]:
+    """Return what only an opened page shows: maps, misses, limits, published numbers, constants, sources."""
+    from sweetspot.reports.bat.appendix import assumptions_section, chosen, constants_section, published_section
+    from sweetspot.reports.bat.provenance import sources_of, used_records
+
+    analysis, drawn = report.analysis, report.uncertainty is not None
+    face, published = analysis.bat.face, chosen(analysis.bat.sport)
+    keys = sources_of(used_records(analysis)) + [result.source for result in published]
+    return [
+        *([] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]),
+        *([Section("misses", "What a miss costs", [
+            misses_table(report), Paragraph(why_intervals(words_of(analysis.bat), drawn=drawn)),
+        ])]
+          if report.misses else []),
+        assumptions_section(analysis), *published_section(published), constants_section(analysis),
+        Section("sources", "Sources", [SourceList(sorted(set(keys)))]),
+    ]  # fmt: skip
+
+
+def _face_picture(analysis: Analysis[Implement]) -> Picture:
+    caption = in_words(
+        "Hits all over the face, handle to the left: {exit_speed}, efficiency and vibration at the hand. The dot is "
+        "the best place. A hit beside the line also turns the face, which sends the {ball} off at an angle: that is "
+        "not in these maps.", words_of(analysis.bat),
+    )  # fmt: skip
+    label = f"Three maps of the face of {analysis.bat.name}: exit speed, efficiency and sting."
+    return Picture("face", partial(_drawn_face, analysis), label, caption)
+
+
+def _drawn_face(analysis: Analysis[Implement], reading: Reader) -> Any:
+    from sweetspot.analysis.face_maps import face_map
+    from sweetspot.reports.bat.outline_picture import face_figure
+
+    hits = face_map(analysis.reduced, analysis.conditions, columns=COLUMNS, rows=ROWS)
+    return face_figure(hits, analysis.bat, reading)
+
+
+def unhit_document(answer: UnhitAnswer) -> Document:
+    """Return the report of an implement that is no heavier than the ball."""
+    bat, data = answer.reduced.bat, answer.to_dict()
+    places = {name: place for name, place in vars(answer.sweet_spots).items() if place is not None}
+    return Document(
+        name="report",
+        title=bat.name,
+        subtitle=made_of_words(bat),
+        kind=f"{sport(bat.sport).name}: without a ball",
+        blocks=[Paragraph(_why(answer.reduced, answer.conditions))],
+        details=[
+            Section("sweet-spots", "What needs no ball", [places_table(bat, places)]),
+            Section("mass", "Weight and balance", [mass_table(bat, answer.reduced.body, answer.bat)]),
+            Section("modes", "How it rings", [modes_table(bat, answer.modes)]),
+        ],
+        data=data,
+        rows={name: [mode[name] for mode in data["modes"]] for name in ("family", "harmonic", "frequency_hz")},
+        reader=reader_of(bat),
+    )
+
+
+def _why(reduced: ReducedBat[Implement], conditions: Conditions) -> Sentence:
+    bat = reduced.bat
+    return in_words(
+        "No hit is computed: the {ball} weighs {ball_mass} and this {implement} {mass}; a {ball} that is not lighter "
+        "sweeps it aside. Its first two tones are {first} and {second}. What else needs no {ball} stands below.",
+        words_of(bat),
+        ball_mass=weight(conditions.ball.mass), mass=weight(reduced.body.mass),
+        first=_tone(reduced, 1), second=_tone(reduced, 2),
+    )  # fmt: skip
+
+
+def _tone(reduced: ReducedBat[Implement], harmonic: int) -> Slot:
+    modes = reduced.modes
+    return Slot(float(modes.frequency[modes.of_family("bending")[harmonic - 1]]), "frequency")

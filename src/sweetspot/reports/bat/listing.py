@@ -1,0 +1,84 @@
+"""The catalogue as a document: bats, and what other sports hit with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sweetspot import catalog
+from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.records import to_dict
+from sweetspot.catalog.implements import implement_tables
+from sweetspot.catalog.sports import sport_implements, sport_names
+from sweetspot.catalog.swing_laws import swing_weight
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import moi_doubt, rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.reports.document import Cell, Column, Document, Paragraph, Table
+from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.sentences import PLUS_MINUS, Slot, with_doubt
+from sweetspot.reports.sport_words import reader_of
+
+
+def catalogue_document() -> Document:
+    """Return the catalogue's bats with weight, balance and swing weight, and a short table of every other implement."""
+    bats = [(key, catalog.bat(key)) for key in catalog.bat_names()]
+    rows: list[dict[str, Any]] = []
+    for key, bat in bats:
+        body = rigid_body(beam_model(bat))
+        doubt = {"moi_6in_doubt_kg_m2": moi_doubt(bat, body, STANDARD_AXIS)}
+        rows.append({"key": key, **to_dict(mass_properties(bat, body)), **doubt})
+    columns = [
+        Column("name"), Column("what"), Column("length", "length", 1), Column("mass", "mass"),
+        Column("balance point", "length"), Column("moment of inertia", right=True),
+    ]  # fmt: skip
+    keys = ("key", "name", "length_m", "mass_kg", "balance_point_m")
+    cells: list[list[Cell]] = [
+        [*(row[key] for key in keys), with_doubt(row["moi_6in_kg_m2"], row["moi_6in_doubt_kg_m2"], "moi")]
+        for row in rows
+    ]
+    return Document(
+        name="bats", title="Bats of the catalogue", kind="Catalogue",
+        blocks=[Table("", columns, cells), _others({key for key, _ in bats}), Paragraph(PLUS_MINUS, "note"),
+                Paragraph(_assumed_balances(bats), "note"), Paragraph(HOW_TO_SHOW, "note")],
+        data={"bats": rows, "others": _other_rows({key for key, _ in bats})},
+        rows=as_columns(rows), reader=reader_of(bats[0][1]),
+    )  # fmt: skip
+
+
+def _assumed_balances(bats: Sequence[tuple[str, Bat]]) -> str:
+    """Return which bats' balance points follow from an outline that was assumed."""
+    outlines = ((key, implement_tables()[key].get("profile")) for key, bat in bats if bat.balance_point is None)
+    names = [key for key, outline in outlines if isinstance(outline, dict) and outline["kind"] == "assumed"]
+    return f"Assumed outlines, and with them balance points: {', '.join(names)}."
+
+
+HOW_TO_SHOW = (
+    '`sweetspot show NAME` prints any of them as a file to change; a file that begins with like = "NAME" needs only '
+    "what is different; what it adds is added to the weight, and a mass that it gives is that of the finished one."
+)
+
+
+def _other_rows(bats: set[str]) -> list[dict[str, Any]]:
+    """Return every other implement for other programs."""
+    rows = []
+    for key in (key for key in catalog.implement_names() if key not in bats):
+        implement = catalog.implement(key)
+        described = to_dict(mass_properties(implement, rigid_body(beam_model(implement))))
+        rows.append({"key": key, "sport": implement.sport, **described})
+    return rows
+
+
+def _others(bats: set[str]) -> Table:
+    """Return what other sports hit with, each in the words of its sport."""
+    columns = [Column("name"), Column("what"), Column("sport"), Column("length", right=True),
+               Column("mass", right=True), Column("swing weight", right=True)]  # fmt: skip
+    rows: list[list[Cell]] = []
+    for key in (key for name in sport_names() for key in sport_implements(name) if key not in bats):
+        implement = catalog.implement(key)
+        body = rigid_body(beam_model(implement))
+        convention = swing_weight(implement.sport)
+        rows.append([key, implement.name, implement.sport, Slot(implement.length, "place"), Slot(body.mass, "mass"),
+                     convention.text_of(body)])  # fmt: skip
+    return Table("Of other sports", columns, rows)

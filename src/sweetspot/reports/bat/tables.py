@@ -1,0 +1,217 @@
+"""The tables of a report, for any sport: spots, hits along it, weight, vibration, conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
+from sweetspot.answers.implement import MassProperties
+from sweetspot.answers.report import ReportAnswer, VibrationMode
+from sweetspot.catalog.swing_laws import swing_weight
+from sweetspot.dynamics.modes import Family
+from sweetspot.dynamics.rigid import RigidBody, SwingWeight, moi_doubt
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import Curve, Interval, Number, interpolated, values_of
+from sweetspot.reports.bat.words import cost, from_tip
+from sweetspot.reports.document import Cell, Column, Marked, Table
+from sweetspot.reports.sentences import Sentence, Slot, UnitName, joined, say, with_doubt
+from sweetspot.reports.sport_words import in_words, weight, words_of
+from sweetspot.reports.sweet_spots import SPOTS
+from sweetspot.units import INCH, MPH
+
+MOST_STATIONS = 18
+"""Places shown along an implement."""
+STEPS = {"in": (INCH / 2, INCH), "cm": (0.01, 0.02, 0.05, 0.1)}
+"""m between them, by the unit in which a sport's people read places."""
+SHOWN_MODES: dict[Family, int] = {"bending": 5, "hoop": 3, "face": 2}
+"""By family."""
+
+
+def spots_table(report: ReportAnswer) -> Table:
+    """Return every meaning of "sweet spot" with its place."""
+    bat, spots = report.analysis.bat, report.sweet_spots
+    words, ends = words_of(bat), _ends(bat)
+    table = places_table(bat, {field: getattr(spots, field) for field in SPOTS})
+    measure = say(
+        "within {loss} of the best, and less than {sting} of the mean sting", loss=Slot(ZONE_LOSS, "speed", round=True),
+        sting=Slot(ZONE_STING, "share"),
+    )  # fmt: skip
+    zone: list[Cell]
+    if spots.zone is None:
+        zone = [Marked(words.zone, "zone"), "none", "none", say("no place is {measure}", measure=measure)]
+    else:
+        inner, outer = spots.zone[0], spots.zone[1]
+        reaches = [joined((_from(end, place).bare for place in order), " to ")
+                   for (_, end), order in zip(ends, ((outer, inner), (inner, outer)), strict=True)]  # fmt: skip
+        zone = [Marked(words.zone, "zone"), *reaches, measure]
+    return replace(table, rows=[*table.rows, zone])
+
+
+def places_table(bat: Implement, places: Mapping[str, Number]) -> Table:
+    """Return some of the meanings, by field of `SweetSpots`, with their places in m from the butt end."""
+    words = words_of(bat)
+    ends = _ends(bat)
+    heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
+    rows: list[list[Cell]] = []
+    for field, place in places.items():
+        numbers = [_from(end, place).bare for _, end in ends]
+        rows.append([Marked(SPOTS[field].named(words), field), *numbers, SPOTS[field].explained(words)])
+    return Table("", [Column("sweet spot"), *heads, Column("what it means")], rows, name="spots")
+
+
+def _from(end: float, place: Number) -> Slot:
+    """Return how far a place is from an end of the implement, m from the butt."""
+    return Slot(end - place if end else place, "place")
+
+
+def _ends(bat: Implement) -> list[tuple[str, float]]:
+    """Return both ends from which places are told."""
+    words = words_of(bat)
+    return [(words.tip, bat.length), (words.butt, 0.0)]
+
+
+def along_table(report: ReportAnswer) -> Table:
+    """Return what a hit does at even places from the tip."""
+    scan, bat = report.scan, report.analysis.bat
+    words, rigid = words_of(bat), bat.face is None
+    columns = [
+        Column(say("{unit} from the {tip}", unit=UnitName("place"), tip=words.tip), right=True),
+        Column(words.exit_speed, "speed"), Column("if it were rigid", "speed"), Column("q", "ratio"),
+        *([Column("BBCOR at this speed", "ratio")] if rigid else []),
+        Column("jolt", "impulse", sign=True), Column("vibration", "vibration"),
+    ]  # fmt: skip
+    curves = [
+        (scan.exit_speed, "speed"), (scan.rigid_exit_speed, "speed"), (scan.collision_efficiency, "ratio"),
+        *([(scan.bbcor, "ratio")] if rigid else []), (scan.hand_impulse, "impulse"), (scan.sting, "vibration"),
+    ]  # fmt: skip
+
+    def cell(curve: Curve, scale: str, place: float) -> Slot:
+        number = interpolated(curve, scan.position, bat.length - place)
+        return Slot(number, scale, sign=scale == "impulse", unit=False)
+
+    rows: list[list[Cell]] = [
+        [Slot(place, "place", round=True).bare, *(cell(*curve, place) for curve in curves)]
+        for place in stations(report.analysis).tolist()
+    ]
+    return Table("", columns, rows)
+
+
+def stations(analysis: Analysis[Implement]) -> Array:
+    """Return the even places of `along_table`, m from the tip."""
+    scan, length = analysis.scan, analysis.bat.length
+    first, last = length - float(scan.position[-1]), length - float(scan.position[0])
+    steps = STEPS[words_of(analysis.bat).place_unit]
+    step = next((step for step in steps if (last - first) / step <= MOST_STATIONS), steps[-1])
+    places = step * np.arange(np.ceil(first / step - 1e-9), np.floor(last / step + 1e-9) + 1)
+    return np.asarray(places[:MOST_STATIONS])
+
+
+def misses_table(report: ReportAnswer) -> Table:
+    """Return what hitting beside the best place costs, either way."""
+    words, drawn = words_of(report.analysis.bat), report.uncertainty is not None
+    off = f"off the {words.implement}"
+    rows: list[list[Cell]] = [
+        [
+            Slot(miss.distance, "place", round=True),
+            cost(miss.inside, drawn=drawn),
+            off if np.isnan(float(miss.outside)) else cost(miss.outside, drawn=drawn),
+        ]
+        for miss in report.misses
+    ]
+    columns = [
+        Column("miss by"),
+        Column(f"towards the {words.hands}", right=True),
+        Column(f"towards the {words.tip}", right=True),
+    ]
+    return Table("", columns, rows)
+
+
+def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
+    """Return weight, balance, how the sport weighs a swing, and moments of inertia.
+
+    Parameters
+    ----------
+    body : of the implement as described.
+    mass : its numbers, with the intervals that are known.
+    """
+    words = words_of(bat)
+    standard = in_words("{axis} from the {butt}", words, axis=Slot(STANDARD_AXIS, "place", round=True))
+    axes = (
+        (standard, STANDARD_AXIS, mass.moi_6in), (f"{words.butt} end", 0.0, mass.moi_knob),
+        ("balance point", body.balance_point, mass.moi_cm),
+    )  # fmt: skip
+    rows: list[tuple[Cell, Cell]] = [
+        ("length", Slot(mass.length, "length")),
+        ("mass", Slot(mass.mass, "mass", 2 if words.weighed_in == "oz" else 1)),
+        (f"balance point, from the {words.butt}", Slot(mass.balance_point, "length")),
+        *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, swing_weight(bat.sport))]),
+        *((say("moment of inertia, {axis}", axis=axis), moment(moi, moi_doubt(bat, body, place)))
+          for axis, place, moi in axes),
+        ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
+    ]  # fmt: skip
+    return Table("", [Column(""), Column("value", right=True)], rows)
+
+
+def moment(moi: Number, doubt: float) -> Sentence:
+    """Return a moment of inertia with its interval, or else with what the implement's outline leaves open of it.
+
+    Parameters
+    ----------
+    doubt : standard deviation in kg m^2 where there is no interval.
+    """
+    return Sentence((Slot(moi, "moi"),)) if isinstance(moi, Interval) else with_doubt(moi, doubt, "moi")
+
+
+def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> tuple[Cell, Cell]:
+    """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
+    name = in_words(
+        "{name}, about {axis} from the {butt}", words_of(bat), name=convention.name,
+        axis=Slot(convention.axis, "place"),
+    )  # fmt: skip
+    return name, convention.text_of(body).replace("^2", "²")
+
+
+def modes_table(bat: Implement, modes: Sequence[VibrationMode]) -> Table:
+    """Return the lowest vibrations with their damping and nodes."""
+    words = words_of(bat)
+    rows: list[list[Cell]] = []
+    for family, most in SHOWN_MODES.items():
+        for mode in [each for each in modes if each.family == family][:most]:
+            nodes = [mode.nodes[index] for index in range(len(values_of(mode.nodes)))]
+            places = joined((_from(bat.length, node).bare for node in nodes[::-1]), ", ")
+            frequency = Slot(mode.frequency, "frequency", unit=False)
+            rows.append([f"{mode.family} {mode.harmonic}", frequency, float(mode.damping_ratio), places])
+    columns = [
+        Column("mode"), Column("frequency", "frequency"), Column("damping", "share", 2),
+        Column(say("nodes, {unit} from the {tip}", unit=UnitName("place"), tip=words.tip)),
+    ]  # fmt: skip
+    return Table("", columns, rows)
+
+
+def conditions_table(report: ReportAnswer) -> Table:
+    """Return pitch, swing, hands and ball."""
+    hit, words, hands = report.conditions, words_of(report.analysis.bat), report.analysis.conditions.hands
+    bounce = say(
+        "{e} at {speed}, {slope} per {step} faster", e=Slot(hit.ball_restitution, "ratio"),
+        speed=Slot(hit.ball_restitution_speed, "speed", round=True),
+        slope=Slot(-10 * MPH * hit.ball_restitution_slope, "ratio", 4), step=Slot(10 * MPH, "speed", round=True),
+    )  # fmt: skip
+    held = any((hands.mass, hands.stiffness, hands.damping))
+    rows: list[tuple[Cell, Cell]] = [
+        (f"{words.incoming} comes at", Slot(hit.pitch_speed, "speed")),
+        (in_words("{implement} speed, {place} from the {tip}", words, place=from_tip(report, hit.bat_speed_at)),
+         Slot(hit.bat_speed, "speed")),
+        (f"turns about, from the {words.butt}", Slot(hit.pivot, "place")),
+        (f"top hand, from the {words.butt}", Slot(hit.hands, "place")),
+        (words.ball, say("{name}, {mass}", name=hit.ball, mass=weight(hit.ball_mass))),
+        ("its restitution on a wall", bounce),
+        ("hands in the collision", "mass, spring and damper each" if held else f"none, the {words.implement} is free"),
+    ]  # fmt: skip
+    return Table("", [Column(""), Column("value", right=True)], rows)

@@ -1,0 +1,344 @@
+"""The answer in plain words, for any sport: where it hits best, why there and not at the end, what a miss costs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.analysis.bat_analysis import dead_spot
+from sweetspot.analysis.position_scan import Scan
+from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.answers.report import ReportAnswer
+from sweetspot.dynamics.rigid import RigidBody, effective_mass
+from sweetspot.equipment.sport import Terms
+from sweetspot.motion.swing import Conditions
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import REACH, Interval, Number
+from sweetspot.reports.bat.appendix import soft_defaults
+from sweetspot.reports.hit.document import best_in_doubt
+from sweetspot.reports.sentences import Part, Sentence, Slot, joined, say, within
+from sweetspot.reports.sport_words import arriving, in_words, weight, words_of
+from sweetspot.uncertainty.linear_doubt import SpeedDoubt
+from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING
+
+LEAST_SHARE = 5e-4
+"""Part of the energy below which one decimal of a per cent would say none."""
+WHY_BOTH = (
+    "These intervals reach from a {ball} that loses its energy by how far it is pressed to one that loses it by how "
+    "fast; no measurement has settled which."
+)
+WHY_TWO = (
+    "In brackets: what a {ball} that loses its energy by how fast it is pressed, not by how far, allows as well; no "
+    "measurement has settled that."
+)
+SMALL = 1e-3
+"""Relative change of a speed that is told as less than this."""
+FOLLOWS = 0.005
+"""Below minus this q is called negative."""
+
+
+def answer_words(report: ReportAnswer) -> list[Sentence]:
+    """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so."""
+    analysis, words = report.analysis, words_of(report.analysis.bat)
+    paragraphs = (
+        _where(report, words), *best_in_doubt(analysis.best, words), _bounce(report, words),
+        _why_not_the_end(report, words), _miss(report, words), _hands(report, words), _wall(report),
+        soft_defaults(analysis.bat, analysis.conditions.ball, analysis.conditions),
+    )  # fmt: skip
+    return [words for words in paragraphs if words.parts]
+
+
+def from_tip(report: ReportAnswer, position: Number) -> Slot:
+    """Return how far from the tip a position is."""
+    return Slot(report.analysis.bat.length - position, "place")
+
+
+def cost(loss: Number, *, drawn: bool) -> Sentence:
+    """Return a cost with its interval: of draws, or in brackets that of two laws of the ball."""
+    if drawn or not isinstance(loss, Interval):
+        return Sentence((Slot(loss, "speed"),))
+    return within(loss, "speed")
+
+
+def _sure(report: ReportAnswer, words: Terms) -> Sentence:
+    """Return how far the exit speed may be off, and by what; nothing where that is not known, or stands beside it."""
+    if report.doubt is not None:
+        return doubt_words(report.doubt, words)
+    if report.half_by_ball is None:
+        return say("")
+    return in_words(", give or take {half} by the {ball} alone", words, half=Slot(report.half_by_ball, "speed"))
+
+
+def _where(report: ReportAnswer, words: Terms) -> Sentence:
+    spots, best = report.sweet_spots, report.best_hit
+    text = in_words(
+        "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}{doubt}.", words,
+        place=from_tip(report, spots.max_exit_speed), coming=arriving(words, float(report.conditions.pitch_speed)),
+        speed=Slot(best.exit_speed, "speed"), doubt=_sure(report, words),
+    )  # fmt: skip
+    if words.smash_factor and best.smash_factor is not None:
+        text += in_words(
+            " Its {smash_factor}, {exit_speed} over {implement} speed, is {ratio}.", words,
+            ratio=Slot(best.smash_factor, "ratio", 2),
+        )  # fmt: skip
+    if spots.zone is None or spots.zone_width is None:
+        return text + in_words(" No stretch is both fast and quiet: there is no {zone} by our measure.", words)
+    inner, outer = spots.zone[0], spots.zone[1]
+    return text + in_words(
+        " The {zone}, within {loss} of that and with less than half the mean vibration at the {hands}, reaches from "
+        "{outer} to {inner} from the {tip}, {width} wide.", words,
+        loss=Slot(ZONE_LOSS, "speed", round=True),
+        outer=from_tip(report, outer).bare,
+        inner=from_tip(report, inner),
+        width=Slot(spots.zone_width, "place"),
+    ) + _outside(float(spots.max_exit_speed), (float(inner), float(outer)), words)  # fmt: skip
+
+
+def _outside(best: float, zone: tuple[float, float], words: Terms) -> Sentence:
+    """Return, where the place that hits best lies outside the zone, on which side of it."""
+    if zone[0] <= best <= zone[1]:
+        return say("")
+    return in_words(
+        " The place that hits best lies outside it, nearer the {end}.", words,
+        end=words.tip if best > zone[1] else words.hands,
+    )  # fmt: skip
+
+
+def _bounce(report: ReportAnswer, words: Terms) -> Sentence:
+    """Return where a ball comes back best and worst, where the sport has words for it, and what a negative q means."""
+    parts: list[Sentence] = []
+    if words.strongest:
+        parts.append(
+            in_words(
+                "The {strongest} is {place} from the {tip}, where a {implement} at rest gives back {share} of the "
+                "speed.", words, place=from_tip(report, report.sweet_spots.max_collision_efficiency),
+                share=Slot(report.greatest_efficiency, "share"),
+            )
+        )  # fmt: skip
+    analysis = report.analysis
+    dead = dead_spot(analysis)
+    if words.deadest and dead is not None:
+        parts.append(
+            in_words(
+                "The {deadest} is {place} from the {tip}: a {ball} there does not come back, for its {thrown} meet "
+                "only {met}, and vibration takes more.", words, place=from_tip(report, dead),
+                thrown=weight(analysis.conditions.ball.mass), met=weight(effective_mass(analysis.body, dead)),
+            )
+        )  # fmt: skip
+    if float(report.best_hit.collision_efficiency) < -FOLLOWS:
+        parts.append(
+            in_words(
+                "The {efficiency} is negative: the {ball} leaves slower than the {implement} came, and follows it.",
+                words,
+            )
+        )
+    return joined(parts)
+
+
+def _why_not_the_end(report: ReportAnswer, words: Terms) -> Sentence:
+    """Return why not at the tip; nothing where that is the fastest place or not the best one's rival."""
+    there, face = report.at_the_tip, report.analysis.bat.face
+    if there is None:
+        return Sentence(())
+    springy = face is not None and face.stiffness is not None
+    rigid = "" if springy else "A rigid {implement} would send it off at {rigid}. "
+    slots: dict[str, Part] = {
+        "gain": Slot(there.bat_speed_gain, "speed"),
+        "there": Slot(there.effective_mass, "mass"),
+        "here": Slot(there.best_effective_mass, "mass"),
+        "rigid": Slot(there.rigid_exit_speed, "speed"),
+        "real": Slot(there.exit_speed, "speed"),
+        "less": Slot(there.exit_speed_loss, "speed"),
+    }
+    return in_words(
+        "Why not at the {tip}? The last place to be hit moves {gain} faster, but there the {implement} gives way by "
+        f"turning: the {{ball}} meets only {{there}} instead of {{here}}. {rigid}A real one also bends and keeps that "
+        "energy as vibration: {real}, {less} less than at its best.", words, **slots,
+    )  # fmt: skip
+
+
+def _miss(report: ReportAnswer, words: Terms) -> Sentence:
+    drawn = report.uncertainty is not None
+    costs = [
+        in_words(
+            "{distance}: {inside} towards the {hands}, {outside} towards the {tip}", words,
+            distance=Slot(miss.distance, "place", round=True), inside=cost(miss.inside, drawn=drawn),
+            outside=f"off the {words.implement}" if np.isnan(float(miss.outside)) else cost(miss.outside, drawn=drawn),
+        )
+        for miss in report.misses
+    ]  # fmt: skip
+    if not costs:
+        return Sentence(())
+    return joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), why_intervals(words, drawn=drawn)])
+
+
+def why_intervals(words: Terms, *, drawn: bool) -> Sentence:
+    """Return what the intervals of a miss reach over."""
+    return in_words(WHY_BOTH if drawn else WHY_TWO, words)
+
+
+def _hands(report: ReportAnswer, words: Terms) -> Sentence:
+    spots, effect, both = report.sweet_spots, float(report.grip_effect), words.hands == "hands"
+    size = Slot(effect, "share", 1, sign=True) if abs(effect) >= SMALL else say("less than 0.1 %")
+    return in_words(
+        f"The {'hands feel' if both else 'hand feels'} least vibration from a hit {{quiet}} from the "
+        "{tip} (nodes of the first and second bending mode: {first} and {second}), and no jolt from one at the centre "
+        "of percussion, {percussion}. How the {implement} is held hardly matters to the {ball}: "
+        f"{'typical hands change' if both else 'a typical hand changes'} its speed by {{size}}.", words,
+        quiet=from_tip(report, spots.min_sting),
+        first=from_tip(report, spots.node_1).bare,
+        second=from_tip(report, spots.node_2),
+        percussion=from_tip(report, spots.center_of_percussion), size=size,
+    )  # fmt: skip
+
+
+def _wall(report: ReportAnswer) -> Sentence:
+    """Return what a hollow barrel's wall does; how much, not only its frequency, says how lively it is."""
+    if report.lowest_hoop is None:
+        return Sentence(())
+    share = report.best_hit.energy_share.hoop
+    return say(
+        "It is hollow: its wall gives way and springs back, and rings at {frequency} (lowest hoop mode). Of the energy "
+        "of its best hit {left} stay in the wall's ringing.",
+        frequency=Slot(report.lowest_hoop, "frequency"),
+        left=Slot(share, "share", 1) if float(share) >= LEAST_SHARE else "less than 0.1 %",
+    )
+
+
+MOSTLY, COUNTS = 0.6, 0.1
+"""Parts of the variance from which on one thing is most of it, and from which on a thing is named beside others."""
+
+
+def doubt_words(doubt: SpeedDoubt, words: Terms) -> Sentence:
+    """Return the half width of the interval and what it comes from: ", give or take 6 mph, mostly by the ball"."""
+    half = Slot(REACH * doubt.error, "speed")
+    parts = _by_thing(doubt, words)
+    if len(parts) == 1:
+        return say(", give or take {half} by {thing} alone", half=half, thing=next(iter(parts)))
+    ranked = sorted(parts, key=lambda thing: -parts[thing])
+    if parts[ranked[0]] >= MOSTLY:
+        return say(", give or take {half}, mostly by {thing}", half=half, thing=ranked[0])
+    *named, last = [thing for thing in ranked if parts[thing] >= COUNTS]
+    return say(", give or take {half}, by {things} and {last}", half=half, things=", ".join(named), last=last)
+
+
+def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:
+    """Return which part of the variance the ball, what hits it and the speeds that were given add."""
+    parts: dict[str, float] = {}
+    for name, share in doubt.shares.items():
+        if name.startswith(OF_BALL) or name == PATCH:
+            thing = f"the {words.ball}"
+        elif name in (SWING, PITCH):
+            thing = "the speeds as they were written"
+        else:
+            thing = f"the {words.implement}"
+        parts[thing] = parts.get(thing, 0.0) + share
+    return parts
+
+
+NEAR = 0.006
+"""m from the best place within which a hit counts as the best one."""
+LITTLE = 0.05
+"""m/s below which a part of the difference is not worth a word."""
+
+
+@dataclass(frozen=True)
+class SpeedDifference:
+    """What a place's exit speed owes to what, against the best place, m/s; the parts sum to ``whole``.
+
+    Parameters
+    ----------
+    motion : the place moves faster or slower: (1 + q_r) of the change, q_r of a rigid bat at the best place.
+    giving : a rigid bat there is lighter or heavier to the ball.
+    keeping : the real bat bends, and its wall rings, more or less than at the best place.
+    """
+
+    position: float
+    motion: float
+    giving: float
+    keeping: float
+
+    @property
+    def whole(self) -> float:
+        """The difference, m/s: below zero where the ball leaves slower than at the best place."""
+        return self.motion + self.giving + self.keeping
+
+
+def speed_difference(scan: Scan, position: float, *, best: float, exit_speed: float | None = None) -> SpeedDifference:
+    """Return what the exit speed at a place (m from the knob end) owes to what, against the best place.
+
+    Parameters
+    ----------
+    exit_speed : m/s of a hit at that very place, where one was made; None: between the neighbours in the scan, which
+        is wrong next to where a ball begins to be touched twice, since exit speeds jump there.
+    """
+
+    def at(values: Array, place: float) -> float:
+        return float(np.interp(place, scan.position, values))
+
+    rigid = at(scan.rigid_exit_speed, position) - at(scan.rigid_exit_speed, best)
+    real = (at(scan.exit_speed, position) if exit_speed is None else exit_speed) - at(scan.exit_speed, best)
+    motion = (1 + at(scan.rigid_efficiency, best)) * (at(scan.bat_speed, position) - at(scan.bat_speed, best))
+    return SpeedDifference(position, motion, rigid - motion, real - rigid)
+
+
+def why_here(
+    difference: SpeedDifference, *, body: RigidBody, conditions: Conditions, best: float, words: Terms,
+    in_the_middle: bool = True,
+) -> Sentence:  # fmt: skip
+    """Return why a ball met in the middle leaves a place as it does, with what each reason costs.
+
+    Parameters
+    ----------
+    in_the_middle : whether the ball that is asked about is met so; else the best place is said to be that of others.
+    """
+    place = difference.position
+    here, there = float(effective_mass(body, place)), float(effective_mass(body, best))
+    if abs(place - best) < NEAR:
+        this = "This is" if in_the_middle else "For a {ball} met in the middle this is"
+        return in_words(
+            this + " the best place along the {implement}: further out it moves faster but gives way more and bends "
+            "more, further in it moves slower. The {ball} meets {mass} of {whole}.", words,
+            mass=weight(here), whole=weight(body.mass),
+        )  # fmt: skip
+    swing = conditions.swing
+    faster = swing.speed_at(place) - swing.speed_at(best)
+    parts = [
+        in_words(
+            f"Against the best place the {{implement}} moves {{change}} {'faster' if faster > 0 else 'slower'} here "
+            "({cost})", words, change=Slot(abs(faster), "speed"), cost=Slot(difference.motion, "speed", sign=True),
+        ),
+        in_words(
+            "the {ball} meets {here} instead of {there} of it ({cost})", words,
+            here=weight(here), there=weight(there), cost=Slot(difference.giving, "speed", sign=True),
+        ),
+    ]  # fmt: skip
+    if abs(difference.keeping) > LITTLE:
+        parts.append(
+            in_words(
+                f"it keeps {'more' if difference.keeping < 0 else 'less'} as vibration ({{cost}})", words,
+                cost=Slot(difference.keeping, "speed", sign=True),
+            )
+        )  # fmt: skip
+    total = in_words("together {whole}.", words, whole=Slot(difference.whole, "speed", sign=True))
+    return joined([joined([*parts[:-1], "and"], ", ") + " " + parts[-1] + ":", total])
+
+
+def why_off_axis(offset: float, cost: float, *, words: Terms) -> Sentence:
+    """Return what it costs that the ball's centre lies off the implement's axis by so much; m and m/s."""
+    met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
+    if abs(cost) <= LITTLE:
+        return in_words(met + "leaves as fast as from the middle.", words, offset=Slot(abs(offset), "length"))
+    return in_words(
+        met + f"gets {'less' if cost < 0 else 'more'} of the swing ({{cost}}).",
+        words, offset=Slot(abs(offset), "length"), cost=Slot(cost, "speed", sign=True),
+    )  # fmt: skip
+
+
+def why_backwards(offset: float, *, words: Terms) -> Sentence:
+    """Return why a ball that is met so far off the implement's axis, m, leaves behind the batter."""
+    met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
+    return in_words(
+        met + "glances off the {implement} and goes on backwards.", words, offset=Slot(abs(offset), "length")
+    )

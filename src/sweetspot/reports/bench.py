@@ -1,0 +1,152 @@
+"""A drop test as a document: how high the ball comes back, and where its energy goes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sweetspot import validation
+from sweetspot.answers.drop import DropAnswer
+from sweetspot.answers.paper import PaperAnswer
+from sweetspot.answers.pendulum import PendulumAnswer
+from sweetspot.papers.formulas import Row, Value
+from sweetspot.reports.document import Block, Cell, Column, Document, Marked, Paragraph, Table
+from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.quantities import SI
+from sweetspot.reports.sentences import Slot, say
+from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.units.text import GROUPED_FROM, grouped
+from sweetspot.validation import Result
+
+SUPPORTS = {"clamped": "clamped at its edges", "floor": "lying on a floor", "free": "free"}
+
+
+def drop_document(answer: DropAnswer) -> Document:
+    """Return a drop test as a document; in SI unless somebody says otherwise, as its laboratories have it."""
+    blocks: list[Block] = [Table("", [Column(""), Column("value", right=True)], _rows(answer))]
+    if float(answer.deflection) > float(answer.thickness):
+        bent = say(
+            "Beware: the block gives way by {deflection}, more than its thickness: real plates are stiffer then.",
+            deflection=Slot(answer.deflection, "pressed"),
+        )
+        blocks.append(Paragraph(bent, "warning"))
+    if answer.uncertainty is not None:
+        blocks.append(how_sure(answer.uncertainty, "restitution"))
+    data = answer.to_dict()
+    flat = {name: value for name, value in data.items() if not isinstance(value, dict) and name != "outcome"}
+    energies = {f"energy_{name}_j": joules for name, joules in data["energy_j"].items()}
+    return Document(
+        name="drop",
+        title="A ball on a block",
+        kind="Drop test",
+        blocks=blocks,
+        data=data,
+        rows={name: [value] for name, value in (flat | energies).items()},
+        reader=SI,
+    )
+
+
+def _rows(answer: DropAnswer) -> list[tuple[Cell, Cell]]:
+    made_of = say(
+        "{material}, {thickness} thick, {mass}, {support}",
+        material=answer.material,
+        support=SUPPORTS[answer.support],
+        thickness=Slot(answer.thickness, "pressed"),
+        mass=Slot(answer.block_mass, "mass"),
+    )
+    rows: list[tuple[Cell, Cell]] = [
+        ("block", made_of),
+        ("the ball meets it at", Slot(answer.fall_speed, "speed", 2)),
+        ("leaves it at", Slot(answer.rebound_speed, "speed", 2)),
+    ]
+    if answer.question.speed is None:
+        terminal = answer.terminal_speed
+        rows += [
+            ("falls from", Slot(answer.fall_height, "place")),
+            ("comes back to", Slot(answer.rebound_height, "place")),
+            ("terminal speed in the air", "none, no air" if terminal is None else Slot(terminal, "speed")),
+        ]
+    rows += [
+        ("restitution e", Slot(answer.restitution, "ratio", 4)),
+        ("energy kept by the ball", Slot(answer.energy_kept, "share", 1)),
+        ("energy the block would hold, pressed slowly", Slot(answer.block_share, "share", 2)),
+        ("contact time", Slot(answer.contact_time, "contact", 2)),
+        ("peak force", Slot(answer.peak_force, "weight")),
+    ]
+    incoming = float(answer.energy.incoming)
+    for name, joules in vars(answer.energy).items():
+        size = say(
+            "{joules}, {part}",
+            joules=Slot(joules, "energy", 3),
+            part=Slot(float(joules) / incoming, "share", 1),
+        )
+        rows.append((f"energy: {name.replace('_', ' ')}", size))
+    return rows
+
+
+def pendulum_document(answer: PendulumAnswer) -> Document:
+    """Return a hanging bat as a document."""
+    about = say("moment of inertia about {pivot}", pivot=Slot(answer.pivot, "place", round=True))
+    rows: list[tuple[Cell, Cell]] = [
+        ("period", Slot(answer.period, "time", 4)),
+        (about, Slot(answer.moi, "moi")),
+        ("centre of percussion, from the knob end", Slot(answer.center_of_percussion, "length")),
+    ]
+    data, named = answer.to_dict(), "moment of inertia" if answer.question.timed else "period"
+    return Document(
+        name="pendulum",
+        title="Pendulum",
+        blocks=[
+            Table("", [Column(""), Column("value", right=True)], rows),
+            *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, named)]),
+        ],
+        data=data,
+        rows={name: [value] for name, value in data.items() if name != "uncertainty"},
+    )
+
+
+def validation_document(results: Sequence[Result]) -> Document:
+    """Return results as a document; it has not passed when a row misses without an explanation."""
+    rows, headline = validation.rows(results), validation.headline(results)
+    short = validation.short_rows(results)
+    columns = [Column(name) for name in short[0]]
+    cells: list[list[Cell]] = [
+        [*[*row.values()][:-1], Marked(result.status, "hit" if result.ok else "missed")]
+        for row, result in zip(short, results, strict=True)
+    ]
+    return Document(
+        name="validate", title="Published cases", kind="Validation",
+        blocks=[Table("", columns, cells, name="published"), Paragraph(headline)],
+        data={"headline": headline, "summary": validation.summary(results), "rows": rows},
+        rows=as_columns(rows), passed=validation.passed(results),
+    )  # fmt: skip
+
+
+def paper_document(answer: PaperAnswer) -> Document:
+    """Return the paper's chain as a document."""
+    data = answer.to_dict()
+    return Document(
+        name="paper",
+        title="The paper's chain",
+        kind="Paper",
+        blocks=[paper_table(answer.rows)],
+        data=data,
+        rows=as_columns(data["rows"]),
+    )
+
+
+def paper_table(rows: Sequence[Row], title: str = "") -> Table:
+    """Return the paper's chain, each statement with its comment below it; units are those of the paper."""
+    columns = [Column(name) for name in ("eq.", "statement", "paper", "computed", "full model", "unit")]
+    return Table(title, columns, [_cells(row) for row in rows], name="paper")
+
+
+def _cells(row: Row) -> list[Cell]:
+    numbers = [_shown(value) for value in (row.paper, row.computed, row.full_model)]
+    return [row.equation, f"{row.quantity}\n{row.comment}\n", *numbers, row.unit]
+
+
+def _shown(value: Value) -> Cell:
+    if value is None or isinstance(value, str):
+        return value
+    text = f"{value:.5g}"
+    return grouped(float(text)) if abs(float(text)) >= GROUPED_FROM else text

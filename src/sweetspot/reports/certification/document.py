@@ -1,0 +1,332 @@
+"""A bat test and the rules held against it as a document."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sweetspot.analysis.certification.rules import Verdict, title
+from sweetspot.analysis.certification.shot_statistics import Estimate
+from sweetspot.analysis.certification.simulated_test import BASEBALL_TEST, CLAMP, Certification, SwungTest
+from sweetspot.answers.bat_test import MeasuredShots, ScanAtRest, SimulatedTest, SpeedEstimate
+from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, RuleCheck, WallThatPasses, certificate_of
+from sweetspot.catalog.balls import ball
+from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.rigid import moi_doubt
+from sweetspot.reports.bat.appendix import soft_note
+from sweetspot.reports.bat.tables import moment
+from sweetspot.reports.certification.limits_shown import (
+    broken_words,
+    limit_shown,
+    marked_verdict,
+    unsure_words,
+    value_shown,
+)
+from sweetspot.reports.document import Block, Bullets, Cell, Cited, Column, Document, Paragraph, Picture, Table
+from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.quantities import Reader
+from sweetspot.reports.sentences import Sentence, Slot, Span, Words, joined, say
+from sweetspot.reports.uncertainty.section import chance_words, how_sure
+
+PATCH_NOTE = (
+    "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "
+    "the test. The ball is the catalogue's; a test normalises to one."
+)
+MOI_NOTE = (
+    "By the MOI: it was not measured but follows from the outline, and ± is half of its 90 % interval. A bat that "
+    "turns less easily gives more back; from BBCOR and BPF that recoil is taken out. Measure it and give moi in the "
+    "bat file."
+)
+ONE_PIECE = (
+    " It is taken as one piece of wood, which need not meet BBCOR; of glued wood or bamboo say laminated = true in its "
+    "[material]."
+)
+MANY = 14
+"""Rules from which on a printed table is set smaller."""
+
+
+def certificate_document(answer: CertifyAnswer) -> Document:
+    """Return a tested bat as a document."""
+    chances = [check for check in answer.checks if check.passes_probability is not None]
+    blocks: list[Block] = [Paragraph(_headline(answer))] if answer.checks else []
+    blocks += [Paragraph(joined(map(_chance_words, chances)))] if chances else []
+    blocks += [Paragraph(words, "warning") for words in _superseded(answer.checks)]
+    blocks += [Paragraph(words) for words in _ball_of_the_rule(answer)]
+    blocks += [Paragraph(_passing(answer, wall)) for wall in answer.walls or ()]
+    if answer.implement.remark:
+        blocks.append(Paragraph(answer.implement.remark))
+    if answer.test is not None:
+        blocks += _simulated(answer, answer.test)
+    if answer.shots is not None:
+        blocks += _measured(answer.shots, length=answer.implement.length)
+    blocks += soft_note(answer.implement, answer.fired)
+    if answer.checks:
+        blocks += [_rules(answer), *_listed(_reasons(answer.checks))]
+    picture = Picture(
+        "certify", lambda reading: _drawn(answer, reading),
+        label=say("What the rules limit, place for place along {bat}, and the limits.", bat=answer.bat.name),
+        caption="A test in the computer or on a bench; no certificate.",
+        sheet=lambda reading: _drawn_sheet(answer, reading),
+    )  # fmt: skip
+    sure = [] if answer.uncertainty is None else [how_sure(answer.uncertainty, "BBCOR")]
+    data = answer.to_dict()
+    return Document(
+        name="certify", title=answer.bat.name, subtitle=answer.ball, kind="Bat test",
+        blocks=[*blocks, picture, *sure], data=data, rows=as_columns(data["checks"]), passed=answer.passed,
+        drawing=picture,
+    )  # fmt: skip
+
+
+def _drawn_sheet(answer: CertifyAnswer, reading: Reader) -> Any:
+    from sweetspot.reports.certification.picture import ON_A_SHEET, certification_figure
+
+    return certification_figure(answer, reading, paper=ON_A_SHEET)
+
+
+def _drawn(answer: CertifyAnswer, reading: Reader) -> Any:
+    from sweetspot.reports.certification.picture import certification_figure
+
+    return certification_figure(answer, reading)
+
+
+def certification_document(certification: Certification) -> Document:
+    """Return a simulated test alone, with no rules held against it, as a document."""
+    question = CertifyQuestion(certification.bat, (), certification.ball)
+    return certificate_document(certificate_of(question, body=certification.body, test=certification))
+
+
+def _chance_words(check: RuleCheck) -> Sentence:
+    assert check.passes_probability is not None
+    return say(
+        "How sure: it keeps the limit on {title} ({league}) with a probability of {chance}.",
+        title=check.title, league=check.league_name, chance=chance_words(check.passes_probability),
+    )  # fmt: skip
+
+
+def _passing(answer: CertifyAnswer, wall: WallThatPasses) -> Sentence:
+    less = (
+        " A barrel that is thick only where it is hit, or a ring or disc inside ([[shell.ring]]), does it with less."
+        if wall.factor > 1 else ""
+    )  # fmt: skip
+    return say(
+        "The wall that just passes {measure} {limit} ({league}): {thickness} in the middle of the barrel, {factor} "
+        "times as thick as drawn. The bat would weigh {mass} instead of {before}." + less,
+        measure=wall.measure.upper(), limit=Slot(wall.limit, "ratio", 3), league=wall.league_name,
+        thickness=say("{size} mm", size=Slot(1e3 * wall.thickness, "ratio", 2)), factor=Slot(wall.factor, "ratio", 2),
+        mass=Slot(wall.mass, "mass"), before=Slot(answer.body.mass, "mass"),
+    )  # fmt: skip
+
+
+def _headline(answer: CertifyAnswer) -> Sentence:
+    exempt = any(
+        check.outcome.verdict is Verdict.NOT_APPLICABLE and check.outcome.rule.construction == "not one piece of wood"
+        for check in answer.checks
+    )
+    return (_broken(answer) if answer.failed else _kept(answer)) + (ONE_PIECE if exempt else "")
+
+
+def _broken(answer: CertifyAnswer) -> Sentence:
+    """Return the rules that a bat breaks; where none is broken surely, those that it breaks as far as is known."""
+    bat, sure = answer.bat.name, [each for each in answer.failed if each.sure]
+    rules = joined([broken_words(each) for each in (sure or answer.failed)], "; ")
+    if not sure:
+        return say(
+            "{bat} fails as far as is known, but not surely: {rules}. What is not known reaches across the limit.",
+            bat=bat, rules=rules,
+        )  # fmt: skip
+    unsure = unsure_words([check.outcome for check in answer.checks], verdict=Verdict.FAIL)
+    return say("{bat} fails: {rules}." + unsure, bat=bat, rules=rules)
+
+
+def _kept(answer: CertifyAnswer) -> Sentence:
+    """Return how many rules a bat surely keeps, and those that are not sure or left open."""
+    bat, checks = answer.bat.name, [each.outcome for each in answer.checks]
+    if answer.untested:
+        rules = joined(dict.fromkeys(each.title for each in answer.untested), " and ")
+        return say(
+            "{bat} is not passed: this test does not decide {rules}: {reason}.",
+            bat=bat, rules=rules, reason=answer.untested[0].reason,
+        )  # fmt: skip
+    kept, unsure = sum(check.sure for check in checks), unsure_words(checks)
+    counted = sum(check.verdict is not Verdict.NOT_APPLICABLE for check in checks)
+    if not kept and not unsure:
+        return say("No rule could be decided for {bat}, so nothing is passed.", bat=bat)
+    if all(each.rules.superseded for each in answer.checks):
+        return say("{bat} keeps limits that hold no more; they say nothing about today." + unsure, bat=bat)
+    if kept == counted:
+        return say("{bat} keeps every rule.", bat=bat)
+    left = dict.fromkeys(title(check.rule) for check in checks if check.verdict is Verdict.NOT_DECIDABLE)
+    return say(
+        "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}", bat=bat, kept=kept, all=counted,
+        unsure=unsure, left=f" Not decidable: {'; '.join(left)}." if left else "",
+    )  # fmt: skip
+
+
+def _superseded(checks: Sequence[RuleCheck]) -> list[str]:
+    leagues = {check.league: check.rules for check in checks}.values()
+    return [f"{league.name}: {league.superseded}." for league in leagues if league.superseded]
+
+
+def _ball_of_the_rule(answer: CertifyAnswer) -> list[Sentence]:
+    """Return why a bat is tested with another ball than it is swung at; nothing where it is the same."""
+    own = standard_conditions(answer.implement).ball
+    named = [check for check in answer.checks if ball(check.rules.ball) == answer.fired]
+    if answer.fired == own or not named or answer.test is None:
+        return []
+    source = named[0].rules.rules[0].source
+    return [
+        say(
+            'The test is with the ball that the rule names [{source}], "{ball}", not with "{own}", which this bat is '
+            "swung at; --ball takes that.", source=source, ball=answer.ball, own=own.name,
+        )
+    ]  # fmt: skip
+
+
+def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
+    fast, slow, length = test.fast, test.slow, answer.implement.length
+    open_by = [spreads for spreads in (test.spread, test.spread_by_moi) if spreads is not None]
+    at = Slot(fast.closing_speed, "speed", 0)
+
+    def ranges(name: str, scale: str = "ratio", digits: int = 4) -> list[Cell]:
+        return [_range(getattr(spreads, name), scale, digits) for spreads in open_by]
+
+    none: list[Cell] = [""] * len(open_by)
+    turning = moment(answer.bat.moi_6in, moi_doubt(answer.implement, answer.body, CLAMP))
+    besr: list[Cell] = ["BESR", Slot(test.besr, "ratio", 4), *ranges("besr"), _place(fast, length), "q + 1/2"]
+    game = "BBCOR of the test" if test.swung == BASEBALL_TEST else "ball-bat restitution"
+    rows: list[list[Cell]] = [
+        [game, Slot(test.bbcor, "ratio", 4), *ranges("bbcor"), _place(fast, length),
+         say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))],
+        ["collision efficiency q", Slot(test.collision_efficiency, "ratio", 4), *none, _place(fast, length), "there"],
+        *([besr] if test.swung == BASEBALL_TEST else []),
+        ["BPF", Slot(test.bpf, "ratio"), *ranges("bpf", digits=3), _place(slow, length),
+         say("ball at {speed}, whose own restitution is {own}", speed=Slot(slow.closing_speed, "speed", 0),
+             own=Slot(slow.ball_restitution, "ratio", 4))],
+        ["batted-ball speed", Slot(test.batted_ball_speed, "speed"), *ranges("batted_ball_speed", "speed", 1),
+         _place(fast, length), _swung(test.swung)],
+        ["MOI", turning, *none, "", "the clamp's axis"],
+    ]  # fmt: skip
+    columns = [Column("measure"), Column("value", right=True), Column("by the patch", right=True)]
+    columns += [Column("by the MOI", right=True) for _ in open_by[1:]]
+    columns += [Column("from the tip", "length"), Column("test")]
+    moi_note = [] if test.spread_by_moi is None else [MOI_NOTE]
+    notes: list[Words] = [*_wall_note(answer, test), PATCH_NOTE, *moi_note]
+    return [Table("Simulated test", columns, rows, name="certified"), *(Paragraph(note, "note") for note in notes)]
+
+
+def _wall_note(answer: CertifyAnswer, test: SimulatedTest) -> list[Words]:
+    """Return whose wall was tested, and what another one would give; nothing for a bat with a wall of its own."""
+    pattern, spreads = wall_pattern(answer.implement), test.spread_by_wall
+    if pattern is None or spreads is None:
+        return []
+    measure = "bbcor" if test.swung == BASEBALL_TEST else "bpf"
+    return [
+        say(
+            "The wall is that of the catalogue's {pattern}; it was not measured on this bat, and {measure} is the "
+            "model's for that wall. A barrel wall {part} % thinner or thicker gives {spread}: measure yours and give "
+            "[shell] in the bat file.",
+            pattern=pattern,
+            measure=measure.upper(),
+            part=f"{100 * WALL_DOUBT:.0f}",
+            spread=_range(getattr(spreads, measure)),
+        )
+    ]
+
+
+def _range(spread: tuple[float, float], scale: str = "ratio", digits: int = 4) -> Sentence:
+    return Sentence((Span(*spread, scale, digits, unit=False),))
+
+
+def _swung(test: SwungTest) -> Sentence:
+    ball, bat = Slot(test.ball_speed, "speed", 0), Slot(test.bat_speed, "speed", 0)
+    return say("{ball} ball, {bat} bat", ball=ball, bat=bat)
+
+
+def _place(scan: ScanAtRest, length: float) -> Sentence:
+    place = Slot(length - scan.best_position, "length").bare
+    return say("{place}{end}", place=place, end=" (end of scan)" if scan.best_at_edge else "")
+
+
+def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
+    """Return what the shots say: measures, places, hits that stand out, rows not used, notes."""
+    raw = shots.standard_ball_cor is None
+    rows = [_estimate("BBCOR, as measured" if raw else "BBCOR, normalised", shots.bbcor)]
+    if not raw:
+        rows.append(_estimate("BBCOR, as measured", shots.raw_bbcor))
+    if shots.bbcor_without_outliers is not None:
+        rows.append(_estimate("BBCOR without outliers", shots.bbcor_without_outliers))
+    rows.append(_estimate("collision efficiency q", shots.collision_efficiency))
+    speed = say("batted-ball speed, {swung}", swung=_swung(shots.swung))
+    rows.append(_estimate(speed, shots.batted_ball_speed, "speed", 1))
+    if shots.bpf is not None:
+        rows.append(_estimate("BPF", shots.bpf, digits=3))
+    heading = say(
+        "{count} shots {place} from the tip", count=len(shots.rows), place=Slot(length - shots.best_position, "length")
+    )
+    columns = [Column("measure"), *(Column(name, right=True) for name in ("mean", "standard error", "90 % interval"))]
+    places: list[list[Cell]] = [
+        [Slot(length - place.position, "length").bare, place.count, Slot(place.bbcor, "ratio", 4)]
+        for place in shots.places
+    ]
+    lines = [
+        f"Row {outlier.row} stands out: BBCOR {outlier.bbcor:.4f}, {outlier.deviation:+.1f} robust standard deviations "
+        "from the median. It is counted."
+        for outlier in shots.outliers
+    ]
+    lines += [f"Row {bad.row} is not used: {bad.reason}." for bad in shots.bad_rows]
+    if shots.ignored_columns:
+        lines.append(f"Columns not used: {', '.join(shots.ignored_columns)}.")
+    where = [Column("from the tip", "length"), Column("shots", "count"), Column("BBCOR", "ratio", digits=4)]
+    return [Table(heading, columns, rows), Table("Places", where, places), *_listed([*lines, *shots.notes])]
+
+
+def _estimate(name: Words, estimate: Estimate | SpeedEstimate, scale: str = "ratio", digits: int = 4) -> list[Cell]:
+    error, low, high = (
+        Slot(value, scale, digits).bare for value in (estimate.standard_error, estimate.low, estimate.high)
+    )
+    return [name, Slot(estimate.mean, scale, digits), error, say("{low} to {high}", low=low, high=high)]
+
+
+def _rules(answer: CertifyAnswer) -> Table:
+    alone = _only_league(answer.checks)
+    columns = [Column(name) for name in ("league", "rule", "verdict") if name != "league" or alone is None]
+    columns += [Column(name, right=True) for name in ("value", "limit", "margin")]
+    rows: list[list[Cell]] = [
+        [
+            *([check.league] if alone is None else []), check.title, marked_verdict(check.outcome),
+            _value(answer, check),
+            limit_shown(check), value_shown(check.quantity, check.margin, sign=True),
+            Cited(check.source, str(check.year or ""), "" if check.reading == "primary" else check.reading),
+        ]
+        for check in answer.checks
+    ]  # fmt: skip
+    name = "certified rules" if len(rows) < MANY else "certified rules many"
+    heading = "Rules" if alone is None else f"Rules of {alone}"
+    return Table(heading, [*columns, Column("source")], rows, name=name)
+
+
+def _value(answer: CertifyAnswer, check: RuleCheck) -> Sentence:
+    if check.quantity == "moi" and check.value is not None:
+        return moment(check.value, moi_doubt(answer.implement, answer.body, CLAMP))
+    return value_shown(check.quantity, check.value)
+
+
+def _only_league(checks: Sequence[RuleCheck]) -> str | None:
+    """Return the league's name, if all rules are of one."""
+    names = {check.league_name for check in checks}
+    return names.pop() if len(names) == 1 else None
+
+
+def _listed(lines: Sequence[str]) -> list[Block]:
+    return [Bullets(lines)] if lines else []
+
+
+def _reasons(checks: Sequence[RuleCheck]) -> list[str]:
+    """Return why a rule is not a plain pass or fail."""
+    alone = _only_league(checks)
+    return [
+        f"{check.title}{'' if alone else f' ({check.league_name})'}: {check.outcome.words}: {check.reason}."
+        for check in checks
+        if check.reason
+    ]

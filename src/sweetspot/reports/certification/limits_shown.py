@@ -1,0 +1,70 @@
+"""Values that rules limit, the limits and the verdicts, as people read them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sweetspot.analysis.certification.rules import QUANTITIES, Check, Verdict, title
+from sweetspot.answers.certify import RuleCheck
+from sweetspot.numerics.interval import Number
+from sweetspot.reports.document import Marked
+from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
+
+SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}
+"""Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
+
+MARKS: dict[Verdict, str] = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
+"""Of verdicts that are sure."""
+
+
+def marked_verdict(check: Check) -> Marked:
+    """Return the verdict of one rule, marked where it is sure."""
+    return Marked(check.words, MARKS[check.verdict] if check.sure else "")
+
+
+BROKEN = {
+    "solid_wood": "it is not one piece of solid wood",
+    "unaltered": "it is drilled or filled, which no rule allows",
+}
+"""What is wrong with a bat whose value says nothing beside the rule's name."""
+
+
+def broken_words(check: RuleCheck) -> Sentence:
+    """Return a broken rule with its league, since another league's rules may be kept, and by what it is broken."""
+    if check.quantity in BROKEN:
+        return say("{fault} ({league})", fault=BROKEN[check.quantity], league=check.league_name)
+    return say(
+        "{rule} of {league} ({value}, allowed {limit})", rule=check.title, league=check.league_name,
+        value=value_shown(check.quantity, check.outcome.value), limit=limit_shown(check),
+    )  # fmt: skip
+
+
+def unsure_words(checks: Sequence[Check], *, verdict: Verdict = Verdict.PASS) -> str:
+    """Return which rules are kept or broken only as far as is known: they are not counted among those that are."""
+    names = dict.fromkeys(title(check.rule) for check in checks if check.verdict is verdict and not check.sure)
+    if not names:
+        return ""
+    does = "passes" if verdict is Verdict.PASS else "fails"
+    return f" Not sure: {' and '.join(names)}. It just {does}; what is not known reaches across the limit."
+
+
+def limit_shown(check: RuleCheck) -> Words:
+    """Return the limit of a rule with the side it is on."""
+    if check.unit == "yes or no":
+        return "yes"
+    sides = [("at least", check.least), ("at most", check.most)]
+    return joined(
+        say("{side} {limit}", side=side, limit=value_shown(check.quantity, limit)) for side, limit in sides
+        if limit is not None
+    )  # fmt: skip
+
+
+def value_shown(quantity: str, value: Number | None, *, sign: bool = False) -> Sentence:
+    """Return a value in the unit that people use for it, with its interval where it has one."""
+    if value is None:
+        return Sentence(())
+    unit = QUANTITIES[quantity][1]
+    if unit == "yes or no":
+        return say("yes" if float(value) else "no")
+    scale, digits = SCALES.get(unit, ("ratio", 4))
+    return Sentence((Slot(value, scale, digits, sign),))

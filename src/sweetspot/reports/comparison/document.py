@@ -1,0 +1,242 @@
+"""A comparison as a document: who gains, what the implements are, what they do in play, and what that assumes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from sweetspot.analysis.certification.rules import NOT_SURE, Verdict
+from sweetspot.analysis.comparison import Comparison
+from sweetspot.answers.certify import CertifyAnswer, RuleCheck
+from sweetspot.answers.compare import CompareAnswer, ComparedBat, compare_of
+from sweetspot.catalog.sports import sport
+from sweetspot.catalog.swing_laws import swing_weight
+from sweetspot.dynamics.rigid import moi_doubt
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import Number, interval_of
+from sweetspot.reports.bat.tables import moment
+from sweetspot.reports.certification.limits_shown import MARKS, broken_words, limit_shown, value_shown
+from sweetspot.reports.comparison.words import assumed, cork_verdict, gain_words, verdict
+from sweetspot.reports.document import Block, Cell, Column, Document, Marked, Paragraph, Picture, Table
+from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.sentences import PLUS_MINUS, Sentence, Slot, Words, joined, read, say, within
+from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.uncertainty.sources import sources_of
+from sweetspot.units import INCH
+
+BBCOR_OF_PLAY = (
+    "BBCOR in play is at this swing's closing speed. The number that rules limit is measured otherwise, in a test with "
+    "the bat at rest{where}."
+)
+
+PLACES = INCH * np.array([1, 2, 3, 4, 5, 6, 7, 8, 10, 12])
+"""m from the tip; hits that are told one by one."""
+MOST_BY_PLACE = 3
+"""Bats beside the first whose columns fit a terminal; the picture draws any number."""
+OF_MASS = ("mass", "balance_point", "moi_6in", "moi_knob")
+"""Mass properties of a bat's row."""
+WITH_RULES, WITHOUT = ", as in the table of the rules", "; `sweetspot certify` computes that one"
+
+
+def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Document:
+    """Return a comparison as a document.
+
+    Parameters
+    ----------
+    corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
+    """
+    reference, bats, known = answer.comparison.reference.analysis, answer.bats, answer.uncertainty
+    its = sport(reference.bat.sport)
+    reading, tool, number = reader(None, its.words), its.words.implement, len(bats)
+    gains, corked = verdict(answer), cork_verdict(answer) if corking else []
+    chances = [] if known is None else [gain_words(gain, answer.reference) for gain in known.gains]
+    main = "exit speed" if number == 1 else f"change of {bats[-1].label}"
+    picture = Picture(
+        "curves", lambda reading: _drawn(answer, reading),
+        label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
+        caption="Tips aligned. Boxes: sweet zones. Dots: best places.",
+        sheet=lambda reading: _drawn_sheet(answer, reading),
+    )  # fmt: skip
+    ruled = any(bat.certificate is not None for bat in bats)
+    taken = assumed(answer, draws="`--uncertainty`")
+    notes: list[Words] = [
+        joined([taken, PLUS_MINUS] if _has_doubt(bats) else [taken]),
+        *([BBCOR_OF_PLAY.format(where=WITH_RULES if ruled else WITHOUT)] if isinstance(reference.bat, Bat) else []),
+    ]
+    data = answer.to_dict() | {"verdict": [read(sentence, reading) for sentence in (*gains, *corked)]}
+    return Document(
+        name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
+        subtitle=_effort(answer), kind="Comparison",
+        blocks=[
+            *map(Paragraph, (*gains, *chances, *corked)), picture, _things(answer), _in_play(answer),
+            *([legality_table(bats)] if ruled else []),
+            *(Paragraph(note, "note") for note in notes),
+            *([] if known is None else [how_sure(known, main)]),
+        ],
+        data=data, rows=as_columns([_row(each) for each in data["bats"]]), reader=reading, drawing=picture,
+        details=_by_place(answer),
+    )  # fmt: skip
+
+
+def comparison_document(comparison: Comparison[Implement]) -> Document:
+    """Return a comparison alone as a document: nothing is known of its implements but what they are."""
+    every = (each.analysis for each in comparison.compared)
+    return compare_document(compare_of(comparison, [sources_of(each.bat, each.conditions) for each in every]))
+
+
+def _effort(answer: CompareAnswer) -> str:
+    tool, law = sport(answer.comparison.reference.analysis.bat.sport).words.implement, answer.swing_law
+    return f"all at the same {tool} speed" if law is None else f"same effort by the law of {law.name}"
+
+
+def _has_doubt(bats: Sequence[ComparedBat]) -> bool:
+    """Return whether a moment of inertia among them was not measured."""
+    every = (bat.compared.analysis for bat in bats)
+    return any(isinstance(each.bat, Bat) and moi_doubt(each.bat, each.body, STANDARD_AXIS) > 0 for each in every)
+
+
+def _things(answer: CompareAnswer) -> Table:
+    """Return what the implements are; round bats have a BBCOR, others their sport's own swing weight."""
+    bat = answer.comparison.reference.analysis.bat
+    tool, convention = sport(bat.sport).words.implement, swing_weight(bat.sport)
+    columns = [Column(tool), Column("mass", "mass"), Column("balance", "length")]
+    weighed = Column("MOI" if isinstance(bat, Bat) else convention.name, right=True)
+    columns += [weighed, Column("f1", "frequency"), Column("q max", "ratio")]
+    columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
+    rows: list[list[Cell]] = []
+    for each in answer.bats:
+        own, body = each.compared.analysis.bat, each.compared.analysis.body
+        turning: Cell = convention.text_of(body)
+        if isinstance(own, Bat):
+            turning = moment(_of_draws(answer, each.bat.moi_6in), moi_doubt(own, body, STANDARD_AXIS))
+        row: list[Cell] = [
+            each.label, Slot(_of_draws(answer, each.bat.mass), "mass", unit=False),
+            Slot(_of_draws(answer, each.bat.balance_point), "length", unit=False),
+            turning,
+            Slot(_of_draws(answer, each.bending_1), "frequency", unit=False),
+            Slot(_of_draws(answer, each.max_collision_efficiency), "ratio"),
+        ]  # fmt: skip
+        row += [Slot(_of_draws(answer, each.max_bbcor), "ratio")] if isinstance(bat, Bat) else []
+        rows.append(row)
+    return Table(f"The {tool}s", columns, rows, name="compared")
+
+
+def _of_draws(answer: CompareAnswer, number: Number) -> Number:
+    """Return a number with its interval where draws were made; straight lines have room for the speeds' alone."""
+    return float(number) if answer.uncertainty is None else number
+
+
+def _in_play(answer: CompareAnswer) -> Table:
+    words = sport(answer.comparison.reference.analysis.bat.sport).words
+    tool = words.implement
+    columns = [
+        Column(tool), Column(f"{tool} speed", "speed"), Column(words.exit_speed, "speed"),
+        Column("change", "speed_change"), Column("break-even", "speed"),
+    ]  # fmt: skip
+
+    def speed(number: Number, scale: str = "speed", *, sign: bool = False) -> Cell:
+        if answer.uncertainty is not None:
+            return Slot(number, scale, sign=sign, unit=False)
+        return within(interval_of(number), scale, sign=sign, unit=False)
+
+    rows: list[list[Cell]] = [
+        [
+            each.label, speed(each.bat_speed), speed(each.exit_speed),
+            speed(each.change, "speed_change", sign=True) if number else "reference",
+            Slot(_of_draws(answer, each.break_even_bat_speed), "speed", unit=False),
+        ]
+        for number, each in enumerate(answer.bats)
+    ]  # fmt: skip
+    return Table("In play", columns, rows, name="compared")
+
+
+def _by_place(answer: CompareAnswer) -> list[Block]:
+    """Return what each place on a round bat gains beside the first bat, as the picture draws it; none for many bats."""
+    first, *others = answer.comparison.compared
+    if not isinstance(first.analysis.bat, Bat) or not 0 < len(others) <= MOST_BY_PLACE:
+        return []
+    known = first.exit_speed_from_tip(PLACES)
+    changes = [other.exit_speed_from_tip(PLACES) - known for other in others]
+    columns = [
+        Column("hit from the tip", "place"), *(Column(f"{other.label},", "speed_change", sign=True) for other in others)
+    ]  # fmt: skip
+    rows: list[list[Cell]] = [list(map(float, row)) for row in zip(PLACES, *changes, strict=True)]
+    return [Table(f"Change by place, against {first.label}", columns, rows)]
+
+
+def _drawn(answer: CompareAnswer, reading: Reader) -> Any:
+    from sweetspot.reports.comparison.picture import compare_figure
+
+    return compare_figure(answer, reading)
+
+
+def _drawn_sheet(answer: CompareAnswer, reading: Reader) -> Any:
+    from sweetspot.reports.comparison.picture import compare_sheet
+
+    return compare_sheet(answer, reading)
+
+
+def _row(bat: dict[str, Any]) -> dict[str, Any]:
+    """Return one bat of the data as a flat row."""
+    row: dict[str, Any] = {"label": bat["label"]}
+    for key, value in bat.items():
+        if key == "bat":
+            row |= {name: number for name, number in value.items() if name.startswith(OF_MASS)}
+        elif isinstance(value, dict) and "value" in value:
+            stem = key.removesuffix("_m_s")
+            row |= {key: value["value"], f"{stem}_low_m_s": value["low"], f"{stem}_high_m_s": value["high"]}
+        elif isinstance(value, float | None):
+            row[key] = value
+    return row
+
+
+def legality_table(bats: Sequence[ComparedBat]) -> Table:
+    """Return the verdict on every bat that was held against rules, and which rules make it or stay open."""
+    columns = [Column("bat"), Column("rules of"), Column("verdict"), Column("why")]
+    rows: list[list[Cell]] = [
+        [bat.label, _leagues(tested), _verdict(tested), _reason(tested)]
+        for bat in bats
+        if (tested := bat.certificate) is not None
+    ]
+    return Table("By the rules, as the model sees it; no certificate", columns, rows, name="compared")
+
+
+def _verdict(tested: CertifyAnswer) -> Marked:
+    """Return pass, fail or not decidable for all rules together, marked where it is sure."""
+    word = tested.verdict
+    if word is Verdict.NOT_DECIDABLE:
+        return Marked(word.value, "")
+    return Marked(word.value, MARKS[word]) if tested.sure else Marked(f"{word}{NOT_SURE}", "")
+
+
+def _reason(tested: CertifyAnswer) -> Sentence:
+    """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
+    if tested.failed:
+        return joined([broken_words(each) + say(_doubt(each)) for each in tested.failed], "; ")
+    lively = [
+        say("{rule} of the test {value}, allowed {limit}{doubt}", rule=check.title,
+            value=value_shown(check.quantity, check.value), limit=limit_shown(check), doubt=_doubt(check))
+        for check in tested.checks
+        if check.outcome.verdict is Verdict.PASS and check.quantity in ("bbcor", "bpf", "besr")
+    ]  # fmt: skip
+    lively += [
+        say("one piece of wood, which {league} do not hold to {rule}", league=check.league_name, rule=check.title)
+        for check in tested.checks
+        if check.outcome.verdict is Verdict.NOT_APPLICABLE and check.quantity == "bbcor"
+    ]
+    left = [check.title for check in tested.checks if check.outcome.verdict is Verdict.NOT_DECIDABLE]
+    return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
+
+
+def _doubt(check: RuleCheck) -> str:
+    return "" if check.sure else NOT_SURE
+
+
+def _leagues(tested: CertifyAnswer) -> str:
+    names = {check.league: check.league_name for check in tested.checks}
+    return "; ".join(names.values())

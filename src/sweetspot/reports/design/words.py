@@ -1,0 +1,284 @@
+"""A design in sentences: where the best place goes and how wide the zone is, then what it is worth, then who pays."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sweetspot.analysis.certification.rules import PERFORMANCE, Verdict, title
+from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.answers.design_question import Designed
+from sweetspot.catalog.sports import sport
+from sweetspot.designs.batter import FROM_TIP
+from sweetspot.designs.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE, GainVerdict
+from sweetspot.designs.measures import MEASURES
+from sweetspot.designs.variables import DENSITY_SPREAD, MODULUS_SPREAD
+from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.reports.certification.limits_shown import unsure_words
+from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.units import INCH, grouped
+
+STILL = 0.02 * INCH
+"""m below which a place does not move for anybody."""
+
+FURTHER = 0.05
+"""Part by which a handle's bending must grow to be told (assumed: two pieces of one species differ by more)."""
+
+
+def tool_of(design: Designed) -> str:
+    """Return what people of the sport call what is designed."""
+    return sport(design.bench.space.present.sport).words.implement
+
+
+def label_of(design: Designed, measure: str) -> str:
+    """Return what a measure is called in the sport of what is designed."""
+    return f"{tool_of(design)} speed" if measure == "bat_speed" else MEASURES[measure].label
+
+
+def moved_words(design: Designed) -> Sentence:
+    """Return where the best place goes, how wide the zone is, and only then what the greatest exit speed does."""
+    gain = design.gain
+    if abs(gain.shift) < STILL:
+        place = say("The best place stays where it is")
+    else:
+        way = "towards the hands" if gain.shift > 0 else "towards the tip"
+        place = say("The best place moves {shift} {way}", shift=Slot(abs(gain.shift), "length"), way=way)
+    zone = say(
+        ", to {place} from the tip; the zone within {near} of the best is {width} wide, {wider} {more}.",
+        near=Slot(ZONE_LOSS, "speed", round=True),
+        place=Slot(design.value("best_from_tip"), "place"),
+        width=Slot(design.value("zone"), "place"),
+        wider=Slot(abs(gain.wider), "length"),
+        more="wider" if gain.wider >= 0 else "narrower",
+    )
+    top = say(" The greatest exit speed changes by {change}.", change=Slot(gain.greatest, "speed_change", sign=True))
+    return place + zone + top
+
+
+def worth_words(design: Designed) -> Sentence:
+    """Return what the design is worth to this batter, beside what could hide it."""
+    gain, batter = design.gain, design.bench.batter
+    first = say(
+        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt} (90 %): "
+        "{verdict}; faster in {odds} of 100 such pairs.",
+        place=Slot(batter.mean_contact, "place"),
+        gain=_faster(gain.expected),
+        doubt=Slot(gain.doubt, "speed_change"),
+        verdict=gain.verdict.value,
+        odds=_of_100(gain.odds),
+    )
+    return joined([first, *_balls(design), _doubts(design)])
+
+
+def _of_100(odds: float) -> str:
+    """Return how many of 100, without claiming none or all.
+
+    >>> _of_100(0.9999), _of_100(0.948), _of_100(0.001)
+    ('more than 99', '95', 'fewer than 1')
+    """
+    count = round(100 * odds)
+    return "more than 99" if count >= 100 else "fewer than 1" if count < 1 else f"{count}"
+
+
+def _balls(design: Designed) -> list[Sentence]:
+    """Return how far the number of balls limits what is known; nothing where the contacts were simply told."""
+    gain = design.gain
+    if not gain.balls:
+        return []
+    count = f"{gain.balls:.0f} {'ball tells' if round(gain.balls) == 1 else 'balls tell'}"
+    sample = say(
+        "{count} of the contacts, beside what is known of all batters, and that adds {sample}",
+        count=count[0].upper() + count[1:],
+        sample=Slot(gain.sample, "speed_change"),
+    )
+    if gain.balls_needed is not None:
+        return [
+            sample + say("; from about {needed} met as these the gain would be seen.", needed=_about(gain.balls_needed))
+        ]
+    if gain.expected > 0 and gain.verdict is not GainVerdict.SEEN:
+        return [sample + say("; a gain of this size would be seen from no number of balls.")]
+    return [sample + say(".")]
+
+
+def _about(count: int) -> str:
+    """Return a number of balls to two digits, upwards."""
+    unit = 10 ** max(0, len(str(count)) - 2)
+    return grouped(-(-count // unit) * unit)
+
+
+def _faster(change: float) -> Sentence:
+    return say("{size} {way}", size=Slot(abs(change), "speed_change"), way="faster" if change >= 0 else "slower")
+
+
+def _doubts(design: Designed) -> Sentence:
+    gain = design.gain
+    parts = []
+    if not gain.shipment:
+        willow = say(
+            "; willow's density by {density}, its stiffness by {modulus}",
+            density=_spread(DENSITY_SPREAD),
+            modulus=_spread(MODULUS_SPREAD),
+        )
+        parts.append(
+            say(
+                "Two of one model differ by {wood} (one standard deviation: every number that is changed by {alike}"
+                "{willow}; assumed).",
+                wood=Slot(gain.wood, "speed_change"),
+                alike=_spread(TURNED_ALIKE),
+                willow=willow if isinstance(design.bench.space.present, CricketBat) else say(""),
+            )
+        )
+    else:
+        parts.append(
+            say(
+                "Two bats of one shape differ by {wood} (one standard deviation: density {density}, stiffness "
+                "{modulus}; {weighed} chosen by weight), or by {pair}: best and worst of a dozen by up to {shipment}.",
+                wood=Slot(gain.wood, "speed_change"),
+                density=_spread(DENSITY_SPREAD),
+                modulus=_spread(MODULUS_SPREAD),
+                weighed=Slot(gain.by_weight, "speed_change"),
+                shipment=Slot(SHIPMENT, "speed", 0, round=True),
+                pair=Slot(gain.shipment, "speed_change"),
+            )
+        )
+    law = design.bench.batter.law
+    swing = (
+        say("The swing law adds {law}; ", law=Slot(gain.law, "speed_change"))
+        if law is not None
+        else say("All are swung alike; ")
+    )
+    contact = say(
+        "the place of contact, known to {doubt}, adds {contact}.",
+        doubt=Slot(design.bench.batter.doubt, "place"),
+        contact=Slot(gain.contact, "speed_change"),
+    )
+    return joined([*parts, swing + contact])
+
+
+def _spread(part: float) -> Sentence:
+    return say("{part}", part=Slot(part, "share"))
+
+
+def warning_words(design: Designed) -> Sentence:
+    """Return who should not use the design, and what it costs there."""
+    gain = design.gain
+    outer = (gain.turning_place or design.bench.batter.mean_contact) > FROM_TIP
+    worst = int(np.argmin(np.where(outer, gain.curve, np.inf)))
+    place = Slot(float(FROM_TIP[worst]), "place")
+    if not outer.any() or gain.curve[worst] >= 0:
+        return say(
+            "Who should not use it: nobody by exit speed; {place} from the tip it still gains {gain}.",
+            place=Slot(TOWARDS_END, "place"),
+            gain=Slot(gain.at(TOWARDS_END), "speed_change"),
+        )
+    tool = tool_of(design)
+    turning = say("Towards the tip the present {tool} is better", tool=tool)
+    if gain.turning_place is not None:
+        near = Slot(gain.turning_place, "place")
+        turning = say("Nearer the tip than {turning} the present {tool} is better", turning=near, tool=tool)
+    return turning + say(
+        ": {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use it.",
+        place=place,
+        cost=Slot(-float(gain.curve[worst]), "speed_change"),
+    )
+
+
+def breaking_words(design: Designed) -> list[Sentence]:
+    """Return whether the handle of the design is bent further than the present one's; nothing where it hardly is."""
+    if design.bent is None:
+        return []
+    now, after = design.bent
+    if after.strain < (1 + FURTHER) * now.strain:
+        return []
+    return [
+        say(
+            "Its handle is bent further: up to {after} against {now} over these contacts, by a ball met {place} from "
+            "the tip. Bats break there; a thicker grip (--handle) costs weight, not speed.",
+            after=Slot(after.strain, "strain"),
+            now=Slot(now.strain, "strain"),
+            place=Slot(after.from_tip, "place"),
+        )
+    ]
+
+
+def rules_words(design: Designed) -> list[Sentence]:
+    """Return whether the design keeps the league's rules, as far as a drawing decides them."""
+    failed, open_ones = (
+        [title(check.rule) for check in design.checks if check.verdict is verdict]
+        for verdict in (Verdict.FAIL, Verdict.NOT_DECIDABLE)
+    )
+    if not design.checks:
+        return []
+    verdict = (
+        say("It breaks the rules: {failed}.", failed=", ".join(failed))
+        if failed
+        else say("It keeps every rule of its league that a drawing decides.")
+    )
+    left = say(" Left open: {left}.", left=", ".join(open_ones)) if open_ones else say("")
+    return [verdict + say(unsure_words(design.checks)) + left]
+
+
+def unbounded_words(design: Designed) -> list[Sentence]:
+    """Return that no rule of performance bounds the wall of a hollow bat; nothing where one does, or it has no wall."""
+    bounded = {limit.measure for limit in design.question.limits}
+    if not design.bench.tested or bounded & PERFORMANCE:
+        return []
+    left = [check for check in design.checks if check.rule.quantity in PERFORMANCE]
+    why = (
+        say("nobody's rules were asked for") if not design.checks else say("its league limits none that can be tested")
+    )
+    if left:
+        why = say("{rule} is not decidable: {reason}", rule=title(left[0].rule), reason=left[0].reason)
+    return [
+        say(
+            "No rule of performance bounds this wall, so the gain below says nothing of a legal bat: {why}. A thinner "
+            "wall usually hits harder: take a league that limits BBCOR or BPF (--league), or leave the wall as it is.",
+            why=why,
+        )
+    ]
+
+
+def wall_words(design: Designed) -> list[Sentence]:
+    """Return what of a hollow bat's wall and end cap to change; nothing for other implements."""
+    if not design.bench.tested:
+        return []
+    changes = [
+        say(
+            "{label} {place}from {before} to {after}",
+            label=variable.label,
+            place=say("{place} from the tip ", place=Slot(variable.from_tip, "place"))
+            if variable.from_tip is not None
+            else "",
+            before=Slot(variable.start, variable.scale, 2).bare,
+            after=Slot(value, variable.scale, 2),
+        )
+        for variable, value in zip(design.bench.space.variables, design.numbers.tolist(), strict=True)
+    ]
+    return [say("What to change: {changes}. The outside stays as it is.", changes=joined(changes, "; "))]
+
+
+def effort_words(design: Designed) -> Sentence:
+    """Return what the design does to the swing."""
+    gain, law = design.gain, design.bench.batter.law
+    if law is None:
+        return say("All are swung at the same speed.")
+    low, high = sorted(_time(design, exponent) for exponent in (law.exponents.low, law.exponents.high))
+    return say(
+        "Time to contact changes by {time} ({low} to {high}) of {whole}, by the law of {law}.",
+        time=Slot(gain.time, "contact", 2, sign=True),
+        low=Slot(low, "contact", 2, sign=True).bare,
+        high=Slot(high, "contact", 2, sign=True),
+        whole=Slot(_swing_time(), "contact", 0),
+        law=law.name,
+    )
+
+
+def _time(design: Designed, exponent: float) -> float:
+    law, ratio = design.bench.batter.law, design.value("swing_time") / _swing_time()
+    assert law is not None
+    return float(_swing_time() * (ratio ** (exponent / max(law.exponent, 1e-9)) - 1))
+
+
+def _swing_time() -> float:
+    from sweetspot.designs.measures import SWING_TIME
+
+    return SWING_TIME

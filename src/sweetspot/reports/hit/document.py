@@ -1,0 +1,268 @@
+"""A hit as a document: what came out, where the energy went, and what it did to the bat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from sweetspot.answers.hit import Collision, Hit, HitAnswer, Strains, collision_of
+from sweetspot.answers.records import to_dict
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.sport import Terms
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import Number
+from sweetspot.reports.bat.appendix import soft_note
+from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.reports.hit.ledger import ENERGY_NAMES
+from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, read, say
+from sweetspot.reports.sport_words import in_words, reader_of, weight, words_of
+from sweetspot.reports.uncertainty.section import how_sure
+
+Rows = list[tuple[Cell, Cell]]
+FEW_JOULES, FEW_NEWTONS = 20.0, 5e3
+"""Below these a number is shown with more digits."""
+TOLD = 1e-3
+"""A part of the energy below which what a sum misses is rounding."""
+
+
+def hit_document(answer: HitAnswer) -> Document:
+    """Return a hit as a document."""
+    implement, conditions, impact = answer.question.implement, answer.question.conditions, answer.impact
+    words = words_of(implement)
+    place = in_words("hit {place} from the {tip}", words, place=Slot(implement.length - impact.position, "place"))
+    picture = hit_picture(impact, words, title=say("{name}, {place}", name=implement.name, place=place))
+    masses = masses_words(answer.bat.mass, answer.ball_mass, words)
+    data = answer.to_dict()
+    return Document(
+        name="hit",
+        title=implement.name,
+        kind="Hit",
+        subtitle=place,
+        blocks=[
+            hit_table(answer, implement, masses),
+            *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, words)),
+            *_doubts(impact, words),
+            *_damage_blocks(answer.damage, words),
+            *soft_note(implement, conditions.ball),
+            picture,
+            *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, "exit speed")]),
+        ],
+        data=data,
+        rows=data["history"],
+        reader=reader_of(implement),
+        drawing=picture,
+    )
+
+
+def masses_words(tool: Number, ball: Number, words: Terms) -> Sentence:
+    """Return what met, kg, in words."""
+    return in_words("{implement} {tool}, {ball} {thrown}", words, tool=Slot(tool, "mass"), thrown=weight(ball))
+
+
+def by_ball(half: Number | None, words: Terms) -> list[Sentence]:
+    """Return in words what the ball alone leaves open of an exit speed; nothing where that is not known.
+
+    Parameters
+    ----------
+    half : of its 90 % interval, m/s.
+    """
+    if half is None:
+        return []
+    slot = Slot(half, "speed_change", 1)
+    return [in_words("By the {ball} alone the {exit_speed} may be {half} more or less (90 %).", words, half=slot)]
+
+
+def _doubts(impact: Impact, words: Terms) -> list[Paragraph]:
+    return [Paragraph(doubt, "warning") for doubt in touched_again(impact, words)]
+
+
+def impact_document(impact: Impact) -> Document:
+    """Return a collision alone as a document: nobody says here whose it is, or how fast the bat was swung."""
+    bare, words = collision_of(impact), Terms()
+    data = to_dict(bare)
+    title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
+    picture = hit_picture(impact, words, title=title)
+    rows: Rows = [
+        ("closing speed", Slot(bare.closing_speed, "speed")),
+        ("collision efficiency q", Slot(bare.collision_efficiency, "ratio", 4)),
+        *_contact_rows(bare, words), *_energy_rows(bare, words),
+    ]  # fmt: skip
+    return Document(
+        name="hit", title=title, kind="Hit",
+        blocks=[_two_columns(rows), *_doubts(impact, words), picture], data=data, rows=data["history"],
+        drawing=picture,
+    )  # fmt: skip
+
+
+def hit_table(hit: Hit, implement: Implement, masses: Sentence) -> Table:
+    """Return one hit in the words of its sport.
+
+    Parameters
+    ----------
+    masses : what met, in words.
+    """
+    words = words_of(implement)
+    rows: Rows = [
+        ("outcome", hit.outcome_text.replace(" bat ", f" {words.implement} ")),
+        (f"{words.implement} speed there", Slot(hit.bat_speed, "speed")),
+        (words.exit_speed, Slot(hit.exit_speed, "speed")),
+        (words.efficiency, Slot(hit.collision_efficiency, "ratio", 4)),
+    ]
+    if words.smash_factor and hit.smash_factor is not None:
+        rows.append((words.smash_factor, Slot(hit.smash_factor, "ratio")))
+    if implement.face is None:
+        rows.append(("BBCOR at this speed", Slot(hit.bbcor, "ratio")))
+    return _two_columns([*rows, *_contact_rows(hit, words), *_energy_rows(hit, words), ("masses", masses)])
+
+
+def hit_picture(impact: Impact, words: Terms, caption: str | Sentence = "", *, title: str | Sentence = "") -> Picture:
+    """Return force and energy of a hit, drawn.
+
+    Parameters
+    ----------
+    title : over the picture where it is a file of its own.
+    """
+    heat = impact.energy.heat / impact.energy.incoming if impact.energy.incoming else 0.0
+    label = in_words(
+        "Force of the hit: it rises to {force} and lasts {time}. Of the energy, {heat} become heat in the {ball}.",
+        words, force=_force(impact.peak_force), time=Slot(impact.contact_time, "contact", 2), heat=Slot(heat, "share"),
+    )  # fmt: skip
+    return Picture("hit", lambda reading: _drawn(impact, words, read(title, reading)), label, caption)
+
+
+def _drawn(impact: Impact, words: Terms, title: str) -> Any:
+    from sweetspot.reports.hit.picture import hit_figure
+
+    return hit_figure(impact, words, title)
+
+
+def _contact_rows(hit: Collision, words: Terms) -> Rows:
+    pressed = Slot(hit.peak_compression, "pressed")
+    return [
+        ("contact, force above 1 % of its peak", Slot(hit.contact_time, "contact")),
+        ("peak force", _force(hit.peak_force)),
+        (in_words("peak compression of the {ball}", words), pressed),
+    ]
+
+
+def _energy_rows(hit: Collision, words: Terms) -> Rows:
+    """Return the ledger; a part that the implement does not have is left out."""
+    digits = 1 if float(hit.energy.incoming) > FEW_JOULES else 3
+    rows: Rows = []
+    for field, (name, _) in ENERGY_NAMES.items():
+        joules, share = getattr(hit.energy, field), getattr(hit.energy_share, field)
+        if not float(joules) and field in ("face", "hoop"):
+            continue
+        part = Slot(share, "share", 1)
+        energy = Slot(joules, "energy", digits)
+        rows.append((in_words(f"energy: {name}", words), say("{joules}, {part}", joules=energy, part=part)))
+    missed = abs(hit.energy_imbalance)
+    told = say("less than {part}", part=Slot(TOLD, "share", 1)) if missed < TOLD else Slot(missed, "share", 1)
+    return [*rows, ("energy: what the sum misses", told)]
+
+
+def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:
+    """Return the strains of one hit in words, with a warning for each limit that is passed."""
+    if strains is None:
+        return []
+    text = in_words(
+        "Greatest bending strain of the handle {strain}, {place} from the {butt}", words,
+        strain=Slot(strains.handle_strain, "strain"), place=Slot(strains.handle_position, "place"),
+    )  # fmt: skip
+    if strains.wall_strain is not None:
+        text += say("; of the barrel's wall {strain}", strain=Slot(strains.wall_strain, "strain"))
+    limit = strains.handle_strain_limit
+    if limit is not None and float(strains.handle_strain) > limit and not strains.warnings:
+        text += say(
+            ". In a slow test its wood reaches its strength at {limit}; in a blow it bears two or three times as much",
+            limit=Slot(limit, "strain"),
+        )  # fmt: skip
+    return [Paragraph(text + "."), *(Paragraph(f"Warning: {words}", "warning") for words in strains.warnings)]
+
+
+def _force(force: Number) -> Slot:
+    return Slot(force, "blow", None if float(force) > FEW_NEWTONS else 3)
+
+
+def _two_columns(rows: Sequence[tuple[Cell, Cell]], title: str | Sentence = "") -> Table:
+    return Table(title, [Column(""), Column("value", right=True)], rows)
+
+
+AGAIN = (
+    "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then nobody "
+    "has measured: it is taken as new{otherwise}."
+)
+PRESSED_AGAIN = (
+    "{where} {implement} catches up with a {ball} that is nearly gone and presses it again. How far a {ball} has "
+    "recovered by then nobody has measured"
+)
+
+
+def best_in_doubt(best: Impact, words: Terms) -> list[Sentence]:
+    """Return what is not known of a best hit that presses the ball more than once; nothing of any other."""
+    if best.presses < 2:
+        return []
+    return [
+        in_words(
+            PRESSED_AGAIN + ", and the best place and its speed follow from what is taken for it.", words,
+            where="There the",
+        )
+    ]  # fmt: skip
+
+
+def touched_again(impact: Impact, words: Terms) -> list[Sentence]:
+    """Return the doubt of a hit whose ball is pressed more than once, in one sentence; nothing of any other."""
+    if impact.presses < 2 and impact.unrecovered is None:
+        return []
+    if impact.unrecovered is None:
+        return [in_words(PRESSED_AGAIN + ": it springs on as it was.", words, where="The")]
+    gain = impact.unrecovered_gain
+    otherwise = in_words(
+        "; had it not recovered at all, it would leave {gain} {faster}", words, gain=Slot(abs(gain), "speed"),
+        faster="slower" if gain < 0 else "faster",
+    )  # fmt: skip
+    return [in_words(AGAIN, words, where="The", otherwise=otherwise)]
+
+
+def touched_again_at(
+    perhaps: bool, words: Terms, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
+    lateral: float = 0.0,
+) -> list[Sentence]:  # fmt: skip
+    """Return the same for a hit of the compiled solver, which is made once more for it.
+
+    Parameters
+    ----------
+    perhaps : whether the ball was touched again, or is nearby; else there is nothing to say.
+    """
+    if not perhaps:
+        return []
+    again = hit(modes, ball=ball, position=position, lateral=lateral, closing_speed=closing_speed)
+    return touched_again(again, words)
+
+
+def touched_again_between(from_tip: Array, touches: Array, words: Terms) -> list[Sentence]:
+    """Return the same for hits along a bat, stretch by stretch.
+
+    Parameters
+    ----------
+    from_tip : m, of neighbours along the bat, shape (n,).
+    touches : how often the ball is touched there, shape (n,).
+    """
+    places = np.flatnonzero(touches > 1)
+    if len(places) == 0:
+        return []
+    stretches = [from_tip[each] for each in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)]
+    spans = (
+        Sentence((Span(float(stretche.min()), float(stretche.max()), "place", unit=False),))
+        for stretche in sorted(stretches, key=np.min)
+    )
+    where = in_words(
+        "Hit {places} {unit} from the {tip}, the", words, unit=UnitName("place"), places=joined(spans, " and "),
+    )  # fmt: skip
+    return [in_words(AGAIN, words, where=where, otherwise="")]

@@ -1,0 +1,62 @@
+"""Many hits as a document: each by its number, in the order in which they were asked for."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sweetspot.collision.hit_in_space import Strikes
+from sweetspot.collision.impact import Impacts, Outcome
+from sweetspot.reports.document import Document, Paragraph, Picture
+from sweetspot.reports.json_shapes import cleaned
+from sweetspot.reports.quantities import Reader, key
+from sweetspot.reports.sentences import Sentence, Slot, Span, say
+from sweetspot.units import grouped
+
+
+def impacts_document(hits: Impacts | Strikes) -> Document:
+    """Return many collisions as a document; nobody says here whose they are, or how fast the bat was swung."""
+    columns = {
+        "outcome": [Outcome(int(each)).name.lower() for each in hits.outcome.ravel()],
+        **{key(name): getattr(hits, name).ravel().tolist()
+           for name in ("collision_efficiency", "contact_time", "peak_force", "peak_compression")},
+    }  # fmt: skip
+    picture = Picture(
+        "hits", partial(_drawn, hits), label="Collision efficiency, contact time and peak force of every hit.",
+        caption="In the order in which they were asked for.",
+    )  # fmt: skip
+    lists = cleaned(columns)
+    known = bool(np.isfinite(hits.collision_efficiency).any())
+    return Document(
+        name="hits", title="", kind="Hits", blocks=[Paragraph(_words(hits)), *([picture] if known else [])], data=lists,
+        rows=lists, drawing=picture if known else None,
+    )  # fmt: skip
+
+
+def _words(hits: Impacts | Strikes) -> Sentence:
+    efficiency, count = hits.collision_efficiency.ravel(), len(hits.outcome.ravel())
+    known = np.isfinite(efficiency)
+    noun = "hit" if count == 1 else "hits"
+    if not known.any():
+        return say("{count} {noun}, none of which has an answer.", count=grouped(count), noun=noun)
+    best = int(np.nanargmax(efficiency))
+    return say(
+        "{count} {noun}, {known} with an answer: collision efficiency {q}, greatest in number {best}; contact {time}; "
+        "peak force {force}.",
+        count=grouped(count), noun=noun, known=grouped(int(known.sum())), best=grouped(best + 1),
+        q=Span(float(efficiency[known].min()), float(efficiency[best]), "ratio"),
+        time=_span(hits.contact_time, "contact"), force=_span(hits.peak_force, "blow"),
+    )  # fmt: skip
+
+
+def _span(values: Any, scale: str) -> Span | Slot:
+    known = values[np.isfinite(values)]
+    return Span(float(known.min()), float(known.max()), scale) if len(known) else Slot(float("nan"), scale)
+
+
+def _drawn(hits: Impacts | Strikes, reading: Reader) -> Any:
+    from sweetspot.reports.hit.picture import impacts_figure
+
+    return impacts_figure(hits, reading)

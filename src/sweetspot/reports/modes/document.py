@@ -1,0 +1,52 @@
+"""The motions of a bat as a document: what rings, how high, and where it stands still."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from sweetspot.dynamics.modes import Modes
+from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.reports.json_shapes import as_columns, cleaned
+from sweetspot.reports.quantities import Reader
+from sweetspot.reports.sentences import Slot, UnitName, joined, say
+
+KINDS = {"rigid": "rigid motion", "bending": "bending", "hoop": "wall (hoop)", "face": "face", "hand": "hands"}
+MOST_NODES = 4
+"""Nodes of a mode that its row names."""
+
+
+def modes_document(modes: Modes) -> Document:
+    """Return all motions as a document; places count from the end of the grip, for nobody says here how long it is."""
+    rows: list[list[Cell]] = []
+    data: list[dict[str, Any]] = []
+    for index, family in enumerate(modes.families):
+        frequency, damping = float(modes.frequency[index]), float(modes.damping_ratio[index])
+        nodes = [float(node) for node in modes.nodes(index)] if family == "bending" else []
+        places = joined([Slot(node, "place", unit=False) for node in nodes[:MOST_NODES]], ", ")
+        if nodes:
+            places += say(" {unit}", unit=UnitName("place"))
+        rigid = family == "rigid"
+        rows.append([
+            KINDS[family] if rigid else say("{kind} {number}", kind=KINDS[family], number=modes.harmonics[index]),
+            None if rigid else frequency, None if rigid else damping, places if nodes else "",
+        ])  # fmt: skip
+        data.append({"family": family, "harmonic": modes.harmonics[index], "frequency_hz": frequency,
+                     "damping_ratio": damping, "nodes_m": nodes})  # fmt: skip
+    columns = [Column("motion"), Column("rings at", "frequency"), Column("damping", "share", digits=2),
+               Column("stands still, from the end of the grip")]  # fmt: skip
+    picture = Picture("modes", partial(_drawn, modes), label="How the bat bends in its first modes.")
+    bends = bool(len(modes.of_family("bending")))
+    blocks: list[Block] = [Table("", columns, rows), *([picture] if bends else [])]
+    if not bends:
+        blocks.append(Paragraph("None of these bends the bat along its length: there is nothing to draw.", "note"))
+    return Document(
+        name="modes", title="Modes", kind="Modes", blocks=blocks, data=cleaned({"modes": data}), rows=as_columns(data),
+        drawing=picture if bends else None,
+    )  # fmt: skip
+
+
+def _drawn(modes: Modes, reading: Reader) -> Any:
+    from sweetspot.reports.modes.picture import modes_figure
+
+    return modes_figure(modes, reading)

@@ -1,0 +1,157 @@
+"""The best way to hit as a document: how to swing, how high to send the ball, where a park is easiest to leave."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sweetspot.answers.optimum import FarthestLaunch, FarthestSwing, OptimumAnswer, SlowestHomeRun
+from sweetspot.catalog.sports import sport
+from sweetspot.numerics.interval import Number
+from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.reports.flight.document import direction_words
+from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.sentences import Sentence, Slot, say
+from sweetspot.reports.uncertainty.section import how_sure
+
+HELD = (
+    "What was searched, place, undercut, attack and launch angle, is a choice: it stays as it is best for all as "
+    "described, and has no interval. At a best the carry hardly changes with it."
+)
+
+
+def optimum_document(answer: OptimumAnswer) -> Document:
+    """Return the best way to hit as a document; its CSV is that of the first question."""
+    bat, blocks = answer.question.bat, list[Block]()
+    if answer.swings is not None:
+        blocks += [Paragraph(_swing_words(found, length=bat.length)) for found in answer.swings]
+        blocks.append(_swings(answer.swings, length=bat.length))
+    if answer.launches is not None:
+        blocks.append(_launches(answer.launches))
+    if answer.parks is not None:
+        blocks += [Paragraph(_park_words(answer.parks)), _parks(answer.parks)]
+    if answer.uncertainty is not None:
+        blocks.append(Paragraph(HELD, "note"))
+    picture = Picture("best", lambda reading: _drawn(answer, reading), label="The best of what was tried.")
+    blocks.append(picture)
+    if answer.uncertainty is not None:
+        parks_alone = answer.swings is None and answer.launches is None
+        blocks.append(how_sure(answer.uncertainty, "slowest home run" if parks_alone else "first farthest carry"))
+    data = answer.to_dict()
+    return Document(
+        name="optimum",
+        title=answer.bat,
+        kind="The best way to hit",
+        blocks=blocks,
+        data=data,
+        rows=as_columns(next((rows for rows in data.values() if isinstance(rows, list)), [])),
+        reader=reader(None, sport(bat.sport).words),
+        drawing=picture,
+    )
+
+
+def _drawn(answer: OptimumAnswer, reading: Reader) -> Any:
+    from sweetspot.reports.optimum.picture import optimum_figure
+
+    return optimum_figure(answer, reading)
+
+
+def _swing_words(best: FarthestSwing, *, length: float) -> Sentence:
+    below = float(best.undercut) >= 0
+    return say(
+        "A {pitch}, {speed} at the plate, carries farthest, {carry}, met {place} from the tip with the bat's axis "
+        "{offset} {side} the ball's centre and rising at {attack}.",
+        pitch=best.pitch,
+        speed=Slot(float(best.pitch_speed), "speed", 0),
+        carry=Slot(best.carry, "distance"),
+        place=Slot(length - best.position, "place"),
+        offset=Slot(best.undercut if below else -best.undercut, "offset"),
+        side="below" if below else "above",
+        attack=Slot(best.attack_angle, "angle"),
+    )
+
+
+def _park_words(parks: Sequence[SlowestHomeRun]) -> Sentence:
+    easiest = min(parks, key=lambda one: float(one.exit_speed))
+    return say(
+        "{lead} {park}: a ball of {speed} at {angle}, {where}, just clears a fence {far} away and {high} high.",
+        lead="Easiest to leave is" if len(parks) > 1 else "Easiest way out of",
+        park=easiest.park,
+        speed=Slot(easiest.exit_speed, "speed"),
+        angle=Slot(easiest.launch_angle, "angle"),
+        where=direction_words(easiest.direction),
+        far=Slot(easiest.fence_distance, "distance"),
+        high=Slot(easiest.fence_height, "distance"),
+    )
+
+
+def _swings(swings: Sequence[FarthestSwing], *, length: float) -> Table:
+    columns = [
+        Column("pitch"),
+        Column("plate", "speed", digits=0),
+        Column("attack", "angle"),
+        Column("undercut", "offset"),
+        Column("from tip", "place"),
+        Column("exit", "speed"),
+        Column("launch", "angle"),
+        Column("spin", "spin"),
+        Column("carry", "distance"),
+    ]
+    rows: list[list[Cell]] = [
+        [
+            best.pitch,
+            float(best.pitch_speed),
+            float(best.attack_angle),
+            float(best.undercut),
+            length - float(best.position),
+            _beside(best.exit_speed, "speed"),
+            _beside(best.launch_angle, "angle"),
+            _beside(best.backspin, "spin"),
+            _beside(best.carry, "distance"),
+        ]
+        for best in swings
+    ]
+    return Table("Contact that carries farthest", columns, rows)
+
+
+def _launches(launches: Sequence[FarthestLaunch]) -> Table:
+    columns = [
+        Column("exit speed", "speed", digits=0),
+        Column("backspin", "spin"),
+        Column("best launch", "angle"),
+        Column("carry", "distance"),
+    ]
+    rows: list[list[Cell]] = [
+        [float(best.exit_speed), float(best.backspin), float(best.launch_angle), _beside(best.carry, "distance")]
+        for best in launches
+    ]
+    return Table("Launch angle that carries farthest", columns, rows)
+
+
+def _parks(parks: Sequence[SlowestHomeRun]) -> Table:
+    columns = [
+        Column("park"),
+        Column("exit speed", "speed"),
+        Column("launch", "angle"),
+        Column("towards"),
+        Column("fence", "distance"),
+        Column("wall", "distance"),
+    ]
+    rows: list[list[Cell]] = [
+        [
+            best.park,
+            _beside(best.exit_speed, "speed"),
+            float(best.launch_angle),
+            direction_words(best.direction),
+            float(best.fence_distance),
+            float(best.fence_height),
+        ]
+        for best in parks
+    ]
+    return Table("Slowest home run, each park in its own air", columns, rows)
+
+
+def _beside(value: Number, scale: str) -> Slot:
+    """Return a number of a table, beside which an interval may stand."""
+    return Slot(value, scale, unit=False)

@@ -1,0 +1,207 @@
+"""Sentences that the page says over its pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from sweetspot.answers.flight import BallLeaving, FlightEnd
+from sweetspot.equipment.sport import Terms
+from sweetspot.reports.hit.ledger import ENERGY_NAMES
+from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.sport_words import in_words
+
+LEAST_SHARE = 0.004
+"""Part of the energy below which it would be told as 0 %."""
+SURE = 0.05
+"""Chances nearer to none or to one are told as one outcome."""
+NEAR = 1.0
+"""m from a fence's top within which inches or centimetres are told."""
+STRAIGHT = 5e-4
+"""rad off centre field that nobody would call so."""
+FEW = 1e-4
+"""Part of a tap's energy below which a motion's part is told as less than that."""
+
+
+def hits_fastest(name: str, from_tip: float, exit_speed: float, *, words: Terms) -> Sentence:
+    """Return where an implement hits fastest, m from its tip, and how fast, m/s."""
+    return in_words(
+        "{name} hits fastest {place} from the {tip}: {speed}.",
+        words,
+        name=name,
+        place=Slot(from_tip, "place"),
+        speed=Slot(exit_speed, "speed"),
+    )
+
+
+def leaves_here(
+    from_tip: float, exit_speed: float | None, *, ends: str, words: Terms, aside: float = 0.0, backwards: bool = False
+) -> Sentence:
+    """Return how fast a ball leaves a place, m from the tip and aside; ``ends`` says what happens where it does not."""
+    off = say(" and {aside} off the line", aside=Slot(abs(aside), "place")) if aside else ""
+    return in_words(
+        "Here, {place} from the {tip}{off}: {speed}" + (", fouled back." if backwards else "."),
+        words,
+        place=Slot(from_tip, "place"),
+        off=off,
+        speed=ends if exit_speed is None else Slot(exit_speed, "speed"),
+    )
+
+
+def energy_words(shares: Mapping[str, float], words: Terms) -> list[Sentence]:
+    """Return in a sentence where the energy of a hit goes, by part of `ENERGY_NAMES`; none where nothing is known."""
+    parts = [
+        in_words(ENERGY_NAMES[name][0] + " {share}", words, share=Slot(share, "share"))
+        for name, share in shares.items()
+        if share > LEAST_SHARE
+    ]
+    return [say("Of the energy of the meeting: {parts}.", parts=joined(parts, "; "))] if parts else []
+
+
+def wave_words(name: str, *, contact_time: float, arrival: float | None, given: float | None) -> list[Sentence]:
+    """Return how long the push lasts, and whether what the hands do could still reach the ball.
+
+    Parameters
+    ----------
+    arrival : s, of the wave at the top hand; None: none arrives.
+    given : part of the push that the ball has had by then.
+    """
+    push = say(
+        "{name}: the push is over {time} after first touch.", name=name, time=Slot(contact_time, "contact", digits=2)
+    )
+    if arrival is None or given is None:
+        return [push, say("No wave to speak of reaches the top hand in this film.")]
+    wave = say(
+        "The wave reaches the top hand {time} after first touch, when the ball has had {share} of its push.",
+        time=Slot(arrival, "contact", digits=2),
+        share=Slot(given, "share"),
+    )
+    late = "too late." if 2 * arrival > contact_time else "while ball and bat still push each other."
+    back = say(
+        "What the hands do about it could be back at the ball after {time}, " + late,
+        time=Slot(2 * arrival, "contact", digits=2),
+    )
+    return [push, wave, back]
+
+
+def motion_words(
+    name: str,
+    family: str,
+    *,
+    frequency: float,
+    waves: tuple[int, int | None],
+    nodes: Sequence[float],
+    tap: tuple[float, float | None],
+) -> list[Sentence]:
+    """Return what a motion of a bat is, where it stands still, and what a tap gives it.
+
+    Parameters
+    ----------
+    waves : of a hoop mode, around the barrel, and half waves along it.
+    nodes : m from the tip.
+    tap : m from the tip, and the part of the vibration's energy that it gives; None: it is no vibration.
+    """
+    (around, along), (place, share) = waves, tap
+    head = name if family == "rigid" else say("{name}, {tone}", name=name, tone=Slot(frequency, "frequency"))
+    halves = f"{along} half {'wave' if along == 1 else 'waves'}"
+    kinds = {
+        "rigid": "{head}: the bat moves without bending.",
+        "hoop": f"{{head}}: the barrel goes out of round with {around} waves around it and {halves} along it.",
+        "hand": "{head}: hands and bat against each other, on the hands' flesh.",
+    }
+    words = [say(kinds.get(family, "{head}."), head=head)]
+    if nodes:
+        *others, last = [say("{place}", place=Slot(node, "length")) for node in nodes]
+        places = joined([joined(others, ", "), last], " and ")
+        words.append(say("It stands still {places} from the tip.", places=places))
+    else:
+        words.append(say("It stands still nowhere along the bat."))
+    if share is not None:
+        digits = 2 if share < 0.01 else 1
+        part = say("less than {few}", few=Slot(FEW, "share", digits=2)) if 0 < share < FEW else ""
+        words.append(
+            say(
+                "The tap {place} from the tip gives it {share} of the vibration's energy.",
+                place=Slot(place, "length"),
+                share=part or Slot(share, "share", digits=digits),
+            )
+        )
+    return words
+
+
+def missed_words() -> Sentence:
+    """Return what is said of a swing that sends no ball off."""
+    return say("The bat misses the ball, or the ball does not come off it. Move the ball nearer to the bat's axis.")
+
+
+def outcome_words(end: FlightEnd, *, carry: float, chance: float) -> Sentence:
+    """Return what becomes of a ball in a park: where it ends, and whether another like it would.
+
+    Parameters
+    ----------
+    carry : m to the ground.
+    chance : of a home run by balls that are hit like it.
+    """
+    out = end.outcome == "home run"
+    name = "home run" if out else "in play"
+    lead = f"{name.capitalize()}: "
+    if SURE < chance < 1 - SURE:
+        lead = ("Probably " if out == (chance > 0.5) else "Perhaps ") + f"{'a ' if out else ''}{name}: "
+    ways = {
+        "home run": lead + "over the fence of {park}, {clearance} above its top at {distance}.",
+        "off the wall": lead + "against the fence of {park}, {clearance} below its top at {distance}.",
+        "in play": lead + "comes down {carry} from the plate in {park}.",
+        "foul": "Foul.",
+    }
+    above = 0.0 if end.clearance is None else abs(float(end.clearance))
+    return say(
+        ways[end.outcome],
+        park=end.park,
+        clearance=Slot(above, "place" if above < NEAR else "distance"),
+        distance=Slot(end.distance, "distance"),
+        carry=Slot(carry, "distance"),
+    )
+
+
+def chance_words(chance: float) -> list[Sentence]:
+    """Return how many balls that are hit alike are home runs, where that is not all or none."""
+    if not SURE < chance < 1 - SURE:
+        return []
+    return [say("Of a hundred like it {count} are home runs.", count=Slot(100 * chance, "count"))]
+
+
+def parks_words(count: int, of: int) -> Sentence:
+    """Return in how many parks a ball is out."""
+    return say(f"Out in {count} of {of} {'park' if of == 1 else 'parks'}.")
+
+
+def leaving_words(ball: BallLeaving) -> Sentence:
+    """Return how a ball leaves the bat: how fast, where to and with which spin."""
+    up, spray, back, bend = (float(side) for side in (ball.launch_angle, ball.spray, ball.backspin, ball.sidespin))
+    side = say("to centre field")
+    if abs(spray) > STRAIGHT:
+        side = say("{spray} to " + ("left" if spray < 0 else "right") + " field", spray=Slot(abs(spray), "angle"))
+    bent = say(" and {spin} that bend it " + ("right" if bend < 0 else "left"), spin=Slot(abs(bend), "spin"))
+    return say(
+        f"The ball leaves at {{speed}}, {{angle}} {'down' if up < 0 else 'up'}, {{side}}, with {{spin}} of "
+        f"{'topspin' if back < 0 else 'backspin'}{{bent}}.",
+        speed=Slot(ball.exit_speed, "speed"),
+        angle=Slot(abs(up), "angle"),
+        side=side,
+        spin=Slot(abs(back), "spin"),
+        bent=bent if bend else "",
+    )
+
+
+def bat_speed_words(speed: float) -> Sentence:
+    """Return how fast the bat moves where it meets the ball."""
+    return say("The bat moves at {speed} where they meet.", speed=Slot(speed, "speed"))
+
+
+def carries_farthest(exit_speed: float, launch_angle: float, carry: float) -> Sentence:
+    """Return the launch angle at which a ball so fast carries farthest."""
+    return say(
+        "A ball at {speed} carries farthest at {angle}: {carry}.",
+        speed=Slot(exit_speed, "speed"),
+        angle=Slot(launch_angle, "angle"),
+        carry=Slot(carry, "distance"),
+    )

@@ -1,0 +1,104 @@
+"""A play as a document: contact, launch, flight and fence."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sweetspot.analysis.full_play import Play, Plays
+from sweetspot.answers.flight import flight_of
+from sweetspot.answers.play import PlayAnswer
+from sweetspot.catalog.sports import sport
+from sweetspot.collision.hit_in_space import Strike
+from sweetspot.reports.bat.appendix import soft_note
+from sweetspot.reports.document import Document, Paragraph, Picture
+from sweetspot.reports.flight.document import alike_words, fence_words, flight_document, flight_words, launch_words
+from sweetspot.reports.flight.many import flights_document
+from sweetspot.reports.hit.document import by_ball, impact_document, touched_again
+from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.uncertainty.section import how_sure
+
+
+def play_document(answer: PlayAnswer) -> Document:
+    """Return a play as a document."""
+    words, bat, data = play_words(answer), answer.question.reduced.bat, answer.to_dict()
+    pitch = say("{speed} pitch", speed=Slot(answer.pitch_speed, "speed", digits=0))
+    picture = Picture(
+        "play",
+        lambda reading: _drawn(answer, words, reading),
+        label="The contact of bat and ball, and the ball's path from above and from the side.",
+    )
+    return Document(
+        name="play",
+        title=answer.bat,
+        subtitle=pitch if float(answer.pitch_speed) > 0 else "a ball at rest",
+        kind="Play",
+        blocks=[
+            Paragraph(words),
+            *soft_note(bat, answer.question.conditions.ball),
+            picture,
+            *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, "carry")]),
+        ],
+        data=data,
+        rows=NO_PATH if answer.flight is None else data["flight"]["path"],
+        reader=reader(None, sport(bat.sport).words),
+        drawing=picture,
+    )
+
+
+NO_PATH: dict[str, list[float]] = {"time_s": [], "right_m": [], "out_m": [], "up_m": []}
+"""Of a ball that was missed."""
+
+
+def play_words(answer: PlayAnswer) -> Sentence:
+    """Return what happened as a few sentences."""
+    bat, struck, launch = answer.question.reduced.bat, answer.play.strike, answer.launch
+    words, below = sport(bat.sport).words, float(answer.offset) >= 0
+    met = say(
+        "{place} from the tip, {offset} {side} the ball's centre",
+        place=Slot(bat.length - answer.position, "place"),
+        offset=Slot(answer.offset if below else -answer.offset, "offset"),
+        side="below" if below else "above",
+    )
+    if launch is None or answer.flight is None:
+        return say("The bat came {met}: {outcome}.", met=met, outcome=struck.outcome.sentence)
+    sentences = [
+        say("The bat meets the ball {met}, at {speed}.", met=met, speed=Slot(answer.bat_speed, "speed")),
+        say("The ball leaves {launch}.", launch=launch_words(launch)),
+        *by_ball(answer.exit_speed_half_by_ball, words),
+        *([] if struck.impact is None else touched_again(struck.impact, words)),
+        "" if answer.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
+        flight_words(answer.flight),
+    ]
+    if answer.carry_half is not None:
+        sentences.append(alike_words(answer.carry_half, spin_known=True))
+    chance = answer.home_run_chance
+    if answer.fence is not None:
+        sentences.append(fence_words(answer.fence, chance=chance))
+    if chance is not None:
+        sentences.append(say("Of a hundred like it {chance} are home runs.", chance=round(100 * chance)))
+    return joined(sentences)
+
+
+def _drawn(answer: PlayAnswer, words: Sentence, reading: Reader) -> Any:
+    from sweetspot.reports.play.picture import play_figure
+
+    return play_figure(answer, words, reading)
+
+
+def bare_play_document(play: Play | Plays) -> Document:
+    """Return the flights of plays as a document; of one that missed, how it ended."""
+    if isinstance(play, Plays):
+        return flights_document(play.flights)
+    return strike_document(play.strike) if play.flight is None else flight_document(flight_of(play.flight))
+
+
+def strike_document(strike: Strike) -> Document:
+    """Return the collision of a hit in space as a document; of one that missed, how it ended."""
+    if strike.impact is not None:
+        return impact_document(strike.impact)
+    data = {"outcome": strike.outcome.name.lower(), "bat_speed_m_s": strike.bat_speed}
+    return Document(
+        name="hit", title="", kind="Hit", blocks=[Paragraph(f"{strike.outcome.sentence.capitalize()}.")], data=data,
+        rows={name: [value] for name, value in data.items()},
+    )  # fmt: skip

@@ -1,0 +1,245 @@
+"""Sentences with slots: words that are written once, and numbers that each reader sees in his own units."""
+
+from __future__ import annotations
+
+import math
+import string
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from sweetspot.numerics.interval import REACH, Interval, Number
+from sweetspot.reports.quantities import NOTHING, US, Reader
+from sweetspot.units import grouped
+
+PLUS_MINUS = "Plus or minus, and give or take: 90 % intervals."
+"""What ± means wherever a number has one: `Doubtful` is given half of such an interval, `Slot` all of it."""
+MOST_DIGITS = 6
+"""Of an interval that is narrower than the digits of its number."""
+SHARP = 1e-6
+"""An interval narrower than this part of its number is none."""
+LOPSIDED = 0.25
+"""An interval whose sides differ by more than this part of its width is told by its ends."""
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A number in a sentence.
+
+    Parameters
+    ----------
+    value : SI; with its interval where it has one.
+    scale : how it is shown, a name of `SCALES`.
+    digits : None: as many as is usual.
+    sign : whether a plus is written.
+    unit : whether its unit is written.
+    round : whether a zero behind the point is left out: "3 mph", but "1.3 m/s".
+    """
+
+    value: Number
+    scale: str
+    digits: int | None = None
+    sign: bool = False
+    unit: bool = True
+    round: bool = False
+
+    def read(self, reader: Reader) -> str:
+        """Return the number as a reader sees it, its interval beside it."""
+        value = float(self.value)
+        number = reader.number(value, self.scale, digits=self.digits, sign=self.sign)
+        if number == NOTHING:
+            return number
+        unit = reader.behind(self.scale) if self.unit else ""
+        sides = self._sides
+        if sides is not None and all(map(math.isfinite, sides)) and sum(sides) > SHARP * abs(value):
+            return self._give_or_take(value, sides, reader) + unit
+        return (number.removesuffix(".0") if self.round else number) + unit
+
+    @property
+    def _sides(self) -> tuple[float, float] | None:
+        """How far the interval goes below and above the value; None where there is none."""
+        if isinstance(self.value, Interval):
+            return (self.value.value - self.value.low, self.value.high - self.value.value)
+        return None
+
+    def _give_or_take(self, value: float, sides: tuple[float, float], reader: Reader) -> str:
+        """Return number and interval, "103.9 ± 2.1" where it is as wide either way, else with its ends."""
+        below, above = sides
+        unit = reader.units[self.scale]
+        places = unit.digits if self.digits is None else self.digits
+        half = (below + above) / 2 / unit.size
+        while half and places < MOST_DIGITS and round(half, places) == 0:
+            places += 1
+        number = reader.number(value, self.scale, digits=places, sign=self.sign)
+        if abs(above - below) <= LOPSIDED * (above + below):
+            return f"{number} ± {grouped(half, places)}"
+        ends = (value - below, value + above)
+        low, high = (reader.number(end, self.scale, digits=places, sign=self.sign) for end in ends)
+        return f"{number} ({low} to {high})"
+
+    @property
+    def bare(self) -> Slot:
+        """The number without its unit."""
+        return replace(self, unit=False)
+
+
+@dataclass(frozen=True)
+class UnitName:
+    """The name of a scale's unit in a sentence."""
+
+    scale: str
+
+    def read(self, reader: Reader) -> str:
+        """Return the name as a reader has it."""
+        return reader.unit(self.scale)
+
+
+@dataclass(frozen=True)
+class Span:
+    """Two numbers, from the lower to the higher; one where a reader sees no difference.
+
+    >>> Span(3.3, 3.4, "distance").read(US), Span(2.0, 3.4, "distance").read(US)
+    ('11 ft', '7 to 11 ft')
+    """
+
+    low: float
+    high: float
+    scale: str
+    digits: int | None = None
+    unit: bool = True
+
+    def read(self, reader: Reader) -> str:
+        """Return both as a reader sees them."""
+        low, high = (reader.number(end, self.scale, digits=self.digits) for end in (self.low, self.high))
+        return (high if low == high else f"{low} to {high}") + (reader.behind(self.scale) if self.unit else "")
+
+
+@dataclass(frozen=True)
+class Doubtful:
+    """A number and its doubt, SI: two digits of that, and no more of the number."""
+
+    value: float
+    doubt: float
+    scale: str
+    sign: bool = False
+
+    def read(self, reader: Reader) -> str:
+        """Return both as a reader sees them."""
+        unit = reader.units[self.scale]
+        places = 1 - math.floor(math.log10(self.doubt / unit.size))
+        value, doubt = (round(number / unit.size, places) for number in (self.value, self.doubt))
+        digits = max(places, 0)
+        number = grouped(value, digits, sign=self.sign)
+        return f"{number} ± {grouped(doubt, digits)}{reader.behind(self.scale)}"
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """The ends of a number's interval in brackets, without units; nothing where a reader sees one number three times.
+
+    >>> Bounds(Slot(0.36, "speed"), 0.34, 0.36).read(US), Bounds(Slot(0.36, "speed"), 0.0, 0.36).read(US)
+    ('', ' (0.0 to 0.8)')
+    """
+
+    value: Slot
+    low: float
+    high: float
+
+    def read(self, reader: Reader) -> str:
+        """Return the brackets as a reader sees them."""
+        value, low, high = (
+            replace(self.value.bare, value=end).read(reader) for end in (float(self.value.value), self.low, self.high)
+        )
+        return "" if value == low == high else f" ({low} to {high})"
+
+
+Part = str | Slot | Span | UnitName | Doubtful | Bounds
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """Words with slots; `read` makes a text of them for a reader.
+
+    >>> place = say("{near} to {far} from the tip", near=Slot(0.1016, "place").bare, far=Slot(0.1778, "place"))
+    >>> place.read(US)
+    '4.0 to 7.0 in from the tip'
+    """
+
+    parts: tuple[Part, ...]
+
+    def read(self, reader: Reader) -> str:
+        """Return the sentence as a reader sees it."""
+        return "".join(part if isinstance(part, str) else part.read(reader) for part in self.parts)
+
+    def __add__(self, other: Sentence | str) -> Sentence:
+        """Return this sentence followed by another."""
+        return Sentence((*self.parts, *((other,) if isinstance(other, str) else other.parts)))
+
+    def __str__(self) -> str:
+        """Return the sentence as an American reads it."""
+        return self.read(US)
+
+
+Words = str | Sentence
+"""What a document takes for a text."""
+
+
+def say(template: str, **slots: Part | float | Sentence) -> Sentence:
+    """Return a template's words with its slots filled.
+
+    Parameters
+    ----------
+    template : words with names in braces.
+    slots : by name: a `Slot`, the name of a unit, a sentence, a word, or a number that is written as it is.
+
+    >>> say("hits {place} from the {tip}", place=Slot(0.1524, "place"), tip="toe").read(US)
+    'hits 6.0 in from the toe'
+    """
+    parts: list[Part] = []
+    for words, name, _, _ in string.Formatter().parse(template):
+        if words:
+            parts.append(words)
+        if name is not None:
+            slot = slots[name]
+            parts += (
+                slot.parts
+                if isinstance(slot, Sentence)
+                else [slot if isinstance(slot, (Slot, Span, UnitName, Doubtful, Bounds)) else str(slot)]
+            )
+    return Sentence(tuple(parts))
+
+
+def joined(sentences: Iterable[Words | Slot], between: str = " ") -> Sentence:
+    """Return sentences one after the other; empty ones are left out."""
+    parts: list[Part] = []
+    for sentence in sentences:
+        own = sentence.parts if isinstance(sentence, Sentence) else (sentence,)
+        if any(own):
+            parts += [between, *own] if parts else own
+    return Sentence(tuple(parts))
+
+
+def read(words: Words, reader: Reader) -> str:
+    """Return words as a reader sees them."""
+    return words if isinstance(words, str) else words.read(reader)
+
+
+def within(
+    interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False, unit: bool = True
+) -> Sentence:
+    """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width."""
+    value = Slot(interval.value, scale, digits, sign, unit)
+    return Sentence((value, Bounds(value, interval.low, interval.high)))
+
+
+def with_doubt(value: float, doubt: float, scale: str) -> Sentence:
+    """Return a value with half of its 90 % interval, with no more digits than are known; alone where there is none.
+
+    Parameters
+    ----------
+    doubt : standard deviation of the value.
+
+    >>> with_doubt(1.88354e-1, 1.13e-2, "moi").read(US)
+    '10,300 ± 1000 oz in²'
+    """
+    half = REACH * doubt
+    return Sentence((Doubtful(value, half, scale) if half > 0 else Slot(value, scale),))

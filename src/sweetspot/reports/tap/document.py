@@ -1,0 +1,204 @@
+"""A tap test as an answer: which taps were used, the tones, and the modulus of a bar."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sweetspot.answers.tap import TapAnswer
+from sweetspot.calibration.bar import BarModulus
+from sweetspot.calibration.combined_tones import Tone
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.tap_analysis import TapTest
+from sweetspot.calibration.taps import Tap
+from sweetspot.reports.calibration.intervals import measured_words
+from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.quantities import NOTHING, SI
+from sweetspot.reports.sentences import Sentence, Slot, joined, say
+
+BY_RATIOS = (
+    "Names come from the ratios of bats in general. Of a hollow bat, what is named bending 3 may be a hoop tone: say "
+    "with --bat what it is."
+)
+LEAST_SHARE = 0.005
+HOOP_MAY_BE = 3
+"""Bending mode near whose tone, about 1.1 kHz, hoop tones of thin walls begin."""
+SIZES = ("length", "width", "thickness", "mass")
+"""Of a bar, whose error is what people write."""
+COARSE = 0.05
+"""One sigma over E from which on a hint how to give finer sizes helps: metals differ by more, woods' means do not."""
+ROOMS = (
+    "room's?: a tone that the room may have added, or the same mode in another plane; another within 10 % holds more "
+    "energy, or it holds less than a thousandth of the greatest."
+)
+
+PLATE = (
+    "So wide a bar is a plate: it bends across and twists at tones among those of bending along, and nothing in them "
+    "tells which is which. So its tones have no names and no E is told. If you know which is the first that bends it "
+    "along (held at 0.22 of its length from both ends and tapped in the middle, it is the loudest), take E from its "
+    "line; of metal, a plate seems up to a tenth stiffer than a bar."
+)
+
+
+def tap_document(answer: TapAnswer) -> Document:
+    """Return a tap test as a document: the taps that were not used and why, the tones, the bar."""
+    test, implement = answer.test, answer.question.implement
+    title = "A tapped bar" if answer.question.bar is not None else "A tap" if implement is None else implement.name
+    blocks: list[Block] = [Paragraph(f"{len(test.good)} of {len(test.taps)} taps used.")]
+    blocks += [Paragraph(_fault(test, number), "warning") for number, tap in enumerate(test.taps) if not tap.good]
+    blocks += [Paragraph(_heard_to(tap, tap.heard_to), "note") for tap in test.good if tap.heard_to]
+    if lossy := [recording.name for recording in test.recordings if recording.lossy]:
+        blocks.append(
+            Paragraph(
+                f"{', '.join(lossy)}: this format leaves out what is hard to hear and puts faint tones that nothing "
+                "made beside loud ones. Record WAV or FLAC to trust the faint ones.",
+                "warning",
+            )
+        )
+    if test.unlike:
+        blocks.append(Paragraph(unlike_words(test), "warning"))
+    if test.touched:
+        blocks.append(Paragraph(touched_words(test, test.touched), "warning"))
+    blocks.append(_tones(test))
+    if test.bar is not None:
+        blocks += [_bar(test.bar), Paragraph(_budget(test.bar)), *(Paragraph(words) for words in _finer(test.bar))]
+    if test.moduli_along is not None:
+        blocks += [Paragraph(PLATE, "warning"), _along(test.moduli_along)]
+    level = say(
+        "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.",
+        level=Slot(answer.interval_level, "share"),
+    )
+    notes = [Paragraph(level, "note")]
+    if not all(named.tone.own for named in test.tones):
+        notes.append(Paragraph(ROOMS, "note"))
+    if test.by_ratios and any(named.name and named.name.harmonic == HOOP_MAY_BE for named in test.tones):
+        notes.append(Paragraph(BY_RATIOS, "note"))
+    picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
+    data = answer.to_dict()
+    return Document(
+        name="tap",
+        title=title,
+        kind="Tap test",
+        blocks=[*blocks, *notes, picture],
+        reader=SI,
+        data=data,
+        rows=as_columns(data["tones"]),
+        drawing=picture,
+    )
+
+
+def _fault(test: TapTest, number: int) -> Sentence:
+    tap = test.taps[number]
+    return say(
+        "{name}, {start}: {fault}", name=tap.recording, start=Slot(tap.start, "time", 2), fault=tap.fault or NOTHING
+    )
+
+
+def _heard_to(tap: Tap, top: float) -> Sentence:
+    return say(
+        "{name}, {start}: heard below {top} only; above it has more tones than can be told apart.",
+        name=tap.recording,
+        start=Slot(tap.start, "time", 2),
+        top=Slot(top, "frequency", 0),
+    )
+
+
+def _tones(test: TapTest) -> Table:
+    columns = [
+        Column("mode"), Column("frequency", right=True), Column("expected", "frequency", digits=1),
+        Column("damping", right=True), Column("Q", right=True), Column("level", "ratio"), Column("taps", "count"),
+        Column("whose"),
+    ]  # fmt: skip
+    return Table("Tones", columns, [_tone_row(named) for named in test.tones])
+
+
+def _tone_row(named: NamedTone) -> tuple[Cell, ...]:
+    tone = named.tone
+    quality = f"{tone.quality:.0f}" if tone.damping_ratio.low > 0 else f"> {_least_quality(named):.0f}"
+    return (
+        str(named.name) if named.name else _rivals(named), measured_words(tone.frequency, "frequency"), named.expected,
+        measured_words(tone.damping_ratio, "share"), quality, tone.level, tone.taps,
+        "its own" if tone.own else "room's?",
+    )  # fmt: skip
+
+
+def _rivals(named: NamedTone) -> str:
+    """Return the modes that a tone without a name may be."""
+    return " or ".join(dict.fromkeys(str(name) for name in named.rivals)) + "?"
+
+
+def _least_quality(named: NamedTone) -> float:
+    return 0.5 / max(named.tone.damping_ratio.high, 1e-12)
+
+
+def _bar(bar: BarModulus) -> Table:
+    rows: list[tuple[Cell, Cell]] = [
+        ("Young's modulus E", measured_words(bar.modulus, "modulus")),
+        ("density", measured_words(bar.density, "density")),
+        ("E / G", measured_words(bar.modulus_ratio, "ratio")),
+    ]
+    return Table("The bar", [Column("quantity"), Column("value", right=True)], rows)
+
+
+def _along(moduli: Sequence[tuple[Tone, Measured]]) -> Table:
+    rows: list[tuple[Cell, ...]] = [
+        (measured_words(tone.frequency, "frequency"), measured_words(modulus, "modulus")) for tone, modulus in moduli
+    ]
+    columns = [Column("tone", right=True), Column("E if it is the first along", right=True)]
+    return Table("The plate", columns, rows)
+
+
+def _budget(bar: BarModulus) -> Sentence:
+    ranked = sorted(bar.budget.items(), key=lambda entry: -entry[1])
+    words = (
+        say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked if share >= LEAST_SHARE
+    )
+    return say("What the doubt about E comes from: {shares}.", shares=joined(words, ", "))
+
+
+def _finer(bar: BarModulus) -> list[Sentence]:
+    """Return in words how a finer size is given; nothing where the tones leave most of the doubt."""
+    source = max(bar.budget, key=lambda name: bar.budget[name])
+    if source not in SIZES or bar.modulus.relative < COARSE:
+        return []
+    return [
+        say(
+            "Most of it is the {source}. Without ± a size counts to one unit of its last digit, 1in as 1in ± 1in: "
+            "measure it more finely and write so, 1.000in or 1in±0.001in.",
+            source=source,
+        )
+    ]
+
+
+def unlike_words(test: TapTest) -> Sentence:
+    """Return in words that what rang is hardly what was described."""
+    if not test.unheard:
+        return say(
+            "The tones hardly fit the modes described: what rang is hardly this, or the outline or walls are others. "
+            "The names may be chance."
+        )
+    return say(
+        "Neither of the two lowest bending modes, described at {first} and {second}, was heard: what rang is hardly "
+        "this, or the band leaves them out. The names of the other tones may be chance.",
+        first=Slot(test.unheard[0], "frequency", 0).bare,
+        second=Slot(test.unheard[1], "frequency", 0),
+    )
+
+
+def touched_words(test: TapTest, tone: Tone) -> Sentence:
+    """Return in words that something may touch what rang."""
+    return say(
+        "At {frequency} the damping is {damping}; a freely hung one of this kind has less than {free}. A hand, a table "
+        "or a loose part may touch it, which moves its tones by some per cent: hang it from rubber bands.",
+        frequency=Slot(tone.frequency.value, "frequency", 0),
+        damping=Slot(tone.damping_ratio.value, "share", 1),
+        free=Slot(test.free_damping, "share", 1),
+    )
+
+
+def _drawn(test: TapTest, title: str) -> Any:
+    from sweetspot.reports.tap.picture import tap_figure
+
+    return tap_figure(test, title)

@@ -1,0 +1,87 @@
+"""What a number's doubt comes from: ranked bars, in words, as a table and as a picture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from sweetspot.answers.answer import Uncertainty
+from sweetspot.catalog.sports import sport, sport_names
+from sweetspot.reports.document import Cell, Column, Paragraph, Picture, Section, Table
+from sweetspot.reports.sentences import Sentence, Slot, say
+from sweetspot.uncertainty.intervals import TOGETHER
+
+LEAST_SHARE = 0.005
+LONGEST_BAR = 30
+"""Characters."""
+
+
+def how_sure(known: Uncertainty, named: str) -> Section:
+    """Return what the intervals of an answer are, and what that of its main number comes from.
+
+    Parameters
+    ----------
+    named : what people call the main number.
+    """
+    shares = {name: share for name, share in known.shares.items() if share >= LEAST_SHARE}
+    not_drawn = {name: 0.0 for name in known.sources if name not in known.shares}
+    return Section("how-sure", "How sure", [
+        Paragraph(say(
+            "Numbers with ±, or with ends in brackets of which nothing else is said: {level} intervals from {count} "
+            "draws of what is not known. What the interval of the {named} comes from (the rest of the conditions is "
+            "taken as given):",
+            level=Slot(known.interval_level, "share"), count=str(known.draws), named=named,
+        )),
+        shares_table({**shares, **not_drawn}, known.sources), shares_picture(shares, named),
+    ])  # fmt: skip
+
+
+def shares_table(shares: Mapping[str, float], where: Mapping[str, str]) -> Table:
+    """Return sources ranked by the part of the variance that they cause, each with a bar."""
+    most = max(shares.values(), default=1.0)
+    rows: list[list[Cell]] = [
+        [
+            _name(name), Slot(share, "share"), "█" * math.ceil(LONGEST_BAR * share / most),
+            where.get(name, "more than one of them at once"),
+        ]
+        for name, share in shares.items()
+    ]  # fmt: skip
+    columns = [Column("source"), Column("part", right=True), Column(""), Column("rests on")]
+    return Table("", columns, rows, name="shares")
+
+
+def shares_picture(shares: Mapping[str, float], named: str) -> Picture:
+    """Return the ranked bars as a picture."""
+    ranked = ", ".join(f"{_name(name)} {100 * share:.0f} %" for name, share in shares.items())
+    return Picture("doubt", lambda _: _drawn(shares, named), label=f"What the doubt comes from: {ranked}.")
+
+
+def _drawn(shares: Mapping[str, float], named: str) -> Any:
+    from sweetspot.reports.uncertainty.shares_picture import shares_figure
+
+    return shares_figure({_name(name): share for name, share in shares.items()}, named)
+
+
+def _name(source: str) -> str:
+    if source == TOGETHER:
+        return "several together"
+    implements = {sport(name).words.implement for name in sport_names()}
+    return f"the {source}" if source in implements else source
+
+
+LEAST = 0.005
+"""That few draws do not tell from none: a probability nearer to 0 or 1 is told as beyond 1 or 99 %."""
+
+
+def chance_words(chance: float) -> Sentence:
+    """Return a probability as a part of 100; never none and never all, of which draws cannot be sure.
+
+    >>> str(chance_words(0.64)), str(chance_words(0.0)), str(chance_words(1.0))
+    ('64 %', 'less than 1 %', 'more than 99 %')
+    """
+    if chance < LEAST:
+        return say("less than {share}", share=Slot(0.01, "share"))
+    if chance > 1 - LEAST:
+        return say("more than {share}", share=Slot(0.99, "share"))
+    return say("{share}", share=Slot(chance, "share"))

@@ -1,0 +1,273 @@
+"""Every answer for some rows of a table: the columns that are put beside its own, their names, units and meanings."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.seasons import contact_kernel as kernel
+from sweetspot.seasons.balls import ELSEWHERE, Balls, Fields, balls_of, fields_of
+from sweetspot.seasons.contact import Contacts, ContactSetting, contacts, measures
+from sweetspot.seasons.flight_columns import GLOVE, FlightColumns, FlightSetting, flown_balls
+from sweetspot.seasons.swings import OUTCOMES
+from sweetspot.units import DEGREE, FOOT, INCH, MPH
+
+System = Literal["us", "si"]
+ENDINGS: Mapping[str, Mapping[System, tuple[str, float]]] = {
+    "speed": {"us": ("_mph", MPH), "si": ("_m_s", 1.0)},
+    "angle": {"us": ("_deg", DEGREE), "si": ("_rad", 1.0)},
+    "length": {"us": ("_in", INCH), "si": ("_m", 1.0)},
+    "distance": {"us": ("_ft", FOOT), "si": ("_m", 1.0)},
+    "time": {"us": ("_s", 1.0), "si": ("_s", 1.0)},
+    "ratio": {"us": ("", 1.0), "si": ("", 1.0)},
+    "count": {"us": ("", 1.0), "si": ("", 1.0)},
+    "text": {"us": ("", 1.0), "si": ("", 1.0)},
+    "yes": {"us": ("", 1.0), "si": ("", 1.0)},
+}
+"""Ending of a column's name and size of its unit, by kind and system."""
+
+
+@dataclass(frozen=True)
+class OutputColumn:
+    """A column that is put beside a table's own.
+
+    Parameters
+    ----------
+    name : without its unit.
+    kind : a key of `ENDINGS`.
+    meaning : in one sentence.
+    part : of the answers it belongs to: "flight", "contact" or "bats".
+    """
+
+    name: str
+    kind: str
+    meaning: str
+    part: str
+
+    def heading(self, system: System) -> str:
+        """Return the name with its unit.
+
+        >>> OutputColumn("carry", "distance", "how far", "flight").heading("us")
+        'carry_ft'
+        """
+        return self.name + ENDINGS[self.kind][system][0]
+
+
+def columns_in(part: str) -> dict[str, tuple[str, str]]:
+    """Return kind and meaning of each column in a part of `columns.toml`, by its name."""
+    with Path(__file__).with_name("columns.toml").open("rb") as file:
+        return {name: (kind, meaning) for name, (kind, meaning) in tomllib.load(file)[part].items()}
+
+
+FLIGHT, CONTACT = (
+    tuple(OutputColumn(name, *column, part) for name, column in columns_in(part).items())
+    for part in ("flight", "contact")
+)
+SIDES = ("", "_low", "_high")
+
+
+def columns_of_other(name: str) -> tuple[OutputColumn, ...]:
+    """Return the columns of a bat that every swing is tried with: what it would have given, and its 90 % interval."""
+    stem = f"exit_speed_with_{name.replace('-', '_')}"
+    meaning = f"exit speed of the same swing with {name}, met at the same place"
+    return tuple(OutputColumn(stem + side, "speed", meaning, "bats") for side in SIDES)
+
+
+class Words(NamedTuple):
+    """A column of few words: which of them stands in each row.
+
+    Parameters
+    ----------
+    words : None for nothing.
+    number : index into the words, shape (n,).
+    """
+
+    words: tuple[str | None, ...]
+    number: NDArray[np.int64]
+
+
+def as_series(column: OutputColumn, values: Array | Words, system: System) -> pl.Series:
+    """Return values in SI as a column in a system's unit; what is not finite is missing.
+
+    Parameters
+    ----------
+    column : of the list.
+    values : in SI; 1 and 0 for yes and no; words where the column's kind is text.
+    """
+    heading = column.heading(system)
+    if isinstance(values, Words):
+        return pl.Series(heading, values.words, dtype=pl.String).gather(values.number)
+    if column.kind == "yes":
+        return pl.Series(heading, values, nan_to_null=True).cast(pl.Boolean)
+    scaled = np.asarray(values, float) / ENDINGS[column.kind][system][1]
+    return pl.Series(heading, scaled.astype(np.float32), nan_to_null=True)
+
+
+MOSTLY_GONE = 8
+"""Parks from which on a ball is mostly gone; the league's three kinds [statcast]."""
+FLY_BALLS = (15 * DEGREE, 45 * DEGREE)
+FLY_SPEED = 80 * MPH
+"""Balls whose tracked distance is compared with the carry."""
+UNKNOWN_BAT = "unknown"
+WHOSE_BAT = ("batter", "batter_name", "bat")
+"""Quantities by which the bat of a ball is known, the last one first."""
+FLIGHT_OUTCOMES = ("flown", "no launch angle", "not flown", "direction unknown")
+HOME_RUN_KINDS = (None, "doubter", "mostly gone", "no doubter")
+
+
+@dataclass(frozen=True)
+class SeasonSetting:
+    """What all rows share.
+
+    Parameters
+    ----------
+    flight : of the flights.
+    contact : of the contacts; None: not wanted.
+    bats : name of the bat of each batter; "" stands for all others.
+    system : units of the columns.
+    """
+
+    flight: FlightSetting
+    contact: ContactSetting | None
+    bats: Mapping[str, str]
+    system: System = "us"
+
+    @property
+    def bat_names(self) -> tuple[str, ...]:
+        """Return the names of the bats that occur, in the order of the contact's tables."""
+        return tuple(dict.fromkeys(name for name in self.bats.values() if name != UNKNOWN_BAT))
+
+
+@dataclass(frozen=True)
+class Answers:
+    """All answers for n balls, in SI."""
+
+    balls: Balls
+    fields: Fields
+    flight: FlightColumns
+    contact: Contacts | None
+    bat_of: NDArray[np.int64]
+
+    @cached_property
+    def carry_above(self) -> Array:
+        """Tracked distance less carry in m, of fly balls and line drives; caught balls end at a glove."""
+        flown, balls = self.flight, self.balls
+        fly = (balls.launch_angle >= FLY_BALLS[0]) & (balls.launch_angle <= FLY_BALLS[1])
+        fly &= (balls.exit_speed >= FLY_SPEED) & (balls.distance > 0)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            short = np.where(flown.home_run_parks > 0, 0.0, GLOVE / np.tan(flown.landing_angle))
+        return np.where(fly, balls.distance - (flown.carry - short), np.nan)
+
+    @cached_property
+    def home_run_kind(self) -> NDArray[np.int64]:
+        """Index into `HOME_RUN_KINDS`."""
+        parks = self.flight.home_run_parks
+        return (parks >= 1).astype(np.int64) + (parks >= MOSTLY_GONE) + (parks >= 30)
+
+
+def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
+    """Return all answers for rows that went through `rows_of`.
+
+    Parameters
+    ----------
+    rows : those that are used.
+    """
+    balls = balls_of(rows, pitches=setting.contact is not None)
+    clubs = _clubs_at_home(rows) if "home_team" in rows.columns else [None] * len(rows)
+    fields = fields_of(clubs, balls.season)
+    flown = flown_balls(balls, fields, setting.flight, airs=fields.airs(setting.flight.air, rows))
+    bat_of = bats_of(rows, setting)
+    contact = None if setting.contact is None else contacts(balls, bat_of, setting.contact)
+    return Answers(balls, fields, flown, contact, bat_of)
+
+
+def _clubs_at_home(rows: pl.DataFrame) -> pl.Series:
+    """Return the home clubs of balls that were hit in their own parks, as far as a table tells."""
+    if "game_kind" not in rows.columns:
+        return rows["home_team"]
+    away = pl.col("game_kind").is_in(ELSEWHERE).fill_null(value=False)
+    return rows.select(pl.when(~away).then(pl.col("home_team"))).to_series()
+
+
+def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
+    """Return which of the setting's bats each ball was hit with, -1 where not known; the table's word goes first."""
+    number = {name: index for index, name in enumerate(setting.bat_names)}
+    usual = number.get(setting.bats.get("", ""), -1)
+    chosen = np.full(len(rows), usual, np.int64)
+    for column in WHOSE_BAT:
+        if column in rows.columns:
+            bat_names = setting.bats if column != "bat" else {name: name for name in number}
+            mapped = rows[column].replace_strict(
+                {who: number.get(name, -1) for who, name in bat_names.items() if who}, default=-2, return_dtype=pl.Int64
+            ) if any(bat_names) else None  # fmt: skip
+            if mapped is not None:
+                values = mapped.fill_null(-2).to_numpy()
+                chosen = np.where(values > -2, values, chosen)
+    return chosen
+
+
+def answer_columns(answers: Answers, setting: SeasonSetting) -> list[pl.Series]:
+    """Return the answers as columns in the setting's units."""
+    pairs = [*_flight(answers)]
+    if setting.contact is not None and answers.contact is not None:
+        pairs += [*_contact(answers, setting), *_others(answers.contact)]
+    return [as_series(column, values, setting.system) for column, values in pairs]
+
+
+def answer_headings(setting: SeasonSetting) -> list[str]:
+    """Return what the columns of answers are called."""
+    contact = setting.contact
+    others = () if contact is None else (column for bat in contact.others for column in columns_of_other(bat.name))
+    columns = (*FLIGHT, *(() if contact is None else CONTACT), *others)
+    return [column.heading(setting.system) for column in columns]
+
+
+def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
+    flown, balls = answers.flight, answers.balls
+    here = np.isfinite(flown.launch_direction)
+    outcome = np.select([np.isnan(balls.launch_angle), ~np.isfinite(flown.carry), ~here], [1, 2, 3], 0)
+    values: dict[str, Array | Words] = {
+        "flight_outcome": Words(FLIGHT_OUTCOMES, outcome), "launch_direction": flown.launch_direction,
+        "carry": flown.carry, "carry_spread": flown.carry_spread, "hang_time": flown.hang_time,
+        "apex": flown.apex_height, "landing_angle": flown.landing_angle,
+        "carry_above": answers.carry_above, "home_run_here": flown.home_run_here,
+        "home_runs_in_30": flown.home_runs, "home_run_parks": flown.home_run_parks,
+        "home_run_kind": Words(HOME_RUN_KINDS, answers.home_run_kind),
+    }  # fmt: skip
+    yield from ((column, values[column.name]) for column in FLIGHT)
+
+
+def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Words]]:
+    contact, balls = answers.contact, answers.balls
+    assert contact is not None
+    counted, rows = measures(balls, contact), contact.results
+    names = (*setting.bat_names, UNKNOWN_BAT)
+    values: dict[str, Array | Words] = {
+        "bat": Words(names, answers.bat_of % len(names)), "contact_outcome": Words(OUTCOMES, contact.outcome),
+        "pitch_at_plate": balls.plate_speed, "ceiling": contact.ceiling, "above_ceiling": contact.above_chance,
+        "above_improbable": contact.above_improbable, "league_ceiling": contact.league_ceiling,
+        "offset": rows[:, kernel.OFFSET], "offset_spread": rows[:, kernel.OFFSET_SPREAD],
+        "best_from_tip": contact.best_place, "tip_side": rows[:, kernel.TIP_SIDE],
+        "exit_speed_usual": rows[:, kernel.EXPECTED], "exit_speed_rank": rows[:, kernel.RANK],
+        **{name: counted[name] for name in ("squared_up_ratio", "league_ratio", "kept_vertically")},
+        **{name: counted[name] for name in ("squared_up", "league_squared_up", "blast")},
+    }  # fmt: skip
+    ends = ("low90", "low50", "", "high50", "high90")
+    for stem, first in (("from_tip", kernel.PLACE), ("from_best", kernel.DISTANCE)):
+        for number, end in enumerate(ends):
+            values[f"{stem}_{end}".rstrip("_")] = rows[:, first + number]
+    yield from ((column, values[column.name]) for column in CONTACT)
+
+
+def _others(contact: Contacts) -> Iterator[tuple[OutputColumn, Array | Words]]:
+    for name, three in contact.others.items():
+        yield from zip(columns_of_other(name), three, strict=True)

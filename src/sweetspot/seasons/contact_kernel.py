@@ -1,0 +1,303 @@
+"""The compiled posterior of where on the bat a ball was hit; see `contact`."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.interval import ENDS
+from sweetspot.numerics.kernel_cache import compiled, inner
+from sweetspot.seasons.place_kernel import FARTHEST, weigh
+from sweetspot.seasons.surface_kernel import Axes, hit_towards, part_of, velocity_after
+
+STRIDE = 4
+"""Every fourth place of the table is looked up; between them lies the cubic through the nearest four, right to 0.04 mph
+for 99 of 100 places (0.02 on the barrel; a straight line through every second one: 0.12)."""
+BETWEEN = tuple(
+    tuple(
+        tuple(
+            float(math.prod((at - other) / (node - other) for other in range(4) if other != node)) for node in range(4)
+        )
+        for at in (first + part / STRIDE for part in range(1, STRIDE))
+    )
+    for first in range(3)
+)
+"""Lagrange's weights of four looked-up places, for places after the first, second and third of them."""
+TURN = 0.05
+"""rad by which the direction is changed to learn what it does."""
+LEVELS = (ENDS[0], 0.25, 0.5, 0.75, ENDS[1])
+PLACE, DISTANCE = 0, 5
+"""First rows of the quantiles of the place and of the distance from the best one."""
+OFFSET, OFFSET_SPREAD, TIP_SIDE, RANK, KEPT, EXPECTED, EVIDENCE, SENSITIVE, MEAN_PLACE = (
+    10,
+    11,
+    12,
+    13,
+    14,
+    15,
+    16,
+    17,
+    18,
+)
+DRAWN = 19
+BESIDE = 0.05
+"""m beyond the best place that is looked up at least; a ball's places end `FARTHEST` from where it is thought met."""
+ROWS = 20
+
+
+@inner(error_model="numpy")
+def predict(
+    axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, fast: Array, above: Array
+) -> tuple[float, float]:
+    """Fill exit speed and offset at all places of the table; return what a radian changes of both at the fastest.
+
+    Parameters
+    ----------
+    asked : bat speed, pitch ahead and up, spin times radius, angle turned.
+    fast, above : shape (places,), NaN where no line of centres does it.
+
+    Returns
+    -------
+    tuple
+        change of the logarithm of exit speed and of offset per rad; NaN where the ball was only grazed.
+    """
+    speed, ahead, up, tangent, turned = asked[0], asked[1], asked[2], asked[3], asked[4]
+    cos, sin = math.cos(turned), math.sin(turned)
+    middle = (len(axes[3]) - 1) / 2
+    guess = middle + 0.75 * turned / (axes[3][1] - axes[3][0])
+    best, top, best_guess = -1, 0.0, middle
+    count, before, moved = len(fast), guess, 0.0
+    for place in range(0, count, STRIDE):
+        size, offset, solution = hit_towards(
+            axes, after, reach[place], place, speed * arm[place], ahead, up, tangent, cos, sin, guess
+        )
+        fast[place], above[place] = size, offset
+        if math.isfinite(size):
+            moved, before = (solution - before if place else 0.0), solution
+            guess = solution + moved
+            if size > top:
+                best, top, best_guess = place, size, solution
+    if best < 0:
+        return math.nan, math.nan
+    for low in range(0, count - 1, STRIDE):
+        first = min(max(low - STRIDE, 0), count - 1 - 3 * STRIDE)
+        whole = 0.0
+        for node in range(first, first + 4 * STRIDE, STRIDE):
+            whole += fast[node]
+        if math.isfinite(whole):
+            weights = BETWEEN[(low - first) // STRIDE]
+            for part in range(1, STRIDE):
+                _mix(fast, first, low + part, weights[part - 1])
+                _mix(above, first, low + part, weights[part - 1])
+        elif math.isfinite(fast[low]) or math.isfinite(fast[low + STRIDE]):  # beside places that no such hit is made at
+            for place in range(low + 1, low + STRIDE):
+                fast[place], above[place], _ = hit_towards(
+                    axes, after, reach[place], place, speed * arm[place], ahead, up, tangent, cos, sin, best_guess
+                )
+        else:
+            fast[low + 1 : low + STRIDE] = math.nan
+            above[low + 1 : low + STRIDE] = math.nan
+    step = -TURN if turned > 0 else TURN
+    size, offset, _ = hit_towards(
+        axes, after, reach[best], best, speed * arm[best], ahead, up, tangent, math.cos(turned + step),
+        math.sin(turned + step), best_guess,
+    )  # fmt: skip
+    return (size / top - 1) / step, (offset - above[best]) / step
+
+
+@inner(error_model="numpy")
+def _mix(values: Array, first: int, place: int, weights: tuple[float, ...]) -> None:
+    """Fill a place from the four looked-up ones that begin with the first."""
+    values[place] = (
+        weights[0] * values[first]
+        + weights[1] * values[first + STRIDE]
+        + weights[2] * values[first + 2 * STRIDE]
+        + weights[3] * values[first + 3 * STRIDE]
+    )
+
+
+@compiled(nogil=True, error_model="numpy")
+def fill_predictions(
+    axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, fast: Array, spread: Array, errors: Array
+) -> None:
+    """Fill exit speeds at all places of n balls, shape (n, places), and the errors they are compared with.
+
+    Parameters
+    ----------
+    asked : (n, 7), as `predict` takes it, the angle's error (rad) and the exit speed's for want of a pitch speed (m/s).
+    errors : measuring errors of exit speed and bat speed, m/s.
+    """
+    above = np.empty(fast.shape[1])
+    for i in range(len(fast)):
+        sensitive, _ = predict(axes, after, reach, arm, asked[i], fast[i], above)
+        top = 0.0
+        for place in range(fast.shape[1]):
+            top = max(top, fast[i, place])
+        spread[i] = _spread(asked[i], top, sensitive, errors)
+
+
+@inner(error_model="numpy")
+def _spread(asked: Array, top: float, sensitive: float, errors: Array) -> float:
+    """Return what an exit speed may differ from the prediction by, for errors of what it was predicted from."""
+    coming = math.sqrt(asked[1] * asked[1] + asked[2] * asked[2])
+    per_speed = (top + coming) / (asked[0] + coming)
+    turning = 0.0 if math.isnan(sensitive) else sensitive * top * asked[5]
+    return math.sqrt(errors[0] ** 2 + asked[6] ** 2 + (per_speed * errors[1]) ** 2 + turning**2)
+
+
+@compiled(nogil=True, error_model="numpy")
+def fill_posteriors(
+    axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, measured: Array, prior: Array, best: Array,
+    errors: Array, level: Array, noise: Array, results: Array, weights: Array,
+) -> None:  # fmt: skip
+    """Fill what is known of each ball's contact.
+
+    Parameters
+    ----------
+    asked, errors : as `fill_predictions` takes them.
+    measured : (n,) m/s, exit speed in the plane.
+    prior : (n, 2) mean and standard deviation of the place, m from the tip.
+    best : (n, 2) m from the tip, the place of the greatest exit speed; and a number between 0 and 1, which part of the
+        posterior the drawn place lies above.
+    level, noise : (n,), exit speeds are 1 + level times the table's, and scatter by noise m/s beside measuring errors.
+    results : (n, ROWS).
+    weights : (n, places) of zeros, for the posterior; or (0, places) where it is not wanted.
+    """
+    longest, step = len(arm), axes[2][1] - axes[2][0]
+    every_fast, every_above, every_part, work = (
+        np.empty(longest),
+        np.empty(longest),
+        np.empty(longest),
+        np.empty((4, longest)),
+    )
+    for i in range(len(measured)):
+        results[i] = math.nan
+        farthest = max(prior[i, 0] + FARTHEST * prior[i, 1], best[i, 0] + BESIDE)
+        count = min(STRIDE * (int(farthest / (STRIDE * step)) + 1) + 1, longest)
+        fast, above, part, places = every_fast[:count], every_above[:count], every_part[:count], axes[2][:count]
+        sensitive, per_turn = predict(axes, after, reach, arm, asked[i], fast, above)
+        if math.isnan(per_turn):
+            continue
+        top = 0.0
+        for place in range(count):
+            top = max(top, fast[place]) if math.isfinite(fast[place]) else top
+        spread = math.sqrt(_spread(asked[i], top * (1 + level[i]), sensitive, errors) ** 2 + noise[i] ** 2)
+        total, before, rank, mean = weigh(
+            places, fast, measured[i], spread, prior[i, 0], prior[i, 1], level[i], part, work
+        )
+        if not (total > 0 and before > 0):
+            continue
+        for place in range(count):
+            part[place] /= total
+        if len(weights):
+            weights[i, :count] = part
+        _summarise(places, part, above, best[i, 0], best[i, 1], results[i])
+        turning = per_turn * asked[i, 5]
+        results[i, OFFSET_SPREAD] = math.sqrt(results[i, OFFSET_SPREAD] + turning * turning)
+        results[i, RANK], results[i, EXPECTED] = rank / before, (1 + level[i]) * mean / before
+        results[i, KEPT], results[i, SENSITIVE] = top, sensitive
+        results[i, EVIDENCE] = math.log(total / before)
+
+
+@inner(error_model="numpy")
+def _summarise(places: Array, part: Array, above: Array, best: float, draw: float, result: Array) -> None:
+    """Fill quantiles of place and distance, chance of the tip side, and the mean offset and place."""
+    step = places[1] - places[0]
+    passed, level = 0.0, 0
+    offset, tip, mean, square = 0.0, 0.0, 0.0, 0.0
+    for place in range(len(part)):
+        if part[place] == 0:
+            continue
+        offset += part[place] * above[place]
+        square += part[place] * above[place] * above[place]
+        mean += part[place] * places[place]
+        share = min(max((best - places[place]) / step + 0.5, 0.0), 1.0)
+        tip += part[place] * share
+        while level < len(LEVELS) and passed + part[place] >= LEVELS[level]:
+            result[PLACE + level] = places[place] + step * ((LEVELS[level] - passed) / part[place] - 0.5)
+            level += 1
+        if passed <= draw < passed + part[place]:
+            result[DRAWN] = places[place] + step * ((draw - passed) / part[place] - 0.5)
+        passed += part[place]
+    result[OFFSET_SPREAD] = max(square - offset * offset, 0.0)  # of the places alone, squared
+    result[OFFSET], result[TIP_SIDE], result[MEAN_PLACE] = offset, tip, mean
+    passed = 0.0
+    for place in range(len(part)):  # from here on: the part below the upper edge of each cell
+        passed += part[place]
+        part[place] = passed
+    level, inside, reached = 0, 0.0, 0.0
+    middle = (best - places[0]) / step + 0.5  # in cells from the lower edge of the first
+    edge = middle - math.floor(middle)  # between two edges, to either side, what is inside grows as a straight line
+    near, far = min(edge, 1 - edge), max(edge, 1 - edge)
+    for turn in range(2 * len(part)):
+        before, start = inside, reached
+        reached = turn // 2 + (far if turn % 2 else near)
+        inside = _below(part, middle + reached) - _below(part, middle - reached)
+        while level < len(LEVELS) and inside >= LEVELS[level]:
+            result[DISTANCE + level] = step * (
+                reached - (reached - start) * (inside - LEVELS[level]) / max(inside - before, 1e-12)
+            )
+            level += 1
+        if level == len(LEVELS):
+            return
+
+
+@inner(forceinline=True, error_model="numpy")
+def _below(passed: Array, at: float) -> float:
+    """Return how much of a distribution lies below a place in cells, from the parts below the upper edges of cells."""
+    if at <= 0:
+        return 0.0
+    if at >= len(passed):
+        return 1.0
+    low = int(at)
+    under = passed[low - 1] if low > 0 else 0.0
+    return float(under + (at - low) * (passed[low] - under))
+
+
+@compiled(nogil=True, error_model="numpy")
+def fill_other_bat(
+    own_axes: Axes, axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, offset: Array, weights: Array,
+    ratio: float, mean: Array, spread: Array,
+) -> None:  # fmt: skip
+    """Fill mean and standard deviation, over where a ball was met, of its exit speed with another bat.
+
+    The other bat meets it equally far from the tip, with the same offset, turning so that its speed where bat speed is
+    measured is ``ratio`` times the own.
+
+    Parameters
+    ----------
+    own_axes : of the table that the weights belong to.
+    """
+    for i in range(len(mean)):
+        speed = ratio * asked[i, 0]
+        total, square, counted = 0.0, 0.0, 0.0
+        for place in range(0, weights.shape[1]):
+            weight = weights[i, place]
+            if weight < 1e-4:
+                continue
+            low, between = part_of(axes[2], own_axes[2][place])
+            at = low if between < 0.5 else low + 1
+            there = speed * arm[at]
+            way, across = there - asked[i, 1], -asked[i, 2]
+            closing = math.sqrt(way * way + across * across)
+            way, across = way / closing, across / closing
+            sine = min(max(offset[i] / reach[at], -0.99), 0.99)
+            angle = math.asin(sine) - math.atan2(across, way)
+            node = (angle - axes[3][0]) / (axes[3][1] - axes[3][0])
+            back, lift, _, _ = velocity_after(
+                after, at, part_of(axes[0], closing), part_of(axes[1], asked[i, 3] / closing), node
+            )
+            out = there + closing * (way * back - across * lift)
+            high = closing * (across * back + way * lift)
+            size = math.sqrt(out * out + high * high)
+            if math.isfinite(size):
+                total += weight * size
+                square += weight * size * size
+                counted += weight
+        if counted > 0.5:
+            mean[i] = total / counted
+            spread[i] = math.sqrt(max(square / counted - mean[i] ** 2, 0.0))
+        else:
+            mean[i] = spread[i] = math.nan

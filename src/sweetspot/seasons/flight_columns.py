@@ -1,0 +1,265 @@
+"""What each ball's flight was: where it set out, how far it carries and how surely, and how likely it is a home run.
+
+The tracked direction is where a ball came down; the direction in which it set out is solved for. How surely a carry is
+known is told by `carry_scatter`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from dataclasses import fields as dataclass_fields
+from functools import lru_cache
+
+import numpy as np
+
+from sweetspot.equipment.ball import Ball
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import USUAL_AIR, Air, Airs
+from sweetspot.flight.carry_scatter import (
+    MORE_DRAG,
+    SPIN_SCATTER,
+    CarryErrors,
+    LaunchErrors,
+    braked,
+    carry_errors,
+    usual_launch,
+)
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.home_runs import LIKELY, USUAL, home_run_chances
+from sweetspot.flight.kernel import Flights, flights
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.numerics.arrays import Array, IntArray
+from sweetspot.numerics.threads import in_parts
+from sweetspot.seasons.balls import Balls, Fields, nearest_fences, taken, thirty_parks
+from sweetspot.seasons.launch_table import Expected, expected_of
+from sweetspot.seasons.swings import USUAL_ERRORS, Errors
+from sweetspot.units import DEGREE, FOOT
+
+ROUNDS, CLOSE = 5, 5e-4
+"""Most flights of a ball in search of its direction, and rad by which it may come down beside: 0.2 ft at 400 ft."""
+TURNED = 3e-3
+"""rad that a ball's direction is turned by, for what its landing missed, without another flight: 9,996 of 10,000 come
+down closer than `CLOSE` then, and carries change by 0.2 ft in one of a hundred, 0.4 ft at most."""
+STEEP = 60 * DEGREE
+"""Launch angle above which what drag does to a carry is no smooth function of bearings, and such balls are flown
+again; below it the table's is right to 1.5 ft in 35 ft for 99 of 100 balls."""
+THINNER, SURE = 1.02, 5.0
+"""A ball that, in thinner air and with its drag so many standard deviations off, still comes down before every fence on
+its way is no home run anywhere; so chances below about 1e-7 are taken as none."""
+Rows = IntArray | slice
+"""Which balls of all."""
+STEP = 0.4
+"""s of a flight's steps, twice those of single flights: 99 of 100 carries are within 0.02 ft, all within 0.15."""
+CHUNK = 32_768
+"""Balls that are flown together: what is made of them on the way stays in a core's own memory."""
+GLOVE = 5 * FOOT
+"""m above the ground, where caught balls end."""
+
+
+@dataclass(frozen=True)
+class FlightSetting:
+    """What all balls of a table share.
+
+    Parameters
+    ----------
+    ball : of the catalogue.
+    aerodynamics : its law in the open; under a roof that never opens `aerodynamics_in` holds.
+    air : of balls whose table gives no weather; its elevation where neither the park's nor the table's is known.
+    parks : whether chances of home runs are wanted.
+    errors : of the measurements.
+    spin_scatter : standard deviation of backspin about the usual line, rad/s.
+    threads : workers; None: one per core.
+    """
+
+    ball: Ball
+    aerodynamics: Aerodynamics
+    air: Air
+    parks: bool = True
+    errors: Errors = USUAL_ERRORS
+    spin_scatter: float = SPIN_SCATTER
+    threads: int | None = None
+
+
+@dataclass(frozen=True)
+class FlightColumns:
+    """Answers for n balls; NaN where there is none.
+
+    Parameters
+    ----------
+    launch_direction : rad from centre field, positive to right field.
+    carry, carry_spread : m to the ground and its standard deviation.
+    hang_time, apex_height, landing_angle : s, m, rad.
+    carry_per_drag : m by which the carry grows with the logarithm of drag; negative.
+    home_run_here : chance in the park it was hit in.
+    home_runs : expected number over the thirty parks of the season.
+    home_run_parks : in how many of them it is likelier a home run than not.
+    """
+
+    launch_direction: Array
+    carry: Array
+    carry_spread: Array
+    hang_time: Array
+    apex_height: Array
+    landing_angle: Array
+    carry_per_drag: Array
+    home_run_here: Array
+    home_runs: Array
+    home_run_parks: Array
+
+
+def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, airs: Airs) -> FlightColumns:
+    """Return the flights of balls.
+
+    Balls with neither a bearing nor a launch direction fly as if to centre field, and have no chances.
+
+    Parameters
+    ----------
+    fields : where they were hit.
+    airs : of every ball where it was hit; each has its weather in all thirty parks.
+    """
+    columns = FlightColumns(*np.empty((len(dataclass_fields(FlightColumns)), len(balls))))
+    alone = replace(setting, threads=1)
+
+    def work(part: slice) -> None:
+        for law, rows in fields.laws(setting.aerodynamics, part):
+            here = replace(fields, index=fields.index[rows])
+            columns_here = _flown_balls(taken(balls, rows), here, alone, airs.at(rows), law)
+            for name, values in vars(columns_here).items():
+                getattr(columns, name)[rows] = values
+
+    in_parts(work, len(balls), size=CHUNK, threads=setting.threads)
+    return columns
+
+
+def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Airs, law: Aerodynamics) -> FlightColumns:
+    """Return the flights of balls that fly by one law; chances start from the setting's, which is that in the open."""
+    density, there = airs.density, replace(setting, aerodynamics=law)
+    bearing = np.nan_to_num(balls.bearing)
+    expected = expected_of(balls, bearing, ball=setting.ball, aerodynamics=law, density=density)
+    solved, flown, directed = _launched(balls, density, expected, there)
+    per_drag = _per_drag(balls, solved, density, flown, expected, there)
+    spread = np.array([*(USUAL.drag(park) for park in fields.parks), USUAL.open])[fields.index]
+    errors = LaunchErrors(setting.errors.exit_speed, setting.errors.launch_angle)
+    doubt = _carry_errors(setting.ball, law, errors, setting.spin_scatter)
+    carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
+    reach = THINNER * flown.carry - SURE * USUAL.open * per_drag
+    reach = np.where(directed, reach, 0.0)
+    here, everywhere, count = _chances(balls, solved, fields, airs, setting, bearing=flown.bearing, reach=reach)
+    return FlightColumns(
+        launch_direction=np.where(directed, solved, np.nan),
+        carry=flown.carry,
+        carry_spread=carry_spread,
+        hang_time=flown.hang_time,
+        apex_height=flown.apex_height,
+        landing_angle=flown.landing_angle,
+        carry_per_drag=per_drag,
+        home_run_here=np.where(directed & flown.landed & (fields.index >= 0), here, np.nan),
+        home_runs=np.where(directed & flown.landed, everywhere, np.nan),
+        home_run_parks=np.where(directed & flown.landed, count, np.nan),
+    )
+
+
+@lru_cache(maxsize=8)
+def _carry_errors(ball: Ball, law: Aerodynamics, errors: LaunchErrors, spin_scatter: float) -> CarryErrors:
+    return carry_errors(ball, law, USUAL_AIR, errors=errors, spin_scatter=spin_scatter)
+
+
+def _launched(
+    balls: Balls, density: Array, expected: Expected, setting: FlightSetting
+) -> tuple[Array, Flights, np.ndarray]:
+    """Return launch directions, flights, and of which balls the direction is known.
+
+    The first direction is the table's, turned for what the landing misses; where that is much, the ball is flown again,
+    with the change learnt on the way.
+    """
+    wanted, tracked = balls.bearing, balls.launch_direction
+    given = np.isfinite(tracked)
+    directed = given | np.isfinite(wanted)
+    spray = np.where(given, tracked, expected.direction)
+    flown = _flown(balls, spray, density, setting, slice(None), setting.aerodynamics)
+    open_rows = np.flatnonzero(directed & ~given & flown.landed)
+    miss = np.zeros(len(balls))
+    miss[open_rows] = _wrapped(flown.bearing[open_rows] - wanted[open_rows])
+    near = open_rows[np.abs(miss[open_rows]) <= TURNED]
+    spray[near] -= miss[near] * expected.turn[near]
+    open_rows = open_rows[np.abs(miss[open_rows]) > TURNED]
+    turn = expected.turn[open_rows]
+    for _ in range(ROUNDS - 1):
+        if not len(open_rows):
+            break
+        step = np.clip(-miss[open_rows] * turn, -0.5, 0.5)
+        spray[open_rows] += step
+        again = _flown(balls, spray, density, setting, open_rows, setting.aerodynamics)
+        flown = _replaced(flown, open_rows, again)
+        before = miss[open_rows]
+        miss[open_rows] = _wrapped(again.bearing - wanted[open_rows])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            learnt = step / (miss[open_rows] - before)
+        further = np.abs(miss[open_rows]) > CLOSE
+        turn = np.where((learnt > 0.2) & (learnt < 5), learnt, 1.0)[further]
+        open_rows = open_rows[further]
+    directed &= ~(np.abs(miss) > 20 * CLOSE)
+    return spray, flown, directed
+
+
+def _per_drag(
+    balls: Balls, spray: Array, density: Array, flown: Flights, expected: Expected, setting: FlightSetting
+) -> Array:
+    """Return by how much carries grow with the logarithm of drag, m; 0 of balls that were hit down."""
+    per_drag = np.where(balls.launch_angle > 0, expected.carry_per_drag, 0.0)
+    steep = np.flatnonzero(flown.landed & (balls.launch_angle > STEEP))
+    if len(steep):
+        again = _flown(balls, spray, density, setting, steep, braked(setting.aerodynamics))
+        per_drag[steep] = (again.carry - flown.carry[steep]) / np.log1p(MORE_DRAG)
+    return np.where(flown.landed, per_drag, np.nan)
+
+
+def _flown(
+    balls: Balls, spray: Array, density: Array, setting: FlightSetting, rows: Rows, law: Aerodynamics
+) -> Flights:
+    conditions = FlightConditions(ball=setting.ball, aerodynamics=law, air=density[rows])
+    return flights(_launch(balls, spray, rows), conditions, step=STEP, threads=setting.threads)
+
+
+def _launch(balls: Balls, spray: Array, rows: Rows) -> BallMotions:
+    up, aside = balls.launch_angle[rows], spray[rows]
+    return usual_launch(balls.exit_speed[rows], up, aside, left=balls.left[rows])
+
+
+def _replaced(flown: Flights, rows: np.ndarray, again: Flights) -> Flights:
+    for name in ("outcome", "carry", "hang_time", "apex_height", "apex_time", "landing_position", "landing_velocity"):
+        getattr(flown, name)[rows] = getattr(again, name)
+    return flown
+
+
+def _chances(
+    balls: Balls, spray: Array, fields: Fields, airs: Airs, setting: FlightSetting, *, bearing: Array, reach: Array
+) -> tuple[Array, Array, Array]:
+    """Return the chance here, the expected number over thirty parks, and in how many it is above one half.
+
+    Balls that come down at a bearing and reach no farther than the fences there have none.
+    """
+    here, everywhere, count = np.zeros((3, len(balls)))
+    if not setting.parks:
+        return np.full((3, len(balls)), np.nan)[0], *np.full((2, len(balls)), np.nan)
+    for season in np.unique(balls.season[reach > 0]).tolist():
+        thirty = thirty_parks(season)
+        extra = [park for park in fields.parks if park not in thirty]
+        near = nearest_fences((*thirty, *extra), bearing)
+        mine = np.flatnonzero((reach > near) & (balls.season == season))
+        if not len(mine):
+            continue
+        conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=airs.at(mine))
+        chances = home_run_chances(
+            _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), step=STEP, threads=setting.threads
+        )
+        everywhere[mine] = chances.chance[:, : len(thirty)].sum(axis=1)
+        count[mine] = (chances.chance[:, : len(thirty)] > LIKELY).sum(axis=1)
+        place = {park: number for number, park in enumerate((*thirty, *extra))}
+        columns = np.array([*(place[park] for park in fields.parks), 0])[fields.index[mine]]
+        here[mine] = chances.chance[np.arange(len(mine)), columns]
+    return here, everywhere, count
+
+
+def _wrapped(angle: Array) -> Array:
+    return angle - 2 * np.pi * np.rint(angle / (2 * np.pi))

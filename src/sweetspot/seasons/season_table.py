@@ -1,0 +1,367 @@
+"""A season in one call: tables in, answers out, whatever their size."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
+from sweetspot.catalog.balls import ball as catalogue_ball
+from sweetspot.catalog.bats import DEFAULT_BAT, load_bat
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.flight.air import USUAL_AIR, Air
+from sweetspot.seasons.ball_columns import (
+    UNKNOWN_BAT,
+    WHOSE_BAT,
+    SeasonSetting,
+    System,
+    answer_columns,
+    answer_headings,
+    answers_of,
+    bats_of,
+)
+from sweetspot.seasons.balls import balls_of, together
+from sweetspot.seasons.bat_surface import surface_of
+from sweetspot.seasons.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
+from sweetspot.seasons.csv_copy import LEFT_OUT
+from sweetspot.seasons.duplicates import with_duplicates
+from sweetspot.seasons.flight_columns import FlightSetting
+from sweetspot.seasons.place_relation import PlaceRelation
+from sweetspot.seasons.plan import (
+    BALLS,
+    COUNTED,
+    FOLDERS,
+    LEDGER,
+    Plan,
+    Progress,
+    plan_fingerprint,
+    run_here,
+    sweep_plan,
+)
+from sweetspot.seasons.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
+from sweetspot.seasons.survey import Survey, survey_tables
+from sweetspot.seasons.table_file import frame_headings
+from sweetspot.seasons.table_look import ENOUGH
+from sweetspot.seasons.table_reader import PART, parts
+from sweetspot.seasons.table_warnings import TableWarning
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
+
+MOST_PARTS = 16
+"""Parts of all tables that the relation of places is learnt from, at most."""
+
+
+@dataclass(frozen=True)
+class Season:
+    """What was computed.
+
+    Parameters
+    ----------
+    survey : the first look at the tables.
+    setting : how; its relation of places is the one learnt.
+    folder : of the answers: folders ``balls``, ``ledger`` and ``counted`` of Parquet files.
+    """
+
+    survey: Survey
+    setting: SeasonSetting
+    folder: Path
+
+    def balls(self) -> pl.LazyFrame:
+        """Return the balls with all answers beside the tables' own columns; missing where a table lacks a column."""
+        return _scanned(self.folder / BALLS)
+
+    def balls_parts(self) -> list[pl.LazyFrame]:
+        """Return the same, each task's balls by themselves."""
+        return [pl.scan_parquet(file) for file in _files(self.folder / BALLS)]
+
+    def counted(self) -> pl.LazyFrame:
+        """Return groups and measures of the balls, in SI."""
+        return counted_in(self.folder)
+
+    def counted_parts(self) -> list[pl.LazyFrame]:
+        """Return the same, each task's balls by themselves."""
+        return [pl.scan_parquet(file) for file in _files(self.folder / COUNTED)]
+
+    def ledger(self) -> pl.LazyFrame:
+        """Return the reason of every row of every table; lines that are no rows are counted in the survey alone."""
+        return _scanned(self.folder / LEDGER)
+
+
+def counted_in(folder: Path) -> pl.LazyFrame:
+    """Return groups and measures of the balls whose answers lie in a folder, in SI."""
+    return _scanned(folder / COUNTED)
+
+
+def _scanned(folder: Path) -> pl.LazyFrame:
+    return pl.concat([pl.scan_parquet(file) for file in _files(folder)], how="diagonal_relaxed")
+
+
+def _files(folder: Path) -> list[Path]:
+    return sorted(folder.glob("[0-9]*.parquet"))
+
+
+def season_setting(
+    *,
+    bats: Mapping[str, str | Bat] | None = None,
+    others: Sequence[str | Bat] = (),
+    air: Air | None = None,
+    ball: str = "baseball",
+    contact: bool = True,
+    system: System = "us",
+    threads: int | None = None,
+) -> SeasonSetting:
+    """Return how tables are to be read.
+
+    Parameters
+    ----------
+    bats : of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's usual.
+    others : bats that every swing is tried with.
+    air : of games whose weather the tables do not give, at the elevation of fields whose park is not known; None:
+        72 degF and the usual, at sea level.
+    ball : name in the catalogue.
+    contact : whether contacts are wanted beside flights.
+    system : units of the columns.
+    threads : workers of a task; None: one per core.
+    """
+    pitched: Ball = catalogue_ball(ball)
+    flight = FlightSetting(pitched, aerodynamics(ball), air or USUAL_AIR, threads=threads)
+    bat_of = {batter: _named(given) for batter, given in (bats or {"": DEFAULT_BAT}).items()}
+    tried = [_named(given) for given in others]
+    names = {batter: name for batter, (name, _) in bat_of.items()}
+    if not contact:
+        return SeasonSetting(flight, None, names, system)
+    law = swing_law()
+    tables = {
+        name: OtherBat(
+            name, surface_of(bat, ball=pitched), reduced_bat(bat, ball=pitched).body.moi(bat.choke + law.axis)
+        )
+        for name, bat in dict([*bat_of.values(), *tried]).items()
+        if bat is not None
+    }
+    swung = [tables[name] for name in dict.fromkeys(names.values()) if name in tables]
+    surfaces, mois = tuple(table.surface for table in swung), tuple(table.moi for table in swung)
+    others_tried = tuple(tables[name] for name, _ in tried if name in tables)
+    return SeasonSetting(
+        flight, ContactSetting(pitched, surfaces, mois, others_tried, law, threads=threads), names, system
+    )
+
+
+def _named(given: str | Bat) -> tuple[str, Bat | None]:
+    """Return what a bat is called in columns, and the bat; None for one that is not known."""
+    if isinstance(given, str) and given == UNKNOWN_BAT:
+        return given, None
+    bat, name = (given, given.name) if isinstance(given, Bat) else (load_bat(given), given)
+    return Path(name).stem if "/" in name or name.endswith(".toml") else name, bat
+
+
+def analyse_season(
+    paths: Sequence[Path | str],
+    *,
+    setting: SeasonSetting | None = None,
+    folder: Path | str,
+    given: GivenColumns = NOTHING_GIVEN,
+    resume: bool = False,
+    run: Callable[[Plan, Progress | None], None] | None = None,
+    progress: Progress | None = None,
+) -> Season:
+    """Return a season's answers, in a folder.
+
+    Parameters
+    ----------
+    paths : tables, CSV or Parquet.
+    setting : how; None: the usual. Its relation of places is learnt from the tables unless it was learnt before.
+    folder : made if need be; answers of another plan in it are replaced.
+    given : what a person says of columns that are not understood, ``GivenColumns({"exit_speed": "EV:mph"})``.
+    resume : whether answers of the same plan that are there already are kept; what a killed run left half written is
+        removed, what a living one writes is not.
+    run : does a plan's tasks; None: in this process, two at a time.
+    progress : is told rows done and in all.
+
+    Raises
+    ------
+    InputError
+        when none of the tables can be read, none holds a ball in play, or one is among the answers to be replaced.
+    UnwritableError
+        when there is no room for the copy of a CSV file.
+    """
+    folder = Path(folder)
+    replaced = [(folder / name).resolve() for name in FOLDERS]
+    if among := [path for path in paths if Path(path).resolve().parent in replaced]:
+        raise InputError(f"{among[0]} is one of the answers in {folder}, which are replaced; write to another folder")
+    staging = folder / ".tables"
+    fresh = [place for place in (folder, *folder.parents) if not place.exists()]
+    try:
+        survey = survey_tables([Path(path) for path in paths], staging=staging, given=given)
+        _require_balls(survey)
+    except BaseException:
+        _withdraw(staging, fresh)
+        raise
+    chosen = setting or season_setting()
+    survey = replace(survey, warnings=(*survey.warnings, *_replaced(survey, chosen)))
+    swung = any(table.headings.has("bat_speed") for table in survey.tables)
+    if chosen.contact is not None and swung and not chosen.contact.relation.balls:
+        chosen = replace(chosen, contact=replace(chosen.contact, relation=learn_relation(survey, chosen)))
+    plan = Plan(survey.tables, survey.duplicates, chosen, folder)
+    plan = replace(plan, fingerprint=plan_fingerprint(survey.tables, chosen, task_rows=plan.task_rows))
+    if resume:
+        sweep_plan(plan)
+    else:
+        for name in FOLDERS:
+            shutil.rmtree(folder / name, ignore_errors=True)
+    try:
+        (run or run_here)(plan, progress)
+    except InputError:
+        if not (folder / BALLS).exists():  # else there is something to resume
+            _withdraw(staging, fresh)
+        raise
+    sweep_plan(plan)  # of workers that were killed, too
+    shutil.rmtree(staging, ignore_errors=True)
+    return Season(survey, chosen, folder)
+
+
+def _replaced(survey: Survey, setting: SeasonSetting) -> Iterator[TableWarning]:
+    """Yield which columns of tables give way to answers that are called alike."""
+    ours = {*answer_headings(setting), "table", "table_row"}
+    for number, table in enumerate(survey.tables):
+        headings = table.headings
+        names = [*headings.passed, *(column.heading for column in headings.columns.values())]
+        if lost := [name for name in names if name in ours]:
+            yield TableWarning("replaced", number, table.rows, detail=", ".join(lost))
+
+
+def _withdraw(staging: Path, fresh: Sequence[Path]) -> None:
+    """Remove the copies of tables, and folders that were made for them, innermost first, where nothing else is in."""
+    shutil.rmtree(staging, ignore_errors=True)
+    with suppress(OSError):
+        for place in fresh:
+            place.rmdir()
+
+
+def _require_balls(survey: Survey) -> None:
+    """Refuse tables of which none can be read, or none holds a ball in play, or most balls cannot be."""
+    if not survey.tables:
+        raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
+    if not any(counts[USED] for counts in survey.counts):
+        why = (
+            f"{sum(counts.get(reason, 0) for counts in survey.counts)} {reason} ({words})"
+            for reason, words in {**REASONS, **LEFT_OUT}.items()
+        )
+        raise InputError(
+            f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
+            f"{'; '.join(words for words in why if not words.startswith('0 '))}{_unread(survey)}. Look at its "
+            "columns with --show-columns"
+        )
+    refused, used = (sum(counts.get(reason, 0) for counts in survey.counts) for reason in ("impossible", USED))
+    if refused >= max(ENOUGH, used):
+        doubts = (warning.detail for warning in survey.warnings if warning.name in ("swapped", "unit"))
+        raise InputError(
+            f"{survey.tables[0].path}: {refused} of {refused + used} balls in play have an exit speed or launch angle "
+            f"that cannot be ({next(doubts, 'allowed is 1 to 125 mph and -90 to 90 degrees')}). Mend the headings, or "
+            "say what the columns are, as in --column exit_speed=HEADING:km/h"
+        )
+
+
+def _unread(survey: Survey) -> str:
+    """Return in how many rows something stands that is no number where one should be, in words."""
+    count = sum(warning.count for warning in survey.warnings if warning.name == "unreadable")
+    return f"; {count} rows hold words, or numbers with another unit, where a number should be" if count else ""
+
+
+def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
+    """Return where along the bat balls are met, learnt from an even sample of all tables.
+
+    Parameters
+    ----------
+    survey : the first look at the tables.
+    """
+    assert setting.contact is not None
+    swung = sum(
+        counts[USED]
+        for table, counts in zip(survey.tables, survey.counts, strict=True)
+        if table.headings.has("bat_speed")
+    )
+    frames = list(_sampled(survey, swung))
+    balls, bats = [balls_of(rows) for rows in frames], [bats_of(rows, setting) for rows in frames]
+    if not balls:
+        return setting.contact.relation
+    return learnt(together(balls), np.concatenate(bats), setting.contact)
+
+
+def _sampled(survey: Survey, swung: int) -> Iterator[pl.DataFrame]:
+    """Yield about `LEARNT_FROM` rows with a swing, of evenly drawn parts of the tables where these are many."""
+    places = [
+        (number, start)
+        for number, table in enumerate(survey.tables)
+        if table.headings.has("bat_speed")
+        for start in range(0, table.rows, PART)
+    ]
+    every = max(1, -(-len(places) // MOST_PARTS))
+    step = max(1, swung // every // LEARNT_FROM)
+    for number, table in enumerate(survey.tables):
+        starts = [start for mine, start in places[::every] if mine == number]
+        measured = [name for name, column in table.headings.columns.items() if column.kind != "text"]
+        wanted = (*measured, *WHOSE_BAT, *REASONED, *SIDED, *DATED)
+        for rows in parts(table, quantities=wanted, step=step, starts=starts):
+            used = with_duplicates(rows, survey.duplicates[number]).filter(
+                (pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()
+            )
+            if len(used):
+                yield used
+
+
+def season_columns(
+    frame: pl.DataFrame | pl.LazyFrame,
+    *,
+    setting: SeasonSetting | None = None,
+    given: GivenColumns = NOTHING_GIVEN,
+) -> pl.LazyFrame:
+    """Return a table with the answers beside its own columns, for the rows that are used; lazy in, lazy out.
+
+    The relation of places is the setting's: learn it once from a season with `analyse_season`, or take the usual.
+
+    Parameters
+    ----------
+    frame : Statcast, Trackman or any other names that are understood. Of a lazy one dates that may begin with the day,
+        and whose name ``player_name`` is, are looked at before anything else is read.
+    setting : how; None: the usual.
+    given : what a person says of columns that are not understood.
+
+    Raises
+    ------
+    InputError
+        for what is no polars frame, or one that `frame_headings` refuses.
+
+    >>> import polars as pl
+    >>> table = pl.DataFrame({"launch_speed": [103.0], "launch_angle": [27.5], "hc_x": [125.42], "hc_y": [50.0]})
+    >>> flown = season_columns(table, setting=season_setting(contact=False)).collect()
+    >>> bool(390 < flown["carry_ft"][0] < 430)
+    True
+    """
+    if not isinstance(frame, pl.DataFrame | pl.LazyFrame):
+        raise InputError(
+            f"frame was given as {type(frame).__name__}; give a polars frame: polars.scan_csv or scan_parquet reads a "
+            "file, polars.from_pandas takes one of pandas"
+        )
+    chosen = setting or season_setting()
+    lazy = frame.lazy()
+    headings = frame_headings(lazy, given=given)
+
+    def answered(part: pl.DataFrame) -> pl.DataFrame:
+        rows = rows_of(part, headings)
+        used = (rows["reason"] == USED).to_numpy()
+        columns = answer_columns(answers_of(rows.filter(used), chosen), chosen)
+        fresh = {column.name for column in columns}
+        passed = [column for column in part.filter(used).get_columns() if column.name not in fresh]
+        return pl.DataFrame([*passed, *columns])
+
+    schema = answered(lazy.clear().collect()).schema
+    return lazy.map_batches(answered, schema=schema, streamable=True)
