@@ -18,10 +18,10 @@ WORDS = ("design", "mlb-a", "--contact", "8in", "--population", "8", "--generati
 ENDLESS = """
 import sys
 from sweetspot.cli import main
-from sweetspot.designs import fronts, polish
+from sweetspot.designs import local_search, pareto
 
-polish.LOOKS, polish.WAYS, polish.POINTS = 2, 1, 5
-real = fronts._next_generation
+local_search.LOOKS, local_search.WAYS, local_search.POINTS = 2, 1, 5
+real = pareto._next_generation
 
 def generation(bench, question, ends, parents, number):
     while number == {number}:
@@ -29,7 +29,7 @@ def generation(bench, question, ends, parents, number):
         real(bench, question, ends, parents, number)
     return real(bench, question, ends, parents, number)
 
-fronts._next_generation = generation
+pareto._next_generation = generation
 main(sys.argv[1:])
 """
 """The command, whose search stays in one generation, computing, until somebody ends it."""

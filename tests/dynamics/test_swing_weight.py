@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from sweetspot import beam_model, catalog, rigid_body
 from sweetspot.catalog.records import canonical, read_table
 from sweetspot.catalog.sports import sport_names
-from sweetspot.catalog.swing_laws import FILE, swing_weight
+from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, OUNCE
@@ -18,7 +18,7 @@ BODY = RigidBody(mass=0.3, balance_point=0.3, moi_cm=0.018, roll_moi=0.0)
 
 
 def test_every_sport_weighs_a_swing() -> None:
-    assert {canonical(name) for name in read_table(FILE)} == set(sport_names())
+    assert {canonical(name) for name in read_table("swing_weights.toml")} == set(sport_names())
 
 
 def test_a_racket_is_weighed_about_ten_centimetres() -> None:

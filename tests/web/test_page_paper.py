@@ -101,7 +101,7 @@ def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> 
     narrow(opened)
     opened.get_by_role("button", name="Export").click()
     expect(opened.locator("dialog pre").first).to_contain_text("sweetspot paper r161-ash --entry-angle 10deg")
-    expect(opened.locator("dialog pre").nth(1)).to_contain_text('PARTS["end"]')
+    expect(opened.locator("dialog pre").nth(1)).to_contain_text("sweetspot.paper('r161-ash', entry_angle='10deg'")
 
 
 def test_symbols_of_the_statements_are_formulas(page: Page, server: str, answered: Callable[..., int]) -> None:

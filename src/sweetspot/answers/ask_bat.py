@@ -40,7 +40,8 @@ def report(implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool =
 
     >>> import sweetspot
     >>> best = sweetspot.report("r161-ash", pitch_speed="85 mph").best_hit
-    >>> f"{best.position.value:.2f} m, {best.exit_speed:.1f} m/s"
+    >>> f"{best.position:.2f} m, {best.exit_speed:.1f} m/s"
+    '0.69 m, 46.2 m/s'
     """
     from sweetspot.analysis.bat_analysis import analyse_reduced
     from sweetspot.answers.report import report_of
@@ -70,7 +71,7 @@ def hit(
 
     >>> import sweetspot
     >>> round(sweetspot.hit("r161-ash", at="6in-from-tip").exit_speed, 1)  # m/s
-    45.2
+    46.4
     """
     from sweetspot.answers.hit import HitQuestion, hit_answer
 
@@ -104,7 +105,7 @@ def compare(
 
     >>> import sweetspot
     >>> [bat.label for bat in sweetspot.compare("r161-ash", "corked-r161").bats]
-    ['R161, white ash', 'R161 corked']
+    ['R161, white ash', 'R161, corked']
     """
     if not implements:
         raise InputError("no bat was given; name one or more, for example r161-ash and youth-30")

@@ -30,6 +30,7 @@ def drop(*, block: BlockSetup = BlockSetup(), fall: FallSetup = FallSetup(), unc
 
     >>> import sweetspot
     >>> round(sweetspot.drop(height="1 m").restitution, 2)
+    0.58
     """
     if fall.height is not None and fall.speed is not None:
         raise InputError("give either height or speed, and only one of them")
@@ -75,6 +76,7 @@ def pendulum(
     >>> import sweetspot
     >>> hung = sweetspot.pendulum(mass="30.5 oz", balance_point="22.4 in", period="1.38 s")
     >>> round(hung.moi_oz_in2)
+    9316
     """
     swung, timed = (moi, False) if period is None else (period, True)
     if swung is None or (period is not None and moi is not None):

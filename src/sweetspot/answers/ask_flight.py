@@ -73,6 +73,7 @@ def play(
 
     >>> import sweetspot
     >>> round(sweetspot.play("r161-ash", park="fenway").flight.carry)  # m
+    116
     """
     from sweetspot.analysis.bat_analysis import check_conditions
     from sweetspot.answers.play import play_answer
@@ -127,6 +128,7 @@ def fly(
 
     >>> import sweetspot
     >>> round(sweetspot.fly(exit_speed="103 mph", launch_angle="28 deg").carry)  # m
+    122
     """
     from sweetspot.answers.flight_draws import flight_sources
     from sweetspot.answers.fly import FlyQuestion, fly_answer
@@ -177,6 +179,7 @@ def optimum(
     >>> import sweetspot
     >>> far = sweetspot.optimum("r161-ash", show=["launch"], exit_speed=["100 mph"])
     >>> round(far.launches[0].carry)  # m
+    119
     """
     from sweetspot.answers.flight_draws import drag_source
     from sweetspot.answers.optimum import LaunchSearch, OptimumQuestion, optimum_answer

@@ -115,9 +115,10 @@ def turn_on_cubic(before: float, after: float, slope_before: float, slope_after:
     square = 3 * (slope_before + slope_after - 2 * rise)
     sign = 1.0 if slope_before > 0 else -1.0
     root = math.sqrt(max(linear * linear - 4 * square * slope_before, 0.0))
-    if sign * linear > 0:  # of the two ways to write the root, the one that subtracts nothing
+    if sign * linear > 0 and square != 0:  # of the two ways to write the root, the one that subtracts nothing
         return min(1.0, -(linear + sign * root) / (2 * square))
-    return min(1.0, 2 * abs(slope_before) / (root - sign * linear))
+    beside = root - sign * linear  # zero where the slopes are so small that their squares are
+    return min(1.0, 2 * abs(slope_before) / beside) if beside > 0 else 0.0
 
 
 def root_on_cubic(

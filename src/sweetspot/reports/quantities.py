@@ -218,7 +218,7 @@ DISTANCES = {"ft": SCALES["distance"].us, "yd": Unit("yd", 3 * FOOT, 1), "m": SC
 def reader(system: System | None, words: Terms) -> Reader:
     """Return who reads an answer: of the system that was asked for, or as the sport's people read.
 
-    >>> golf = Words(speed_unit="mph", place_unit="in", distance_unit="yd", mass_unit="g")
+    >>> golf = Terms(speed_unit="mph", place_unit="in", distance_unit="yd", mass_unit="g")
     >>> reader(None, golf).shown(91.44, "distance"), reader("si", golf).shown(91.44, "distance")
     ('100.0 yd', '91.4 m')
     """

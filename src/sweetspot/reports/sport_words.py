@@ -28,7 +28,7 @@ def reader_of(implement: Implement) -> Reader:
 def in_words(template: str, words: Terms, **slots: Part | float | Sentence) -> Sentence:
     """Return a template's words, its slots filled with a sport's words too.
 
-    >>> in_words("from the {tip} of the {implement}", Words(tip="toe")).read(reader(None, Words()))
+    >>> in_words("from the {tip} of the {implement}", Terms(tip="toe")).read(reader(None, Terms()))
     'from the toe of the bat'
     """
     return say(template, **(words.model_dump() | slots))

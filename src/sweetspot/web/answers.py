@@ -24,7 +24,7 @@ from sweetspot.web.views import VIEWS
 TIME_LIMIT = 10.0
 """s that one answer may take."""
 KEPT = 512
-"""AnswerPool kept, about 25 kB each."""
+"""Answers kept, about 25 kB each."""
 WORKERS = max(2, os.cpu_count() or 1)
 UNASKED = 2.0
 """s that preparing waits for the first question where the first pictures are kept: they need none of what it loads."""

@@ -118,10 +118,10 @@ def _view_route(api: APIRouter, view: View, answers: AnswerPool) -> None:
 
         endpoint.__annotations__["state"] = view.state
         endpoint.__doc__ = asked.__doc__
+        model = dict[str, Any] | None if aside else dict[str, Any]  # an aside may have nothing to add
         api.post(
-            path, name=name, response_class=JSONResponse, response_model=dict[str, Any], responses=UNFINISHED,
-            tags=["views"],
-        )(endpoint)  # fmt: skip
+            path, name=name, response_class=JSONResponse, response_model=model, responses=UNFINISHED, tags=["views"]
+        )(endpoint)
 
     route(f"/{view.name}", view.title, view.answer, "")
     for name, asked in view.asides.items():
