@@ -150,7 +150,7 @@ profile = [["0 in", "1.15 in"], ["14 in", "1.15 in"]]
     (tmp_path / "twig.toml").write_text(light)
     twig = str(tmp_path / "twig.toml")
     code, _, err = run("report", twig)
-    assert code == 2 and "(1.15 in); usual is 1.6 to 5 in" in err and "add --force if it is meant" in err
+    assert code == 2 and "(1.15 in); usual is 1.6 to 5 in" in err and "add --force if it is intended" in err
     code, _, err = run("hit", twig, "--at", "3in-from-tip", "--force")
     assert code == 2 and "a ball lighter than the bat" in err
     code, out, _ = run("report", twig, "--force")

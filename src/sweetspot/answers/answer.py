@@ -44,7 +44,7 @@ class Uncertainty:
 def uncertainty_of(
     values: Array, *, of: str, normal: Array, names: tuple[str, ...], sources: Mapping[str, str]
 ) -> Uncertainty:
-    """Return what the variance of one number comes from.
+    """Return the variance of one number by its sources.
 
     Parameters
     ----------

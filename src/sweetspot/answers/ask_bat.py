@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def report(implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool = False) -> ReportAnswer:
-    """Return where an implement hits best, and why: sweet spots, curves along it, its best hit, what misses cost.
+    """Analyze one implement: sweet spots, curves along it, its best hit, and the cost of misses.
 
     Parameters
     ----------

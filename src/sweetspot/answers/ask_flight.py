@@ -115,7 +115,7 @@ def play(
 def fly(
     *, launch: LaunchSetup = LaunchSetup(), weather: Weather = FAIR_WEATHER, uncertainty: bool = False
 ) -> FlyAnswer:
-    """Return how far a hit ball carries: its flight, the park's fence, and the nets and lines of other sports.
+    """Compute the flight of a hit ball: its carry, the park's fence, and the nets and lines of other sports.
 
     Parameters
     ----------

@@ -155,7 +155,7 @@ class MeasuredShots:
 
 
 def measured_shots(measured: ShotStatistics, shots: Shots) -> MeasuredShots:
-    """Return what shots say as people ask for it."""
+    """Return the results of measured shots in the quantities of the rules."""
     return MeasuredShots(
         good_rows=len(shots.shots),
         bad_rows=tuple(shots.bad_rows),

@@ -111,7 +111,7 @@ class BatterSetup:
 
 
 def _on_a_face(implement: Implement, conditions: Conditions) -> dict[str, float]:
-    """Return where a player who is not known meets the ball: where it is fastest, give or take a sixth of the face."""
+    """Return the contact places of an unknown player: about the fastest place, spread by a sixth of the face."""
     face = implement.outline
     assert face is not None  # whoever asks has looked
     return {

@@ -144,7 +144,7 @@ class Suspect:
 
 @dataclass(frozen=True, kw_only=True)
 class CalibrateAnswer(Answer):
-    """A calibrated bat; nothing is told of it where measurements contradict each other.
+    """A calibrated bat; without results where measurements contradict each other.
 
     Parameters
     ----------

@@ -316,7 +316,7 @@ def _with_chances(answer: CertifyAnswer, chances: Sequence[float | None]) -> Cer
 
 
 def _columns(checks: Sequence[RuleCheck], drawn: DrawnTest) -> Columns:
-    """Return what draws answer, by the fields of `CertifyAnswer`."""
+    """Return the sampled answers, by the fields of `CertifyAnswer`."""
     ruled: list[Columns] = []
     for check in checks:
         answers = {"value": drawn.of_rule(check.quantity), "margin": drawn_margin(check.outcome, drawn)}

@@ -276,7 +276,7 @@ def _lowest(one: Compared[Implement], family: Family) -> float:
 
 
 def _columns(found: DrawnComparison) -> Columns:
-    """Return what draws answer, by the fields of `CompareAnswer`."""
+    """Return the sampled answers, by the fields of `CompareAnswer`."""
     return {"bats": [_columns_of(bat, first=number == 0) for number, bat in enumerate(found.bats)]}
 
 

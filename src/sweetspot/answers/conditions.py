@@ -37,7 +37,7 @@ class HitConditions:
 
 
 def hit_conditions(conditions: Conditions) -> HitConditions:
-    """Return what a hit is computed under."""
+    """Return the conditions under which a hit is computed."""
     swing, ball = conditions.swing, conditions.ball
     return HitConditions(
         pitch_speed=conditions.pitch.speed,

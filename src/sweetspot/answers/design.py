@@ -196,7 +196,7 @@ def design_answer(question: DesignQuestion, *, progress: Progress | None = None)
 
     Parameters
     ----------
-    progress : told how far the search is.
+    progress : called with the progress of the search.
 
     Raises
     ------

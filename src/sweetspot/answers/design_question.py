@@ -46,8 +46,8 @@ class DesignQuestion:
     deepest_cup : that may be turned, m.
     ranges : least and most of what else may change of a turned bat, m.
     materials : that are looked at; empty: the present bat's.
-    league : whose rules are kept; None: nobody's.
-    pick : which bat of the front is told about, from 1: the best in the first want.
+    league : whose rules are kept; None: no league's.
+    pick : which bat of the front is reported in full, from 1: the best in the first want.
     seed, population, generations : of the search.
     resume : a saved search to go on from.
     """
@@ -79,7 +79,7 @@ class Designed:
     bench : batter, ball and the bats that can be.
     question : what was looked for.
     front : bats none of which is better in everything, the best in the first want first.
-    picked : which of them is told about.
+    picked : which of them is reported in full.
     now : the present bat on the same bench.
     gain : of the picked one over it.
     bat : the picked one, as everybody else takes it.
@@ -168,7 +168,7 @@ def designed_bat(
     Parameters
     ----------
     pick : which one, from 1.
-    league : whose rules are held against it; None: nobody's.
+    league : whose rules it is checked against; None: no league's.
 
     Raises
     ------

@@ -24,7 +24,7 @@ STIFFNESS, DENSITY, ARRIVAL = "stiffness of the block", "density of the block", 
 MODULI = ("longitudinal_modulus", "shear_modulus", "transverse_modulus")
 """Scaled together: of one piece all are high or low."""
 NEGLIGIBLE = 1e-5
-"""Part of the energy that comes, below which what a block takes is told without an interval."""
+"""Part of the incoming energy below which the block's share is reported without an interval."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class DrawnDrop:
 
 
 def drop_sources(block: Block, ball: Ball, *, speed_error: float = 0.0) -> Sources:
-    """Return what a drop test does not know.
+    """Return the unknowns of a drop test.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def drop_sources(block: Block, ball: Ball, *, speed_error: float = 0.0) -> Sourc
 def drawn_drop(
     rebound: Rebound, sources: Sources, fired: Callable[[Block, Ball, float], Rebound], *, count: int = DRAWS
 ) -> DrawnDrop:
-    """Return what draws answer to a drop test.
+    """Return the sampled answers to a drop test.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def _moved(rebound: Rebound, name: str, off: float) -> tuple[Block, Ball, float]
 
 
 def rebound_numbers(rebound: Rebound) -> dict[str, float]:
-    """Return what is answered of a drop test but its energies, by the fields of `DropAnswer`."""
+    """Return the results of a drop test except its energies, by the fields of `DropAnswer`."""
     impact = rebound.impact
     return {
         "fall_speed": rebound.fall_speed,
@@ -124,7 +124,7 @@ def rebound_numbers(rebound: Rebound) -> dict[str, float]:
 
 
 def block_energies(rebound: Rebound) -> dict[str, float]:
-    """Return where the energy goes, by the fields of `BlockEnergies`."""
+    """Return the energy balance, by the fields of `BlockEnergies`."""
     energy = rebound.impact.energy
     return {
         "incoming": energy.incoming,

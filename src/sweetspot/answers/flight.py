@@ -126,7 +126,7 @@ class FlightEnd:
 
 
 def flight_end(flight: Flight, park: Park) -> FlightEnd:
-    """Return where a flight ends in a park."""
+    """Return the end of a flight in a park."""
     end = landing(flight.positions, park)
     return FlightEnd(park.name, end.outcome, end.direction, end.distance, end.height, end.clearance)
 

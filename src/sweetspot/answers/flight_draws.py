@@ -52,7 +52,7 @@ def written_errors(errors: Mapping[str, float]) -> tuple[Source, ...]:
 
 
 def flight_sources(law: Aerodynamics, *, speed_error: float = 0.0, angle_error: float = 0.0) -> Sources:
-    """Return what is not known of a flight.
+    """Return the unknowns of a flight.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def draws_of_sources(sources: Sources, count: int) -> tuple[Array, Array]:
 
 
 def drawn_flight(left: BallMotion, flying: FlightConditions, sources: Sources, *, count: int) -> DrawnFlight:
-    """Return what draws answer to one flight.
+    """Return the sampled answers to one flight.
 
     Parameters
     ----------

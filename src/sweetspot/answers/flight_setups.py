@@ -93,7 +93,7 @@ class Weather(FieldAir):
         )
 
     def through(self, ball: str) -> FlightConditions:
-        """Return what a ball of the catalogue flies through."""
+        """Return the flight conditions of a ball of the catalogue."""
         law = catalog.aerodynamics_in(self.field, catalog.aerodynamics_of_ball(ball))
         return FlightConditions(ball=catalog.ball(ball), aerodynamics=law, air=self.air, wind=self.wind)
 

@@ -77,7 +77,7 @@ class HitHistory:
 
 @dataclass(frozen=True, kw_only=True)
 class CollisionNumbers:
-    """What is told of every collision, one of a batch included.
+    """Quantities of any collision, also of one in a batch.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ class Collision(CollisionNumbers):
 
 
 def collision_numbers(impact: Impact) -> CollisionNumbers:
-    """Return what is told of every collision."""
+    """Return the quantities of every collision."""
     return CollisionNumbers(
         position=impact.position,
         lateral=impact.lateral,
@@ -133,7 +133,7 @@ def collision_numbers(impact: Impact) -> CollisionNumbers:
 def numbers_in_batch(
     hits: Impacts | Strikes, *, position: float, closing_speed: float, lateral: float = 0.0
 ) -> CollisionNumbers:
-    """Return what is told of the first hit of a batch."""
+    """Return the answer to the first hit of a batch."""
     outcome = Outcome(int(hits.outcome[0]))
     return CollisionNumbers(
         position=position,
@@ -203,7 +203,7 @@ def _hit_fields(impact: Impact, *, body: RigidBody, conditions: Conditions) -> d
 
 
 def hit_columns(draws: Draws, along: HitsAlong, place: int, impact: Impact) -> Columns:
-    """Return what draws answer to one of the places that they hit, by the fields of `Hit`.
+    """Return the sampled answers at one of the places hit, by the fields of `Hit`.
 
     Parameters
     ----------

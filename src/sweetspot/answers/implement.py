@@ -33,7 +33,7 @@ class MassProperties:
 
 
 def mass_properties(implement: Implement, body: RigidBody) -> MassProperties:
-    """Return what an implement weighs and how it balances."""
+    """Return the mass, balance point and moments of inertia of an implement."""
     return MassProperties(
         name=implement.name,
         length=implement.length,

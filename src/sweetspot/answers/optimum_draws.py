@@ -60,7 +60,7 @@ def drawn_optimum(
     backspin: float = 0.0,
     count: int,
 ) -> DrawnOptimum:
-    """Return what draws answer to what was asked about the best way to hit.
+    """Return the sampled answers to a question about the best way to hit.
 
     Parameters
     ----------

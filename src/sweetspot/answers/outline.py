@@ -97,7 +97,7 @@ class PhotoOutlineAnswer(OutlineAnswer):
 
 
 def outline_answer(question: OutlineQuestion) -> OutlineAnswer:
-    """Return what a bat with an outline weighs, and how sure the outline is."""
+    """Return the mass of a bat with a measured outline, and the outline's uncertainty."""
     outline, bat = question.outline, question.bat
     body = rigid_body(beam_model(bat))
     position, diameter = np.array(outline.profile).T

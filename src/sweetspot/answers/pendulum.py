@@ -128,19 +128,19 @@ def checked_pendulum(question: PendulumQuestion) -> PendulumAnswer:
         raise InputError(
             f"{given} makes {moi / OUNCE_INCH_SQUARED:.0f} oz in^2 about the axis, less than this weight has when "
             f"all of it sits at its balance point, {least / OUNCE_INCH_SQUARED:.0f} oz in^2. A period is there and "
-            "back: check that, the weight and the balance point, or add --force if it is meant"
+            "back: check that, the weight and the balance point, or add --force if it is intended"
         )
     gyration = ((moi - least) / mass) ** 0.5
     low, high = USUAL_GYRATIONS
     if not low <= gyration <= high:
         raise InputError(
             f"what was given makes a radius of gyration of {100 * gyration:.1f} cm about the balance point; usual is "
-            f"{100 * low:g} to {100 * high:g} cm. Check the units, or add --force if it is meant"
+            f"{100 * low:g} to {100 * high:g} cm. Check the units, or add --force if it is intended"
         )
     if gyration > WIDEST * balance:
         raise InputError(
             f"a balance point at {100 * balance:.1f} cm and the rest spread the weight by {100 * gyration:.1f} cm "
-            "about it, as no implement does. Check the units, or add --force if it is meant"
+            "about it, as no implement does. Check the units, or add --force if it is intended"
         )
     return answer
 

@@ -174,7 +174,7 @@ def _with_ending(plain: PlayAnswer) -> PlayAnswer:
     """Return a play with how far apart balls that leave alike come down, and the chance of a home run in its park."""
     question, flight = plain.question, plain.play.flight
     if flight is None or flight.outcome is not FlightOutcome.LANDED or question.reduced.bat.sport != "baseball":
-        return plain  # nobody has measured how other balls scatter
+        return plain  # the scatter of other balls has not been measured
     flying, park = question.flying, question.park
     # its spin follows from the hit
     spread = carry_spread(flight.launch, flying, drag_scatter=USUAL.drag(park), spin_scatter=0.0)

@@ -48,7 +48,7 @@ class DrawnPlay:
 
 
 def play_sources(of_hit: Sources, law: Aerodynamics, *, place_error: float = 0.0, offset_error: float = 0.0) -> Sources:
-    """Return what is not known of a play.
+    """Return the unknowns of a play.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def play_sources(of_hit: Sources, law: Aerodynamics, *, place_error: float = 0.0
 
 
 def drawn_play(asked: PlayQuestion, sources: Sources) -> DrawnPlay:
-    """Return what draws answer to a play.
+    """Return the sampled answers to a play.
 
     Parameters
     ----------

@@ -64,7 +64,7 @@ class SwingsUsed:
     Parameters
     ----------
     used : how many.
-    system : whose file it is; "plain" where the names are nobody's own.
+    system : whose file it is; "plain" where the names belong to no system.
     without_swing : rows with neither a bat speed nor an exit speed.
     first_day, last_day : of the dated rows, year-month-day.
     notes : what is missing, constant or few.
@@ -275,11 +275,11 @@ class FitPlayerAnswer(Answer):
 
 
 def fit_player_answer(question: FitPlayerQuestion, *, progress: Progress | None = None) -> FitPlayerAnswer:
-    """Return what the swings of one player say, and which bat and contact point serve.
+    """Return the parameters fitted to one player's swings, and the bat and contact point advised.
 
     Parameters
     ----------
-    progress : told of the pieces of work.
+    progress : called with the pieces of work.
 
     Raises
     ------

@@ -155,14 +155,14 @@ def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> P
 
 
 def player_posterior(swings: PlayerSwings) -> PlayerPosterior:
-    """Return what swings say about the player's parameters."""
+    """Return the player's parameters fitted to the swings."""
     return fit_player(swings.model(), seed=swings.question.seed)
 
 
 def player_advice(
     question: FitPlayerQuestion, posterior: PlayerPosterior, progress: Callable[[int, int], None] | None = None
 ) -> Advice:
-    """Return what would serve a player."""
+    """Return the bat and contact point advised for a player."""
     return advise(
         posterior,
         goal=question.goal,

@@ -41,7 +41,7 @@ REACHED = (0.08, 0.26)
 ON_FACE = 0.1
 """Of a face's length at either end that is not looked at (our choice)."""
 BY_CHANCE = 0.05
-"""Probability with which bats that are all alike are told to differ: by their scatter, and in any property at all."""
+"""Probability that identical bats are reported to differ: by their scatter, and in any property at all."""
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ def rank_answer(question: RankQuestion, *, step: Callable[[int, int], None] | No
 
     Parameters
     ----------
-    step : told how many bats of how many are fitted.
+    step : called with the number of bats fitted and of all bats.
 
     Raises
     ------

@@ -123,7 +123,7 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
 
 
 def plain_data(value: Any, system: System = "si") -> Any:
-    """Return what an answer holds, records among it, as plain numbers, texts, lists and dictionaries."""
+    """Return the contents of an answer, records included, as plain numbers, texts, lists and dictionaries."""
     return _plain(value, RATIO, system)
 
 

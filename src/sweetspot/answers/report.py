@@ -222,7 +222,7 @@ class ReportQuestion:
 
 
 def report_answer(question: ReportQuestion) -> ReportAnswer:
-    """Return where an implement hits best, and why.
+    """Return the places where an implement hits best, and the reasons.
 
     Raises
     ------
@@ -323,7 +323,7 @@ def hits_on_face(hits: FaceMap) -> HitsOnFace:
 
 
 def misses_of(analysis: Analysis[Implement]) -> tuple[Miss, ...]:
-    """Return what misses cost that still hit the face on the hands' side, up to three."""
+    """Return the costs of up to three misses that still hit the face on the hands' side."""
     best, nearest = analysis.sweet_spots.max_exit_speed, float(analysis.scan.position[0])
     usual = MISSES[sport(analysis.bat.sport).words.place_unit]
     fitting = [tuple(part * each for each in usual if best - part * each >= nearest) for part in (1.0, 0.5)]

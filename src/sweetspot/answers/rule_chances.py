@@ -25,7 +25,7 @@ def chance_of_draws(check: Check, drawn: DrawnTest) -> float | None:
 
 
 def drawn_margin(check: Check, drawn: DrawnTest) -> Array | None:
-    """Return how far every draw lies inside a rule's nearer limit, shape (draws,); None where draws do not answer."""
+    """Return the margin of every draw to a rule's nearer limit, shape (draws,); None for quantities without draws."""
     values = drawn.of_rule(check.rule.quantity) if _is_limited(check) else None
     if values is None:
         return None

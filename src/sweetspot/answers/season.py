@@ -164,7 +164,7 @@ class SeasonMeans:
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class SeasonAnswer(Answer):
-    """What is told of a season.
+    """The results of a season.
 
     Parameters
     ----------
@@ -222,7 +222,7 @@ class SeasonAnswer(Answer):
         return pl.DataFrame() if standing is None else standing.with_units(units)
 
     def player(self, batter: str) -> SeasonPlayer:
-        """Return what is told of one batter, by number or name.
+        """Return the results of one batter, by number or name.
 
         Raises
         ------
@@ -264,12 +264,12 @@ def season_answer(
     run: Callable[[Plan, Progress | None], None] | None = None,
     progress: Progress | None = None,
 ) -> SeasonAnswer:
-    """Return what is told of a season; groups that no ball has are left out.
+    """Return the results of a season; groups without balls are left out.
 
     Parameters
     ----------
     run : does a plan's tasks; None: in this process, two at a time.
-    progress : is told rows done and in all.
+    progress : called with the rows done and in all.
 
     Raises
     ------
@@ -378,7 +378,7 @@ def _league(counted: pl.LazyFrame, drag: Sequence[DragOfMonth], balls: int) -> S
 
 
 def _row_of(players: pl.DataFrame, batter: str) -> int:
-    """Return where the row of a batter's number stands, or of a name that only one batter has."""
+    """Return the index of the row of a batter's number, or of a name that only one batter has."""
     names = [name for name in ("batter", "name") if name in players.columns]
     for name in names:
         places = (players[name] == batter).arg_true()

@@ -30,7 +30,7 @@ class SeasonQuestion:
     contact : whether contacts are wanted beside flights.
     given : what a person says of columns that are not understood, ``GivenColumns({"exit_speed": "EV:mph"})``.
     system : units of the columns of balls and groups.
-    player : number or name of a batter who must be in the tables; None: nobody is asked for.
+    player : number or name of a batter who must be in the tables; None: no particular batter.
     folder : where the answers go, made if need be; None: one that is removed with the last answer that needs it.
     resume : whether answers of the same plan that are in the folder already are kept.
     threads : workers of a task; None: one per core.

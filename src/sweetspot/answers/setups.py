@@ -137,7 +137,7 @@ class HitSetup:
         return turned, SwungWith.of(changed, turned, same_speed=self.same_speed)
 
     def sources(self, loaded: Loaded, conditions: Conditions) -> Sources:
-        """Return what is not known of a hit: a calibrated implement's file knows its own part."""
+        """Return the unknowns of a hit; those of a calibrated implement come from its file."""
         return sources_of(
             loaded.implement,
             conditions,
@@ -195,11 +195,11 @@ class ContactSetup:
     offset: Exact = 0.6 * INCH
 
     def position(self, implement: Implement) -> float:
-        """Return where they meet along an implement, m from the knob end."""
+        """Return the contact position along an implement, m from the knob end."""
         return implement.length - 6 * INCH if self.at is None else value_of(self.at)
 
     def contact(self, implement: Implement) -> Contact:
-        """Return where they meet."""
+        """Return the contact of ball and implement."""
         return Contact(self.position(implement), value_of(self.offset))
 
 
@@ -281,5 +281,5 @@ def check_beyond_hands(position: float, hands: float) -> None:
         raise InputError(
             f"at was given as {format_length(position)} from the end of the grip, from which places count; there the "
             f"hands are, up to {hands / INCH:.3g} in. From the tip write it as 6in-from-tip, or add --force if it is "
-            "meant"
+            "intended"
         )

@@ -133,7 +133,7 @@ class FitTeamAnswer(Answer):
 
 
 def fit_team_answer(question: FitPlayerQuestion, *, progress: Progress | None = None) -> FitTeamAnswer:
-    """Return what swings say about every batter of a file, each fitted knowing how the others differ.
+    """Return the fits of every batter of a file, each with the spread among batters as its prior.
 
     Raises
     ------
@@ -159,7 +159,7 @@ def fit_team_answer(question: FitPlayerQuestion, *, progress: Progress | None = 
     fitted = [(name, fit) for name, fit in fits if not isinstance(fit, str)]
     left_out = tuple(f"{name}: {fit}" for name, fit in fits if isinstance(fit, str))
     if not fitted:
-        raise InputError(f"{question.file} has no batter who can be told of: {'; '.join(left_out[:3])}")
+        raise InputError(f"{question.file} has no batter who can be fitted: {'; '.join(left_out[:3])}")
     population = population_of([fit for _, fit in fitted])
     with begin("trying bats") as report:
         members = side_by_side(ask, fitted, progress=report)

@@ -41,7 +41,7 @@ class UnhitAnswer(Answer):
 
 
 def unhit_answer(implement: Implement, setup: HitSetup) -> UnhitAnswer | None:
-    """Return what is known of an implement without a hit; None where the ball does not outweigh it."""
+    """Return the properties of an implement without a hit; None where the ball does not outweigh it."""
     conditions, _ = setup.swung(implement)
     body = rigid_body(beam_model(implement))
     if not outweighed(body, conditions.ball):

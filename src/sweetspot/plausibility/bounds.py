@@ -127,7 +127,7 @@ class PlausibleRange:
             allowed += f"; {self.hint}"
         if column:
             return f"{what} is {given}; {allowed}; is the column in another unit?"
-        insist = ", or add --force if it is meant" if unusual else ""
+        insist = ", or add --force if it is intended" if unusual else ""
         return f"{what} was given as {given}; {allowed}. Check the unit and the decimal point{insist}"
 
     def _in_si(self, value: float) -> float:

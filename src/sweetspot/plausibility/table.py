@@ -233,7 +233,7 @@ def check(value: float, what: str, given: object, *, quantity: str = "", sport: 
     Traceback (most recent call last):
     ...
     sweetspot.errors.InputError: --wind-speed was given as 100mph; usual is 0 to 60 mph; the direction is given with \
---wind-direction. Check the unit and the decimal point, or add --force if it is meant
+--wind-direction. Check the unit and the decimal point, or add --force if it is intended
     """
     if wrong := objection(quantity or quantity_named(what), value, what, given, sport):
         raise InputError(wrong)

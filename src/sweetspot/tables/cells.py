@@ -83,7 +83,7 @@ def place_in_si(cell: str, column: TableColumn, length: float) -> float:
 
 
 def require_units(rows: Sequence[tuple[int, Sequence[str]]], headings: Headings, file_name: str) -> None:
-    """Refuse columns of plain numbers whose unit nobody says, all of them at once.
+    """Refuse columns of plain numbers without a unit, all of them in one message.
 
     Parameters
     ----------

@@ -2,7 +2,7 @@
 
 The names are data, `headings.toml`. A system's own headings are in that system's units; any other measurement has its
 unit in the heading (``exit_speed_mph``, ``Exit Velocity [km/h]``), or a person says it for a column or a whole file.
-Angles without a unit are in degrees and times in seconds: nobody measures a player in anything else.
+Angles without a unit are in degrees and times in seconds: players are measured in nothing else.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ class TableColumn:
     quantity : what it gives, an entry of `headings.toml`.
     heading : as the table writes it.
     kind : of the quantity.
-    unit : as told by person, heading or system; "" where there is none.
+    unit : as given by person, heading or system; "" where there is none.
     factor, zero : value in SI = zero + factor x what the table holds; a factor of NaN where a unit is missing.
     index : its place in the table.
     """
@@ -91,7 +91,7 @@ class TableColumn:
 
     @property
     def has_no_unit(self) -> bool:
-        """Whether its numbers mean nothing, for nobody says in which unit they are."""
+        """Whether its numbers mean nothing, as their unit is not given."""
         return math.isnan(self.factor)
 
     @property
@@ -116,7 +116,7 @@ class Headings:
 
     Parameters
     ----------
-    system : whose table it is; "plain" where the names are nobody's own.
+    system : whose table it is; "plain" where the names belong to no system.
     columns : those that are understood, by quantity.
     passed : headings that mean nothing here and pass through untouched.
     notes : what to know, one sentence each.
@@ -148,7 +148,7 @@ def read_headings(
     once: bool = False,
     file_name: str = "table",
 ) -> Headings:
-    """Return what the columns of a table mean; what is wrong with some of them is listed, and nothing refused for it.
+    """Return the meanings of a table's columns; faults of columns are listed, and the table is not refused for them.
 
     Parameters
     ----------
@@ -232,7 +232,7 @@ def refuse_faults(faults: Iterable[str], file_name: str) -> None:
 
 
 def no_unit(columns: Sequence[TableColumn]) -> str:
-    """Return what to do about columns whose unit nobody says; "" where there are none."""
+    """Return advice on columns without a unit; "" where there are none."""
     if not columns:
         return ""
     several = len(columns) > 1
@@ -333,7 +333,7 @@ def _meanings(
 
 
 def _unit(quantity: str, rank: int, system: MeasuringSystem | None, units: FileUnits | None) -> str:
-    """Return the unit of a column whose heading has none; "" where nobody says it."""
+    """Return the unit of a column whose heading has none; "" where it is not given."""
     kind = quantities()[quantity].kind
     if rank == OWN and system is not None:
         usual = next(unit for named, unit in system.columns.values() if named == quantity)

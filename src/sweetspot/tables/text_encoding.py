@@ -170,7 +170,7 @@ def _is_heading(line: bytes, is_heading: IsHeading) -> bool:
 
 
 def separator_of(line: str) -> str:
-    """Return what separates the cells of a line."""
+    """Return the separator of the cells of a line."""
     return max(SEPARATORS, key=line.count)
 
 

@@ -44,7 +44,7 @@ PLACES = ("place", "station")
 UNMEASURED = ("count", "text")
 """Kinds without a unit."""
 ONLY_UNIT = {"time": "s", "angle": "deg", "frequency": "hz"}
-"""Units of kinds that nobody writes down in another one without saying so."""
+"""Units of kinds that are written in another unit only with its name."""
 FILE_UNITS: Mapping[FileUnits, Mapping[str, str]] = {
     "us": {"speed": "mph", "length": "in", "station": "in", "place": "in_from_tip", "distance": "ft", "spin": "rpm",
            "temperature": "degf", "pressure": "inhg", "mass": "oz", "moi": "oz_in2", "stiffness": "lbf_in"},
@@ -53,11 +53,11 @@ FILE_UNITS: Mapping[FileUnits, Mapping[str, str]] = {
 }  # fmt: skip
 """Units of columns that have none, where a person says in which units a file is."""
 FOREIGN = {"knots", "kn", "mils", "yards", "miles"}
-"""Words that are meant as units and are none of ours."""
+"""Words for units that are not supported."""
 KNOWN_UNITS = frozenset(unit for units in UNITS.values() for unit in units) | FOREIGN
-"""Words behind a name that are meant as its unit, whether they fit or not; other words make another name."""
+"""Words behind a name that are read as its unit, whether they fit or not; other words make another name."""
 
 
 def zero_of(kind: str, unit: str) -> float:
-    """Return what 0 of a unit is in SI, temperatures in degC."""
+    """Return the SI value of 0 in a unit, temperatures in degC."""
     return FAHRENHEIT_ZERO if kind == "temperature" and UNITS[kind].get(unit, 1.0) != 1 else 0.0

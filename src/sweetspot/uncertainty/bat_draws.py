@@ -92,13 +92,13 @@ class DrawnBats:
         return np.concatenate([beams, self.followed(_alike(walls))], axis=2)
 
     def _felt(self, index: int, position: Array, weights: Array) -> Array:
-        """Return what a patch feels of a wall's modes, in the first wall's order; see `ByPatch.weighted`."""
+        """Return the amplitudes of a wall's modes under a patch, in the first wall's order; see `ByPatch.weighted`."""
         wall, order = self.walls[index]
         assert wall.surface is not None and isinstance(wall.surface.basis, OtherPatch)  # of hoop modes
         return wall.surface.basis.felt.weighted(position, weights)[..., order]
 
     def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
-        """Return how far the surface gives way at once, m/N at places (bats, places) in m; never below zero."""
+        """Return the instantaneous compliance of the surface, m/N at places (bats, places) in m; never below zero."""
         speed = self._pressed(closing_speed)
         if self.whole is not None:
             every = (self.whole, *self.wholes)
@@ -218,13 +218,13 @@ def _alike(shapes: Sequence[Array]) -> list[Array]:
 
 
 def _surface(beam: BeamModel, law: PatchLaw) -> Surface:
-    """Return what a ball feels besides the beam of a bat; see `all_modes`."""
+    """Return the response of a bat's surface to a ball, besides that of the beam; see `all_modes`."""
     assert isinstance(beam.bat, Bat)  # others have their faces among all their modes
     return solid_bat_compliance(beam, law=law) if beam.bat.shell is None else hoop_modes(beam, law=law)
 
 
 def _given(surface: Surface, position: Array, weights: Array) -> Array:
-    """Return how far a surface gives way at once, m/N; see `ByPatch.weighted`."""
+    """Return the instantaneous compliance of a surface, m/N; see `ByPatch.weighted`."""
     if isinstance(surface, ByPatch):
         return surface.weighted(position, weights)
     gives = [give.weighted(position, weights) for give in surface.compliances if isinstance(give, ByPatch)]

@@ -110,7 +110,7 @@ def drawn_comparison(
 def _drawn_bat(
     one: Compared[Implement], draws: Draws, reference: Compared[Implement], first: DrawnBat | None
 ) -> DrawnBat:
-    """Return what draws answer to one bat.
+    """Return the sampled answers for one bat.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def drawn_names(comparison: Comparison[Implement], sources: Sequence[Sources]) -
 
 
 def _behind(comparison: Comparison[Implement], sources: Sequence[Sources]) -> dict[Hashable, str]:
-    """Return whose every number behind the bats' deviations is, and what the first bat is called that it is behind."""
+    """Return the owner of every number behind the bats' deviations, with the name of the first bat that it affects."""
     called: dict[Hashable, str] = {}
     for label, source in zip(names_of_bats(comparison), sources, strict=True):
         called |= {number: label for number in source.doubt.behind if number not in called}
@@ -170,7 +170,7 @@ def _break_even(one: Compared[Implement], bat_speed: Array, change: Array) -> Ar
 
 
 def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
-    """Return what every bat's own doubt is called: the bat's name, with its number where two are named alike."""
+    """Return the name of every bat's own uncertainty: the bat's, with its number where two bats share a name."""
     labels = [bat.label for bat in comparison.compared]
     return tuple(
         label if labels.count(label) == 1 else f"{label} (number {number})" for number, label in enumerate(labels, 1)

@@ -24,7 +24,7 @@ NEWTON_STEPS, FARTHEST = 3, 0.02
 
 
 def highest(position: Array, curves: Array) -> Array:
-    """Return where every curve is highest, m, shape (draws,).
+    """Return the position of every curve's maximum, m, shape (draws,).
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def zones(position: Array, speed: Array, sting: Array) -> Array:
 
 
 def _crossing(values: Array, inside: int, outside: int) -> float:
-    """Return where values fall to zero on the way from one index to its neighbour; the first one where they do not."""
+    """Return the position where values fall to zero between one index and its neighbor; the first where they do not."""
     if not 0 <= outside < len(values):
         return float(inside)
     good, bad = float(values[inside]), float(values[outside])
@@ -84,7 +84,7 @@ class MissCost(Protocol):
 
 
 def missed(position: Array, speed: Array, misses: Sequence[MissCost]) -> list[dict[str, Array]]:
-    """Return what each miss costs every draw, m/s, shape (draws,): "inside", towards the hands, and "outside".
+    """Return the cost of each miss for every draw, m/s, shape (draws,): "inside", towards the hands, and "outside".
 
     Which law the ball loses its energy by is not known either: a draw stands anywhere between ours and the other one's
     cost, evenly and whatever else is drawn.

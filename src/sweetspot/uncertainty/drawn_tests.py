@@ -34,7 +34,7 @@ NORMALISED = (f"{OF_BALL}restitution", f"{OF_BALL}restitution slope", f"{OF_BALL
 
 
 def sources_of_test(sources: Sources) -> Sources:
-    """Return what a bat test does not know: neither a swing nor a pitch, and no ball's liveliness."""
+    """Return the unknowns of a bat test: without those of swing, pitch and the ball's liveliness."""
     return sources.without(*NORMALISED, SWING, PITCH)
 
 

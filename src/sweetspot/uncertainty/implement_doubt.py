@@ -64,7 +64,7 @@ NO_DOUBT = ImplementDoubt((), np.zeros((0, 0)), ())
 
 
 def doubt_of(one: Implement, known: Known | None = None) -> ImplementDoubt:
-    """Return what is not known of an implement.
+    """Return the unknowns of an implement.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def doubt_of(one: Implement, known: Known | None = None) -> ImplementDoubt:
 
 
 def doubt_of_piece(piece: Hashable, unknowns: Sequence[Unknown], covariance: Array) -> ImplementDoubt:
-    """Return what is not known of a piece by the covariance of its deviations."""
+    """Return the unknowns of a piece from the covariance of its deviations."""
     covariance = np.asarray(covariance, dtype=np.float64)
     values, vectors = np.linalg.eigh(covariance)
     whose = (piece, tuple(unknowns), covariance.tobytes())
@@ -126,7 +126,7 @@ def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array
 
 
 def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
-    """Return what is not known of a bat that was not calibrated, after what its file says was measured.
+    """Return the unknowns of an uncalibrated bat, given the measurements in its file.
 
     What is laid up of plies has none: its doubt is not modelled.
     """
@@ -141,7 +141,7 @@ def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
 
 
 def _written(own: Implement) -> list[Measurement]:
-    """Return what a file says was measured, on it and not on what it was changed from.
+    """Return the measurements in a file that were made on the implement itself, not on the one it was changed from.
 
     Of a racket, club or stick the catalogue's own values were not measured.
     """

@@ -42,7 +42,7 @@ def interval_ends(values: Array) -> tuple[Array, Array]:
 
 
 def reach_of_draws(values: Array) -> Reach:
-    """Return how far the interval of draws, shape (draws, ...), goes from the first, which is as described."""
+    """Return the reach of the interval of draws, shape (draws, ...), about the first, which is as described."""
     low, high = interval_ends(values[1:])
     return Reach(np.maximum(values[0] - low, 0.0), np.maximum(high - values[0], 0.0))
 

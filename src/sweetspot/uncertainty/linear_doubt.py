@@ -74,7 +74,7 @@ def _one_by_one(count: int) -> Array:
 
 
 def linear_reach(values: Array) -> Reach:
-    """Return how far the interval of an answer goes that is straight in every source.
+    """Return the half widths of the interval of an answer that is linear in every source.
 
     Parameters
     ----------

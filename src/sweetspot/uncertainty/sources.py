@@ -152,7 +152,7 @@ def sources_of(
     bat_speed_error: float = 0.0,
     pitch_speed_error: float = 0.0,
 ) -> Sources:
-    """Return what is not known about a hit.
+    """Return the unknowns of a hit.
 
     Parameters
     ----------
@@ -172,12 +172,12 @@ def sources_of(
 
 
 def ball_sources(conditions: Conditions) -> tuple[Source, ...]:
-    """Return what is not known of the ball: the catalogue's spreads are half widths of 90 % intervals."""
+    """Return the unknowns of the ball: the catalogue's spreads are half widths of 90 % intervals."""
     return sources_of_ball(conditions.ball)
 
 
 def sources_of_ball(ball: Ball) -> tuple[Source, ...]:
-    """Return what is not known of a ball by itself; see `ball_sources`."""
+    """Return the unknowns of a ball by itself; see `ball_sources`."""
     where = f"spread of {ball.name} in the catalogue"
     spreads = ball_spreads(ball)
     return tuple(Source(f"{OF_BALL}{name}".replace("_", " "), size / REACH, where) for name, size in spreads.items())

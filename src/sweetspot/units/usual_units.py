@@ -46,7 +46,7 @@ TEMPERATURE = re.compile(
     r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?:deg(?:rees?)?|[°º])?[\s_]*(f|c)(?:ahrenheit|elsius)?",
     re.IGNORECASE,
 )
-"""A number and F or C, with or without a word or sign for degrees: no weather is told in farads or coulombs."""
+"""A number and F or C, with or without a word or sign for degrees: no weather is given in farads or coulombs."""
 SHOUTED = {"in", "ft", "yd", "oz", "lb", "mph"}
 """Units that are the same in capitals."""
 ONE_NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z1][\w*/^]*)")

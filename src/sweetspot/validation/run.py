@@ -76,7 +76,7 @@ def computed_number(row: Row) -> float:
 
 
 def tolerance_text(row: Row) -> str:
-    """Return what is allowed in words: ``± 0.5 %`` or ``4 to 6, ± 0.5``."""
+    """Return the allowed range in words: ``± 0.5 %`` or ``4 to 6, ± 0.5``."""
     slack = f"± {row.tolerance_percent:g} %" if row.tolerance_percent else f"± {row.tolerance:g}"
     if row.value is not None:
         return slack

@@ -128,7 +128,7 @@ class Torpedo(NamedTuple):
 
 
 def torpedo(*, bat: str, thinner: float) -> Torpedo:
-    """Return what a fattest place moved inward changes at equal mass and equal moment of inertia."""
+    """Return the changes when the fattest place moves inward at equal mass and equal moment of inertia."""
     parent = catalog.bat(bat)
     before, after = _tested(parent), _tested(_made_torpedo(parent, thinner=thinner))
     return Torpedo(before.best_position - after.best_position, after.best_bbcor - before.best_bbcor)

@@ -138,7 +138,7 @@ def efficiency_fall(*, bat: str, outward: float) -> float:
 
 
 def squared_up_from_tip(*, bat: str, side: str) -> float:
-    """Return where the ball leaves at 0.8 of 1.23 bat speed + 0.23 pitch speed, on the tip's or the hands' side.
+    """Return the place of 0.8 of the exit speed 1.23 bat speed + 0.23 pitch speed, on the tip's or the hands' side.
 
     At the standard speeds, whose ratio is that of games; the pitch's is taken at the plate.
     """

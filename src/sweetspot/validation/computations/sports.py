@@ -42,7 +42,7 @@ class ButtWeight(NamedTuple):
 
 
 def butt_weight(*, mass: float, balance_point: float, moi: float, axis: float, added_mass: float) -> ButtWeight:
-    """Return what a weight at the butt changes."""
+    """Return the changes caused by a weight at the butt."""
     before = listed_body(mass=mass, balance_point=balance_point, moi=moi, axis=axis)
     heavier = mass + added_mass
     balance = mass * balance_point / heavier
@@ -98,7 +98,7 @@ def first_node_from_tip(*, implement: str) -> float:
 
 
 def percussion_towards_hands(*, implement: str) -> float:
-    """Return how far the centre of percussion lies nearer to the hands than the node of the first mode."""
+    """Return the distance from the node of the first mode to the center of percussion, towards the hands."""
     spots = _usual(implement).sweet_spots
     return spots.node_1 - spots.center_of_percussion
 
