@@ -149,8 +149,8 @@ def test_one_air_and_one_wind_are_asked_for_where_each_flight_has_its_own() -> N
 def test_the_usual_spin_of_a_pop_up_is_not_guessed() -> None:
     """Known from 15 deg downward to 50 deg up; a ball with a spin of its own may go anywhere."""
     for angle in (-15.0, 0.0, 50.0):
-        check_usual_spin(angle * DEGREE, known=False)
+        check_usual_spin(angle * DEGREE, given=False)
     for angle in (-15.1, 50.1, 80.0):
-        check_usual_spin(angle * DEGREE, known=True)
+        check_usual_spin(angle * DEGREE, given=True)
         with pytest.raises(InputError, match="known for -15 to 50 deg only; give the spin"):
-            check_usual_spin(angle * DEGREE, known=False)
+            check_usual_spin(angle * DEGREE, given=False)

@@ -249,14 +249,14 @@ def miss_costs(analysis: Analysis[Implement], distances: tuple[float, ...]) -> l
     for distance in distances:
         ours = miss_cost(analysis.scan, distance)
         theirs = [best - float(np.interp(place + way * distance, *other, left=np.nan, right=np.nan)) for way in (-1, 1)]
-        inside, outside = (Loss(one, *_span(one, two)) for one, two in zip(ours, theirs, strict=True))
+        inside, outside = (Loss(cost, *_span(cost, viscous)) for cost, viscous in zip(ours, theirs, strict=True))
         costs.append((inside, outside))
     return costs
 
 
-def _span(one: float, two: float) -> tuple[float, float]:
+def _span(cost: float, viscous: float) -> tuple[float, float]:
     """Return the lower and the higher of two costs; where the second law's place is off the bat, the first alone."""
-    return (one, one) if np.isnan(two) else (min(one, two), max(one, two))
+    return (cost, cost) if np.isnan(viscous) else (min(cost, viscous), max(cost, viscous))
 
 
 def viscous_scan(analysis: Analysis[Implement], *, reach: float) -> ViscousScan:

@@ -138,7 +138,7 @@ def compare(
 def _check_alike(bats: Sequence[Implement]) -> None:
     """Refuse implements of different sports, unless all are round bats, or somebody insists."""
     strangers = [bat for bat in bats if type(bat) is not type(bats[0]) or bat.sport != bats[0].sport]
-    if strangers and not insisted() and not all(isinstance(one, Bat) for one in bats):
+    if strangers and not insisted() and not all(isinstance(bat, Bat) for bat in bats):
         first, other = bats[0], strangers[0]
         raise InputError(
             f"{first.name} is of {first.sport} and {other.name} of {other.sport}; both would be hit by the ball of the "
@@ -244,12 +244,12 @@ class _Barrel:
     Parameters
     ----------
     positions : m from the knob end, increasing.
-    known : m/s, exit speeds there with the swing of the scan.
+    exit_speed : m/s, there with the swing of the scan.
     """
 
     modes: Modes
     positions: Array
-    known: Array
+    exit_speed: Array
 
     def best(self, swung: Sequence[Conditions]) -> list[float]:
         """Return the greatest exit speed in m/s, swing by swing."""
@@ -261,17 +261,19 @@ class _Barrel:
 
     @cached_property
     def _near(self) -> slice:
-        at, _, height = top(self.known)
-        inner, last = self.known[1:-1], len(self.known)
-        rivals = 1 + np.flatnonzero((inner > height - RIVAL) & (inner >= self.known[:-2]) & (inner >= self.known[2:]))
-        if np.any(np.abs(rivals - at) > NEARBY) or np.isnan(self.known).any():
+        at, _, height = top(self.exit_speed)
+        inner, last = self.exit_speed[1:-1], len(self.exit_speed)
+        rivals = 1 + np.flatnonzero(
+            (inner > height - RIVAL) & (inner >= self.exit_speed[:-2]) & (inner >= self.exit_speed[2:])
+        )
+        if np.any(np.abs(rivals - at) > NEARBY) or np.isnan(self.exit_speed).any():
             return slice(0, last)
         first = max(0, min(at - NEARBY, last - 2 * NEARBY - 1))
         return slice(first, min(first + 2 * NEARBY + 1, last))
 
     def _inside(self, near: slice, index: int) -> bool:
         """Return whether a top of hits nearby is one of the whole barrel too: not at an end that is none there."""
-        first, last = near.start == 0, near.stop == len(self.known)
+        first, last = near.start == 0, near.stop == len(self.exit_speed)
         return bool((index > 0 or first) and (near.start + index < near.stop - 1 or last))
 
 
@@ -318,7 +320,7 @@ def _compared(
     body, along = analysis.body, analysis.scan
     outer = along.position > body.balance_point
     barrel = _Barrel(analysis.modes, along.position[outer], along.exit_speed[outer])
-    fastest = peak(barrel.known)
+    fastest = peak(barrel.exit_speed)
     alike = all(bat.swing == swung[0].swing for bat in swung)  # the reference's are, and all at the same speed
     exits = Interval(fastest, fastest, fastest) if alike else Interval(fastest, *barrel.best(swung[1:]))
     reference_speed = exits.value if reference is None else reference.exit_speed.value

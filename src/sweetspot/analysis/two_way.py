@@ -208,12 +208,12 @@ def _with_mass(bat: Bat, mass: float) -> Bat:
 def _answers(
     bat: Bat,
     settings: Mapping[Variation, float],
-    known: tuple[Bat, RigidBody],
+    reference_pair: tuple[Bat, RigidBody],
     conditions: Conditions,
     law: SwingLaw | None,
 ) -> TableCell:
     """Return one bat's answers: only the pieces of an analysis that they need."""
-    reference, reference_body = known
+    reference, reference_body = reference_pair
     beam = beam_model(bat)
     body = rigid_body(beam)
     pitch, swing, ball = conditions.pitch, conditions.swing, conditions.ball

@@ -91,9 +91,9 @@ def load_bat(name_or_path: str) -> Bat:
     return bat_from_table(read_toml(other), name_or_path)
 
 
-def refuse_slip(name_or_path: str, known: Container[str]) -> None:
+def refuse_slip(name_or_path: str, entries: Container[str]) -> None:
     """Refuse a file's name that no file has and no bat of the catalogue; name the file that is spelled almost so."""
-    if is_file(name_or_path) or canonical(name_or_path) in known:
+    if is_file(name_or_path) or canonical(name_or_path) in entries:
         return
     path = Path(name_or_path)
     near = near_file(path)

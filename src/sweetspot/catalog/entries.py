@@ -54,7 +54,7 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
     if kind is not None and kind not in KINDS:
         raise InputError(f"{kind!r} is no part of the catalogue; allowed is one of {', '.join(KINDS)}")
     wanted = canonical(name)
-    tables = {one: KINDS[one]() for one in KINDS if kind in (None, one)}
+    tables = {table_kind: KINDS[table_kind]() for table_kind in KINDS if kind in (None, table_kind)}
     for table in tables.values():
         key = known_names(table).get(wanted)
         if key is not None:

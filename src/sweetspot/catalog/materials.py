@@ -99,12 +99,12 @@ def rubber(name: str) -> Rubber:
     return Rubber(name=table["name"], **values)
 
 
-def rubber_key(own: Rubber) -> str:
+def rubber_key(sheet: Rubber) -> str:
     """Return the catalogue's name of a rubber; raises `InputError` when it is none of the catalogue's."""
     for name in rubber_names():
-        if rubber(name) == own:
+        if rubber(name) == sheet:
             return name
-    raise InputError(f"{own.name} differs from the catalogue's rubbers; a file can only name one")
+    raise InputError(f"{sheet.name} differs from the catalogue's rubbers; a file can only name one")
 
 
 def frequency_of_ra(ra: float) -> float:

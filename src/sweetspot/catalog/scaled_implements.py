@@ -49,7 +49,7 @@ class Measures:
     moi_axis: float = 0.0
 
 
-def scaled_to(pattern: Implement, known: Measures) -> tuple[Implement, str]:
+def scaled_to(pattern: Implement, measures: Measures) -> tuple[Implement, str]:
     """Return an implement like a pattern that has all that is known of it, and what met its weight, in words.
 
     Density meets the weight first, as far as the material varies; where it cannot, a hollow bat's handle, knob, cap or
@@ -66,26 +66,26 @@ def scaled_to(pattern: Implement, known: Measures) -> tuple[Implement, str]:
     >>> racket.mass
     0.305
     """
-    tool = pattern if known.length is None else stretched(pattern, known.length)
+    tool = pattern if measures.length is None else stretched(pattern, measures.length)
     if isinstance(tool, GolfClub):
-        return _club(tool, known)
+        return _club(tool, measures)
     if isinstance(tool, Racket):
-        return _racket(tool, known), ""
-    mass = _mass_of(pattern, tool) if known.mass is None else known.mass
+        return _racket(tool, measures), ""
+    mass = _mass_of(pattern, tool) if measures.mass is None else measures.mass
     try:
-        return _measured(_weighing(tool, mass), known)
+        return _measured(_weighing(tool, mass), measures)
     except InputError:
         if type(tool) not in THICKER:
             raise
-    return _measured(_thickened(tool, mass), known)
+    return _measured(_thickened(tool, mass), measures)
 
 
-def _measured(weighing: tuple[Implement, str], known: Measures) -> tuple[Implement, str]:
+def _measured(weighing: tuple[Implement, str], measures: Measures) -> tuple[Implement, str]:
     """Return an implement of the right weight with its balance point and moi; refused where its weight forbids them."""
     tool, remark = weighing
-    tool = tool.replaced(balance_point=known.balance_point)
-    if known.moi is not None:
-        tool = tool.replaced(moi=known.moi, moi_axis=known.moi_axis)
+    tool = tool.replaced(balance_point=measures.balance_point)
+    if measures.moi is not None:
+        tool = tool.replaced(moi=measures.moi, moi_axis=measures.moi_axis)
     beam_model(tool)
     return tool, remark
 
@@ -95,14 +95,14 @@ def _mass_of(pattern: Implement, tool: Implement) -> float:
     return rigid_body(beam_model(pattern)).mass * tool.length / pattern.length
 
 
-def _racket(racket: Racket, known: Measures) -> Racket:
+def _racket(racket: Racket, measures: Measures) -> Racket:
     """Return a racket as measured; what was not: the same distribution of mass, heavier or moved."""
     assert racket.mass is not None and racket.balance_point is not None and racket.moi is not None
-    mass = racket.mass if known.mass is None else known.mass
-    balance = racket.balance_point if known.balance_point is None else known.balance_point
+    mass = racket.mass if measures.mass is None else measures.mass
+    balance = racket.balance_point if measures.balance_point is None else measures.balance_point
     about_centre = racket.moi / racket.mass - (racket.balance_point - racket.moi_axis) ** 2
-    axis = racket.moi_axis if known.moi is None else known.moi_axis
-    moi = mass * (about_centre + (balance - axis) ** 2) if known.moi is None else known.moi
+    axis = racket.moi_axis if measures.moi is None else measures.moi_axis
+    moi = mass * (about_centre + (balance - axis) ** 2) if measures.moi is None else measures.moi
     return racket.replaced(mass=mass, balance_point=balance, moi=moi, moi_axis=axis)
 
 
@@ -154,13 +154,13 @@ THICKER: dict[type[Implement], tuple[Callable[..., Implement], str]] = {
 """What is made thicker, by kind."""
 
 
-def _club(club: GolfClub, known: Measures) -> tuple[Implement, str]:
+def _club(club: GolfClub, measures: Measures) -> tuple[Implement, str]:
     """Return a club whose head, and shaft where the balance point is known, make its weight."""
-    if known.moi is not None:
+    if measures.moi is not None:
         raise InputError("how a club swings is told by its balance point or its swing weight; give one of them")
-    mass = rigid_body(beam_model(club)).mass if known.mass is None else known.mass
-    if known.balance_point is not None:
-        club = _balanced(club, mass, known.balance_point)
+    mass = rigid_body(beam_model(club)).mass if measures.mass is None else measures.mass
+    if measures.balance_point is not None:
+        club = _balanced(club, mass, measures.balance_point)
     shaft = moments(BeamModel(club, 1.0, 0.0, ()))[0] - club.grip_mass
     head = mass - shaft - club.grip_mass
     parts = (

@@ -68,10 +68,10 @@ def _kicks(
         (IMPULSES, course.impulses),
     ):  # fmt: skip
         values.extend(history[row, before:count].tolist())
-    course.peak, course.greatest, course.hardest = (float(state[one]) for one in (PEAK, GREATEST, HARDEST))
+    course.peak, course.greatest, course.hardest = (float(state[row]) for row in (PEAK, GREATEST, HARDEST))
     course.turned_at = None if math.isnan(state[TURNED_AT]) else float(state[TURNED_AT])
     course.missing = float(state[MISSING])
-    place_of_ball, speed_of_ball, work = (float(state[one]) for one in (BALL_POSITION, BALL_SPEED, WORK))
+    place_of_ball, speed_of_ball, work = (float(state[row]) for row in (BALL_POSITION, BALL_SPEED, WORK))
     return float(state[APPROACH]), Motion(place_of_ball, speed_of_ball, bat, work)
 
 

@@ -171,7 +171,7 @@ def moments_with_roll(beam: BeamModel) -> tuple[float, float, float, float]:
     return zeroth, first, second, roll
 
 
-def _fitted(bat: Implement, known: DensityRange, start: BeamModel | None) -> BeamModel:
+def _fitted(bat: Implement, limits: DensityRange, start: BeamModel | None) -> BeamModel:
     """Fit density factor, gradient and grip to what was measured, from a line's own on; None: from the drawing's."""
     gradient = bat.density_gradient if isinstance(bat, Bat) else 0.0
     plain = start or BeamModel(bat, 1.0, gradient, bat.lumps())
@@ -184,12 +184,12 @@ def _fitted(bat: Implement, known: DensityRange, start: BeamModel | None) -> Bea
         others = _mass_of_others(plain)
         heavier = (bat.mass - others) / (moments(plain)[0] - others)
         beam = replace(plain, density_factor=plain.density_factor * heavier)
-        _check_density(beam, known)
+        _check_density(beam, limits)
     if bat.balance_point is None and bat.moi is None:
         return beam
     corrected = _corrected(beam)
-    if not _within(corrected, known):
-        raise InputError(_what_it_takes(beam, corrected, known))
+    if not _within(corrected, limits):
+        raise InputError(_what_it_takes(beam, corrected, limits))
     return corrected
 
 
@@ -253,40 +253,40 @@ def _unplaced(beam: BeamModel, measured: Array) -> tuple[float, float]:
     return beam.unplaced[0] + float(wanted - first), beam.unplaced[1] + float(total - second)
 
 
-def _check_density(beam: BeamModel, known: DensityRange) -> None:
+def _check_density(beam: BeamModel, limits: DensityRange) -> None:
     """Refuse a mass that the outline has only at a density that its material cannot have."""
-    if _within(beam, known):
+    if _within(beam, limits):
         return
-    others, bat, (usual, low, high) = _mass_of_others(beam), beam.bat, _allowed(beam.bat, known)
+    others, bat, (usual, low, high) = _mass_of_others(beam), beam.bat, _allowed(beam.bat, limits)
     mass = ((bat.mass or 0.0) - others) / (beam.density_factor * usual)
     raise InputError(
-        f"{bat.name} weighs {format_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, known)}, so that "
+        f"{bat.name} weighs {format_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, limits)}, so that "
         f"the nearest it can weigh is {format_mass(others + mass * low)} to {format_mass(others + mass * high)}. Check "
         "the weight, the diameters and the material"
     )
 
 
-def _allowed(bat: Implement, known: DensityRange) -> DensityRange:
+def _allowed(bat: Implement, limits: DensityRange) -> DensityRange:
     """Return the densities that an implement's own material can have."""
-    usual, low, high = known
-    return DensityRange(usual, low / CALIBRATED_BEYOND, high * CALIBRATED_BEYOND) if bat.calibrated else known
+    usual, low, high = limits
+    return DensityRange(usual, low / CALIBRATED_BEYOND, high * CALIBRATED_BEYOND) if bat.calibrated else limits
 
 
-def _within(beam: BeamModel, known: DensityRange) -> bool:
-    usual, low, high = _allowed(beam.bat, known)
+def _within(beam: BeamModel, limits: DensityRange) -> bool:
+    usual, low, high = _allowed(beam.bat, limits)
     slack = 1e-9 * usual
     return low - slack <= beam.density_factor * usual <= high + slack
 
 
-def _only_at(beam: BeamModel, known: DensityRange) -> str:
+def _only_at(beam: BeamModel, limits: DensityRange) -> str:
     """Return at which density alone the material would do, and which it can have."""
-    usual, low, high = _allowed(beam.bat, known)
+    usual, low, high = _allowed(beam.bat, limits)
     density = beam.density_factor * usual
     at = f"only at a density of {format_density(density)}" if density > 0 else "at no density"
     return f"{at}; {beam.bat.made_of} can be {format_density(low)} to {format_density(high)}"
 
 
-def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) -> str:
+def _what_it_takes(drawn: BeamModel, corrected: BeamModel, limits: DensityRange) -> str:
     """Return why a balance point and moi are refused that leave the material a density which it cannot have."""
     bat, measured = drawn.bat, np.array([drawn.bat.balance_point or np.nan, drawn.bat.moi or np.nan])
     part = corrected.density_factor / drawn.density_factor
@@ -298,13 +298,13 @@ def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) 
     for _ in range(HALVINGS):
         part = (here + beyond) / 2
         tried = _shifted(drawn, part * amounts[0], part * amounts[1])
-        if _within(tried, known):
+        if _within(tried, limits):
             nearest, here = tried, part
         else:
             beyond = part
     return (
         f"{bat.name}: at {format_mass(moments(drawn)[0])} the outline gives {_told(drawn, _balance_and_moi(drawn))}, "
-        f"but {_told(drawn, measured)} was measured, which it has {_only_at(corrected, known)}, so that the nearest "
+        f"but {_told(drawn, measured)} was measured, which it has {_only_at(corrected, limits)}, so that the nearest "
         f"that can be is {_told(drawn, _balance_and_moi(nearest))}. Check the profile or the measurement"
     )
 

@@ -34,7 +34,7 @@ RECOIL = 0.235
 speed over sqrt(1 + RECOIL) [russell_impulse, as in the ball's peak force]."""
 RATIOS = np.sqrt(np.linspace(0.4**2, 1.25**2, 4))
 """Radii of the tables over that at `PATCH_SPEED`, even in their squares: hits of 7 to 120 m/s with a baseball."""
-OTHERS = np.array([[other for other in range(len(RATIOS)) if other != own] for own in range(len(RATIOS))])
+OTHERS = np.array([[other for other in range(len(RATIOS)) if other != row] for row in range(len(RATIOS))])
 """For each of the tables the others, as Lagrange's weights multiply them."""
 
 

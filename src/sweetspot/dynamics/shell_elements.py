@@ -348,7 +348,7 @@ def _of_rings(beam: BeamModel, place: Array, dx: Array, motion: Array, wall: Wal
             outwards = motion[..., 2, :]
             around = motion[..., 1, :] * (1 + inwards) + n * inwards * outwards  # the section's normal stays straight
             at_edge = np.stack([outwards, around], axis=-2)
-            own = ring_at_edge(ring.material, harmonic=int(n), outer=hollow, hole=ring.hole(hollow))
-            for kind, matrix in enumerate(own):
+            matrices = ring_at_edge(ring.material, harmonic=int(n), outer=hollow, hole=ring.hole(hollow))
+            for kind, matrix in enumerate(matrices):
                 added[kind, row] += _energy(at_edge, matrix * within[..., None, None])
     return added

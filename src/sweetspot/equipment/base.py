@@ -98,7 +98,7 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
         try:
             super().__init__(**values)
         except ValidationError as error:
-            raise InputError(explain(error, type(self).__name__, known=tuple(type(self).model_fields))) from None
+            raise InputError(explain(error, type(self).__name__, names=tuple(type(self).model_fields))) from None
 
     def __eq__(self, other: object) -> bool:
         """Return whether the other is of the same kind with the same fields, whatever either has worked out since."""
@@ -140,14 +140,14 @@ def _types_of(annotation: Any) -> set[Any]:
     return {kind for part in get_args(annotation) for kind in _types_of(part)} or {annotation}
 
 
-def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> str:
+def explain(error: ValidationError, name: str, *, names: Sequence[str] = ()) -> str:
     """Say in one line per fault what was given, what is allowed and what to do.
 
     Parameters
     ----------
     error : the validation error.
     name : what was being made, for the beginning of the message.
-    known : the names that it has, for what is spelt wrong.
+    names : the names of its fields, to correct misspelled ones.
     """
     faults: list[ErrorDetails] = []
     no_texts: set[object] = set()
@@ -157,9 +157,9 @@ def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> 
             faults.append(fault)
             if fault["type"] == "string_type":
                 no_texts.add(fault["loc"][:1])
-    lines = list(dict.fromkeys(_fault(fault, known) for fault in faults[:MOST_FAULTS]))
-    named = next((line for line in lines if known and line.endswith(_all_known(known))), "")
-    lines = [line if line == named else line.removesuffix(_all_known(known)) for line in lines]
+    lines = list(dict.fromkeys(_fault(fault, names) for fault in faults[:MOST_FAULTS]))
+    named = next((line for line in lines if names and line.endswith(_all_known(names))), "")
+    lines = [line if line == named else line.removesuffix(_all_known(names)) for line in lines]
     if len(faults) > MOST_FAULTS:
         lines.append(f"and {len(faults) - MOST_FAULTS} more")
     words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).strip()
@@ -190,19 +190,19 @@ def _is_number_for_pairs(fault: ErrorDetails) -> bool:
     return "tuple[" in "".join(map(str, fault["loc"])) and isinstance(fault["input"], (int, float))
 
 
-def _all_known(known: Sequence[str]) -> str:
-    """Return the names that something has, for the end of a message; it is told once."""
-    return f"; known are {', '.join(known)}" if known else ""
+def _all_known(names: Sequence[str]) -> str:
+    """Return the end of a message that lists the names."""
+    return f"; known are {', '.join(names)}" if names else ""
 
 
-def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
+def _fault(fault: ErrorDetails, names: Sequence[str]) -> str:
     parts = [str(part) for part in fault["loc"] if not (isinstance(part, str) and part.endswith("Table"))]
     place, text = ".".join(parts), fault["msg"].removeprefix("Value error, ")
     given = repr(fault["input"])[:LONGEST_INPUT]
     match fault["type"]:
         case "extra_forbidden":
-            close = get_close_matches(parts[-1][:LONGEST_INPUT], known, n=1, cutoff=ALMOST)
-            meant = f": did you mean {close[0]!r}?" if close else _all_known(known) if len(parts) == 1 else ""
+            close = get_close_matches(parts[-1][:LONGEST_INPUT], names, n=1, cutoff=ALMOST)
+            meant = f": did you mean {close[0]!r}?" if close else _all_known(names) if len(parts) == 1 else ""
             return f"unknown key {place[:LONGEST_INPUT]!r}{meant}"
         case "missing":
             meant = ': write like = "..." with a name of the catalogue, of which the rest is kept'

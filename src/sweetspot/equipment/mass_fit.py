@@ -129,5 +129,5 @@ def nearest(corrections: Sequence[Correction], *, misses: Array, scatter: Array)
 def _arrays(corrections: Sequence[Correction]) -> tuple[Array, Array, Array, Array]:
     """Return what is usual, effects (quantity, correction) and limits, the last three for units of what is usual."""
     usual = np.array([correction.usual for correction in corrections])
-    low, high = np.array([one.limits for one in corrections]).T / usual
-    return usual, np.array([one.effects for one in corrections]).T * usual, low, high
+    low, high = np.array([correction.limits for correction in corrections]).T / usual
+    return usual, np.array([correction.effects for correction in corrections]).T * usual, low, high

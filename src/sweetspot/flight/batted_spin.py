@@ -49,10 +49,10 @@ USUAL_SPRAYS = (-60.0, 60.0)
 """deg from centre field; it comes from balls that were fair or nearly so, and at 90 deg would give 10,600 rpm."""
 
 
-def check_usual_spin(launch_angle: float, spray: float = 0.0, *, known: bool) -> None:
-    """Refuse to guess the spin of a ball launched as the usual spin was never measured; ``known``: it need not be."""
+def check_usual_spin(launch_angle: float, spray: float = 0.0, *, given: bool) -> None:
+    """Refuse to guess the spin of a ball launched as the usual spin was never measured; not where it is ``given``."""
     for what, angle, (low, high) in (("launch angle", launch_angle, USUAL_ANGLES), ("spray", spray, USUAL_SPRAYS)):
-        if not known and not low - 1e-9 <= angle / DEGREE <= high + 1e-9:
+        if not given and not low - 1e-9 <= angle / DEGREE <= high + 1e-9:
             raise InputError(
                 f"the {what} is {angle / DEGREE:.4g} deg, and what spin hits usually have is known for {low:g} to "
                 f"{high:g} deg only; give the spin: --backspin and --sidespin, in Python backspin and sidespin"

@@ -128,11 +128,11 @@ def flights(
 
     def work(part: slice) -> None:
         mine = np.ascontiguousarray(start[:, part])
-        own = np.empty((RESULT_ROWS, mine.shape[1]))  # not a part of all: each form is compiled anew
+        part_results = np.empty((RESULT_ROWS, mine.shape[1]))  # not a part of all: each form is compiled anew
         for points in (0, path_points) if path_points else (0,):
-            output = FlightOutput(outcome[part], own, paths[part, :points])
+            output = FlightOutput(outcome[part], part_results, paths[part, :points])
             solve(mine, per_density, edge, law, power, profile, step, output)
-        results[:, part] = own
+        results[:, part] = part_results
 
     in_parts(work, count, size=CHUNK, threads=threads)
     hang = results[HANG]

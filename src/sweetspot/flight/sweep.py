@@ -76,7 +76,7 @@ class BattedBall:
             raise InputError("only the bearing of this hit is known; `directed` solves for its launch direction")
         if not self.exit_speed >= 0:
             raise InputError(f"exit speed is {self.exit_speed:g} m/s; allowed is zero or more")
-        check_usual_spin(self.launch_angle, self.spray, known=self.backspin is not None and self.sidespin is not None)
+        check_usual_spin(self.launch_angle, self.spray, given=self.backspin is not None and self.sidespin is not None)
         usual = batted_ball_spin(self.launch_angle, self.spray, bats=self.bats, line=self.line)
         return batted_ball(
             speed=self.exit_speed,

@@ -119,11 +119,11 @@ def lowest_pairs(
         diagonal[j] += shift * inertia[0][j]
         for k in range(WIDTH):
             below[j, k] += shift * inertia[1][j, k]
-    count, known = len(values), len(rigid)
-    most = min(max(MOST_STEPS, 4 * count), size - known)
+    count, rigid_count = len(values), len(rigid)
+    most = min(max(MOST_STEPS, 4 * count), size - rigid_count)
     if not factorised(size, diagonal, below) or most < count:
         return False
-    basis = np.zeros((known + most + 1, size + WIDTH))
+    basis = np.zeros((rigid_count + most + 1, size + WIDTH))
     _begun(size, stiffness, rigid, basis)
     along, beside = np.zeros(most), np.zeros(most + 1)
     turned, roots, off, order = np.empty((most, most)), np.empty(most), np.empty(most + 1), np.empty(count, np.int64)
@@ -131,13 +131,13 @@ def lowest_pairs(
     asked = min(max(FIRST_STEPS, 2 * count), most)
     for step in range(most):
         for j in range(size + WIDTH):
-            work[j] = basis[known + step, j]
+            work[j] = basis[rigid_count + step, j]
         solved_backward(size, diagonal, below, work)
         multiplied(size, inertia[0], inertia[1], work, product)
         solved_forward(size, diagonal, below, product)
-        along[step] = _without_neighbours(size, basis[known:], step, beside[step], product)
-        _against(basis, known + step + 1, product)
-        beside[step + 1] = _scaled(product, basis[known + step + 1], size)
+        along[step] = _without_neighbours(size, basis[rigid_count:], step, beside[step], product)
+        _against(basis, rigid_count + step + 1, product)
+        beside[step + 1] = _scaled(product, basis[rigid_count + step + 1], size)
         steps, ended = step + 1, beside[step + 1] == 0.0
         if steps < asked and not ended:
             continue
@@ -151,7 +151,7 @@ def lowest_pairs(
         for i in range(count):
             worst = max(worst, abs(beside[steps] * turned[order[i], steps - 1]) / roots[order[i]])
         if worst < NEAR or steps == most or ended:
-            _from_steps(size, stiffness, basis[known:], (roots, turned, order), steps, shift, values, vectors)
+            _from_steps(size, stiffness, basis[rigid_count:], (roots, turned, order), steps, shift, values, vectors)
             return worst < 1e3 * NEAR
         asked += max(MORE_STEPS, count // 4)
     return False

@@ -27,9 +27,9 @@ def values_at(coefficients: Array, piece: IntArray, part: Array) -> Array:
 def _fill(coefficients: Array, piece: IntArray, part: Array, values: Array) -> None:
     """Fill values (places, n) by Horner's scheme, from coefficients (pieces, degree + 1, n)."""
     for place in range(len(piece)):
-        own, distance, value = coefficients[piece[place]], part[place], values[place]
+        of_piece, distance, value = coefficients[piece[place]], part[place], values[place]
         for i in range(len(value)):
-            value[i] = own[0, i]
-        for power in range(1, len(own)):
+            value[i] = of_piece[0, i]
+        for power in range(1, len(of_piece)):
             for i in range(len(value)):
-                value[i] = value[i] * distance + own[power, i]
+                value[i] = value[i] * distance + of_piece[power, i]

@@ -85,7 +85,7 @@ def read_bytes(path: Path, *, most: int, advice: str) -> bytes:
 def near_file(path: Path) -> Path | None:
     """Return the file beside a path that does not exist whose name is spelled almost so; None: there is none."""
     with suppress(OSError, ValueError):  # a folder that is not there, a name that none may have
-        files = [one for one in islice(path.parent.iterdir(), MOST_BESIDE) if one.is_file()]
+        files = [entry for entry in islice(path.parent.iterdir(), MOST_BESIDE) if entry.is_file()]
         names = {(file.name if path.suffix else file.stem).lower(): file for file in files}
         near = spelt_almost(path.name, names)
         return names[near] if near else None

@@ -272,7 +272,7 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     return Certification(
         bat, ball, body, swung, *both(usual, body),
         other_patches=tuple(both(modes, body) for modes in others),
-        other_mois=tuple(both(_bending_as(usual, one), rigid_body(one)) for one in turning),
+        other_mois=tuple(both(_bending_as(usual, turned), rigid_body(turned)) for turned in turning),
         other_walls=tuple(both(all_modes(wall, ball), rigid_body(wall)) for wall in walls),
     )  # fmt: skip
 

@@ -316,22 +316,24 @@ def _made_alike(bat: Bat, shell: Shell, made: Shell, drawn: Shell) -> Bat:
     return bat.replaced(shell=shell.replaced(**same), drawn_shell=shell)
 
 
-def _of_materials(table: FileTable, what: str, own: Material | None = None) -> dict[str, Any]:
-    """Return the fields of a table in SI, with materials and laminates for their names; ``own`` where none is named."""
+def _of_materials(table: FileTable, what: str, default: Material | None = None) -> dict[str, Any]:
+    """Return a table's fields in SI, with materials and laminates for names; ``default`` where no material is named."""
     values = in_si(table, what, implement="bat")
     for name in {"material", "handle_material", "fill"} & values.keys():
-        values[name] = (own if name == "material" else None) if values[name] is None else material(values[name])
+        values[name] = (default if name == "material" else None) if values[name] is None else material(values[name])
     if values.get("laminate") is not None:
         values["laminate"] = laminate_of(values["laminate"], f"{what}.laminate")
     return values
 
 
-def _shell(table: ShellTable, own: Material, *, length: str) -> Shell:
+def _shell(table: ShellTable, default: Material, *, length: str) -> Shell:
     if isinstance(table.wall, str):
         table = table.model_copy(update={"wall": (("0 in", table.wall), (length, table.wall))})
     values = _of_materials(table, "shell")
-    inner = None if table.inner_wall is None else InnerWall(**_of_materials(table.inner_wall, "shell.inner_wall", own))
-    rings = tuple(Ring(**_of_materials(ring, "shell.ring", own)) for ring in table.ring)
+    inner = (
+        None if table.inner_wall is None else InnerWall(**_of_materials(table.inner_wall, "shell.inner_wall", default))
+    )
+    rings = tuple(Ring(**_of_materials(ring, "shell.ring", default)) for ring in table.ring)
     left_out = {"weight_by", "inner_wall", "ring"}
     return Shell(
         inner_wall=inner, rings=rings, **{name: value for name, value in values.items() if name not in left_out}

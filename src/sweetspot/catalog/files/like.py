@@ -97,7 +97,7 @@ def _parent(name: str, folder: Path | None, before: tuple[Path, ...]) -> Table:
         path = entries[entry({key: {} for key in entries}, name, "bat")[0]]
     path = path.resolve()
     if path in before:
-        ring = " is like ".join(one.name for one in (*before[before.index(path) :], path))
+        ring = " is like ".join(file.name for file in (*before[before.index(path) :], path))
         raise InputError(f"{ring}: that has no beginning. Let one of them describe its bat without like")
     table = _plain(with_fitted(read_toml(path)))
     whole = resolved(table, str(path), path.parent, (*before, path))
@@ -165,8 +165,8 @@ def _before_added(table: Table) -> Table:
     if not given or not weights:
         return {}
     whole = rigid_body(beam_model(implement_of_table(_without(table, *MEASURED), "its parent"))).mass
-    known = _bare(weights, table, whole, 0.0)
-    return {name: f"{getattr(known, name)!r} {UNITS[name][1]}" for name in given}
+    bare = _bare(weights, table, whole, 0.0)
+    return {name: f"{getattr(bare, name)!r} {UNITS[name][1]}" for name in given}
 
 
 def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float) -> Measures:
@@ -184,9 +184,9 @@ def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float)
     added = sum(weight.mass for weight in weights)
     bare_mass = (whole if mass is None else mass) - added
     if balance is not None:
-        balance = (balance * (bare_mass + added) - sum(one.mass * one.position for one in weights)) / bare_mass
+        balance = (balance * (bare_mass + added) - sum(weight.mass * weight.position for weight in weights)) / bare_mass
     if moi is not None:
-        moi -= sum(one.mass * (one.position - axis) ** 2 for one in weights)
+        moi -= sum(weight.mass * (weight.position - axis) ** 2 for weight in weights)
     return Measures(mass=None if mass is None else bare_mass, balance_point=balance, moi=moi, moi_axis=axis)
 
 
@@ -196,20 +196,20 @@ def _weights(table: Table, kind: str) -> tuple[AddedMass, ...]:
     )
 
 
-def _is_other_material(parent: Any, own: Any) -> bool:
+def _is_other_material(parent: Any, child: Any) -> bool:
     """Say whether a material's name or density is another than the parent's; stiffer wood is still the same piece."""
-    if own is None or parent is None:
+    if child is None or parent is None:
         return False
-    before, after = (part if isinstance(part, dict) else {"like": part} for part in (parent, own))
+    before, after = (part if isinstance(part, dict) else {"like": part} for part in (parent, child))
     name = after.get("like", before.get("like"))
     return canonical(str(name)) != canonical(str(before.get("like"))) or "density" in after
 
 
-def _whole_material(parent: Any, own: Any) -> Table:
+def _whole_material(parent: Any, child: Any) -> Table:
     """Return a file's [material] with the parent's name where it gives values alone."""
-    if not isinstance(own, dict) or "like" in own or parent is None:
+    if not isinstance(child, dict) or "like" in child or parent is None:
         return {}
-    return {"material": {**(parent if isinstance(parent, dict) else {"like": parent}), **own}}
+    return {"material": {**(parent if isinstance(parent, dict) else {"like": parent}), **child}}
 
 
 def _completed(base: Table, changes: Table) -> Table:

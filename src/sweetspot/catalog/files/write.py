@@ -181,30 +181,32 @@ def legible(text: str, *, digits: int = 9) -> str:
     return re.sub(r'\[\s*("[^"\n]*"),\s*("[^"\n]*"),\s*\]', r"[\1, \2]", short)
 
 
-def _material(own: Material) -> str | dict[str, Any]:
+def _material(made_of: Material) -> str | dict[str, Any]:
     """Return a material's name, or a table of what it has of its own where the catalogue's values were changed."""
-    key = _key(own)
+    key = _key(made_of)
     standard = material(key)
-    if own == standard:
+    if made_of == standard:
         return key
     names = MaterialTable.model_fields.keys() - {"like"}
-    changed = {name: getattr(own, name) for name in names if getattr(own, name) != getattr(standard, name)}
-    if standard.of_density(own.density).replaced(**changed) != own or None in changed.values():
-        raise InputError(f"{own.name} differs from the catalogue's in ways that a bat file cannot describe")
+    changed = {name: getattr(made_of, name) for name in names if getattr(made_of, name) != getattr(standard, name)}
+    if standard.of_density(made_of.density).replaced(**changed) != made_of or None in changed.values():
+        raise InputError(f"{made_of.name} differs from the catalogue's in ways that a bat file cannot describe")
     return written(MaterialTable, {"like": key, **changed})
 
 
-def material_key(own: Material) -> str:
+def material_key(made_of: Material) -> str:
     """Return the catalogue's name of a material; raises `InputError` when it differs from the catalogue's."""
-    key = _key(own)
-    if own != material(key):
-        raise InputError(f"{own.name} differs from the catalogue's; a bat file can only name a fill, a ply or a handle")
+    key = _key(made_of)
+    if made_of != material(key):
+        raise InputError(
+            f"{made_of.name} differs from the catalogue's; a bat file can only name a fill, a ply or a handle"
+        )
     return key
 
 
-def _key(own: Material) -> str:
+def _key(made_of: Material) -> str:
     """Return the catalogue's key of a material, which its own name need not be."""
-    key = keys_by_name().get(own.name)
+    key = keys_by_name().get(made_of.name)
     if key is None:
-        raise InputError(f"{own.name} is not in the catalogue, so that no bat file can name it")
+        raise InputError(f"{made_of.name} is not in the catalogue, so that no bat file can name it")
     return key

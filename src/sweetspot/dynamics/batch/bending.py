@@ -255,11 +255,11 @@ def _some(beams: Beams, count: int, elements: int, start: int) -> BendingBatch:
     squares = drawn.squares * stiffening[:, None]
     joint = joints(drawn.whole.left, drawn.stiffness_at_ends, drawn.whole.owner, beams=len(beams))
     sampled_at, corner = sample_places(length, joint)
-    kept = np.empty((*sampled_at.shape, count))
-    shapes_at(mesh.first_piece, mesh.left, mesh.width, coefficients, sampled_at, kept)
+    sampled = np.empty((*sampled_at.shape, count))
+    shapes_at(mesh.first_piece, mesh.left, mesh.width, coefficients, sampled_at, sampled)
     slices = [drawn.plain.divided(length / number) for number in (CELLS, CELLS // 2)]
     slow = extrapolated(*(_slowly(beams, cut, drawn.points, sampled_at) for cut in slices)) / stiffening[:, None]
-    left_out = slow - np.einsum("bpm,bm->bp", kept**2, 1 / squares)
+    left_out = slow - np.einsum("bpm,bm->bp", sampled**2, 1 / squares)
     return BendingBatch(
         length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,
         omega=np.sqrt(squares), damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=coefficients,

@@ -241,17 +241,17 @@ def give_slowly(
         for cell in range(number):
             i = start + cell
             arm = middle[i] - centre
-            own = mass[i] * width[i]
+            lump = mass[i] * width[i]
             spread = (mass[i] * (arm**2 + width[i] ** 2 / 12) + rotary[i]) * width[i]
-            inertia, moment, turning = passed[0] + own / 2, passed[1] + own * arm / 2, passed[2] + spread / 2
+            inertia, moment, turning = passed[0] + lump / 2, passed[1] + lump * arm / 2, passed[2] + spread / 2
             for k in range(points.mass.shape[1]):
                 if points.position[beam, k] <= middle[i]:
                     away = points.position[beam, k] - centre
                     inertia += points.mass[beam, k]
                     moment += points.mass[beam, k] * away
                     turning += points.mass[beam, k] * away**2 + points.moi[beam, k]
-            passed[0] += own
-            passed[1] += own * arm
+            passed[0] += lump
+            passed[1] += lump * arm
             passed[2] += spread
             p, q = width[i] / bending[i], width[i] / shear[i]
             a, b = (moment - arm * inertia) / total, (turning - arm * moment) / moi

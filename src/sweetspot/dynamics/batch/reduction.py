@@ -167,7 +167,7 @@ def reduced_beams(
 
     in_parts(work, len(beams), size=4, threads=threads)
     bending, enough = bending_batch(BeamRow(beams), count=count or MODES, threads=threads), count or MODES
-    wanted = {} if count else {one: excited_frequency(bending.modes(one), face, ball) for one, face in faces.items()}
+    wanted = {} if count else {i: excited_frequency(bending.modes(i), face, ball) for i, face in faces.items()}
     while enough < MOST_MODES and any(bending.frequency[number, -1] < least for number, least in wanted.items()):
         enough += MODES
         bending = bending_batch(BeamRow(beams), count=enough, threads=threads)
