@@ -90,7 +90,7 @@ class Comparison(ShownInNotebooks, Generic[Tool_co]):
     law: SwingLaw | None
 
     def __repr__(self) -> str:
-        """Return what was compared, short."""
+        """Return the labels of the compared bats."""
         return f"<Comparison of {', '.join(compared.label for compared in self.compared)}>"
 
     @property

@@ -55,9 +55,9 @@ class Rebound:
 
     Parameters
     ----------
-    block, ball : what met.
+    block, ball : the colliding bodies.
     fall_speed : m/s, with which the ball meets the block.
-    compliance : m/N, how far the face gives way under a slow load, translation left out.
+    compliance : m/N, static compliance of the face, translation left out.
     share : part of the energy at greatest compression that the block would hold, pressed slowly (the paper's z).
     restitution : e of ball and block; on a free block the relative speeds count, e = q (1 + r) + r, r = m/M.
     impact : the hit itself: contact time, peak force, energy ledger.
@@ -105,10 +105,10 @@ class Rebound:
 
 
 def drop(block: Block, *, ball: Ball, height: float, air_density: float = 0.0) -> Rebound:
-    """Return what a ball does that falls from ``height`` (m, > 0): v = sqrt(2 g H), less what the air takes.
+    """Return the rebound of a ball dropped from ``height`` (m, > 0): v = sqrt(2 g H), less the loss to air drag.
 
-    In air v^2 = v_t^2 (1 - exp(-2 g H / v_t^2)), with `terminal_speed`. It takes 1 % of a baseball's fall from 1 m and
-    matters for light balls.
+    In air v^2 = v_t^2 (1 - exp(-2 g H / v_t^2)), with `terminal_speed`. Drag takes 1 % of a baseball's fall from 1 m
+    and matters for light balls.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ def drop(block: Block, *, ball: Ball, height: float, air_density: float = 0.0) -
 
 
 def fire(block: Block, *, ball: Ball, speed: float) -> Rebound:
-    """Return what a ball does that meets the middle of a block's face at ``speed`` (m/s, 0.1 to 120).
+    """Return the rebound of a ball that hits the middle of a block's face at ``speed`` (m/s, 0.1 to 120).
 
     Weight is left out while they touch: it is a thousandth of the contact force. Only the first contact counts.
     """
@@ -148,7 +148,7 @@ def fire(block: Block, *, ball: Ball, speed: float) -> Rebound:
     if impact.outcome is not Outcome.SEPARATED or restitution < 0:
         raise InputError(
             f"the ball does not come off {block.material.name} of {1e3 * block.thickness:.3g} mm in one clean contact: "
-            "the block gives way too far and too slowly. Use a thicker, smaller or stiffer one"
+            "the block deflects too far and too slowly. Use a thicker, smaller or stiffer one"
         )
     give = SurfaceModes(modes.frequency, modes.shape_at(0.0)).compliance
     return Rebound(

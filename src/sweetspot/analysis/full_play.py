@@ -43,7 +43,7 @@ def play(
     contact: Contact,
     friction: Friction = USUAL_FRICTION,
 ) -> Play:
-    """Return where a pitch goes that is met at one place of the bat.
+    """Return the hit and the flight of a pitch struck at one place of the bat.
 
     Parameters
     ----------

@@ -151,7 +151,7 @@ def scan(
 
 
 def energy_shares(impacts: Impacts, *, modes: Modes, ball: Ball, closing_speed: ArrayLike) -> EnergyShares:
-    """Return where the incoming energy m v^2 / 2 of many hits goes; the parts sum to one.
+    """Return the shares of the incoming energy m v^2 / 2 of many hits; they sum to one.
 
     Parameters
     ----------

@@ -164,14 +164,14 @@ def linear_limit(material: Material, *, across: bool = False) -> float | None:
 
 
 def _curvature(beam: BeamModel, modes: Modes, places: Array) -> Array:
-    """Return how far each mode turns a section per length, shape (places, n)."""
+    """Return each mode's rotation of a section per length, shape (places, n)."""
     at = section(beam, places)
     sliding = (at.mass / at.shear_stiffness)[:, None] * modes.angular_frequency**2 * modes.shape_at(places)
     return np.asarray(modes.shapes(places, 2) + sliding)
 
 
 def material_at(bat: Bat, position: float) -> Material:
-    """Return what the bat's body is made of at a place (m from the knob end): a two-piece bat has its own handle."""
+    """Return the material of the bat's body at a place (m from the knob end): a two-piece bat has its own handle."""
     shell = bat.shell
     if shell is not None and shell.handle_material is not None and shell.joint is not None and position <= shell.joint:
         return shell.handle_material

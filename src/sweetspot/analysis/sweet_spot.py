@@ -63,16 +63,17 @@ def barrel_node(modes: Modes, *, harmonic: int) -> float:
 
 
 def max_collision_efficiency(scan: Scan, *, body: RigidBody) -> float:
-    """Return where the bat gives back most of the ball's own speed: the best place on a bat at rest.
+    """Return the place of greatest collision efficiency: the best place on a bat at rest.
 
-    Looked for beyond the balance point: a slender handle swings back against the ball, and may throw it back as fast.
+    Only places beyond the balance point count: a slender handle swings back against the ball, and may return it as
+    fast.
     """
     outer = scan.position > body.balance_point
     return _top(scan.position[outer], scan.collision_efficiency[outer])
 
 
 def max_exit_speed(scan: Scan) -> float:
-    """Return where the ball leaves fastest for this swing: further out than greatest q, for the tip moves faster."""
+    """Return the place of greatest exit speed for this swing: further out than greatest q, as the tip moves faster."""
     return _top(scan.position, held_exit_speed(scan))
 
 
@@ -115,9 +116,9 @@ def _opened(values: Array, window: int) -> Array:
 
 
 def min_sting(scan: Scan, *, body: RigidBody) -> float:
-    """Return where on the barrel the hands feel least vibration: between the nodes of modes 1 and 2.
+    """Return the place on the barrel of least vibration at the hands: between the nodes of modes 1 and 2.
 
-    Within half an inch of either end of the scan none is looked for: on a racket the ball is on the frame there.
+    Places within half an inch of either end of the scan are left out: on a racket the ball is on the frame there.
     """
     ends = scan.position[0] + NARROWEST, scan.position[-1] - NARROWEST
     barrel = (scan.position > body.balance_point) & (scan.position > ends[0]) & (scan.position < ends[1])
@@ -167,6 +168,6 @@ def miss_cost(scan: Scan, distance: float) -> tuple[float, float]:
 
 
 def _top(position: Array, value: Array) -> float:
-    """Return where an evenly sampled curve is highest."""
+    """Return the position of the maximum of an evenly sampled curve."""
     index, shift, _ = top(value)
     return float(position[index] + shift * (position[1] - position[0]))

@@ -54,7 +54,7 @@ class WallPoint:
 def wall_stiffness_at(modes: Modes, position: float, *, closing_speed: float | None = None) -> float:
     """Return the wall's stiffness in N/m against a slow push at ``position``: 1 / (C + sum(s^2 / omega^2)).
 
-    The sum is over hoop modes, C is what gives way at once. Infinite for a bat without hoop modes.
+    The sum is over hoop modes, C is the instantaneous compliance. Infinite for a bat without hoop modes.
 
     Parameters
     ----------
@@ -79,9 +79,9 @@ def wall_share(ball: Ball, *, modes: Modes, position: float, compression: float)
 
 
 def wall_energy(impact: Impact, modes: Modes) -> WallEnergy:
-    """Return what the wall stored and gave back in a hit, by driving the hoop modes with the recorded force.
+    """Return the energy that the wall stored and returned in a hit, by driving the hoop modes with the recorded force.
 
-    What gives way at once under the ball counts as stored with C F^2 / 2, and gives all of it back.
+    The instantaneous compliance under the ball stores C F^2 / 2, and returns all of it.
     """
     hoop = modes.selected(modes.of_family("hoop"))
     if len(hoop) == 0 or len(impact.force) < 3:

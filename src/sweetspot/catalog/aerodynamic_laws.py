@@ -80,7 +80,7 @@ def conditions_in(park: Park, outdoors: FlightConditions, *, own_elevation: bool
 
 
 def drag_spread(law: Aerodynamics) -> float:
-    """Return how well the drag of a law of the catalogue is known, as a part of it; 0 for a law that it does not have.
+    """Return the relative uncertainty of the drag of a law of the catalogue; 0 for a law that it does not have.
 
     >>> round(drag_spread(aerodynamics("baseball")), 4)
     0.0061

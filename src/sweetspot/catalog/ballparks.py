@@ -86,7 +86,7 @@ def parks() -> tuple[Park, ...]:
 
 @cache
 def parks_of_season(year: int | None) -> tuple[Park, ...]:
-    """Return where the thirty clubs of today played in a season, in the order of `parks`; None: today.
+    """Return the parks where the thirty clubs of today played in a season, in the order of `parks`; None: today.
 
     >>> [one.name for one in parks_of_season(2025) if one.team == "Tampa Bay Rays"]
     ['George M. Steinbrenner Field']

@@ -107,7 +107,7 @@ def refuse_slip(name_or_path: str, entries: Container[str]) -> None:
 
 
 def is_file(name_or_path: str) -> bool:
-    """Say whether a text is meant as a file: it ends in ``.toml``, holds a path separator or names an existing one."""
+    """Return whether a text denotes a file: it ends in ``.toml``, holds a path separator or names an existing one."""
     path = Path(name_or_path)
     if path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path:
         return True

@@ -56,7 +56,7 @@ def delivery(name: str = "fastball") -> Delivery:
 
 
 def usual_height(name: str) -> float:
-    """Return how high in m a pitch of the catalogue passes the plate on average."""
+    """Return the average height in m of a pitch of the catalogue over the plate."""
     height = quantity(_entry(name), "plate_height", "length", name)
     assert height is not None, f"pitches.toml: {name} lacks plate_height"
     return height

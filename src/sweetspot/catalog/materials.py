@@ -16,7 +16,7 @@ CALLED = {
     "ash": "white-ash", "maple": "sugar-maple", "hard-maple": "sugar-maple", "rock-maple": "sugar-maple",
     "birch": "yellow-birch", "willow": "english-willow", "aluminium": "aluminium-7xxx", "aluminum": "aluminium-7xxx",
 }  # fmt: skip
-"""What shops call a material, and which of the catalogue is meant: the usual one for bats."""
+"""Trade names of materials, with the catalogue's name of the usual one for bats."""
 
 
 def material_names() -> list[str]:

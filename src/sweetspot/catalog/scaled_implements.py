@@ -157,7 +157,7 @@ THICKER: dict[type[Implement], tuple[Callable[..., Implement], str]] = {
 def _club(club: GolfClub, measures: Measures) -> tuple[Implement, str]:
     """Return a club whose head, and shaft where the balance point is known, make its weight."""
     if measures.moi is not None:
-        raise InputError("how a club swings is told by its balance point or its swing weight; give one of them")
+        raise InputError("the swing of a club is described by its balance point or its swing weight; give one of them")
     mass = rigid_body(beam_model(club)).mass if measures.mass is None else measures.mass
     if measures.balance_point is not None:
         club = _balanced(club, mass, measures.balance_point)

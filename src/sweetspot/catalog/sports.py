@@ -71,7 +71,7 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
 
 
 def aerodynamics_of_ball(name: str) -> Aerodynamics:
-    """Return how the air pushes a ball of the catalogue: by the law of the sport it belongs to.
+    """Return the aerodynamic law of a ball of the catalogue: that of its sport.
 
     >>> aerodynamics_of_ball("softball-12in") == aerodynamics("softball")
     True
@@ -80,7 +80,7 @@ def aerodynamics_of_ball(name: str) -> Aerodynamics:
 
 
 def pitched_aerodynamics(pitch: str) -> Aerodynamics:
-    """Return how the air pushes a pitch of the catalogue: a baseball's own law before it is hit, or its sport's.
+    """Return the aerodynamic law of a pitch of the catalogue: a baseball's own law before it is hit, or its sport's.
 
     >>> pitched_aerodynamics("slow-pitch") == aerodynamics("softball")
     True
@@ -90,7 +90,7 @@ def pitched_aerodynamics(pitch: str) -> Aerodynamics:
 
 
 def certainty(name: str) -> dict[Certainty, int]:
-    """Return how many numbers rest on what: those of the sport, its balls, their flight and its implements."""
+    """Return the count of numbers by certainty: those of the sport, its balls, their flight and its implements."""
     return counted([record.kind for record in sport_records(name)])
 
 

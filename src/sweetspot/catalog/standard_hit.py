@@ -58,7 +58,7 @@ def standard_analysis(implement: Implement | str | Path, **speeds: float) -> Ana
 
 
 def standard_flight(ball: str = "baseball") -> FlightConditions:
-    """Return what a ball of the catalogue usually flies through: still air of 21 degrees C, halfway humid, at the sea.
+    """Return the usual flight conditions of a ball of the catalogue: still air, 21 degrees C, half humid, at sea level.
 
     Parameters
     ----------

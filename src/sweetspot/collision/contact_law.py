@@ -77,10 +77,9 @@ def pressed_in_series(
     law: ContactLaw, *, approach: float, compliance: float, rate: float, turned_at: float | None,
     force: float = 0.0,
 ) -> tuple[float, float, float]:  # fmt: skip
-    """Return how a ball is pressed by an approach w shared with the surface, u + C F(u) = w, by Newton's method.
+    """Return the compression of a ball by an approach w shared with the surface, u + C F(u) = w, by Newton's method.
 
-    The surface under the ball gives way at once by C F: a spring without mass in series with the ball. What it
-    stores it gives back.
+    The surface under the ball deflects by C F without delay: a massless spring in series with the ball, without loss.
 
     Parameters
     ----------
@@ -113,7 +112,7 @@ class Hysteretic:
     Parameters
     ----------
     recovers : whether a ball that was free for however short is as new when it is hit again; if not, it goes up along
-        the way it came down then too. Which of the two is nearer within milliseconds nobody has measured.
+        the way it came down then too. Which of the two is nearer within milliseconds has not been measured.
     """
 
     ball: Ball

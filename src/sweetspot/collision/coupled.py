@@ -18,7 +18,7 @@ step: a symplectic leapfrog of second order. Four corrections leave an error of 
 
 Release is the root of the approach between kicks.
 
-What gives way at once under the ball (`Modes.compliance_at`) is a spring without mass between ball and modes: the
+The instantaneous compliance under the ball (`Modes.compliance_at`) is a massless spring between ball and modes: the
 approach w of ball and modes is shared between the ball's compression u and the surface, u + C F(u) = w. The potential
 is then one of w alone, and all of the above holds with F(w).
 

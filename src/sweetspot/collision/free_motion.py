@@ -128,7 +128,7 @@ class Struck(NamedTuple):
     seen : (2, 2 modes); from the bat's motion to this place's displacement, m, and speed, m/s.
     kick : (2 modes,); what an impulse of 1 N s here changes of the bat's motion.
     lightness : 1/kg, sum of the squared shapes.
-    compliance : what gives way at once, m/N.
+    compliance : instantaneous compliance, m/N.
     """
 
     seen: Array

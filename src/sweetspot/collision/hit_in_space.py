@@ -114,7 +114,7 @@ def strike(
     contact: Contact,
     friction: Friction = USUAL_FRICTION,
 ) -> Strike:
-    """Return how a pitched ball leaves the bat.
+    """Return the motion of a pitched ball as it leaves the bat.
 
     The line of centres lies in the plane across the bat's axis and rises above the bat's path by
     asin(offset / (ball radius + bat radius)). The barrel's own slope is left out: it is below 2 degrees where one hits.

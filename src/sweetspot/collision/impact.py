@@ -162,7 +162,7 @@ class Impacts(ShownInNotebooks):
         return len(self.outcome)
 
     def __repr__(self) -> str:
-        """Return how many there are and how many left the bat, short."""
+        """Return the number of hits and of those that left the bat."""
         return f"<{self.outcome.size} hits, {int(np.sum(self.outcome == Outcome.SEPARATED))} separated>"
 
 

@@ -146,7 +146,7 @@ def _hits(
 
 
 def _of_modes(modes: Modes, step: float) -> tuple[Array, ...]:
-    """Return what the kernel knows of the motions themselves (`BatNumbers` from omega on), once for a step."""
+    """Return the kernel's constants of the modes (`BatNumbers` from omega on), cached by step."""
     constants = modes.for_steps.get(step)
     if constants is None:
         omega = modes.angular_frequency
@@ -164,7 +164,7 @@ def steps_of(ball: Ball, step: float) -> Steps:
 
 
 def numbers_of(ball: Ball) -> BallNumbers:
-    """Return what the kernel knows of a ball."""
+    """Return the kernel's constants of a ball."""
     law = ball.restitution
     line = RestitutionNumbers(law.reference, law.slope, law.reference_speed)
     return BallNumbers(ball.mass, ball.stiffness, ball.exponent, line)
@@ -198,7 +198,7 @@ class ManyBats(Protocol):
         """Return the shapes at places (bats, places) in m, shape (bats, places, n), 1/sqrt(kg)."""
 
     def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
-        """Return how far the surface gives way at once, m/N at places (bats, places) in m."""
+        """Return the instantaneous compliance of the surface, m/N at places (bats, places) in m."""
 
 
 def struck(

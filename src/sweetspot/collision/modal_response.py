@@ -95,7 +95,7 @@ def _drive(
 
 
 def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: float, count: int) -> ModalMotion:
-    """Return how the modes move on when nothing pushes them, exactly, at 1 to ``count`` steps from now.
+    """Return the free motion of the modes, exactly, at 1 to ``count`` steps from now.
 
     z' = A z with z = (q, q') and A = [[0, 1], [-omega^2, -c - d^T d]]; each row is exp(A step) times the one before.
 

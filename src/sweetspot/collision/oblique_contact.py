@@ -76,7 +76,7 @@ class ObliqueImpact:
 
 
 class SurfaceMobility(NamedTuple):
-    """How easily the bat's surface gives way at the point of contact, speed per impulse, 1/kg, each of shape (...).
+    """Mobility of the bat's surface at the point of contact, speed per impulse, 1/kg, each of shape (...).
 
     The bat is round and pushed at its surface, a radius R from its axis: a push along the line of centres also turns
     the front of the barrel towards the tip, and a push along the bat also moves it to and fro.
@@ -247,7 +247,7 @@ def launch(
 
 
 def turning_surface(frame: ContactFrame, axes: PathAxes, *, angular_speed: ArrayLike, radius: ArrayLike) -> Array:
-    """Return how much faster than the bat's axis its surface moves where it is touched, m/s, shape (..., 3).
+    """Return the velocity of the bat's surface at the contact relative to its axis, m/s, shape (..., 3).
 
     omega x R n: the front of a bat that turns by ``angular_speed`` in the plane of its path moves towards the hands,
     by about 1.4 m/s.
@@ -289,7 +289,7 @@ def bat_give(
 
 
 def travel(impact: Impact, *, ball: Ball, speed: float, impulse: float) -> float:
-    """Return how far the ball's centre moves past the bat between touch and release, m.
+    """Return the distance that the ball's centre moves past the bat between touch and release, m.
 
     S = v T + (J/m) int P dt with P(t) the part of the normal impulse given so far: friction goes in step with it.
 

@@ -36,7 +36,7 @@ class EnergyHistory(NamedTuple):
     stored : elastic energy in the ball: what it would give back if it sprang back from here.
     heat : lost in the ball: the rest of the work done on it.
     translation, rotation, bending, hoop, damping, face : of the bat, as in `EnergyLedger`.
-    dent : what the surface under the ball holds that gives way at once, C F^2 / 2.
+    dent : stored in the instantaneous compliance of the surface under the ball, C F^2 / 2.
     """
 
     ball: Array

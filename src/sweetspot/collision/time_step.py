@@ -35,7 +35,7 @@ def contact_step(modes: Modes, ball: Ball, *, longest: float) -> float:
 
 @lru_cache(maxsize=KEPT)
 def first_kick_after_touch(exponent: float) -> float:
-    """Return how many steps after touch the first kick comes, so that the kicks of a force t^n add up to its integral.
+    """Return the steps from touch to the first kick, chosen so that the kicks of a force t^n add up to its integral.
 
     Kicks at t = (j + x) h, j = 0, 1, ..., give h^(n+1) zeta(-n, x) more than the integral of t^n, a term of Hurwitz's
     zeta function that falls more slowly with h than the leapfrog's own error. It is zero at x = 1/2 - sqrt(1/12) for
@@ -78,7 +78,7 @@ def impulse_of_the_turn(shift: float, bend: float, stiffening: float, step: floa
 
 
 def give_of_steps(angular_frequency: Array, step: float) -> Array:
-    """Return by how much less a mode gives way at kicks than under the same force without steps, per squared shape.
+    """Return the deficit of a mode's deflection at kicks from that under the same continuous force, per squared shape.
 
     Kicks F h move a mode that follows its force by s F h cot(omega h / 2) / (2 omega) at the kicks, which is
     (1 - y cot y) / omega^2 less than s F / omega^2, y = omega h / 2; h^2 / 12 for slow modes and for the ball. Beyond
@@ -107,12 +107,12 @@ def with_quick_modes_as_springs(
     """Return shapes and give of places with those modes as springs that swing more than half a time in a step.
 
     Kicks come too seldom for them: what they see of such a mode would be its vibration at a few odd moments. Over a
-    contact of many steps it follows its force, and gives way by s^2 / omega^2.
+    contact of many steps it follows its force, and deflects by s^2 / omega^2.
 
     Parameters
     ----------
     shapes : (..., modes), 1/sqrt(kg).
-    give : (...), m/N, what gives way at once.
+    give : (...), m/N, instantaneous compliance.
     angular_frequency : omega in rad/s, any shape that broadcasts with ``shapes``.
     step : s.
 

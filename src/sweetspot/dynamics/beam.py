@@ -34,7 +34,7 @@ LIGHTEST_GRIP = -0.4
 CALIBRATED_BEYOND = 2.0
 """Factor by which a calibrated implement's density may lie beyond its material's (assumed: walls are not as drawn)."""
 HALVINGS = 20
-"""Of the way from a drawing to what was measured, until the nearest that can be is told: beyond any digit shown."""
+"""Bisections between a drawing and the measured values, to report the nearest possible: beyond any digit shown."""
 GRIP_POWER = 6
 """Mass at the grip falls as (1 - x / L)^6: to a third where the upper hand begins, and most of it is in the knob."""
 

@@ -1,6 +1,6 @@
 """A block of material that a ball falls on, as motions for the same collision code that hits bats.
 
-A face that is pressed gives way in three manners, and each becomes modes:
+A pressed face deflects in three manners, and each becomes modes:
 
 * it is dented: a cone of material under the patch is compressed, with its own thickness modes;
 * it bends: plate modes of a block that is clamped at its edges or free;
@@ -189,7 +189,7 @@ def local_modes(block: Block, *, patch: float, depth: float) -> SurfaceModes:
     wide = np.where(place <= split, area / (1 - np.minimum(place, split) * total * area / apex) ** 2, section)
     bottom = _floor_compliance(block, radius=patch * (1 + cone / apex)) * modulus / total
     degrees = range(THICKNESS_MODES)
-    # (1 + bottom - t) lets the floor give way under the block; times t^k (1 - t) for the higher ones
+    # (1 + bottom - t) lets the floor deflect under the block; times t^k (1 - t) for the higher ones
     shapes = [1 + bottom - place, *(place**k * (1 - place) for k in degrees[1:])]
     slopes = [-np.ones_like(place), *(k * place ** (k - 1) - (k + 1) * place**k for k in degrees[1:])]
     values, rates = np.array(shapes), np.array(slopes)

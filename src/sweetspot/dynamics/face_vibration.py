@@ -23,7 +23,7 @@ from sweetspot.numerics.piecewise import Piecewise
 
 
 def face_modes(beam: BeamModel, ball: Ball) -> Modes:
-    """Return the roll of an implement with a face and, where the face gives way, its mode under the ball.
+    """Return the roll of an implement with a face and, where the face deflects, its mode under the ball.
 
     Parameters
     ----------

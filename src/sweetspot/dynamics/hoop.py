@@ -1,6 +1,6 @@
 """Hoop modes of a hollow barrel, felt through the ball's patch, and what of the wall's give they leave out.
 
-How a hollow barrel gives way as a breathing and as a shifted ring: harmonics 0 and 1 of a long tube.
+Compliance of a hollow barrel as a breathing and as a shifted ring: harmonics 0 and 1 of a long tube.
 
 Both die out within a centimetre or two, so the barrel counts as a long tube of the local wall: one wave along it,
 cos(k x), at a time, Sanders' strains, integrated over k. Of harmonic 1 the tube as a beam is taken away, which the
@@ -8,7 +8,7 @@ bending modes hold: with the pressure's transform P and the tube's bending and s
 
     c = (1/pi) int_0^inf (h_0(k) + h_1(k) - P(0, k)^2 (B / k^4 + S / k^2)) dk - K,
 
-K being what a beam gives way less under the patch than under a push at one point, as in `local_compliance`.
+K being the deficit of a beam's compliance under the patch from that at one point, as in `local_compliance`.
 
 The ball's patch pushing on a barrel's wall: what its pressure does in every harmonic of the way around.
 
@@ -194,7 +194,7 @@ def _across(wave: Array, span: Array, radius: Array) -> Array:
 
 HARMONICS = (2, 3, 4)
 STATIC_HARMONICS = (5, 6, 7, 8)
-"""Faster than any push by a ball: they give way at once."""
+"""Faster than any push by a ball: they deflect without delay."""
 AXIAL_MODES = 5
 """Modes kept per harmonic, lowest first."""
 ELEMENTS = 24
@@ -215,7 +215,7 @@ def hoop_modes(
     """Return the hoop modes of a hollow bat's barrel, with shapes averaged over the ball's patch.
 
     What they leave out of the wall's give under a slow push is in `Modes.compliances`: higher axial modes, harmonics 5
-    to 8, and what the wall gives way as a breathing and a shifted ring.
+    to 8, and the wall's compliance as a breathing and a shifted ring.
 
     Parameters
     ----------
@@ -277,7 +277,7 @@ class OtherPatch:
 
 
 def _solved(shell: ShellElements, pushes: Pushes, *, followed: int, modes: int) -> Solved:
-    """Return so many modes of the first harmonics that are followed, and what all harmonics give way under pushes."""
+    """Return ``modes`` modes of the first ``followed`` harmonics, and the compliance of all harmonics under pushes."""
     count = len(pushes.element)
     solved = Solved(
         np.empty((followed, modes)), np.empty((followed, count, modes)), np.empty((len(shell.harmonics), count))
@@ -299,7 +299,7 @@ def _local(beam: BeamModel, grid: Array, radii: Array) -> Array:
 
 
 def ring_felt(beam: BeamModel, *, harmonic: int, patch: float) -> float:
-    """Return how much of the motion under its middle a patch feels of a ring that is bent without stretching.
+    """Return the share of the motion under its middle that a patch feels of a ring bent without stretching.
 
     Parameters
     ----------

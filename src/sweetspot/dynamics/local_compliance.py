@@ -1,4 +1,4 @@
-"""How far a solid round barrel gives way under the ball beyond what its beam does: by a three-dimensional elastic body.
+"""Local compliance of a solid round barrel under the ball, beyond its beam's, from a three-dimensional elastic body.
 
 A beam's section keeps its shape. In truth the wood under the ball is dented, the section is squeezed, and the load
 spreads into the barrel over a length. A long round body of radius R, isotropic across its axis, is solved exactly along
@@ -9,7 +9,7 @@ the mean displacement under the patch per newton is
     c = (1/pi) int_0^inf (sum_n h_n(k) - P(0, k)^2 (1/(EI k^4) + 1/(S k^2))) dk - K,
 
 where h_n is the work of harmonic n, the subtracted term is the same body as a beam, S its shear stiffness for slow
-waves, and K what a beam gives way more under a push at one point, as its modes have it, than under the patch.
+waves, and K the excess of a beam's compliance at one point, as its modes have it, over that under the patch.
 
 All wood is taken as alike across the grain. What fills a hole is left out: it is a hundred times softer than wood.
 """
@@ -68,7 +68,7 @@ def solid_bat_compliance(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
 def blade_compliance(beam: BeamModel, *, law: PatchLaw) -> ByPatch:
     """Return the dent of a flat blade of solid wood in m/N by position and closing speed: that of a round body as wide.
 
-    Under a patch that is less than half as wide as the blade its own wood gives way most, whatever stands behind it.
+    Under a patch that is less than half as wide as the blade its own wood deflects most, whatever stands behind it.
     Taking a round body twice as thick or half as thick changes it by a third.
 
     Parameters
@@ -203,7 +203,7 @@ def _work(give: Array, waves: Array, patch: float) -> Array:
 
 
 def blunting(patch: Array | float, *, bending: Array | float, shearing: Array | float) -> Array:
-    """Return how much less a beam gives way under a patch than under a push at one point, m/N.
+    """Return the deficit of a beam's compliance under a patch from that at one point, m/N.
 
     Beside the point its deflection is less by S |x| / 2 - B |x|^3 / 12 (shear and bending compliances S and B); this is
     the mean over pairs of places with weights 1 - (x/a)^2.

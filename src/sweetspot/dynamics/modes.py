@@ -29,7 +29,7 @@ ASKED = np.linspace(0.4, 1.0, 25)
 class Surface:
     """How the struck surface moves where that depends on more than the place along it.
 
-    That is the place across a face that gives way or a turning blade, or the patch that a fast ball presses.
+    That is the place across a face that deflects or a turning blade, or the patch that a fast ball presses.
 
     It moves outwards by ``basis_k(x, y) weights_ki q_i``, over and above the line's own motion.
 
@@ -67,8 +67,8 @@ class Modes(ShownInNotebooks):
     rigid_part : how much of each mode is translation (row 0), rotation (row 1) and, with a face, roll (row 2) of the
         free bat, shape (2, n) or (3, n).
     surface : what depends on the place across the face; None: nothing does.
-    compliances : what gives way at once under the ball, without a motion of its own, m/N by position: waves too fast to
-        be modes here, and the dent that the ball presses into the surface. They add up.
+    compliances : instantaneous, under the ball, without a motion of their own, m/N by position: waves too fast to be
+        modes here, and the dent that the ball presses into the surface. They add up.
     """
 
     families: tuple[Family, ...]
@@ -85,7 +85,7 @@ class Modes(ShownInNotebooks):
         return len(self.families)
 
     def __repr__(self) -> str:
-        """Return how many motions there are of each family, short."""
+        """Return the number of motions of each family."""
         counts = ", ".join(f"{self.families.count(family)} {family}" for family in dict.fromkeys(self.families))
         return f"<Modes: {counts}>"
 
@@ -122,7 +122,7 @@ class Modes(ShownInNotebooks):
         return along + self.surface.basis(places, across, speed) @ self.surface.weights
 
     def compliance_at(self, position: ArrayLike, *, closing_speed: ArrayLike | None = None) -> Array:
-        """Return how far the surface gives way at once, m/N at positions in m, of their shape; never below zero.
+        """Return the instantaneous compliance of the surface, m/N at positions in m, of their shape; never below zero.
 
         Parameters
         ----------
@@ -131,9 +131,9 @@ class Modes(ShownInNotebooks):
         return np.maximum(self.give_at(position, closing_speed=closing_speed), 0.0)
 
     def give_at(self, position: ArrayLike, *, closing_speed: ArrayLike | None = None) -> Array:
-        """Return the same as the sum comes out, for who adds it to that of other motions.
+        """Return the same without the bound at zero, to be added to that of other motions.
 
-        A hollow barrel's own part is what its wall gives way more than the beam that the bending modes hold
+        A hollow barrel's own part is the excess of its wall's compliance over that of the beam of the bending modes
         (a long tube): below zero where the wall is stiff and thick. Only with the beam's does it make a give, and where
         the wall is no long tube, some millimetres from a capped tip and at the taper, even that may come out below
         zero: by 1e-8 m/N at most in 400 random bats, which moves q by 1e-3 there and nowhere else.
@@ -146,7 +146,7 @@ class Modes(ShownInNotebooks):
         return np.asarray(sum(each, np.zeros_like(places)))
 
     def slope_at(self, position: ArrayLike) -> Array:
-        """Return how the shapes of the line change along it, 1/(sqrt(kg) m): shape (..., n) for positions (...)."""
+        """Return the slopes of the shapes along the line, 1/(sqrt(kg) m): shape (..., n) for positions (...)."""
         return np.asarray(self._slopes(np.asarray(position, float)))
 
     @cached_property
@@ -186,7 +186,7 @@ class Modes(ShownInNotebooks):
         return [index for index, name in enumerate(self.families) if name == family]
 
     def selected(self, indices: list[int]) -> Modes:
-        """Return only some of the modes, for example the rigid motions alone; nothing gives way at once any more."""
+        """Return some of the modes, for example the rigid motions alone, without instantaneous compliances."""
         return Modes(
             tuple(self.families[index] for index in indices),
             tuple(self.harmonics[index] for index in indices),

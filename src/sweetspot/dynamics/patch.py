@@ -105,7 +105,7 @@ class PatchLaw:
 
 
 def patch_law(ball: Ball, *, factor: float = 1.0) -> PatchLaw:
-    """Return how a ball's patch goes with the closing speed.
+    """Return the dependence of a ball's patch on the closing speed.
 
     Parameters
     ----------

@@ -62,7 +62,7 @@ def all_modes(beam: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: 
 
     A face adds roll and its own mode, damped as it damps this ball; a hollow barrel its hoop modes, which are felt
     through the ball's contact patch. A solid or drilled wood barrel has none that a ball could excite: it is dented,
-    and gives way at once.
+    without delay.
 
     Parameters
     ----------

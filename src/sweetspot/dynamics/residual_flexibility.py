@@ -1,4 +1,4 @@
-"""How far a freely hung beam gives way under a slow push, and what of that a few modes leave out.
+"""Static compliance of a freely hung beam, and the residual of it that a few modes leave out.
 
 A push on a free beam speeds it up as a rigid body; the forces of inertia balance the push, and between them the beam is
 bent and sheared. Bending moment B and shear force V follow from equilibrium alone, so the compliance at x is exactly
@@ -6,7 +6,7 @@ bent and sheared. Bending moment B and shear force V follow from equilibrium alo
     G(x) = int B^2 / EI + V^2 / (kappa G A) over the beam, for a push of 1 N at x,
 
 which is the sum of s_i(x)^2 / omega_i^2 over all its modes. The modes beyond those that are followed in time are faster
-than any push by a ball: they give way at once, by what is left of G (static correction, or residual flexibility).
+than any push by a ball: they deflect without delay, by the rest of G (static correction, or residual flexibility).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ LEAST = 4
 
 
 def extrapolated(fine: Array, coarse: Array) -> Array:
-    """Return what sums over endlessly many slices would be, from those over some and over half as many."""
+    """Return the limit of sums over ever more slices (Richardson), from those over some and over half as many."""
     return (4 * fine - coarse) / 3
 
 
@@ -39,7 +39,7 @@ def just_inside(left: Array, width: Array) -> Array:
 
 
 def joints(left: Array, bending_stiffness: Array, owner: IntArray, *, beams: int) -> Array:
-    """Return where the bending stiffness of each beam jumps most, m from the knob end; nan without a joint (`JOINT`).
+    """Return the place of each beam's largest jump in bending stiffness, m from the knob end; nan: no joint (`JOINT`).
 
     Parameters
     ----------

@@ -76,7 +76,7 @@ def rigid_body(beam: BeamModel) -> RigidBody:
 
 
 def centre_of_percussion(body: RigidBody, *, pivot: float) -> float:
-    """Return where a blow leaves the pivot at rest, m from the knob end.
+    """Return the center of percussion, where a blow leaves the pivot at rest, m from the knob end.
 
     x_cop = pivot + I_pivot / (M d), d from pivot to balance point; the rod of the paper: b = J_D / (m l)
     [paper2014, eq. 10-12; astm_f2398].
@@ -195,7 +195,7 @@ class SwingWeight(Validated):
     unit : as people write it.
     size : of the unit in SI, kg m or kg m^2.
     zero, step : of a scale of letters and points, both in the unit: the moment at its first letter, and of one
-        point; None: the moment itself is told.
+        point; None: the moment itself is reported.
     first_letter : of the scale, with ten points to a letter.
     source, where, kind : of the convention.
     """

@@ -58,7 +58,7 @@ class Solved(NamedTuple):
     ----------
     squares : omega^2 in 1/s^2, lowest first, shape (D, M).
     felt : the modes' shapes under the pushes, 1/sqrt(kg), shape (D, P, M).
-    give : m/N, how far the wall gives way under a slow push, at that push, shape (H, P).
+    give : m/N, static compliance of the wall under each push, shape (H, P).
     """
 
     squares: Array
@@ -115,7 +115,7 @@ def _pushed(
     size: int, factor: tuple[Array, Array], held: IntArray, pushes: Pushes, h: int, vectors: Array, felt: Array,
     give: Array,
 ) -> None:  # fmt: skip
-    """Fill in what harmonic ``h`` feels of every push and how far it gives way: p^T K^-1 p = |L^-1 p|^2.
+    """Fill in the response and the compliance of harmonic ``h`` for every push: p^T K^-1 p = |L^-1 p|^2.
 
     L^-1 p goes on from the last element that is pushed to the tip; what is left there is four unknowns' work.
     """
@@ -335,7 +335,7 @@ def _motion(size: Array) -> Array:
 
 
 def _of_rings(beam: BeamModel, place: Array, dx: Array, motion: Array, wall: WallSection, harmonics: Array) -> Array:
-    """Return what rings add to stiffness and mass of every element, shape (2, harmonics, elements, 12, 12)."""
+    """Return the stiffness and mass that rings add to every element, shape (2, harmonics, elements, 12, 12)."""
     shell = bat_of_beam(beam).shell
     added = np.zeros((2, len(harmonics), len(place), UNKNOWNS, UNKNOWNS))
     if shell is None:

@@ -149,7 +149,7 @@ def with_wall_factor(bat: Bat, factor: float) -> Bat:
 
 
 def barrel_start(bat: Bat) -> float:
-    """Return where the barrel of a hollow bat begins, m from the knob end: among the outer two thirds of the bat."""
+    """Return the start of a hollow bat's barrel, m from the knob end: among the outer two thirds of the bat."""
     assert bat.profile is not None
     outer = [(place, size) for place, size in bat.profile if place > bat.length / 3]
     greatest = max(size for _, size in outer)
@@ -189,7 +189,7 @@ def _thick(size: float) -> str:
 
 
 def drawn_mass(tool: Implement) -> float:
-    """Return what an implement weighs as drawn, kg: at the usual density of its material, whatever was measured."""
+    """Return the mass of an implement as drawn, kg: at the usual density of its material, whatever was measured."""
     gradient = tool.density_gradient if isinstance(tool, Bat) else 0.0
     plain = tool.replaced(mass=None, balance_point=None, moi=None)
     return moments(BeamModel(plain, 1.0, gradient, plain.lumps()))[0]
@@ -217,7 +217,7 @@ def _density_can(bat: Bat) -> bool:
 
 
 def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
-    """Return what may have been drawn wrong of a bat that was weighed."""
+    """Return the ways in which a weighed bat may have been drawn wrong."""
 
     def put_on(name: WeightBy, field: str, most: float) -> Way[Bat]:
         was = _weighed(getattr(shell, field))

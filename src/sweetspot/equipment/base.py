@@ -35,7 +35,7 @@ Fraction = Annotated[float, Field(ge=0, le=1)]
 def _readable(text: str) -> str:
     """Refuse a name that is blank, or that a terminal or a browser would obey instead of showing."""
     if not text.strip():
-        raise ValueError("a name of blanks tells nobody anything; give the name that people use")
+        raise ValueError("a name of blanks says nothing; give the name that people use")
     if any(unicodedata.category(letter) in UNSEEN for letter in text if letter not in JOINERS):
         raise ValueError("it holds control or formatting characters; write letters, digits and signs only")
     return text
@@ -50,7 +50,7 @@ Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterVali
 MACHINERY = {name for name in (*dir(BaseModel), *vars(BaseModel)) if name not in dir(object)}
 """Names that checked things have from pydantic; they work, and are not ours to explain."""
 MOST_FAULTS, LONGEST_INPUT = 5, 80
-"""Faults told of at once, and letters of what was given that are repeated."""
+"""Faults reported together, and letters of the input that a message repeats."""
 UNIT_OF = {
     "mass": "oz", "wall": "mm", "tension": "lb", "frequency": "Hz", "moi": "oz*in^2", "density": "kg/m^3",
     "modulus": "GPa", "angle": "deg",
@@ -63,7 +63,7 @@ class _Readable(ModelMetaclass):
 
     @property
     def __signature__(self) -> Signature:
-        """Return the fields by name with their defaults: types and bounds are told of each in the docstring."""
+        """Return the fields by name with their defaults: the docstring gives types and bounds of each."""
         fields = cast("type[BaseModel]", self).model_fields
         return Signature(
             [
@@ -141,7 +141,7 @@ def _types_of(annotation: Any) -> set[Any]:
 
 
 def explain(error: ValidationError, name: str, *, names: Sequence[str] = ()) -> str:
-    """Say in one line per fault what was given, what is allowed and what to do.
+    """Return one line per fault: what was given, what is allowed and what to do.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ BOUNDS = {
     "less_than": ("less than", "lt"),
     "less_than_equal": ("at most", "le"),
 }
-"""By the kind of fault: how its limit is told, and what pydantic calls the limit."""
+"""By the kind of fault: words for its limit, and pydantic's name of the limit."""
 
 
 def _allowed(fault: ErrorDetails) -> str:

@@ -1,4 +1,4 @@
-"""The face: what the ball meets, when that gives way by itself: strings, rubber, a thin plate of metal.
+"""The face: a striking surface that deflects by itself, such as strings, rubber or a thin plate of metal.
 
 Stiffness and moving mass of a bed of crossed strings follow from tension, number and size; sponge and sheet of a rubber
 are one lossy layer.
@@ -25,7 +25,7 @@ class Face(Validated):
 
     Parameters
     ----------
-    stiffness : N/m that the ball feels in the middle of the face, > 0; None: a face that does not give way.
+    stiffness : N/m that the ball feels in the middle of the face, > 0; None: a rigid face.
     moving_mass : kg that moves with the ball there, small against the ball; None with a rigid face.
     restitution : part of its speed that a hard ball without losses keeps on this face held fast, (0, 1].
     edge : how the give falls off towards the edge: "membrane" (as a stretched one, from ``patch``), "plate" (as a
@@ -51,12 +51,12 @@ class Face(Validated):
     @model_validator(mode="after")
     def _gives_way_or_not(self) -> Face:
         if (self.stiffness is None) != (self.moving_mass is None):
-            raise ValueError("give both stiffness and moving_mass, or neither for a face that does not give way")
+            raise ValueError("give both stiffness and moving_mass, or neither for a rigid face")
         return self
 
 
 class FaceOutline(Validated):
-    """The part of an implement that is meant for the ball, as the ball sees it.
+    """The hitting area of an implement, as seen from the ball.
 
     Parameters
     ----------

@@ -134,7 +134,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
 
     @property
     def swing_axis(self) -> float:
-        """Axis in m from the butt end about which its moment of inertia is told, and taken to be measured."""
+        """Axis in m from the butt end about which its moment of inertia is given, and taken to be measured."""
         return self.moi_axis
 
     @abstractmethod
@@ -161,12 +161,12 @@ class Implement(ShownInNotebooks, Validated, ABC):
 
     @property
     def face(self) -> Face | None:
-        """What the ball meets where it gives way by itself or is flat; None for a round solid body."""
+        """The striking surface where it deflects by itself or is flat; None for a round solid body."""
         return None
 
     @property
     def outline(self) -> FaceOutline | None:
-        """The part that is meant for the ball; None: all of it beyond the hands."""
+        """The hitting area; None: all of it beyond the hands."""
         return None
 
     def as_drawn(self) -> Implement:
@@ -187,7 +187,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
             ancestor = ancestor.original
 
     def lumps(self) -> tuple[Lump, ...]:
-        """Return everything that sits at one place and is not part of the sections."""
+        """Return the point masses that are not part of the sections."""
         return ()
 
 

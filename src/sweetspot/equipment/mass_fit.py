@@ -127,7 +127,7 @@ def nearest(corrections: Sequence[Correction], *, misses: Array, scatter: Array)
 
 
 def _arrays(corrections: Sequence[Correction]) -> tuple[Array, Array, Array, Array]:
-    """Return what is usual, effects (quantity, correction) and limits, the last three for units of what is usual."""
+    """Return usual amounts, effects (quantity, correction) and limits, the last three in units of the usual amounts."""
     usual = np.array([correction.usual for correction in corrections])
     low, high = np.array([correction.limits for correction in corrections]).T / usual
     return usual, np.array([correction.effects for correction in corrections]).T * usual, low, high

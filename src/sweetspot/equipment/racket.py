@@ -167,7 +167,7 @@ class Racket(Implement):
         return self._drawn(position) * np.exp(polyval(2 * position / self.length - 1, self._tilt))
 
     def _side_gyration(self, position: Array) -> Array:
-        """Return how far from the racket's axis the mass lies at positions, m: in the head at its sides."""
+        """Return the distance of the mass from the racket's axis at positions, m: in the head at its sides."""
         return np.where(
             position > self.head.start, np.maximum(self.width_at(position) / 2, HANDLE_RADIUS), HANDLE_RADIUS
         )

@@ -205,7 +205,7 @@ class Sport(Validated):
 
 
 def counted(kinds: list[str]) -> dict[Certainty, int]:
-    """Return how many values rest on what, in the order of `CERTAINTIES`.
+    """Return the number of values by certainty, in the order of `CERTAINTIES`.
 
     >>> counted(["assumed", "measured", "assumed"])["assumed"]
     2

@@ -111,7 +111,7 @@ class Air(Validated):
 
 
 USUAL_AIR = Air(temperature=22.2)
-"""72 degF at sea level: of games whose weather nobody gives."""
+"""72 degF at sea level: for games of unknown weather."""
 
 
 @dataclass(frozen=True)

@@ -33,8 +33,8 @@ of even number scatter by beyond drag and the stated errors of the launch, 419 +
 odd number, held out, say 358, and 92 % of theirs lie within the intervals of 90 %; all games together say 390 +- 32
 [savant_2022rays]. `studies/tracked_flights.py` repeats it."""
 HOME_RUN = (103.8 * MPH, 28.1 * DEGREE)
-"""Mean exit speed and launch angle of home runs [savant_2019homeruns]: the ball for which the scatter of drag was told,
-with everything else in it."""
+"""Mean exit speed and launch angle of home runs [savant_2019homeruns]: the ball whose scatter of drag was given, with
+everything else in it."""
 MORE_DRAG = 0.1
 """Part of drag that the second flight has more, to learn what drag does to carry."""
 
@@ -47,7 +47,7 @@ class LaunchErrors(NamedTuple):
 
 
 TRACKED = LaunchErrors(1.0 * MPH, 1.0 * DEGREE)
-"""Of tracked balls, stated: nobody publishes them."""
+"""Of tracked balls, stated: none are published."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ class CarryErrors:
         ----------
         exit_speed, launch_angle : as measured, m/s and rad, shape (n,).
         per_drag : m by which the carry grows with the logarithm of drag, shape (n,).
-        scatter : of home runs, all told as drag, shape (n,); see `flight.home_runs.CarryScatter`.
+        scatter : of home runs, all expressed as drag, shape (n,); see `flight.home_runs.CarryScatter`.
         """
         row, along = _between(SPEEDS, exit_speed)
         column, across = _between(ANGLES, launch_angle)
@@ -93,7 +93,7 @@ def _between(nodes: Array, values: Array) -> tuple[NDArray[np.intp], Array]:
 
 
 def drag_alone(by_drag: Array, *, per_drag: Array, home_run: float) -> Array:
-    """Return the variance that drag alone makes, m^2, of a scatter that was told for home runs with all in it.
+    """Return the variance of the carry that drag alone causes, m^2, from a scatter of home runs with all causes in it.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def drag_alone(by_drag: Array, *, per_drag: Array, home_run: float) -> Array:
 def carry_errors(
     ball: Ball, aerodynamics: Aerodynamics, air: Air, *, errors: LaunchErrors, spin_scatter: float = SPIN_SCATTER
 ) -> CarryErrors:
-    """Return what carries scatter by in some air.
+    """Return the scatter of carries in given air.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ def _carried(speed: Array, angle: Array, conditions: FlightConditions, spin: flo
 def _variances(
     speed: Array, angle: Array, conditions: FlightConditions, errors: LaunchErrors, spin: float
 ) -> Array:  # fmt: skip
-    """Return what errors and spin do to carries, m^2."""
+    """Return the variance of carries from launch errors and spin, m^2."""
     fast, steep = errors
     steps = (
         _carried(speed + fast, angle, conditions) - _carried(speed - fast, angle, conditions),

@@ -47,7 +47,7 @@ class FlightConditions:
 
     @property
     def weather(self) -> Air | Airs:
-        """The air, where it can be told for any elevation; raises `InputError` where only densities are known."""
+        """The air, where it is defined at any elevation; raises `InputError` where only densities are known."""
         if not isinstance(self.air, Air | Airs):
             raise InputError("air is a density for each flight; give one `Air`, or `Airs` here")
         return self.air

@@ -61,7 +61,7 @@ class Landing:
 
 
 def landing(path: Array, park: Park) -> Landing:
-    """Return where one path of shape (points, 3) ends in a park.
+    """Return the landing of one path of shape (points, 3) in a park.
 
     >>> park = Park(name="round", fence=((-FOUL_LINE, 100.0, 3.0), (0.0, 100.0, 3.0), (FOUL_LINE, 100.0, 3.0)))
     >>> landing(np.array([[0.0, 0.0, 1.0], [0.0, 90.0, 10.0], [0.0, 110.0, 2.0]]), park)
@@ -81,7 +81,7 @@ def landing(path: Array, park: Park) -> Landing:
 
 
 def landings(path: Array, park: Park) -> Landings:
-    """Return where flights end in a park.
+    """Return the landings of flights in a park.
 
     A ball leaves where its distance over the ground first exceeds the fence's in its direction; between two points of
     the path it goes straight. It is out when its centre is above the top there. A ball that passes the distance of a
@@ -110,7 +110,7 @@ def landings(path: Array, park: Park) -> Landings:
 
 
 def _end(path: Array, park: Park) -> tuple[Array, NDArray[np.bool_]]:
-    """Return where each flight passes the fence's distance, or else its last point, (..., 3), and whether it passes."""
+    """Return each flight's point at the fence's distance, or else its last, (..., 3), and whether it gets there."""
     far = np.hypot(path[..., 0], path[..., 1]) > nearest_fence(park)
     outside = np.zeros(far.shape, bool)
     outside[far] = _beyond(path[far], park) > 0
@@ -147,7 +147,7 @@ def fly_all_parks(
     parks: Iterable[Park],
     own_elevation: bool = True,
 ) -> tuple[Landings, ...]:
-    """Return where hits end in each park, in the order of the parks.
+    """Return the landings of hits in each park, in the order of the parks.
 
     Parameters
     ----------

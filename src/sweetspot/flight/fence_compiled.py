@@ -227,7 +227,7 @@ def _seen_from_home(
 
 @inner(forceinline=True, error_model="numpy")
 def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -> tuple[float, float]:
-    """Return how far beyond a fence a path is at a step, m, and its direction from home plate."""
+    """Return the distance of a path beyond a fence at a step, m, and its direction from home plate."""
     far, way = 0.0, 0.0
     for node in range(AIRS):
         far += weights[park, node] * seen[point, FAR, node]
@@ -239,7 +239,7 @@ def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -
 def _over(
     seen: Array, lost: Array, begin: int, end: int, step: float, weights: Array, fences: Array, park: int, hint: int
 ) -> tuple[float, float, int]:  # fmt: skip
-    """Return how high over a fence's top a ball passes, m, and what it loses of that by `MORE_DRAG`; NaN where foul.
+    """Return the height of a ball over a fence's top, m, and its loss of height by `MORE_DRAG`; NaN where foul.
 
     Also the step in which it passes, or the last one: ``hint`` for the next fence, which is not far from this one.
     """
@@ -288,7 +288,7 @@ def _over(
 
 @inner(forceinline=True, error_model="numpy")
 def _step_of(seen: Array, weights: Array, park: int, point: int, what: int) -> tuple[float, float, float, float]:
-    """Return what is known of a path at both ends of a step, and what it gains in a step there."""
+    """Return a quantity of a path at both ends of a step, and its slopes there per step."""
     first, last, rise, fall = 0.0, 0.0, 0.0, 0.0
     for node in range(AIRS):
         weight = weights[park, node]
@@ -301,7 +301,7 @@ def _step_of(seen: Array, weights: Array, park: int, point: int, what: int) -> t
 
 @inner(forceinline=True, error_model="numpy")
 def _within(step: tuple[float, float, float, float], part: float) -> float:
-    """Return what is known of a path within a step, on the cubic through its ends."""
+    """Return a quantity of a path within a step, on the cubic through its ends."""
     first, last, rise, fall = step
     rest = 1 - part
     return (

@@ -1,7 +1,7 @@
 """How likely is a home run: a ball's chance in every park, with what its flight scatters by.
 
 Two balls hit alike do not fly alike. Balls differ in drag, spin about the usual line, and no park's weather is known to
-the breeze. All that is told as one scatter of the drag coefficient, as wide as what tracked carries scatter by
+the breeze. One scatter of the drag coefficient stands for all of it, as wide as the scatter of tracked carries
 (`tools/fit_aerodynamics.py` prints it), so a ball that would clear a fence by nothing has a chance of about one half:
 a little less in the open, a little more under a roof (`CarryScatter`).
 """
@@ -28,7 +28,7 @@ from sweetspot.numerics.threads import in_parts
 CHUNK = 2048
 """Balls per task handed to a thread."""
 THIN = 800.0
-"""m of elevation above which a park's air is too thin to be told with that of the others; only Denver's is."""
+"""m of elevation above which a park's air is too thin to be treated with that of the others; only Denver's is."""
 ALIKE = 1e-4
 """Part of the pressure by which the airs that a ball is flown in differ at least."""
 LIKELY = 0.5

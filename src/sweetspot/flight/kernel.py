@@ -70,7 +70,7 @@ class Flights(ShownInNotebooks):
         return len(self.outcome)
 
     def __repr__(self) -> str:
-        """Return how many there are and how many landed, short."""
+        """Return the number of flights and of those that landed."""
         return f"<{len(self)} flights, {int(self.landed.sum())} landed>"
 
     @property
@@ -151,7 +151,7 @@ def flights(
 
 
 def flight_rows(motions: BallMotion | BallMotions, conditions: FlightConditions) -> Array:
-    """Return what differs between flights, shape (12, n): position, velocity, spin, density, wind right and out."""
+    """Return the inputs by flight, shape (12, n): position, velocity, spin, density, wind right and out."""
     density, blowing = conditions.density, conditions.blowing
     columns = [np.asarray(values, float) for values in (motions.position, motions.velocity, motions.spin)]
     for values, size, what in (*zip(columns, (3, 3, 3), ("position", "velocity", "spin"), strict=True),

@@ -78,15 +78,15 @@ class Park(Validated):
 
     @property
     def roof(self) -> Roof:
-        """Return what there is of a roof, "open" where there is none."""
+        """Return the kind of roof, "open" where there is none."""
         return "open" if self.covered == 0 else "fixed" if self.covered == 1 else "retractable"
 
     def distance_at(self, direction: float) -> float:
-        """Return how far the fence is in m; raises `InputError` for a direction in foul territory."""
+        """Return the distance of the fence in m; raises `InputError` for a direction in foul territory."""
         return float(fence_at(self, self._fair(direction))[0])
 
     def height_at(self, direction: float) -> float:
-        """Return how high the fence is in m; raises `InputError` for a direction in foul territory."""
+        """Return the height of the fence in m; raises `InputError` for a direction in foul territory."""
         return float(fence_at(self, self._fair(direction))[1])
 
     def _fair(self, direction: float) -> float:

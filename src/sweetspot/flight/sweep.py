@@ -193,7 +193,7 @@ def flight_table(
 
 
 def cells_of(rows: Varied, columns: Varied | None) -> list[tuple[tuple[Variation, float], ...]]:
-    """Return what is varied in each cell, row after row.
+    """Return the varied inputs of each cell, row after row.
 
     >>> cells_of(("spray", (0.0, 0.1)), ("height", (1.0,)))
     [(('spray', 0.0), ('height', 1.0)), (('spray', 0.1), ('height', 1.0))]

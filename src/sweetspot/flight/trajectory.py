@@ -79,7 +79,7 @@ class Flight(ShownInNotebooks):
     spin_left: Array
 
     def __repr__(self) -> str:
-        """Return how it ended, short."""
+        """Return the outcome of the flight."""
         return f"<Flight {self.outcome.name.lower()}: carry {self.carry:.4g} m in {self.hang_time:.3g} s>"
 
     @property
@@ -196,7 +196,7 @@ class _Solver:
         return np.asarray(state[3:6] - strength * self.wind.velocity)
 
     def rates(self, state: Array, sheltered: bool) -> Array:
-        """Return how fast a state changes."""
+        """Return the time derivative of a state."""
         velocity = self.through_air(state, sheltered)
         push = acceleration(
             velocity, spin=state[6] * self.spin, ball=self.ball, aerodynamics=self.aerodynamics, density=self.density
@@ -205,7 +205,7 @@ class _Solver:
         return np.concatenate([state[3:6], push, [worn]])
 
     def response_rate(self, state: Array, sheltered: bool) -> float:
-        """Return how fast the air changes the velocity, 1/s.
+        """Return the rate at which the air changes the velocity, 1/s.
 
         That is what it pushes with, over the speed through it; and how fast a ball let go at rest would come near its
         terminal speed V, g / V, for light balls that are slow only now.
@@ -259,5 +259,5 @@ class _Solver:
 
 
 def _heights(before: Array, after: Array, step: float, ground: float) -> tuple[float, float, float, float]:
-    """Return what the cubic of the height above a ground needs: heights and climbs per step, before and after."""
+    """Return the inputs to the cubic of the height above ground: heights and climbs per step, before and after."""
     return float(before[2]) - ground, float(after[2]) - ground, step * float(before[5]), step * float(after[5])

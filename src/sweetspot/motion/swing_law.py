@@ -102,7 +102,7 @@ def check_exponent(exponent: float) -> float:
 
 
 def turned_faster(swing: Swing, ratio: float, *, measured_at: float, pivot: float) -> Swing:
-    """Return a swing whose angular speed is ``ratio`` times another's, told at another place of another bat.
+    """Return a swing whose angular speed is ``ratio`` times another's, given at another place of another bat.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ def vertex(before: float, middle: float, after: float) -> tuple[float, float]:
 
 
 def crossing(before: float, middle: float, after: float) -> float:
-    """Return where the parabola through three values one step apart comes down through zero, in steps after the middle.
+    """Return the downward zero crossing of the parabola through three values one step apart, in steps after the middle.
 
     The middle one is above zero, the last is not; where the first is not above zero either it is a straight line.
 

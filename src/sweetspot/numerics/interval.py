@@ -97,7 +97,7 @@ ENDS = (0.05, 0.95)
 ROBUST_SCALE = 1.4826
 """Standard deviation of a normal distribution over its median absolute deviation, one over its upper quartile."""
 NO_SPEED = 0.05 * MPH
-"""m/s that is told as 0.0 mph: no gain, no loss; an interval that begins there leaves the sign open."""
+"""m/s that is reported as 0.0 mph: no gain, no loss; an interval that begins there leaves the sign open."""
 
 
 def sure_sign(low: float, high: float, *, nothing: float) -> int:

@@ -62,10 +62,10 @@ inner = register_jitable
 
 @cache
 def kernel_folder() -> Path | None:
-    """Return where machine code is kept, or None where nothing can be written.
+    """Return the folder of the machine code, or None where nothing can be written.
 
     ``NUMBA_CACHE_DIR`` where it is set; otherwise beside the package; otherwise among this user's caches; otherwise a
-    folder of this user alone among the temporary files. What lies there is run, so nobody else may write to it.
+    folder of this user alone among the temporary files. Its files are executed, so no other user may write to it.
     """
     chosen = os.environ.get("NUMBA_CACHE_DIR")
     installation = hashlib.blake2b(os.fsencode(PACKAGE), digest_size=8).hexdigest()
@@ -122,7 +122,7 @@ class _KernelFiles(NullCache):
         return folder / f"{self.name}-{self.fingerprint}-{target_digest}.kernel"
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return what was kept for a signature; None where nothing whole is, and this process is to compile it."""
+        """Return the stored code of a signature; None where none is whole, and this process is to compile it."""
         rtsys.initialize(target_context)  # of all that compiling needs, what running needs
         path = self.path(sig, target_context.codegen())
         if path is None:
@@ -158,7 +158,7 @@ class _KernelFiles(NullCache):
 
 
 def _whole(path: Path) -> bytes | None:
-    """Return what a file keeps; None where there is none, or it is not whole."""
+    """Return a file's content; None where there is no file, or it is not whole."""
     try:
         stored = path.read_bytes()
     except OSError:

@@ -33,5 +33,5 @@ class ShownInNotebooks:
         return ShownInNotebooks.renderer().figure_of(self)
 
     def _repr_html_(self) -> str:
-        """Return what a notebook shows."""
+        """Return the HTML that a notebook shows."""
         return ShownInNotebooks.renderer().html_of(self)

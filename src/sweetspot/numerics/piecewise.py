@@ -92,7 +92,7 @@ class Piecewise:
         return Piecewise(self.coefficients[: degree + 1 - order] * factors.reshape(shape), self.ends)
 
     def roots(self) -> Array:
-        """Return where one function is zero between its ends, increasing; no stretch where it is zero all along.
+        """Return the zeros of one function between its ends, increasing; none of a stretch where it is zero throughout.
 
         >>> line = Piecewise(np.array([[1.0, 1.0], [-0.5, 0.5]]), np.array([0.0, 1.0, 2.0]))
         >>> line.roots()

@@ -56,7 +56,7 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
 
 
 def read_bytes(path: Path, *, most: int, advice: str) -> bytes:
-    """Return what a file holds, unpacked where its name ends in .gz; never more than ``most`` bytes are read.
+    """Return a file's content, unpacked where its name ends in .gz; never more than ``most`` bytes are read.
 
     Parameters
     ----------

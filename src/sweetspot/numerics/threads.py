@@ -87,7 +87,7 @@ def side_by_side(
     threads: int | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> list[RESULT]:
-    """Return what ``work`` makes of every item, in the order of the items, as many at a time as there are threads.
+    """Return the results of ``work`` on every item, in the order of the items, as many at a time as there are threads.
 
     An error or an interrupt ends it after the items that are being worked on; the others are not begun.
 

@@ -1,8 +1,8 @@
 """Files that are there whole or not at all, and what a writer that was killed left beside them.
 
 A writer holds a lock on the file that waits beside its target. The system lets go of it when the process dies, on
-whatever machine that shares the folder it ran, so a lock that can be had tells a file that nobody writes to any more
-from one under way; a process number would tell neither of another machine nor of a number given out again.
+whatever machine that shares the folder it ran, so an acquired lock distinguishes a file that no process writes any
+more from one under way; a process number would show neither another machine nor a number given out again.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def written_whole(path: Path) -> Iterator[BinaryIO]:
             yield file
             file.flush()
             os.fsync(file.fileno())
-            if locks is not None:  # still locked: nobody can take it for left behind
+            if locks is not None:  # still locked: no process can take it for left behind
                 waiting.replace(path)
         if locks is None:  # an open file cannot be renamed there
             waiting.replace(path)

@@ -81,7 +81,7 @@ def pass_doubt(
 
 
 def _not_lower(places: Sequence[Place], best: Place, side: int, length: float) -> str:
-    """Return what is missing on the side of the tip (1) or of the hands (-1); "": a near place gave less."""
+    """Return the fault on the side of the tip (1) or of the hands (-1); "" where a nearby place gave less."""
     where = "nearer to the tip" if side > 0 else "nearer to the hands"
     near = [place for place in places if 0 < side * (place.position - best.position) <= BRACKET]
     if not near:

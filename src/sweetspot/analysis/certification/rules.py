@@ -178,7 +178,7 @@ class Check:
 
     @property
     def words(self) -> str:
-        """The verdict as people read it, with its doubt wherever it is told."""
+        """The verdict for display, with its doubt."""
         return f"{self.verdict}{NOT_SURE}" if self.decided and not self.sure else self.verdict.value
 
 
@@ -245,7 +245,7 @@ def is_one_piece(bat: Bat) -> bool:
 
 
 def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
-    """Return what the description itself says: sizes, weight, and whether it is one piece of wood.
+    """Return the findings from the description alone: sizes, weight, and whether the bat is one piece of wood.
 
     A bat given by its mass per length has no measured outline; its diameter follows from the material's density.
     """

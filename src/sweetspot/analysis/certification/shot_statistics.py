@@ -269,7 +269,7 @@ def _recoil(shot: Shot, body: RigidBody, ball: Ball) -> float:
 
 
 def _by_moi(best: list[MeasuredShot], bat: Bat, body: RigidBody, ball: Ball) -> float:
-    """Return what a moment of inertia in doubt leaves open of BBCOR = q (1 + r) + r, as a part of it; r = m z^2 / I."""
+    """Return the relative uncertainty of BBCOR = q (1 + r) + r, r = m z^2 / I, from a moment of inertia in doubt."""
     part = REACH * moi_doubt(bat, body, CLAMP) / body.moi(CLAMP)
     return part * fmean((1 + hit.efficiency) * _recoil(hit.shot, body, ball) / hit.bbcor for hit in best)
 
@@ -323,7 +323,7 @@ def _best(groups: list[list[MeasuredShot]]) -> list[MeasuredShot]:
 
 
 def _outliers(hits: list[MeasuredShot]) -> tuple[Outlier, ...]:
-    """Return hits far from the median in median absolute deviations; with fewer than four none can be told."""
+    """Return hits far from the median in median absolute deviations; none of fewer than four hits."""
     if len(hits) < 4:
         return ()
     middle = median(hit.normalised for hit in hits)

@@ -77,7 +77,7 @@ def resolved(table: Table, where: str, folder: Path | None = None, before: tuple
 
 
 def names_file(like: str) -> bool:
-    """Say whether what a file is like is meant as another file: it ends in ``.toml`` or holds a path separator."""
+    """Return whether a value of ``like`` denotes another file: it ends in ``.toml`` or holds a path separator."""
     return like.lower().endswith(".toml") or "/" in like or "\\" in like
 
 
@@ -160,7 +160,7 @@ def _scaled_to(parent: Table, changes: Table, length: float | None) -> Table:
 
 
 def _before_added(table: Table) -> Table:
-    """Return what was measured on an implement with its weights as its file has it: without them."""
+    """Return the measured quantities of an implement with added weights, converted to those without them."""
     given, weights = set(MEASURED) & table.keys(), _weights(table, table["kind"])
     if not given or not weights:
         return {}
@@ -170,7 +170,7 @@ def _before_added(table: Table) -> Table:
 
 
 def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float) -> Measures:
-    """Return what a file says was measured on an implement as it would be without its weights.
+    """Return the measures that a file gives for an implement, reduced to those without its added weights.
 
     Parameters
     ----------
@@ -197,7 +197,7 @@ def _weights(table: Table, kind: str) -> tuple[AddedMass, ...]:
 
 
 def _is_other_material(parent: Any, child: Any) -> bool:
-    """Say whether a material's name or density is another than the parent's; stiffer wood is still the same piece."""
+    """Return whether a material's name or density differs from the parent's; stiffer wood is still the same piece."""
     if child is None or parent is None:
         return False
     before, after = (part if isinstance(part, dict) else {"like": part} for part in (parent, child))
@@ -231,7 +231,7 @@ def _name(parent: str) -> str:
 
 
 def _kept(parent: Table) -> Table:
-    """Return what of a parent's file is not in the text of its implement, and the weights on it."""
+    """Return the tables of a parent's file that the text of its implement lacks: calibration and added weights."""
     return {name: parent[name] for name in ("calibration", "point_mass") if name in parent}
 
 

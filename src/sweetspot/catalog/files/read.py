@@ -19,7 +19,7 @@ from sweetspot.units import OUNCE
 
 
 def doubts(implement: Implement) -> tuple[str, ...]:
-    """Return what is unusual about an implement as a whole, in words; nothing where its sport is not known.
+    """Return sentences on unusual features of an implement as a whole; none where its sport is unknown.
 
     >>> from sweetspot import catalog
     >>> doubts(catalog.bat("r161-ash"))

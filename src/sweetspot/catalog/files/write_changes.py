@@ -37,7 +37,7 @@ def changes_table(implement: Implement, *, like: str) -> dict[str, Any]:
 
 
 def _different(table: dict[str, Any], pattern: dict[str, Any]) -> dict[str, Any]:
-    """Return what of a table is not in the pattern's; of a table inside it, what of that is not."""
+    """Return the entries of a table that differ from the pattern's, recursively."""
     changed: dict[str, Any] = {}
     for name, value in table.items():
         before = pattern.get(name)

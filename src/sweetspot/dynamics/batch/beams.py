@@ -33,7 +33,7 @@ class Beams(Protocol):
     """Many beams."""
 
     def __len__(self) -> int:
-        """Return how many they are."""
+        """Return the number of beams."""
 
     @property
     def lumps(self) -> Lumps:
@@ -131,7 +131,7 @@ class SolidBats:
 
     @property
     def unplaced(self) -> Array:
-        """Nothing: nobody measured them."""
+        """Zeros: nothing was measured."""
         return np.zeros((len(self), 2))
 
     @property
@@ -167,7 +167,7 @@ class SolidBats:
         )  # fmt: skip
 
     def as_measured(self) -> SolidBats:
-        """Return themselves: nobody measured them."""
+        """Return the bats unchanged: nothing was measured."""
         return self
 
     def part(self, which: slice) -> SolidBats:

@@ -96,7 +96,7 @@ class BendingBatch:
         return curvatures
 
     def left_out_at(self, position: Array) -> Array:
-        """Return what the modes leave out at places (beams, places) in m, m/N; see `left_out`."""
+        """Return the residual compliance of the modes at places (beams, places) in m, m/N; see `left_out`."""
         part = position / self.length[:, None]
         pieces = self.sampled_at.shape[1] - 1
         for beam in np.flatnonzero(self.corner):  # even only up to the joint and after it

@@ -208,7 +208,7 @@ def give_slowly(
     first: IntArray, middle: Array, cells: tuple[Array, Array, Array, Array, Array], points: Points, position: Array,
     compliance: Array,
 ) -> None:  # fmt: skip
-    """Fill in how far every free beam gives way under a slow push, m/N at places (beams, places) in m.
+    """Fill in the static compliance of every free beam, m/N at places (beams, places) in m.
 
     The sums over cells of `static_compliance`, taken apart so that each is made once and not for every place.
 

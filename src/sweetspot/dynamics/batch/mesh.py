@@ -149,7 +149,7 @@ def apart(ends: list[float]) -> tuple[float, ...]:
 
 
 def least_elements(count: int) -> int:
-    """Return how many elements ``count`` modes need at least: `ELEMENTS` for every dozen."""
+    """Return the least number of elements for ``count`` modes: `ELEMENTS` for every dozen."""
     return ELEMENTS * -(-count // MODES)
 
 

@@ -1,4 +1,4 @@
-"""Many bats reduced to what a collision needs of them: rigid body, modes, and how far the surface gives way at once."""
+"""Many bats reduced to the inputs of a collision: rigid body, modes, and the surface's instantaneous compliance."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class ReducedBats:
         return np.concatenate([beams, walls], axis=2)
 
     def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
-        """Return how far the surface gives way at once, m/N at places (bats, places) in m; never below zero.
+        """Return the instantaneous compliance of the surface, m/N at places (bats, places) in m; never below zero.
 
         Parameters
         ----------
