@@ -277,7 +277,7 @@ def judged(one: Ringing, test: TapTest) -> tuple[Counter[str], list[str]]:
     for tone in test.tones:
         off = np.abs(np.log(tone.tone.frequency.value / one.frequency))
         true = {one.names[index] for index in np.flatnonzero(off < SAME)}
-        own = "" if tone.tone.own else ", room's?"
+        own = "" if tone.tone.distinct else ", room's?"
         if tone.name is None:
             counts["unnamed" if true else "unnamed other"] += 1
         elif tone.name in true:

@@ -304,7 +304,7 @@ def held(body: Body, test: TapTest) -> tuple[int, int, str]:
     """Return how many loud tones hold a true mode within their interval, of how many, and what E is off in sigma."""
     right, tones = 0, 0
     for one in test.tones:
-        if one.tone.own:
+        if one.tone.distinct:
             tones += 1
             near = float(np.abs(body.frequency - one.tone.frequency.value).min())
             right += near < REACH * one.tone.frequency.error

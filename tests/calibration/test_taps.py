@@ -379,9 +379,9 @@ def test_a_room_s_tones_do_not_stand_out(modes: Modes) -> None:
     wet = scipy.signal.fftconvolve(dry.samples, echo)[: len(dry.samples)]
     tones = tap_test([replace(dry, samples=0.4 * wet / np.abs(wet).max())], modes=modes, positions=[0.813]).tones
     off = [np.min(np.abs(modes.frequency[2:] / one.tone.frequency.value - 1)) for one in tones]
-    assert any(miss > 0.02 and not one.tone.own for one, miss in zip(tones, off, strict=True))
-    assert all(miss < 0.02 for one, miss in zip(tones, off, strict=True) if one.tone.own)
-    assert {1, 2} <= {one.name.harmonic for one in tones if one.name and one.tone.own}
+    assert any(miss > 0.02 and not one.tone.distinct for one, miss in zip(tones, off, strict=True))
+    assert all(miss < 0.02 for one, miss in zip(tones, off, strict=True) if one.tone.distinct)
+    assert {1, 2} <= {one.name.harmonic for one in tones if one.name and one.tone.distinct}
 
 
 def test_a_quiet_tap(modes: Modes) -> None:
@@ -485,7 +485,7 @@ def test_the_tapped_steel_bar() -> None:
     test = tap_test([read_recording(real_file("steel_bar_tap.wav"))], bar=STEEL_BAR)
     first = next(one.tone.frequency for one in test.tones if one.name == ModeName("bending", 1))
     assert first.low < 1281 < first.high
-    assert {one.name for one in test.tones if one.tone.own} == {ModeName("bending", 1), ModeName("bending", 2)}
+    assert {one.name for one in test.tones if one.tone.distinct} == {ModeName("bending", 1), ModeName("bending", 2)}
     assert test.bar is not None
     assert test.bar.modulus.low < 215e9 < test.bar.modulus.high
     assert test.bar.modulus.relative < 0.015

@@ -173,7 +173,7 @@ def _heard_tone(named: NamedTone) -> HeardTone:
         q_factor=tone.quality,
         level=tone.level,
         taps=tone.taps,
-        own=tone.own,
+        own=tone.distinct,
         may_be=tuple(dict.fromkeys(map(str, named.rivals))),
         expected=named.expected,
     )

@@ -36,16 +36,16 @@ ISOTROPIC, ISOTROPIC_RATIO = 2000.0, Measured(math.log(2.6), 0.06)
 """kg/m^3 from which on a bar is metal, glass or ceramic and the same in all directions, and its ln(E / G): 2 (1 + nu)
 is 2.4 to 2.88 for a Poisson's ratio of 0.2 of glass to 0.44 of lead (recalled). Fibre composites are lighter."""
 SQUARE = 0.1
-"""Logarithm of width over thickness below which bending sideways cannot be told from bending across the thickness."""
+"""Logarithm of width over thickness below which bending across the width and across the thickness are confused."""
 WIDEST_WOOD, WIDEST = 0.25, 0.4
 """Width over length, of wood and of anything else, from which on bars bend across too before they bend along the third
 time, 5.4 times the first tone, at (L / W)^2 sqrt(E across / E along) of it. With a fifteenth for wood (a twelfth to a
-twenty-fifth, recalled) that is 0.22, for metal with 1 it is 0.43; made-up strips were told well up to 0.25 (chosen on
-them). Of wider plates nobody can tell by ratios which tone is which."""
+twenty-fifth, recalled) that is 0.22, for metal with 1 it is 0.43; made-up strips were separated up to 0.25 (chosen on
+them). The tones of wider plates cannot be assigned to modes by their ratios."""
 THICKEST = 0.2
 """Of the length; a thicker bar is no beam."""
 SPEED, SPEEDS = 4000.0, (1200.0, 12900.0)
-"""sqrt(E / rho) in m/s of a bar that nobody has tapped: the middle of lead's and beryllium's, between which solids lie
+"""sqrt(E / rho) in m/s of a bar before it is tapped: the middle of lead's and beryllium's, between which solids lie
 (both recalled); steel, aluminium, glass and spruce along its grain have about 5,000."""
 FASTEST_WOOD = 7000.0
 """m/s of the same along wood. Its hollow cells run along it, so no wood is stiffer for its weight than their walls:
@@ -263,7 +263,7 @@ def moduli_along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Meas
     moduli = [
         (named.tone, bar_modulus(bar, [NamedTone(named.tone, first, None)]).modulus)
         for named in tones
-        if named.tone.own
+        if named.tone.distinct
     ]
     slowest, fastest = SPEEDS
     return tuple(

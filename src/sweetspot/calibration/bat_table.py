@@ -95,7 +95,7 @@ MOST_BATS = 200
 def read_bats(
     path: Path, *, axis: float = STANDARD_AXIS, sport: str = "baseball", given: GivenColumns = NOTHING_GIVEN
 ) -> dict[str, list[Measurement]]:
-    """Return what was measured on each bat of a CSV file, by name.
+    """Return the measurements of each bat of a CSV file, by name.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def read_bats(
 
 
 def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
-    """Return what the columns mean; a heading that may be a slip of the pen is refused, others are warned of."""
+    """Return the meaning of the columns; a heading that looks misspelled is refused, others cause a warning."""
     found = read_headings(names, wanted=BATS, given=given, once=True, file_name=str(path))
     unread = [name for name in found.passed if name and name not in found.spare]
     slips = [hint for name in unread if "did you mean" in (hint := maybe_heading(name, BATS))]
@@ -167,7 +167,7 @@ def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
 
 
 def _usual_moisture(bats: Mapping[str, Mapping[str, Measured]], path: Path) -> Measured | None:
-    """Return how wet a bat is taken to be whose moisture was not measured; None: nobody's was, and none is brought."""
+    """Return the moisture assumed of a bat without a measured one; None if no bat has one: nothing is corrected."""
     measured = [values["moisture"].value for values in bats.values() if "moisture" in values]
     if not measured:
         return None
@@ -206,7 +206,7 @@ def _values(texts: Mapping[str, str], headings: Headings, what: str) -> dict[str
 
 
 def _measurements(values: Mapping[str, Measured], usual: Measured | None, axis: float) -> list[Measurement]:
-    """Return what was measured on one bat, at 12 % of moisture where that is known.
+    """Return the measurements of one bat, at 12 % of moisture where its moisture is known.
 
     Parameters
     ----------
@@ -235,7 +235,7 @@ SAME_LENGTH = 0.005
 def read_folder(
     folder: Path, model: Implement, *, axis: float, given: GivenColumns = NOTHING_GIVEN
 ) -> dict[str, list[Measurement]]:
-    """Return what was measured on each bat of a folder, by name; a bat file's bat is called like the file.
+    """Return the measurements of each bat of a folder, by name; the bat of a bat file is called like the file.
 
     Parameters
     ----------
@@ -274,7 +274,7 @@ def read_folder(
 
 
 def measured_of(path: Path, model: Implement) -> list[Measurement]:
-    """Return what was measured on the bat of a file that `sweetspot calibrate` wrote; shots are not among it.
+    """Return the measurements of the bat in a file written by `sweetspot calibrate`, without its shots.
 
     Parameters
     ----------

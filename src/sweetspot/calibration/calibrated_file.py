@@ -23,8 +23,8 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 
-TOLD = 0.7
-"""Error after over before, below which measurements have told something about an unknown (our choice)."""
+INFORMATIVE = 0.7
+"""Error after over before, below which the measurements are informative about an unknown (our choice)."""
 MEASURING = {"mass": ("mass",), "balance_point": ("balance_point",), "moi": ("moi", "period")}
 """Kinds of measurement that measure a written property."""
 STEP = 1e-3
@@ -73,7 +73,7 @@ def _doubt_of_moi(posterior: BatPosterior) -> float:
 
 
 def _slopes(posterior: BatPosterior, wanted: Sequence[Measurement]) -> Array:
-    """Return what every unknown changes of what is wanted, shape (unknowns, wanted)."""
+    """Return the derivatives of the wanted quantities with respect to every unknown, shape (unknowns, wanted)."""
     beam, unknowns = posterior.beam, posterior.unknowns
     steps = STEP * np.array([unknown.spread for unknown in unknowns])
     places = np.vstack([np.diag(steps), -np.diag(steps)])
@@ -109,7 +109,7 @@ def material_values(posterior: BatPosterior) -> dict[str, CalibratedValue]:
         if unknown.name in centre:
             field, value = centre[unknown.name]
             error = posterior.deviation(unknown.name).error
-            kind: ValueKind = "fitted" if error < TOLD * unknown.spread else "assumed"
+            kind: ValueKind = "fitted" if error < INFORMATIVE * unknown.spread else "assumed"
             values[field] = CalibratedValue(Measured(value, value * error), kind)
     return values
 
@@ -164,7 +164,7 @@ def calibrated_table(posterior: BatPosterior, damping: Measured | None) -> dict[
 
 
 def _calibration_table(posterior: BatPosterior) -> dict[str, Any]:
-    """Return what a file keeps of a calibration: what was measured, and the covariance of what is not known of the bat.
+    """Return the calibration table of a bat file: the measurements and the covariance of the bat's unknowns.
 
     The ball's part is left out: it belongs to the balls that were shot.
     """

@@ -32,14 +32,14 @@ class Tone:
     damping_ratio : fraction of critical; the errors of both hold the repeatability.
     level : loudness over the loudest tone's, 0 to 1.
     taps : number of taps in which it was heard.
-    own : whether it stands out of what a room may add, in at least half of them; see `stands_out`.
+    distinct : whether it stands out of what a room may add, in at least half of them; see `stands_out`.
     """
 
     frequency: Measured
     damping_ratio: Measured
     level: float
     taps: int
-    own: bool = True
+    distinct: bool = True
 
     @property
     def quality(self) -> float:
@@ -59,7 +59,7 @@ class _Heard(NamedTuple):
     tone: Sinusoid
     tap: int
     level: float
-    own: bool
+    distinct: bool
 
 
 def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
@@ -103,5 +103,5 @@ def _tone(group: list[_Heard]) -> Tone:
         damping.widened(DAMPING_REPEATABILITY * damping.value).widened(shared / frequency.value),
         max(heard.level for heard in group),
         len(group),
-        sum(heard.own for heard in group) >= OFTEN * len(group),
+        sum(heard.distinct for heard in group) >= OFTEN * len(group),
     )

@@ -1,7 +1,7 @@
 """Which measurement contradicts all the others, and what was probably meant by it.
 
 The slips that people make are tried: inches given as centimetres, a balance point from the other end, two swings timed
-for one, a tone by another mode's name. Those that agree with everything else are told; there may be several.
+for one, a tone by another mode's name. Those that agree with everything else are reported; there may be several.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ def _slips(suspect: Measurement, others: BatPosterior) -> Iterator[Meant]:
 
 
 def _as_described(posterior: BatPosterior) -> BatPosterior:
-    """Return what is known of the same bat before anything was measured."""
+    """Return the prior of the same bat, before any measurement."""
     spreads = np.array([unknown.spread for unknown in posterior.unknowns])
     return replace(
         posterior,

@@ -112,7 +112,7 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
 
 
 def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
-    """Return what a beam model says to measurements, SI, shape (n,).
+    """Return the values that a beam model predicts for measurements, SI, shape (n,).
 
     Parameters
     ----------
@@ -163,7 +163,7 @@ def _bending(beam: BeamModel, count: int) -> Array:
 
 
 def prediction_of_body(body: RigidBody, measurement: Measurement) -> float:
-    """Return what a rigid body says to a measurement on scale, edge or pendulum, SI."""
+    """Return the value that a rigid body predicts for a measurement on scale, edge or pendulum, SI."""
     if measurement.kind == "mass":
         return body.mass
     if measurement.kind == "balance_point":

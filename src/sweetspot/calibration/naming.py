@@ -46,7 +46,7 @@ LOUD = 0.1
 BAR_SPREAD = 0.6
 """One sigma of the logarithm of a bar's first frequency before it is tapped: that of sqrt(E / rho), see `bar.SPEED`."""
 VAGUE = 0.5
-"""Spread of a family's scale from which on no frequency is told as expected."""
+"""Spread of a family's scale from which on no expected frequency is reported."""
 ANY_BAT = (175.0, 580.0, 1180.0, 1900.0)
 """Hz, bending modes of bats: f2 / f1 is 2.7 to 4.1 and f3 / f1 5.1 to 9.5 over the catalogue's bats."""
 ANY_SPREAD, ANY_RATIO_SPREAD = 0.25, 0.09
@@ -83,7 +83,7 @@ class ModeFamily:
     ----------
     names, frequency : of the modes, Hz, increasing.
     excitation : how strongly the tap moves each, over its greatest; 1 where the place is not known.
-    spread : one sigma of the logarithm of the common scale; from `VAGUE` on no frequency is told as expected.
+    spread : one sigma of the logarithm of the common scale; from `VAGUE` on no expected frequency is reported.
     ratio_spread : one sigma of every frequency's logarithm against the scale.
     farthest : logarithms between which the common scale lies; None: `FARTHEST` spreads on both sides.
     fine_spread : what ``ratio_spread`` is where the tones agree so well; None: it is known.
@@ -117,7 +117,7 @@ class NamedTone:
 
 
 def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> ModeFamily:
-    """Return what a family of modes sounds like, tapped at places in m (none: anywhere)."""
+    """Return the expected frequencies of a family of modes, tapped at places in m (none: anywhere)."""
     chosen = modes.of_family(family)
     shapes = np.abs(modes.shape_at(np.linspace(0, modes.shapes.ends[-1], 201))[:, chosen])
     excitation = np.ones(len(chosen))
@@ -195,7 +195,7 @@ def named(tones: Sequence[Tone], families: Sequence[ModeFamily], *, doubt: float
 
 
 def misfit(tones: Sequence[Tone], families: Sequence[ModeFamily]) -> float:
-    """Return what the best assignment leaves unexplained a tone, in units of chi squared.
+    """Return the misfit per tone of the best assignment, in units of chi squared.
 
     Of the catalogue's bats and implements described as what they are it is less than 0, as others of their material
     mostly less than 2, and as others of another 1.5 to 6.
@@ -220,14 +220,14 @@ def _exchanged(tones: Sequence[Tone], modes: Assignment, index: int, doubt: floa
 
 
 def _cost_in(tones: Sequence[Tone], family: ModeFamily, modes: Assignment) -> float:
-    """Return what a family costs in an assignment."""
+    """Return the cost of a family in an assignment."""
     pairs = {tone: mode for tone, (other, mode) in modes.items() if other is family}
     return _cost(tones, family, _common_scale(tones, family, pairs), pairs)
 
 
 def wants_a_mode(tone: Tone) -> bool:
     """Say whether a tone must have a mode: it is loud, and surely the body's and not the room's."""
-    return tone.level > LOUD and tone.own
+    return tone.level > LOUD and tone.distinct
 
 
 Assignment = dict[int, tuple[ModeFamily, int]]
@@ -290,7 +290,7 @@ def _common_scale(tones: Sequence[Tone], family: ModeFamily, pairs: dict[int, in
 
 
 def _cost(tones: Sequence[Tone], family: ModeFamily, scale: float, pairs: dict[int, int]) -> float:
-    """Return what tones off their mode, and modes that must ring but do not, cost together."""
+    """Return the total cost of tones off their mode and of modes that must ring but do not."""
     cost = (scale / family.spread) ** 2 + _misfit(tones, family, scale, pairs)
     highest = max((tone.frequency.value for tone in tones), default=0.0)
     unheard = sum(
@@ -301,7 +301,7 @@ def _cost(tones: Sequence[Tone], family: ModeFamily, scale: float, pairs: dict[i
 
 
 def _misfit(tones: Sequence[Tone], family: ModeFamily, scale: float, pairs: dict[int, int]) -> float:
-    """Return what tones off their mode cost together, at the likelier of the ratio spreads s that a family may have.
+    """Return the total cost of tones off their mode, at the likelier of the ratio spreads s that a family may have.
 
     sum (miss / s)^2 + 2 n ln s, over that of the usual one. A bat may be described well but for a tone or two: each of
     them then costs `STRAY` beside what it is off by the usual spread.

@@ -126,7 +126,7 @@ def residuals(x: Array, *, beam: BeamModel, unknowns: Sequence[Unknown], measure
 def _misses(
     beam: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]
 ) -> Callable[[Array], Array]:
-    """Return what least squares makes small: `residuals`, of shots linear around what all else says.
+    """Return the residuals that least squares minimizes; those of shots are linearized around the fit to all else.
 
     A shot takes the bat's whole vibration, and q hardly bends over the doubt that scale and tap leave.
     """
@@ -151,9 +151,9 @@ def _misses(
     rest = [index for index in range(len(measurements)) if index not in shot]
 
     def quick(x: Array) -> Array:
-        known = exact(x)
+        others_there = exact(x)
         misses_there = np.empty(len(measurements) + len(x))
-        misses_there[rest], misses_there[len(measurements) :] = known[: len(rest)], known[len(rest) :]
+        misses_there[rest], misses_there[len(measurements) :] = others_there[: len(rest)], others_there[len(rest) :]
         misses_there[shot] = here + slopes @ (x - around)
         return misses_there
 
@@ -177,7 +177,7 @@ def _once(misses: Callable[[Array], Array]) -> Callable[[Array], Array]:
 def _said(
     beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
 ) -> Array:
-    """Return what the bat and ball with these deviations say to measurements, SI."""
+    """Return the values that the bat and ball with these deviations predict for measurements, SI."""
     livelier = sum(float(off) for entry, off in zip(unknowns, deviations, strict=True) if entry.name == OF_BALL)
     return predicted(deviated(beam, unknowns, deviations), measurements, livelier=livelier)
 

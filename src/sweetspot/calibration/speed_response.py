@@ -52,7 +52,7 @@ class EfficiencyResponse:
 def response_of_efficiency(
     beam: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array
 ) -> EfficiencyResponse:
-    """Return what q along a bat depends on.
+    """Return the quantities along a bat on which q depends.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ class SpeedResponse:
 def response_of_speed(
     beam: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array, law: SwingLaw | None
 ) -> SpeedResponse:
-    """Return what exit speeds along a bat depend on.
+    """Return the quantities along a bat on which exit speeds depend.
 
     Parameters
     ----------

@@ -90,9 +90,9 @@ def telling(measurements: Sequence[Measurement], implement: Implement) -> list[M
 FAMILIES: tuple[Family, ...] = ("bending", "hoop")
 """Those that a microphone hears."""
 BY_RATIOS = 3
-"""Bending modes that ratios alone name, of a bat that nobody described."""
+"""Bending modes that ratios alone name, of a bat without a description."""
 THIRD = (1.75, 2.4)
-"""f3 / f2 between which the third may be told; the catalogue's bats have 1.81 to 2.32. A short hollow bat's hoop tone
+"""f3 / f2 between which the third may be named; the catalogue's bats have 1.81 to 2.32. A short hollow bat's hoop tone
 lies lower: at 1.57 of a made-up one of 25 in, its third at 2.00."""
 UNLIKE, UNLIKE_HOLLOW = 1.6, 2.2
 """Misfit from which on what rang is hardly what was described, solid or hollow (assumed). Of 36 made-up bats described
@@ -115,7 +115,7 @@ class TapTest:
     moduli_along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
     free_damping : ratio that a freely hung one of this kind has at most; a bar may have any.
     misfit : what the modes described leave unexplained a tone; see `naming.misfit`.
-    by_ratios : whether the names come from the ratios of bats in general, since nobody described the bat.
+    by_ratios : whether the names come from the ratios of bats in general, as the bat has no description.
     """
 
     recordings: tuple[Recording, ...]
@@ -142,7 +142,7 @@ class TapTest:
     @property
     def touched(self) -> Tone | None:
         """The lowest loud tone where it surely dies away sooner than that of a freely hung one; None: it does not."""
-        lowest = next((named.tone for named in self.tones if named.tone.own and named.tone.level > HEARD), None)
+        lowest = next((named.tone for named in self.tones if named.tone.distinct and named.tone.level > HEARD), None)
         return lowest if lowest and lowest.damping_ratio.low > self.free_damping else None
 
     @property
@@ -219,11 +219,11 @@ def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:
     """Return tones with the names of bats in general, or without names where they are not those of a bat.
 
     A bat's two lowest modes are heard, and nothing else of its own below the second: hoop modes are higher. A plate,
-    a brace or a pipe that nobody described has tones, but no names. Nor have a bat's tones above the third, those of
+    a brace or a pipe without a description has tones, but no names. Nor have a bat's tones above the third, those of
     bending lie among the hoop modes, nor a third that a hoop mode may be.
     """
-    heard = {named.name.harmonic: named.tone.frequency.value for named in tones if named.name and named.tone.own}
-    others = [named.tone for named in tones if named.name is None and named.tone.own]
+    heard = {named.name.harmonic: named.tone.frequency.value for named in tones if named.name and named.tone.distinct}
+    others = [named.tone for named in tones if named.name is None and named.tone.distinct]
     like = {1, 2} <= set(heard) and not any(tone.frequency.value < heard[2] for tone in others)
     thirds = (THIRD[0] * heard[2], THIRD[1] * heard[2]) if like else (0.0, 0.0)
 

@@ -1,4 +1,4 @@
-"""What is wrong with a sound that begins like a tap, told in words; None where it is the ringing of a free body.
+"""Faults of a sound that begins like a tap, in words; None where it is the ringing of a free body.
 
 After the blow nothing drives what was tapped. Every tone then dies away alone, all began together, and what they say
 can be foreseen: a second blow shows as a burst in what linear prediction cannot foresee, a voice or a creak as what is
@@ -33,14 +33,14 @@ BURST_SHARE = 0.1
 ONE_BLOW = 0.02
 """s after the beginning in which all blows are one contact; the window then begins after the last."""
 APART = 0.2
-"""s between blows that are meant as two taps."""
+"""s between blows that are intended as two taps."""
 LARGEST_MISFIT = 0.8
 """rms of what is no damped sinusoid over that of the sound."""
 MOST_DRIVEN = 0.3
 """rms of what is neither a damped sinusoid nor the background over that of the sound (assumed). After the blow nothing
 drives what was tapped: all that it says is damped sinusoids that began together. A voice or a creak is driven on."""
-CROWDED = "more tones than can be told apart"
-"""What driven sound may be instead, in the words of its fault; with fewer tones it can be told."""
+CROWDED = "more tones than can be separated"
+"""What driven sound may be instead, in the words of its fault, unless it has fewer tones."""
 MOST_CANCELLED = 5.0
 """Energy of a fit's sinusoids, each alone, over that of the sound (assumed). Tones of a body lie apart and hardly
 cancel each other: two planes that begin against each other reach 4; a tone that glides needs many that cancel."""
@@ -65,7 +65,7 @@ HEARD = 0.1
 
 
 def fault_of_sound(raw: Array, whole: Array, struck: Array, rate: float, *, step: float, lasts: float) -> str | None:
-    """Return what is wrong with a tap before anything is fitted; None: nothing is.
+    """Return the fault of a tap that shows before anything is fitted; None if there is none.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def _does_not_die_away(whole: Array, struck: Array, rate: float) -> str | None:
 
 
 def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
-    """Return what is wrong with a tap by the damped sinusoids fitted to it; None: nothing is.
+    """Return the fault of a tap that shows in the damped sinusoids fitted to it; None if there is none.
 
     Parameters
     ----------

@@ -70,7 +70,7 @@ def _hum(samples: Array, rate: float, size: int) -> Array:
 
 
 def _steady_hum(parts: Array, starts: NDArray[np.intp], rate: float, count: int) -> Array:
-    """Return what is steady in quiet parts of a block, all through its samples, shape (count,).
+    """Return the steady part of a block's quiet parts, continued through all its samples, shape (count,).
 
     Parameters
     ----------
@@ -271,7 +271,7 @@ def _rises(level: Array, least: float) -> list[int]:
 def _tap(
     recording: Recording, sound: Recording, span: tuple[float, float], band: FrequencyBand, *, held: float, quiet: float
 ) -> Tap:
-    """Return what begins at the first of two times in s, and is heard to the second.
+    """Return the sound that begins at the first of two times in s, and is heard to the second.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ OF_CLUB = {"end_mass": 0.06, "knob_mass": 0.3, "first_frequency": 0.2}
 
 
 def implement_spreads(implement: Implement) -> dict[str, float]:
-    """Return what is not known about an implement that is no bat, and one sigma of the logarithm of each.
+    """Return the unknowns of an implement that is not a bat, and one sigma of the logarithm of each.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def described(bat: Implement) -> BeamModel:
 
 
 def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[Unknown, ...]:
-    """Return what is not known about a bat of this kind.
+    """Return the unknowns of a bat of this kind.
 
     Parameters
     ----------

@@ -351,7 +351,7 @@ def test_a_hard_dark_shadow_is_told_from_the_bat_by_its_hue(
     assert np.abs(misses(outline)).max() < 2.2e-3  # two pixels
     assert inside(outline) > 0.9
     if (wood, ground) == (ASH, WHITE):  # strong colours are told from shadows without that
-        assert "told from it by its hue" in outline.notes[0]
+        assert "separated from it by hue" in outline.notes[0]
 
 
 def test_a_shadow_beside_a_part_of_its_hue_is_refused(tmp_path: Path) -> None:

@@ -81,13 +81,13 @@ def _tag(element: ElementTree.Element) -> str:
 def _unit(root: ElementTree.Element) -> float | None:
     """Return m per user unit; None without a width that has a unit of length."""
     sizes = [SIZE.match(root.get(name, "").lower()) for name in ("width", "height")]
-    known = [None if size is None or size[2] not in UNITS else float(size[1]) * UNITS[size[2]] for size in sizes]
-    if known[0] is None or sizes[0] is None or sizes[0][2] in ("", "px"):
+    lengths = [None if size is None or size[2] not in UNITS else float(size[1]) * UNITS[size[2]] for size in sizes]
+    if lengths[0] is None or sizes[0] is None or sizes[0][2] in ("", "px"):
         return None
     box = [float(number) for number in NUMBERS.findall(root.get("viewBox", ""))][2:]
     if len(box) != 2 or box[0] <= 0:
         return UNITS["px"]
-    fits = [entry / user for entry, user in zip(known, box, strict=True) if entry and user > 0]
+    fits = [entry / user for entry, user in zip(lengths, box, strict=True) if entry and user > 0]
     return fits[0] if root.get("preserveAspectRatio") == "none" else min(fits)
 
 

@@ -16,7 +16,7 @@ from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 TABLES, DRAWINGS = (".csv", ".txt", ".tsv"), (".svg", ".dxf")
 PHOTOGRAPHS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".webp", ".bmp")
 HEIF = (".heic", ".heif")
-"""Photographs that are not read, and told how to be saved."""
+"""Photographs that are not read; the message says how to save them."""
 ENDINGS = TABLES + DRAWINGS + PHOTOGRAPHS
 
 
@@ -52,7 +52,7 @@ def read_outline(
 
 
 def _read(path: Path, *, length: float | None, ruler: float | None, camera_distance: float | None) -> MeasuredOutline:
-    """Return what a file of this ending holds; see `read_outline`."""
+    """Return the content of a file with this ending; see `read_outline`."""
     ending = path.suffix.lower()
     if ending in PHOTOGRAPHS + HEIF:
         return read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)

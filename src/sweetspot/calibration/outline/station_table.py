@@ -40,13 +40,13 @@ FEWEST_STATIONS = 5
 MOST_FAULTS = 5
 """Lines whose fault a message names."""
 WIDE, EVEN = 3.05 * INCH, 1e-5
-"""m between stations from which on what lies between is told as unknown (a straight line over 3 in misses up to 2.6 mm
+"""m between stations from which on the shape between is reported as unknown (a straight line over 3 in misses 2.6 mm
 of the catalogue's bats, a torpedo's barrel), unless both are as thick: a cylinder that somebody drew."""
 OFF_LINE, NEIGHBOURS = 3e-3, 1.1 * INCH
 """m that a diameter may be off the line between its neighbours, where these are no farther away: an inch apart, the
 catalogue's bats reach 1.8 mm."""
 BLUNT = 0.93
-"""Of the greatest diameter: turned tips are rounded to less; blunt ones, as of metal bats, are told of needlessly."""
+"""Of the greatest diameter: turned tips are rounded to less; blunt ones, as of metal bats, cause a needless warning."""
 SLENDER = 8.0
 """Length over greatest diameter of bats at least; those of the catalogue have 11 or more."""
 THICKER = 1.05
@@ -250,7 +250,7 @@ def _written_length(text: str) -> float:
 
 
 def _metres(row: Sequence[str], column: TableColumn) -> float:
-    """Return what a cell says in m."""
+    """Return the length in a cell, m."""
     text = _cell(row, column)
     try:
         value = column.factor * float(text)

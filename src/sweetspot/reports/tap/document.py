@@ -71,7 +71,7 @@ def tap_document(answer: TapAnswer) -> Document:
         level=Slot(answer.interval_level, "share"),
     )
     notes = [Paragraph(level, "note")]
-    if not all(named.tone.own for named in test.tones):
+    if not all(named.tone.distinct for named in test.tones):
         notes.append(Paragraph(ROOMS, "note"))
     if test.by_ratios and any(named.name and named.name.harmonic == HOOP_MAY_BE for named in test.tones):
         notes.append(Paragraph(BY_RATIOS, "note"))
@@ -120,7 +120,7 @@ def _tone_row(named: NamedTone) -> tuple[Cell, ...]:
     return (
         str(named.name) if named.name else _rivals(named), measured_words(tone.frequency, "frequency"), named.expected,
         measured_words(tone.damping_ratio, "share"), quality, tone.level, tone.taps,
-        "its own" if tone.own else "room's?",
+        "its own" if tone.distinct else "room's?",
     )  # fmt: skip
 
 

@@ -134,6 +134,6 @@ def _coloured(test: TapTest) -> list[tuple[NamedTone, str]]:
 
     Where none has a name, those are the lowest that are surely the body's.
     """
-    named = [named for named in test.tones if named.name] or [named for named in test.tones if named.tone.own]
+    named = [named for named in test.tones if named.name] or [named for named in test.tones if named.tone.distinct]
     colours = dict(zip(map(id, named), COLOURS, strict=False))
     return [(named, colours.get(id(named), INK if named.name else MUTED)) for named in test.tones]

@@ -139,7 +139,7 @@ def sharp_ends(pixels: Array, difference: Array, start: Array, end: Array, width
 
 
 def _crossing(reach: Array, values: Array, level: float, near: int) -> float:
-    """Return where values, high first, fall below a level nearest to an index."""
+    """Return the places nearest to an index at which values, high first, fall below a level."""
     falls = np.flatnonzero((values[:-1] >= level) & (values[1:] < level))
     if not len(falls):
         return float(reach[near])
@@ -186,7 +186,7 @@ def _blur(moved: list[Array]) -> float:
 
 
 def _coarse(reach: Array, signal: Array, expected: Array) -> Array:
-    """Return where the bat ends about on the side to which ``reach`` grows, one place per row.
+    """Return the approximate edge of the bat on the side to which ``reach`` grows, one place per row.
 
     Print differs more from the ground than the bare wood beside it does, which is to count: so no place counts for much
     more than most of the bat.
@@ -234,7 +234,7 @@ def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool, blurre
 
 
 def _last_fall(part: Array, level: float, reach: Array, distance: Array) -> Array:
-    """Return where each row last falls below a level near its edge, nan where it does not."""
+    """Return the last place near its edge at which each row falls below a level, nan where it does not."""
     falls = (part[:, :-1] >= level) & (part[:, 1:] < level) & (np.abs(distance[:, :-1]) < REFINED)
     last = falls.shape[1] - 1 - np.argmax(falls[:, ::-1], axis=1)
     row = np.arange(len(part))

@@ -85,7 +85,7 @@ INNER, GAP = 0.002, 0.003
 """Of the picture's longer side: how far from its edge the bat's colour is taken, and across which of its parts that are
 like the ground it is closed."""
 BESIDE = 6
-"""Pixels beyond the edge, where the difference is told."""
+"""Pixels beyond the edge, where the contrast is measured."""
 RIM, MOST_UNSEEN = 1.5, 0.05
 """Pixels from the edge on, as far in as its colour is taken, of which at most such a part may be like the ground: 0.03
 in made-up pictures that were read right, 0.14 in one that was not."""
@@ -120,15 +120,15 @@ def difference_from_paint(picture: Photograph) -> Array | None:
     rim = (depth > RIM) & (depth < RIM + inner)
     if float(np.mean(off[rim] < ALIKE)) > MOST_UNSEEN:
         raise InputError(
-            f"{picture.name} shows a bat whose edges are in part of its ground's colour: where it ends cannot be told. "
+            f"{picture.name} shows a bat whose edges are in part of its ground's colour: where it ends is not clear. "
             "Give it another ground"
         )
     core = depth > inner
     if not core.any():
         return np.asarray(np.minimum(off, 1.0))
     apart, (rows, columns) = scipy.ndimage.distance_transform_edt(~core, return_indices=True)
-    known = scipy.ndimage.uniform_filter(np.where(core, off, 0.0), 5)
-    level = known / np.maximum(scipy.ndimage.uniform_filter(core.astype(float), 5), 1e-3)
+    smoothed = scipy.ndimage.uniform_filter(np.where(core, off, 0.0), 5)
+    level = smoothed / np.maximum(scipy.ndimage.uniform_filter(core.astype(float), 5), 1e-3)
     part = np.clip(off / np.maximum(level[rows, columns], ALIKE), 0.0, 1.0)
     return np.asarray(np.where(core, 1.0, np.where(apart < inner + BESIDE, part, 0.0)))
 
@@ -152,7 +152,7 @@ def _has_shadow(picture: Photograph, off: Array, whole: NDArray[np.bool_]) -> bo
 
 
 def _closed(differs: NDArray[np.bool_], gap: float) -> NDArray[np.bool_]:
-    """Return what differs with its holes, and with inlets narrower than twice a gap, but without specks."""
+    """Return the differing pixels with holes, and inlets narrower than twice a gap, filled, and without specks."""
     import scipy.ndimage
 
     filled = scipy.ndimage.binary_fill_holes(differs)

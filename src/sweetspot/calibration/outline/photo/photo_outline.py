@@ -41,8 +41,8 @@ LENGTH_ERROR, RULER_ERROR = 1.5e-3, 1e-3
 END_HEIGHT = 0.7
 """Of the radius near an end: how high above the axis lies what is seen of it at the outermost (assumed)."""
 HOOK, HOOKED = 0.010, 1e-3
-"""m that the hook of a tape on the barrel reaches down the tip (assumed), and what it loses at least to be told of."""
-SHADOWED = "A dark shadow lies along one side of the bat, which was told from it by its hue: even light is surer."
+"""m that the hook of a tape on the barrel reaches down the tip (assumed), and the least loss that is reported."""
+SHADOWED = "A dark shadow lies along one side of the bat, which was separated from it by hue: even light is surer."
 TILT, LENS = np.deg2rad(2.0), 0.01
 """One sigma of how square to the bat a camera is held by hand, and of how much farther out than it belongs a lens shows
 the picture's corner, telephones having set most of it right (assumed). Tilted along it, one end is nearer."""
@@ -141,7 +141,7 @@ def _told_by_hue(picture: Photograph, edges: Edges) -> Edges | None:
     bats = [shape for shape in find_shapes(hue) if shape.like_a_bat]
     if not any(bat.length > WHOLE * edges.length for bat in bats):
         raise InputError(
-            f"{picture.name} shows a dark shadow along one side of the bat, which cannot be told from it: a part of it "
+            f"{picture.name} shows a dark shadow along one side of the bat, and the two merge: a part of the bat "
             "has the ground's hue. Take it in even light, without a flash or the sun"
         )
     return find_edges(tint, hue, find_bat(bats, picture.name), shadows=False)
@@ -154,12 +154,12 @@ def _check_no_shadow(picture: Photograph, bat: Shape, surely: list[Shape]) -> No
     if picture.grey:
         raise InputError(
             f"{picture.name} has no colours, and shows a bat no darker than a shadow on this ground: where it ends and "
-            "its own shadow begins cannot be told. Give a photograph in colour, or lay it on a much lighter or much "
+            "its own shadow begins is not clear. Give a photograph in colour, or lay it on a much lighter or much "
             "darker ground"
         )
     raise InputError(
         f"{picture.name} shows a bat no darker than a shadow on this ground, and of its colour: where it ends and its "
-        "own shadow begins cannot be told. Lay it on a lighter ground, or one of another colour"
+        "own shadow begins is not clear. Lay it on a lighter ground, or one of another colour"
     )
 
 
@@ -178,7 +178,7 @@ def _check_seen(edges: Edges, name: str) -> None:
     if edges.bend > TOO_BENT * shape:
         raise InputError(
             f"{name} shows a bat whose middle bends by {edges.bend / shape:.0%} (rms) of what its diameters differ by, "
-            "as no bat's does: one of its sides is hardly told from the ground. Lay it on a ground of another colour"
+            "as no bat's does: one of its sides hardly differs from the ground. Lay it on a ground of another colour"
         )
     hundredth = len(edges.width) / 100
     body = edges.width[int(BODY.start * hundredth) : int(BODY.stop * hundredth)]
@@ -187,7 +187,7 @@ def _check_seen(edges: Edges, name: str) -> None:
         part = BODY.start / 100 + float(np.argmax(steep)) / len(edges.width)
         raise InputError(
             f"{name} shows a bat whose width jumps at {min(part, 1 - part):.0%} of its length from one end, as no "
-            "bat's does: a part of it, tape or print perhaps, is hardly told from the ground. Lay it on a ground of "
+            "bat's does: a part of it, tape or print perhaps, hardly differs from the ground. Lay it on a ground of "
             "another colour"
         )
 
@@ -250,7 +250,7 @@ def _measured(
 
 
 def _notes(excess: float, away: float | None, hooked: float) -> Iterator[str]:
-    """Yield in words what a camera that nobody measured and a hooked tape leave open, by how many m each."""
+    """Yield in words the errors left by an uncalibrated camera and by a hooked tape, each with its size in m."""
     if away is None:
         yield (
             f"How far the camera was is not known; from {USUAL_DISTANCE:g} m the ends would seem "

@@ -183,7 +183,7 @@ def _untold(category: type[Warning]) -> Iterator[None]:
 
 
 def _focal_length(exif: dict[int, object], size: tuple[int, int]) -> float | None:
-    """Return the focal length in pixels, as far as the camera noted it and nobody cut the picture."""
+    """Return the focal length in pixels, where the camera recorded it and the picture was not cropped."""
     try:
         noted = float(exif.get(FOCAL_LENGTH_35, 0))  # type: ignore[arg-type]
     except (TypeError, ValueError):

@@ -27,9 +27,9 @@ TRIES = (1.0, 0.6, 0.35, 1.5)
 """Of the threshold between ground and not ground that divides both best."""
 FAINTEST = 0.05
 """Least such threshold: what rounding of dark colours and a JPEG's blocks make of the difference is less (measured on
-made-up photographs, a black bat on dark grey: 0.01 to 0.03; what could be told was above 0.07)."""
+made-up photographs, a black bat on dark grey: 0.01 to 0.03; bats that were separable had above 0.07)."""
 CUT = 0.3
-"""Of a picture's longer side, at least, of what is told to be cut off at its border."""
+"""Of a picture's longer side, at least, of what is reported as cut off at its border."""
 NEIGHBOUR = 0.6
 """Of the bat's length, from which on what looks like a bat beside it is another one."""
 Box = tuple[slice, ...]
