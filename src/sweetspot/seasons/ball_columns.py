@@ -224,7 +224,7 @@ def answer_columns(answers: Answers, setting: SeasonSetting) -> list[pl.Series]:
 
 
 def answer_headings(setting: SeasonSetting) -> list[str]:
-    """Return what the columns of answers are called."""
+    """Return the names of the columns of answers."""
     contact = setting.contact
     others = () if contact is None else (column for bat in contact.others for column in columns_of_other(bat.name))
     columns = (*FLIGHT, *(() if contact is None else CONTACT), *others)

@@ -61,7 +61,7 @@ def chosen_balls(counted: pl.LazyFrame, chosen: Mapping[str, str]) -> pl.LazyFra
 
 
 def choices_of(counted: pl.LazyFrame) -> dict[str, list[tuple[str, int]]]:
-    """Return what balls can be chosen by: (value, balls) of each of `CHOICES`, months in order, others by balls."""
+    """Return the filters of balls: (value, balls) of each of `CHOICES`, months in order, others by balls."""
     choices = {}
     for name in CHOICES:
         table = counted.filter(pl.col(name).is_not_null()).group_by(name).len().collect()
@@ -112,7 +112,7 @@ def ceiling_counts(counted: pl.LazyFrame) -> dict[str, Array] | None:
 
 
 def barrel_counts(counted: pl.LazyFrame) -> BallMap | None:
-    """Return where on the barrel balls were met, m from the tip and above the axis; None: no table tells of bats.
+    """Return the counts of contacts on the barrel, m from the tip and above the axis; None if no table names bats.
 
     Each ball counts at one draw from what is known of it, so that doubt shows as width.
     """
@@ -125,7 +125,7 @@ def barrel_counts(counted: pl.LazyFrame) -> BallMap | None:
 
 
 def field_counts(counted: pl.LazyFrame) -> BallMap | None:
-    """Return where balls would come down, m to the right of the line to centre field and along it; None: no flight.
+    """Return the counts of landing places, m to the right of the line to centre field and along it; None: no flight.
 
     Balls that come down within `NEAR` of home are counted apart.
     """
@@ -150,7 +150,7 @@ HEADS = {"from_tip_in": INCH, "from_tip_m": 1.0}
 def contact_places(folder: Path, batter: str) -> Array:
     """Return the medians of where a batter's balls were met, m from the tip, shape (balls,).
 
-    Balls whose place could not be told are left out. Each median is drawn towards the season's mean, and whether a ball
+    Balls without a computed place are left out. Each median is drawn towards the season's mean, and whether a ball
     was met inside or outside of the best place is often not known: the scatter is a rough one.
 
     Parameters

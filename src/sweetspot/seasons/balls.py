@@ -76,7 +76,7 @@ class Fields:
 
 
 def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:
-    """Return where balls were hit.
+    """Return the fields on which balls were hit.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
 
 
 def nearest_fences(parks: tuple[Park, ...], bearing: Array) -> Array:
-    """Return how far the nearest fence of any park is within `ASIDE` of where balls come down, m, shape (n,).
+    """Return the distance of the nearest fence of any park within `ASIDE` of each landing direction, m, shape (n,).
 
     Parameters
     ----------
@@ -269,7 +269,7 @@ def _no_pitch(
 
 
 def _spin(pitch: NineParameters, tracked: NDArray[np.bool_]) -> Array:
-    """Return the active spin of pitches, told by how they move half-way; 0 where that is not known."""
+    """Return the active spin of pitches, inferred from their movement half-way; 0 where that is not known."""
     if not tracked.any():
         return np.zeros_like(pitch.velocity)
     _, velocity = pitch.at((REFERENCE + PLATE) / 2)

@@ -201,7 +201,7 @@ def _made(
 
 
 def _along(model: ReducedBat[Bat], ball: Ball) -> tuple[float, float]:
-    """Return what part of its speed along the bat a ball keeps, and what it gets of it per bat speed."""
+    """Return the part of its speed along the bat that a ball keeps, and its gain of it per bat speed."""
     unit = np.ones(1)
 
     def leaving(along: float) -> float:
@@ -218,7 +218,7 @@ def _measured(surface: BatSurface, model: ReducedBat[Bat], ball: Ball) -> BatSur
 
 
 def surface_errors(surface: BatSurface, model: ReducedBat[Bat], ball: Ball, *, seed: int = 1) -> tuple[float, float]:
-    """Return what 95 of 100 hits at random miss the kernel's exit speed (m/s) and angle (rad) by.
+    """Return the 95 % errors of the kernel's exit speed (m/s) and angle (rad) over random hits.
 
     Hits are as balls in play are: 45 to 85 mph of bat speed, pitches of 0.8 to 1.6 times that from -10 to 35 degrees
     above the bat's path with up to 2500 rpm, met 1 to 16 in from the tip, leaving the bat's path by up to 50 degrees.

@@ -26,7 +26,7 @@ PLAINLY = 5
 
 
 def table_stem(key: str) -> str:
-    """Return what the files of a grouping's table are called.
+    """Return the file names of a grouping's table.
 
     >>> table_stem("pitch_type")
     'pitch_types'
@@ -112,7 +112,7 @@ def strangers(paths: Sequence[Path], batters: Sequence[str], *, given: GivenColu
     Raises
     ------
     InputError
-        when the tables have none of them: then their bats are nobody's.
+        when the tables have none of them: then their bats belong to no player.
     """
     found = _batters(paths, given)
     if found is None:

@@ -111,7 +111,7 @@ class Contacts:
 
 
 def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> Contacts:
-    """Return where on their bats balls were hit.
+    """Return the places on their bats at which balls were hit.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
 
 
 def asked_of(plane: InPlane) -> Array:
-    """Return what the kernel asks a table with, shape (n, 7)."""
+    """Return the kernel's query of a bat's table, shape (n, 7)."""
     return np.stack(
         [plane.bat_speed, plane.ahead, plane.up, plane.tangent, plane.turned, plane.angle_error, plane.speed_error],
         axis=-1,
@@ -299,7 +299,7 @@ def _with_other(
 
 
 def measures(balls: Balls, contacts: Contacts) -> dict[str, Array]:
-    """Return what is counted and averaged over players, by name; ratios, and chances between 0 and 1.
+    """Return the quantities that are counted and averaged over players, by name; ratios, and chances between 0 and 1.
 
     Parameters
     ----------

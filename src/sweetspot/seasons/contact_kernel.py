@@ -140,7 +140,7 @@ def fill_predictions(
 
 @inner(error_model="numpy")
 def _spread(asked: Array, top: float, sensitive: float, errors: Array) -> float:
-    """Return what an exit speed may differ from the prediction by, for errors of what it was predicted from."""
+    """Return the error of a predicted exit speed that the errors of its inputs cause."""
     coming = math.sqrt(asked[1] * asked[1] + asked[2] * asked[2])
     per_speed = (top + coming) / (asked[0] + coming)
     turning = 0.0 if math.isnan(sensitive) else sensitive * top * asked[5]

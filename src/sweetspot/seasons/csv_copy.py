@@ -53,7 +53,7 @@ class CsvCopy:
 
 
 def copied_csv(path: Path, source: Path, ends: TextEnds, target: Path, *, given: GivenColumns) -> CsvCopy:
-    """Return what the copy of a CSV table holds.
+    """Return the copy of a CSV table with its headings and counts.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def _copied(rows: pl.LazyFrame, target: Path, *, pieces: int) -> None:
 
 
 def _schema(source: Path, ends: TextEnds, *, lines: int | None = None) -> pl.Schema:
-    """Return what the columns are; numbers that begin with a 0 are names, and stay text."""
+    """Return the types of the columns; numbers that begin with a 0 are names, and stay text."""
     rows = _scanned(source, ends, lines=lines)
     schema = rows.collect_schema()
     whole = [name for name, kind in schema.items() if kind.is_integer()]

@@ -1,7 +1,7 @@
 """What each ball's flight was: where it set out, how far it carries and how surely, and how likely it is a home run.
 
 The tracked direction is where a ball came down; the direction in which it set out is solved for. How surely a carry is
-known is told by `carry_scatter`.
+known is given by `carry_scatter`.
 """
 
 from __future__ import annotations

@@ -29,13 +29,13 @@ BOARDS = {
 }  # fmt: skip
 """Headings of the league's leaderboards, which have a row for each player."""
 ESSENTIAL = ("exit_speed", "launch_angle", "bat_speed")
-"""Without a unit these are refused; nobody must guess whether 98 is a speed in mph or in km/h."""
+"""Without a unit these are refused: whether 98 is a speed in mph or in km/h is not guessed."""
 DAY_FIRST = "day first"
 """What stands for the unit of a table's dates where they begin with the day."""
 
 
 def headings_of(names: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, file_name: str = "table") -> Headings:
-    """Return what the columns of a table mean.
+    """Return the meaning of the columns of a table.
 
     Parameters
     ----------

@@ -86,7 +86,7 @@ class Expected:
 
 
 def expected_of(balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, density: Array) -> Expected:
-    """Return what is known of flights that come down in some direction.
+    """Return the expected quantities of flights that come down in some direction.
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ MOST_PACKED = 200_000_000
 """Bytes of a row group, packed, that are fetched for a part of it; a season's export has as many in 700,000 rows."""
 INSTEAD = "or write it with row groups of a few thousand rows, which are read as they are"
 GROUPS, CHUNKS, UNPACKED, ROWS, PACKED, ABOUT = 4, 1, 2, 3, 6, 3
-"""Fields of a footer: row groups; columns of one, its bytes, its rows, its packed bytes; what is told of a column."""
+"""Fields of a footer: row groups; columns of one, its bytes, its rows, its packed bytes; a column's metadata."""
 FORM, PATH, STATISTICS, GREATEST, LEAST = 1, 3, 12, 5, 6
 """Fields of the latter: how numbers are held, the heading, and statistics with the greatest and least value."""
 FLOATS = {4: "<f", 5: "<d"}
@@ -52,7 +52,7 @@ class Footer(NamedTuple):
 
 
 def footer_of(path: Path) -> Footer:
-    """Return what the footer of a Parquet file tells of its pieces, which polars does not say."""
+    """Return the sizes and ranges of the row groups in a Parquet file's footer, which polars does not report."""
     with path.open("rb") as file:
         length = file.seek(0, os.SEEK_END)
         file.seek(max(0, length - 8))

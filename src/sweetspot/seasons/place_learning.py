@@ -156,7 +156,7 @@ def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:
 
 
 def _leapt(first: Array, second: Array, third: Array) -> Array:
-    """Return where three steps lead, each shorter than the one before in the same proportion."""
+    """Return the limit of three steps, each shorter than the one before in the same proportion."""
     step, bend = (second - first) / SIZES, (third - 2 * second + first) / SIZES
     far = max(float(np.linalg.norm(step)) / max(float(np.linalg.norm(bend)), 1e-12), 1.0)
     return np.asarray(first + (2 * far * step + far**2 * bend) * SIZES)

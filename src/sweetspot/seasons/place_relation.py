@@ -4,7 +4,7 @@ A pitch inside is met nearer the hands, one outside nearer the tip; a bat that s
 far up is early, and both meet the ball elsewhere than a bat on time, inside pitches most of all; so do swings that were
 broken off (`swing_speeds`). The place of a ball is normal about a mean, a sum over `PLACE`, with a standard deviation
 whose logarithm is a sum over `SPREAD`; its exit speed is (1 + level) times the table's there, the level a sum over
-`LEVEL`, with a scatter whose logarithm is a sum over `NOISE`. The mean is told which way it goes with how far outside a
+`LEVEL`, with a scatter whose logarithm is a sum over `NOISE`. The mean's slope has a given sign in how far outside a
 pitch is: exit speed falls to both sides of the best place and cannot tell them apart, geometry can. The level goes with
 how much faster than usual a full swing was read: those were on average not quite so fast, and exit speeds do not keep
 up with what was read; from 80 mph on they do not grow at all. A ball that is only grazed scatters by more than one met
@@ -90,7 +90,7 @@ class Circumstances(NamedTuple):
         return self._replace(**{name: values[rows] for name, values in self._asdict().items()})
 
     def terms(self, names: tuple[str, ...], turned: Array | None = None) -> Array:
-        """Return what a sum is over, shape (names, n).
+        """Return the terms of a sum, shape (names, n).
 
         Parameters
         ----------
@@ -107,7 +107,7 @@ class Circumstances(NamedTuple):
 
 
 def circumstances(balls: Balls, bat_speeds: SwingSpeeds) -> Circumstances:
-    """Return what is known of balls.
+    """Return the circumstances of balls: the covariates of the relation.
 
     Parameters
     ----------

@@ -59,7 +59,7 @@ class Task:
 
     @property
     def name(self) -> str:
-        """Return what its files are called."""
+        """Return the name of its files."""
         return f"{self.table:04d}-{self.start:010d}.parquet"
 
 
@@ -124,13 +124,13 @@ def is_done(plan: Plan, task: Task) -> bool:
 
 
 def _note(plan: Plan, task: Task) -> bytes:
-    """Return what is noted of a task whose files are there."""
+    """Return the note on a task whose files are complete."""
     digests = {path.parent.name: file_digest(path) for path in plan.paths(task)}
     return json.dumps({"plan": plan.fingerprint, **digests}).encode()
 
 
 def reader_of(plan: Plan) -> TableReader:
-    """Return what reads the tables of a plan for its tasks."""
+    """Return the reader of a plan's tables for its tasks."""
     return TableReader(plan.tables, part_rows=plan.task_rows)
 
 

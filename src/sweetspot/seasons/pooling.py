@@ -8,7 +8,7 @@ the correlation to be expected between two halves of n balls each.
 Neither variance is known well, of a few groups, or a few balls each, least of all. So the intervals sum over tau, by
 the likelihood of all groups (`spread_weights`): each tau says what a group's mean is and how surely it is known, and an
 interval has the mean and variance of all of them [kass1989]. It is Student's, with as many degrees of freedom as sigma
-has. What is told of a group is still mu + R (m - mu), which the interval always holds. Fewer than `FEWEST_GROUPS` tell
+has. A group's estimate is still mu + R (m - mu), which the interval always holds. Fewer than `FEWEST_GROUPS` tell
 nothing of tau: nothing is pooled there, and reliability is missing. One ball a group tells nothing of sigma: then
 intervals are missing too, for any would be a guess.
 
@@ -109,7 +109,7 @@ def bounded_intervals(
     ----------
     counts : balls of each group, > 0, shape (g,).
     means : of the groups, within the bounds.
-    centre : what is told of each group.
+    centre : the estimate of each group.
     scatter : of balls and groups.
     bounds : least and greatest value.
     """
@@ -262,7 +262,7 @@ def pooled(
 
 
 def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None) -> tuple[pl.DataFrame, Spread]:
-    """Return what `pooled` does, from what was added up of the groups.
+    """Return the result of `pooled`, computed from sums over the balls of each group.
 
     Parameters
     ----------

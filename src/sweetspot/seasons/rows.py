@@ -62,7 +62,7 @@ FIRST_YEAR = 1900
 IN_PLAY = "in ?play|hit_into_play"
 FOUL, TIP = "foul", "foul.?tip"
 BUNTED = ("event", "words", "batted_type", "description")
-"""Quantities in which a bunt may be told."""
+"""Quantities that may report a bunt."""
 REASONED = ("exit_speed", "launch_angle", "description", "result_type", *BUNTED)
 """Quantities that a row's reason hangs on."""
 SIDED, DATED = ("bats", "bats_left"), ("date", "year")
@@ -119,7 +119,7 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
 
 
 def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
-    """Return what a column of column turns into; every text is changed once, however often it stands there.
+    """Return the changed values of a column; every text is changed once, however often it stands there.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Seri
 
 
 def by_number(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
-    """Return what a column of whole numbers or days turns into; where they lie close together each is changed once.
+    """Return the changed values of a column of whole numbers or days; close together, each is changed once.
 
     Parameters
     ----------
@@ -183,7 +183,7 @@ class Texts:
             self.column = self.values.gather(self.number)
 
     def turned(self, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
-        """Return what the texts turn into."""
+        """Return the changed texts."""
         if self.number is None:
             return by_value(self.column, change)
         return pl.select(change(pl.lit(self.values))).to_series().gather(self.number)
@@ -262,7 +262,7 @@ def _lost(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
 
 
 def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]]:
-    """Return what is read out of texts: the quantity, and what becomes of its text."""
+    """Return the quantities that are read out of texts, each with the conversion of its text."""
     conversions: dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]] = {}
     if headings.has("bats"):
         conversions["left"] = ("bats", _left)

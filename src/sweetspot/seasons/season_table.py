@@ -156,7 +156,7 @@ def season_setting(
 
 
 def _named(given: str | Bat) -> tuple[str, Bat | None]:
-    """Return what a bat is called in columns, and the bat; None for one that is not known."""
+    """Return the name of a bat in columns, and the bat; None for one that is not known."""
     if isinstance(given, str) and given == UNKNOWN_BAT:
         return given, None
     bat, name = (given, given.name) if isinstance(given, Bat) else (load_bat(given), given)
@@ -184,7 +184,7 @@ def analyse_season(
     resume : whether answers of the same plan that are there already are kept; what a killed run left half written is
         removed, what a living one writes is not.
     run : does a plan's tasks; None: in this process, two at a time.
-    progress : is told rows done and in all.
+    progress : is called with the rows done and the rows in all.
 
     Raises
     ------
@@ -229,7 +229,7 @@ def analyse_season(
 
 
 def _replaced(survey: Survey, setting: SeasonSetting) -> Iterator[TableWarning]:
-    """Yield which columns of tables give way to answers that are called alike."""
+    """Yield the columns of tables that answers of the same name replace."""
     ours = {*answer_headings(setting), "table", "table_row"}
     for number, table in enumerate(survey.tables):
         headings = table.headings
@@ -277,7 +277,7 @@ def _unread(survey: Survey) -> str:
 
 
 def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
-    """Return where along the bat balls are met, learnt from an even sample of all tables.
+    """Return the relation of the places along the bat at which balls are met, learnt from an even sample of all tables.
 
     Parameters
     ----------

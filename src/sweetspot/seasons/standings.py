@@ -27,7 +27,7 @@ TOP = 0.8
 """Quantile from which on balls are a group's hardest: EV20 is their mean."""
 NAMES = {"batter": "batter_name", "pitcher": "pitcher_name"}
 """Columns that hold the names of what is grouped by."""
-TOLD_BY = {
+KNOWN_BY = {
     "home_runs_expected": "home_run_here",
     "home_runs": "home_runs",
     "home_runs_average_park": "home_runs_in_30",
@@ -36,7 +36,7 @@ TOLD_BY = {
     "no_doubters": "home_runs_in_30",
 }
 """What a group's home runs are counted by: where it is known of none of its balls, their number is missing, not 0."""
-TOLD = "told "
+KNOWN = "known "
 ALSO = ("exit_speed", "home_run_here", "home_runs_in_30", "home_run_kind", "event")
 COUNTED = (
     pl.len().alias("balls"),
@@ -47,7 +47,7 @@ COUNTED = (
         (pl.col("home_run_kind") == number).sum().alias(name)
         for number, name in ((1, "doubters"), (2, "mostly_gone"), (3, "no_doubters"))
     ),
-    *(pl.col(name).count().alias(TOLD + name) for name in dict.fromkeys(TOLD_BY.values())),
+    *(pl.col(name).count().alias(KNOWN + name) for name in dict.fromkeys(KNOWN_BY.values())),
 )
 
 
@@ -135,10 +135,10 @@ class _Sums:
             (pl.col(f"{measure} square") - pl.col(f"{measure} sum") ** 2 / count).clip(0).alias(f"{measure} {SQUARES}")
             for measure, count in zip(measures, several, strict=True)
         ]
-        counted = [pl.when(pl.col(TOLD + by) > 0).then(pl.col(name)).alias(name) for name, by in TOLD_BY.items()]
+        counted = [pl.when(pl.col(KNOWN + by) > 0).then(pl.col(name)).alias(name) for name, by in KNOWN_BY.items()]
         gone = [
             *(f"{measure} {what}" for measure in measures for what in ("sum", "square")),
-            *(name for name in table.columns if name.startswith(TOLD)),
+            *(name for name in table.columns if name.startswith(KNOWN)),
         ]
         return table.with_columns(*means, *about, *counted).drop(gone)
 

@@ -28,7 +28,7 @@ from sweetspot.units.dimensions import SPEED
 Ending = tuple[str, int | None]
 """How a ball in play ended, in words, and how far out; None where that is not known."""
 APART = 20.0
-"""Units of the map, some 50 ft, by which balls are told apart that ended in the same words."""
+"""Units of the map, some 50 ft, that separate balls that ended in the same words."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ def survey_tables(
     given: GivenColumns = NOTHING_GIVEN,
     progress: Callable[[int, int], None] | None = None,
 ) -> Survey:
-    """Return what some files hold; one that cannot be read does not keep the others.
+    """Return the survey of some files; one that cannot be read does not keep the others.
 
     Parameters
     ----------

@@ -165,7 +165,7 @@ def open_table(path: Path, *, staging: Path, given: GivenColumns = NOTHING_GIVEN
 
 
 def frame_headings(frame: pl.LazyFrame, *, given: GivenColumns = NOTHING_GIVEN, name: str = "table") -> Headings:
-    """Return what the columns of a frame mean, just as those of a file; of its rows only dates and names are looked at.
+    """Return the meaning of the columns of a frame, as of those of a file; of its rows only dates and names are read.
 
     Parameters
     ----------

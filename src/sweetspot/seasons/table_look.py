@@ -148,7 +148,7 @@ ASKED_ALWAYS = (*(name for name in DOUBTFUL if name not in ANGLES), "velocity_y"
 SAMPLED = 4096
 """Balls of a part that are looked at for that, evenly drawn."""
 HIGH = 1000.0
-"""m above the sea; of a park above it, Denver's, counts and lists say more than is told (`studies/park_ranking.py`)."""
+"""m above the sea; in a park above it, Denver's, home runs are underestimated (`studies/park_ranking.py`)."""
 FAIR = math.radians(50)
 """rad; bearings beyond are foul."""
 MOST_FOUL = 0.3
@@ -233,7 +233,7 @@ class TableLook:
             self.endings |= set(used["event"].drop_nulls().unique())
 
     def _note_parks(self, used: pl.DataFrame) -> None:
-        """Note balls whose park is not known, and those whose park is so high that home runs there are told too few."""
+        """Note balls whose park is not known, and those in a park so high that its home runs are underestimated."""
         flown = self.table.headings.has("launch_angle")
         for club, year in used.select("home_team", "season").drop_nulls("home_team").unique().iter_rows():
             park = home_park(club, year)
@@ -326,7 +326,7 @@ class TableLook:
 
 
 def _parts_off(headings: Headings) -> Iterator[str]:
-    """Yield what cannot be told for want of a column, and what would do."""
+    """Yield the results that are missing for want of a column, and the columns that would give them."""
     here = headings.has
     if not here("launch_angle"):
         yield "no launch angle (launch_angle): no flights and no contacts"
@@ -339,7 +339,7 @@ def _parts_off(headings: Headings) -> Iterator[str]:
     elif not here("attack_angle"):
         yield "no attack angle (attack_angle): the usual one stands in, and offsets are three times less sure"
     if here("bat_speed") and not (here("axial_offset") or here("plate_side", "plate_height")):
-        yield "no place of the pitch (plate_x, plate_z): the side of the bat that was met cannot be told"
+        yield "no place of the pitch (plate_x, plate_z): the side of the bat that was met is not known"
     if not any(map(here, BUNTED)):
         yield "nothing tells bunts (des, events): they count as balls in play"
     elif headings.system == "Statcast" and not here("words"):

@@ -76,7 +76,7 @@ class TableReader:
 
 @lru_cache(maxsize=64)
 def _edges(groups: tuple[int, ...], *, most: int) -> list[int]:
-    """Return where stretches begin and the last one ends: whole row groups, as many as fit; longer ones in pieces.
+    """Return the starts of stretches and the end of the last: whole row groups, as many as fit; longer ones in pieces.
 
     >>> _edges((100, 100, 100), most=220), _edges((500,), most=220)
     ([0, 200, 300], [0, 220, 440, 500])

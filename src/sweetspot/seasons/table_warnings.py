@@ -37,6 +37,6 @@ WARNINGS, CANNOT_TELL = _TEXTS["warnings"], _TEXTS["cannot_tell"]
 
 
 def cannot_tell(tables: Sequence[TableFile]) -> tuple[str, ...]:
-    """Return what tables of batted balls cannot tell; those that measure places along the bat tell the side."""
+    """Return the answers that tables cannot give; tables with measured places along the bat can give the side."""
     measured = all(table.headings.has("axial_offset") for table in tables)
     return tuple(words for name, words in CANNOT_TELL.items() if name != "side" or not measured)
