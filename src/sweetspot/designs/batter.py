@@ -113,7 +113,7 @@ def normal_contact(mean: float, spread: float) -> Array:
 
 
 def known_contact(mean: float, spread: float) -> ContactPlaces:
-    """Return the contacts of a batter whose mean and scatter are simply told; see `normal_contact`."""
+    """Return the contacts of a batter whose mean and scatter are given without doubt; see `normal_contact`."""
     weight = normal_contact(mean, spread)
     return ContactPlaces(weight, weight[None], np.ones(1), 0.0)
 
@@ -222,7 +222,7 @@ class Batter:
     law : of bat speed against moment of inertia; None: every bat is swung alike.
     doubt : standard deviation in m of where the mean contact lies, beyond what ``sample`` leaves open.
     speed_from_tip : m.
-    sample : what balls tell of the contacts, and leave open; None: the contacts were told by somebody.
+    sample : what balls tell of the contacts, and leave open; None: the contacts were given by the user.
     """
 
     weight: Array

@@ -131,7 +131,7 @@ def _of_batter(
 
 
 def fitted_player(path: Path) -> dict[str, float]:
-    """Return what `sweetspot fit-player --format json` says of a player: position, offset and their spreads, speeds.
+    """Return a player's parameters from `sweetspot fit-player --format json`: position, offset, their spreads, speeds.
 
     With them come ``position_doubt`` in m and ``position_spread_doubt`` (of the logarithm), each one standard
     deviation by the file's intervals, whose level it names, and ``balls``: how many swings were used; 0 where the file

@@ -37,7 +37,7 @@ ROUNDS = 6
 STEP = 1e-4
 """Part of a variable's range by which it is moved for a slope."""
 PULLED = 1e-3
-"""How readily the pulled number itself gives way, beside 1 for the others."""
+"""Weight with which the pulled number itself may change, beside 1 for the others."""
 WITHIN = 0.01
 """Part of a value by which what is kept may still differ."""
 GRIP_WITHIN = 0.002
@@ -91,7 +91,7 @@ def league_limits(league: League, bat: Implement) -> tuple[Limit, ...]:
 
 
 def lathe_limits() -> tuple[Limit, ...]:
-    """Return what a lathe asks of an outline."""
+    """Return the limits that a lathe sets to an outline."""
     return (
         Limit("slope", None, STEEPEST, "the lathe"),
         Limit("bend", None, SHARPEST, "the lathe"),
@@ -235,7 +235,7 @@ def kept_limits(
     ----------
     keep : some of `KEPT`, which stay as the present bat has them.
     bands : other limits that somebody gave.
-    league : whose rules are kept; None: nobody's.
+    league : whose rules are kept; None: no league's.
     handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
     now : the present bat, measured on this bench; None: it is measured here.
     """
@@ -268,7 +268,7 @@ def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int
     ----------
     numbers : of the bat as it was pulled, shape (variables,).
     limits : that a drawing decides, such as bands of mass and moment of inertia.
-    pulled : which number a hand holds: it gives way last; None: none is held.
+    pulled : the number that a hand holds, which changes last; None: none is held.
 
     Returns
     -------
@@ -302,7 +302,7 @@ def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int
 
 
 def _distance_inside(limit: Limit, value: float) -> float:
-    """Return how far a value is to go to be just inside its limit, in grains."""
+    """Return the distance of a value to just inside its limit, in grains."""
     grain = MEASURES[limit.measure].grain
     if limit.least is not None and value < limit.least:
         return (limit.least - value) / grain + 0.01
@@ -327,7 +327,7 @@ def _least_step(parts: Array, slopes: Array, miss: Array, ready: Array) -> Array
 
 
 def findings_of(bat: Implement, measured: MeasuredDesigns, *, like: Implement, ball: Ball) -> dict[str, Finding]:
-    """Return what a rule can be held against: the drawing's own values, and BBCOR and BPF where it was fired at.
+    """Return the findings to which rules apply: the drawing's own values, and BBCOR and BPF where it was fired at.
 
     Parameters
     ----------

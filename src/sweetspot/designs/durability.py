@@ -71,7 +71,7 @@ def borne_strain(material: Material, *, across: bool = False) -> float | None:
 
 
 def breaking_of(bat: Bat, batter: Batter) -> Breaking:
-    """Return what the strains of bats like this one are held against.
+    """Return the strain limits for bats like this one.
 
     Raises
     ------

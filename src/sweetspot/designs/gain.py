@@ -41,7 +41,7 @@ PAIR = math.sqrt(2) * SHIPMENT / 3.258
 CLEARLY, LIKELY = 2.5758, 1.2816
 """Standard deviations above which a gain, or loss, is seen, and likely: 99.5 and 90 % of a normal doubt lie below."""
 TOWARDS_END = 2 * INCH
-"""m from the tip, where it is told what a design costs who meets the ball there."""
+"""m from the tip, where the loss of a hit nearer the tip is reported."""
 
 
 PRIOR_BALLS = 3.5
@@ -178,7 +178,7 @@ def _reduced(present: Implement, ball: Ball) -> tuple[BeamRow, ReducedBats]:
 
 
 def gain_of(bench: Bench, numbers: Array, design: MeasuredDesigns, now: MeasuredDesigns) -> Gain:
-    """Return what a design gains over the present bat, and how surely.
+    """Return the gain of a design over the present bat, with its uncertainty.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ def gain_of(bench: Bench, numbers: Array, design: MeasuredDesigns, now: Measured
 
 
 def _sizes(bench: Bench) -> dict[str, Array]:
-    """Return what a design's outline would say, of the present bat: as far as it is asked for again."""
+    """Return the sizes of the present bat's outline that are asked for again."""
     present = bench.space.present
     sizes = {name: np.array([size]) for name, size in sizes_of(present).items()}
     if isinstance(present, Bat):
@@ -333,7 +333,7 @@ def usual_strains(bench: Bench, bat: Bat) -> Iterator[tuple[float, Damage]]:
 
 
 def handle_bending(bench: Bench, bat: Bat) -> HandleBending:
-    """Return how far this batter's hits bend the handle of a bat, swung as the swing law has it."""
+    """Return the largest bending of a bat's handle by this batter's hits, swung as the swing law has it."""
     bendings = [
         HandleBending(strains.handle_strain, place, strains.strain_limit)
         for place, strains in usual_strains(bench, bat)

@@ -101,7 +101,7 @@ def _rows(limits: Sequence[Limit], measured: MeasuredDesigns, want: str) -> Arra
 
 
 def _ranks(rows: Array, sign: int) -> Array:
-    """Return what is compared first and second of bats: how far limits are missed, and the want, shape (n, 2)."""
+    """Return the ranks of bats: first the excess over the limits, then the wanted measure, shape (n, 2)."""
     return np.stack([-np.maximum(rows[1:], 0.0).sum(axis=0), sign * rows[0]], axis=1)
 
 

@@ -237,7 +237,7 @@ class Bench:
 
 
 def weights_of(bending: BendingBatch) -> dict[str, Array]:
-    """Return what scales, a pendulum and a tap say of many bats, by measure."""
+    """Return mass, balance point, moment of inertia and drop of many bats, by measure."""
     weights = {
         "mass": bending.mass,
         "balance_point": bending.balance_point,

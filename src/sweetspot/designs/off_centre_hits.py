@@ -27,7 +27,7 @@ SINES = np.linspace(0.0, 0.97, 33)
 WIDTHS = np.linspace(0.0, 0.15, 301)
 """m; places thicker than that keep what the thickest keeps. No barrel is; a flat face keeps everything at any width."""
 REACH = 2.0
-"""Standard deviations of the offset that are looked at; nobody counts the rest as contacts."""
+"""Standard deviations of the offset that are looked at; contacts farther off are not counted."""
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 """Of the mean over offsets on one side of the axis."""
 

@@ -136,7 +136,7 @@ def _nearest_words(question: DesignSearch, measured: MeasuredDesigns, generation
 
 
 def wanted(question: DesignSearch, measured: MeasuredDesigns) -> Array:
-    """Return what is to be made small, shape (n, wants)."""
+    """Return the objectives that are minimized, shape (n, wants)."""
     return np.array([-MEASURES[want].better * measured.values[want] for want in question.wants]).T
 
 
@@ -249,7 +249,7 @@ def _next_generation(
 
 
 def _rows(every: Array, some: Array) -> list[int]:
-    """Return where each of some rows stands among all."""
+    """Return the index of each of some rows among all."""
     return [int(np.flatnonzero((every == row).all(axis=1))[0]) for row in some]
 
 

@@ -165,7 +165,7 @@ def hollow_space(bat: Bat, *, material: Material | None = None) -> ImplementSpac
     Raises
     ------
     InputError
-        when the bat has no wall, or nobody makes one of that material.
+        when the bat has no wall, or none is made of that material.
     """
     shell, built = bat.shell, bat.material if material is None else material
     if shell is None:
@@ -209,7 +209,7 @@ def space_of(
     material: Material | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
 ) -> Space:
-    """Return what a present bat can become: other outlines of wood, other walls of a hollow one, a few numbers else.
+    """Return the design space of a present bat: outlines of wood, walls of a hollow one, a few numbers of others.
 
     Parameters
     ----------

@@ -20,7 +20,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH, format_length
 
 REFERENCE_LENGTH = 34.0
-"""inches of the bat that the handles' places are told for; on others they are moved in proportion."""
+"""inches of the bat for which the handles' places are given; on others they are moved in proportion."""
 FROM_KNOB = (HANDLE_START, 7.0, 12.0)
 FROM_TIP = (17.0, 13.5, 10.5, 8.5, 6.5, 4.5, 2.8, 1.2)
 """inches of a 34 in bat where the handles sit."""

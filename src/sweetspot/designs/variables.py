@@ -71,7 +71,7 @@ class Space(Protocol):
         """Return the bats of many rows of numbers (n, variables), ready to be hit."""
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
-        """Return what the outlines themselves say, by measure, each of shape (n,)."""
+        """Return the sizes of the outlines, by measure, each of shape (n,)."""
 
     def widths_at(self, numbers: Array, position: Array) -> Array:
         """Return the widths at places (n, places) in m from the end of the grip."""
@@ -112,7 +112,7 @@ class ImplementSpace:
         return reduced_beams(self.beams(numbers).beams, ball=ball)
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
-        """Return what the outlines themselves say, by measure, each of shape (n,)."""
+        """Return the sizes of the outlines, by measure, each of shape (n,)."""
         made = [sizes_of(implement) for implement in self.all_made(numbers)]
         return {name: np.array([implement[name] for implement in made]) for name in made[0]}
 
@@ -133,7 +133,7 @@ class ImplementSpace:
 
 
 def sizes_of(implement: Implement) -> dict[str, float]:
-    """Return what leagues limit of an implement's outline, by measure, m: lengths, and a barrel's or blade's sizes."""
+    """Return the sizes of an outline that leagues limit, by measure, m: lengths, and a barrel's or blade's sizes."""
     largest = {"length": implement.length}
     if isinstance(implement, Bat):
         largest["diameter"] = float(implement.width_at(np.array(implement.breakpoints())).max())

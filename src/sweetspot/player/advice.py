@@ -136,7 +136,7 @@ def advise(
     pitch_speed: float | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Advice:
-    """Return what would serve a player, over the posterior and the scatter of the swings.
+    """Return advice for a player, averaged over the posterior and the scatter of the swings.
 
     The same draws and the same swings are used for every bat, so that a difference is the bats' alone. With another
     bat the player meets the ball equally far from its tip.
@@ -188,7 +188,7 @@ def advise(
 def _tried(
     asked: Expectation, bats: Sequence[Candidate], now: Array, progress: Callable[[int, int], None] | None
 ) -> tuple[list[Option], dict[str, Array], list[str]]:
-    """Return what is expected with each bat: as options, by key over the draws; and what was wrong with the others."""
+    """Return the expected goal with each bat: as options, by key over the draws; and the faults of the others."""
     reference, model = asked.model.bats[0], asked.model
     options, by_key, faults = [], {}, []
     for number, candidate in enumerate(bats, start=1):
@@ -226,7 +226,7 @@ def _changes() -> dict[str, Change]:
 
 
 def _best_place(asked: Expectation, grid: Array, what: str, now: Array) -> tuple[Interval, Interval, Array]:
-    """Return where the mean contact should lie, what that brings, and the expected goal all over the grid."""
+    """Return the best place of the mean contact, its gain, and the expected goal all over the grid."""
     reference = asked.model.bats[0]
     mean = asked.draws[:, NAMES.index(what)]
     values = np.array([asked.of(reference, NO_CHANGE, **{what: np.full_like(mean, place)}) for place in grid])

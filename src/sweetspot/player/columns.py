@@ -36,7 +36,7 @@ def is_heading_line(cells: Sequence[str], named: frozenset[str] = frozenset()) -
 
 
 def columns_of(headings: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, file_name: str) -> Headings:
-    """Return what the columns of a file mean; under ``batter`` stands who swung, and what came of it under ``outcome``.
+    """Return the meaning of the columns of a file; ``batter`` is who swung, ``outcome`` the result of the swing.
 
     Raises
     ------

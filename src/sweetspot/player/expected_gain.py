@@ -138,7 +138,7 @@ class Expectation:
         )
 
     def _wanted(self) -> WantedOfHit:
-        """Return what a hit brings."""
+        """Return the goal as a function of a hit."""
         carries, line = self.carries, self.goal.line
         if carries is None:
             return WantedOfHit(SPEED, 0.0, 1.0, CarryGrid(np.zeros(3), np.ones(3), np.zeros((2, 2, 2))))
@@ -148,7 +148,7 @@ class Expectation:
 def expectation(
     posterior: PlayerPosterior, *, goal: Goal, pitch_speed: float, carries: CarryTable | None, seed: int
 ) -> Expectation:
-    """Return what questions about bats are asked of.
+    """Return the expectation over draws and swings, of which questions about bats are asked.
 
     Parameters
     ----------

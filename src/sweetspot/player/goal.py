@@ -36,7 +36,7 @@ OFFSET_COUNT = 53
 ATTACKS = np.radians(np.linspace(-20.0, 40.0, 13))
 SHORTEST_LINE, LONGEST_LINE = 10.0, 200.0
 NO_GAIN: dict[GoalName, float] = {"exit-speed": NO_SPEED, "carry": 0.05 * FOOT, "line": 0.005}
-"""Of every goal what is told as no change: half of the last digit shown of mph, ft and per cent."""
+"""Of every goal, the change reported as none: half of the last digit shown of mph, ft and per cent."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class CarryTable:
 
 
 def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodynamics, air: Air) -> CarryTable:
-    """Return how far hits off the player's own bat fly, to where they first touch the ground.
+    """Return the carry of hits off the player's own bat, to where they first touch the ground.
 
     The oblique collision gives direction and spin for every offset and attack angle; all speeds of a hit are then
     scaled together to every head-on exit speed, and flown.

@@ -67,7 +67,7 @@ def population_of(fits: Sequence[PlayerPosterior]) -> Population | None:
 
 
 def evidence_of(weighted: Sequence[Weighted]) -> SwingEvidence:
-    """Return what the swings of players say: their posteriors less the prior."""
+    """Return the evidence of players' swings: their posteriors less the prior."""
     prior = prior_draws(20_000, seed=0)
     before = np.linalg.inv(np.cov(prior.T))
     precisions, pulls = [], []

@@ -47,7 +47,7 @@ def combined(value: float, noise: float, mean: float, spread: float) -> tuple[fl
 def swung(
     value: float, noise: float, mean: float, spread: float, slow: tuple[float, float, float]
 ) -> tuple[float, float, float]:
-    """Return what a measured bat speed says: its log density, and mean and variance of the true one; nan: not measured.
+    """Return a measured bat speed's log density, and mean and variance of the true one; nan: not measured.
 
     Bat speeds are normal but for a part that are slow, ``slow``: protective and checked swings.
     """

@@ -32,7 +32,7 @@ from sweetspot.player.prior import ANYBODY, NAMES, Population, fixed, log_prior,
 from sweetspot.tables.bad_row import BadRow
 
 PLACES_TAKEN = 2
-"""Of the tabled places every second is summed over: half an inch is well below what the scatter can be told to."""
+"""Of the tabled places every second is summed over: half an inch is well below the resolution of the scatter."""
 THREADS, WORTH_A_THREAD = 2, 2000
 """More do not make a likelihood of a few hundred swings faster; and a thread takes as long to begin as some hundred
 swings of as many rows of parameters: it gets so many."""
@@ -225,7 +225,7 @@ def bats_of(
 
 
 def _is_slip(name: str) -> bool:
-    """Return whether a name is meant as a file's, or is a catalogue's with a slip: then it has to be mended."""
+    """Return whether a name is a file's, or is a catalogue's with a slip: then it has to be corrected."""
     return name.lower().endswith(".toml") or spelt_almost(name, bat_names()) is not None
 
 

@@ -1,6 +1,6 @@
 """What a launch angle says of how high the ball was met, place by place along the bat, ready for a likelihood.
 
-A hit's launch less attack angle is told by the bat's tables for every offset, with a scatter of its own. What it says
+A hit's launch less attack angle is given by the bat's tables for every offset, with a scatter of its own. What it says
 of the offset is therefore no normal law: it bends where the ball is hardly turned further, and beyond that a grazing
 hit may leave at the same angle. For every swing and place the whole of it is put into a few points with weights, those
 of Gauss for that very law, so that whatever changes slowly with the offset is summed over to high order. None of this
@@ -54,7 +54,7 @@ class OffsetPoints(NamedTuple):
 def offset_points(
     tables: Sequence[ContactTable], bat: IntArray, *, ratio: Array, launch: Array, attack: Array, places: Array
 ) -> OffsetPoints:
-    """Return what the launch angles of swings say of their offsets; zeros where none was measured.
+    """Return the likelihood of offsets given the launch angles of swings; zeros where none was measured.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def offset_points(
 def untold_kept(
     tables: Sequence[ContactTable], bat: IntArray, *, ratio: Array, attack: Array, places: Array
 ) -> tuple[Array, Array]:
-    """Return what is retained at every `UNTOLD_EVERY` th offset by swings, and its variance, each (n, offsets, places).
+    """Return the retained part at each `UNTOLD_EVERY` th offset by swings, and its variance, each (n, offsets, places).
 
     What is retained changes up to the next offset, and with the attack angle where that was not measured.
 
@@ -117,7 +117,7 @@ def _steeper(attack: Array) -> Array:
 
 
 def part_of_hits(table: ContactTable, *, ratio: float) -> Array:
-    """Return what part of the balls met leaves within `STEEPEST_LAUNCH`, shape (mean attacks, places, offsets).
+    """Return the part of the balls met that leaves within `STEEPEST_LAUNCH`, shape (mean attacks, places, offsets).
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def at_swings(table: ContactTable, ratio: Array, steeper: Array, places: Array) 
 
 
 def deflection_noise(table: ContactTable, ratio: Array) -> Array:
-    """Return what launch less attack angle scatters by at every offset, rad, shape (n, offsets).
+    """Return the standard deviation of launch less attack angle at every offset, rad, shape (n, offsets).
 
     Parameters
     ----------

@@ -23,7 +23,7 @@ LIVELIEST = 0.45
 FULL_SWING = 0.6
 """Part of the median bat speed below which a swing is a bunt or was checked. Our choice."""
 FEWEST = 5
-"""Swings below which there is nothing of a player to be told. Our choice."""
+"""Swings below which nothing is reported of a player. Our choice."""
 LEVEL = math.radians(1.6)
 """rad; five balls or more that all leave flatter than this were written in radians: 1.6 is straight up. Our choice."""
 SWAPPED = 1.1

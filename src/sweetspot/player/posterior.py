@@ -124,7 +124,7 @@ def _resampled(model: PlayerModel, weighted: Weighted, seed: int) -> PlayerPoste
 
 
 def summarised(draws: Array, *, independent: float) -> dict[str, Learned]:
-    """Return what draws of standard parameters, shape (draws, 10), say about each of them.
+    """Return the parameters learned from draws of standard parameters, shape (draws, 10).
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What is known of a player before the first swing is read, and how its numbers are told apart from the data's."""
+"""Prior knowledge of a player before the first swing is read, and how its numbers are separated from the data's."""
 
 from __future__ import annotations
 

@@ -296,7 +296,7 @@ def _scanned_csv(path: Path, named: frozenset[str]) -> SwingTable:
 
 
 def _separator(path: Path, named: frozenset[str]) -> str:
-    """Return what stands between the cells of a large CSV file, which begins with its headings."""
+    """Return the separator of the cells of a large CSV file, which begins with its headings."""
     try:
         with opened(path) as file:
             first = file.readline(MOST_TABLE_BYTES).decode("utf-8-sig", "replace").strip()

@@ -40,7 +40,7 @@ class SwingFile:
     swings : the good rows.
     bad_rows : rows that cannot be true, with the reason.
     without_swing : how many rows have neither a bat speed nor an exit speed.
-    system : whose file it is; "plain" where the names are nobody's own.
+    system : whose file it is; "plain" where the names belong to no system.
     ignored_columns : headings that mean nothing here.
     notes : what is missing, constant or few, in words.
     first_day, last_day : of the dated rows; None where no date could be read.
@@ -288,7 +288,7 @@ def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing
 
 
 def _notes(swings: list[PlayerSwing], columns: Headings, pitch_speed: float | None) -> tuple[str, ...]:
-    """Return what a reader should know about the data before trusting what comes out."""
+    """Return the notes on the data that a reader should know before trusting the results."""
     notes = []
     count = len(swings)
     if columns.passed and columns.system == "plain":
@@ -309,21 +309,21 @@ def _notes(swings: list[PlayerSwing], columns: Headings, pitch_speed: float | No
             )
             notes.append(f"{words[0]} is {'empty' if there else 'missing'}: {words[1]}.")
         elif len(values) >= 3 and max(values) == min(values) and (quantity, pitch_speed) != ("pitch_speed", values[0]):
-            notes.append(f"{words[0]} is {_told(quantity, values[0])} in every row: {words[2]}.")
+            notes.append(f"{words[0]} is {_formatted(quantity, values[0])} in every row: {words[2]}.")
         elif len(values) < count and quantity in ("bat_speed", "exit_speed"):
             notes.append(f"{words[0]} is there for {len(values)} of {count} swings.")
     lone = sum(swing.launch_angle is not None and swing.attack_angle is None for swing in swings)
     if lone:
         notes.append(
             f"{lone} of {count} swings have a launch angle and no attack angle; where over or under the ball those "
-            "were hit is told from exit speed alone, since steep swings and low hits launch alike."
+            "were hit is inferred from exit speed alone, since steep swings and low hits launch alike."
         )
     if columns.has("release_speed") and not columns.has("plate_speed"):
         notes.append(f"Pitch speed at the plate is taken as {PLATE_OVER_RELEASE:.3f} of the speed at release.")
     return tuple(notes)
 
 
-def _told(quantity: str, value: float) -> str:
+def _formatted(quantity: str, value: float) -> str:
     if quantity == "position":
         return f"{format_length(value)} from the tip"
     return f"{math.degrees(value):.1f} degrees" if quantity.endswith("angle") else format_speed(value)
@@ -347,7 +347,7 @@ WORDS = {
     ),
     "launch_angle": (
         "Launch angle",
-        "the scatter over and under the ball is told from exit speed alone, which hardly shows it",
+        "the scatter over and under the ball is inferred from exit speed alone, which hardly shows it",
         "it looks typed in, not measured",
     ),
     "attack_angle": (
