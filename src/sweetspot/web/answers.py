@@ -58,10 +58,10 @@ class AnswerPool:
         FieldError
             for bad input; `TooSlowError` after the limit.
         """
-        kept = kept_answer(name, state, aside)
+        stored = kept_answer(name, state, aside)
         self._asked.set()
-        if kept is not None:
-            return kept
+        if stored is not None:
+            return stored
         try:
             async with asyncio.timeout(TIME_LIMIT if self.prepared else None):
                 return await asyncio.wrap_future(self._pool.submit(answer_json, name, state, aside))

@@ -63,12 +63,12 @@ def _masses(bat: Bat) -> Range:
         return (math.ceil(10 * low) / 10, math.floor(10 * high) / 10)
     beam = beam_model(bat)
     mass = rigid_body(beam).mass / OUNCE
-    known = bat.material.density_range
-    if known is None:
+    densities = bat.material.density_range
+    if densities is None:
         return (10.0, 60.0)
     others = sum(lump.mass for lump in beam.point_masses) / OUNCE
     wood = (mass - others) / (bat.material.density * beam.density_factor)
-    return (math.ceil(10 * (others + wood * known[0])) / 10, math.floor(10 * (others + wood * known[1])) / 10)
+    return (math.ceil(10 * (others + wood * densities[0])) / 10, math.floor(10 * (others + wood * densities[1])) / 10)
 
 
 def _width_at(bat: Bat, position: float) -> float:

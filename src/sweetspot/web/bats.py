@@ -59,7 +59,7 @@ def reduced(state: BatState, ball: Ball) -> ReducedBat:
 
 @dataclass(frozen=True)
 class UsualHit:
-    """What a bat is usually met with: what the controls stand at that nobody has moved."""
+    """The usual hit of a bat: the values of controls that have not been moved."""
 
     pitch_speed_mph: float
     bat_speed_mph: float
@@ -71,9 +71,9 @@ class UsualHit:
 
 
 def usual(bat: Bat) -> UsualHit:
-    """Return what is usual in a bat's sport, as on the command line."""
+    """Return the usual hit in a bat's sport, as on the command line."""
     its = catalog.sport(bat.sport)
-    pitch, speed = (round(one.value / MPH, 6) for one in (its.stroke.ball_speed, its.stroke.swing_speed))
+    pitch, speed = (round(entry.value / MPH, 6) for entry in (its.stroke.ball_speed, its.stroke.swing_speed))
     return UsualHit(pitch, speed, its.balls[0], its.pitches[0], its.swing_law, its.rules, (*its.fields, PARK)[0])
 
 
@@ -126,7 +126,7 @@ def _listed(state: BatState) -> Bat:
 
 
 def place_of(state: PlacedState, bat: Bat, conditions: Conditions) -> float:
-    """Return where a state's ball meets the bat, m from the knob end; not on the hands."""
+    """Return the place at which a state's ball meets the bat, m from the knob end; not on the hands."""
     place = bat.length - state.impact_from_tip_in * INCH
     if place < conditions.hands.position:
         most = (bat.length - conditions.hands.position) / INCH
@@ -222,8 +222,8 @@ def plain(state: BatState) -> Bat:
 
 def _unchoked(state: BatState) -> BatState:
     """Return the bat's controls alone, without how it is held, as the key under which it is kept."""
-    kept = {name: getattr(state, name) for name in BatState.model_fields}
-    return BatState.model_construct(**{**kept, "choke_up_in": 0.0})
+    controls = {name: getattr(state, name) for name in BatState.model_fields}
+    return BatState.model_construct(**{**controls, "choke_up_in": 0.0})
 
 
 def _make(ball: Ball) -> Ball:

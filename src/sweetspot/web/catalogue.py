@@ -62,10 +62,12 @@ def _other_lists(api: APIRouter) -> None:
     @api.get("/leagues", tags=["catalogue"])
     def leagues() -> list[Choice]:
         """Return the leagues whose rules for round bats are known."""
-        known = [league(name) for name in league_names()]
+        every = [league(name) for name in league_names()]
         blades = "cricket bat"
         return [
-            Choice(key=one.key, name=one.name) for one in known if {rule.construction for rule in one.rules} != {blades}
+            Choice(key=book.key, name=book.name)
+            for book in every
+            if {rule.construction for rule in book.rules} != {blades}
         ]
 
     @api.get("/parks", tags=["catalogue"])
@@ -86,10 +88,10 @@ def _other_lists(api: APIRouter) -> None:
 
     @api.get("/terms", tags=["catalogue"])
     def terms() -> list[Meaning]:
-        """Return what the words on the page mean, each with its source."""
+        """Return the meanings of the words on the page, each with its source."""
         return [
-            Meaning(names=list(one.names), words=words_in_both_systems(one.words), source=one.cited)
-            for one in all_terms()
+            Meaning(names=list(term.names), words=words_in_both_systems(term.words), source=term.cited)
+            for term in all_terms()
         ]
 
 
@@ -98,14 +100,14 @@ def _own_routes(api: APIRouter) -> None:
 
     @api.get("/questions", tags=["catalogue"])
     def questions() -> list[Form]:
-        """Return what is asked of a bat, racket, club or stick of one's own, sport by sport."""
+        """Return the questions about a bat, racket, club or stick of one's own, sport by sport."""
         return list(forms())
 
     @api.post("/describe", tags=["catalogue"])
     def describe(wanted: Wanted) -> Described:
         """Return the file of a bat, racket, club or stick from a few answers, or which answer cannot be."""
-        toml, told = described_by(wanted)
-        return Described(toml=toml, told=in_one_system(told))
+        toml, changes = described_by(wanted)
+        return Described(toml=toml, told=in_one_system(changes))
 
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:
@@ -139,6 +141,6 @@ def _by_name(implement: tuple[str, str, str]) -> tuple[str, str]:
 
 
 def _facts(key: str, bat: Bat) -> BatFacts:
-    known = to_dict(mass_properties(bat, rigid_body(beam_model(bat))))
-    facts = {name: known[name] for name in BatFacts.model_fields if name in known}
+    properties = to_dict(mass_properties(bat, rigid_body(beam_model(bat))))
+    facts = {name: properties[name] for name in BatFacts.model_fields if name in properties}
     return BatFacts(key=key, hollow=bat.shell is not None, sport=bat.sport, **facts)

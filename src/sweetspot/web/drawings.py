@@ -107,7 +107,7 @@ class BatPicture(BatShape, MassProperties):
 
 @dataclass(frozen=True)
 class BallPicture:
-    """A ball's size, and what its controls stand at where nobody has moved them."""
+    """A ball's size, and the values of its controls while they have not been moved."""
 
     radius: Length
     mass: Mass

@@ -46,15 +46,15 @@ def fault(error: SweetspotError | ValidationError | RequestValidationError) -> d
     if isinstance(error, RequestValidationError):  # the first part of a place says that it stood in the body
         return _together([_one({**problem, "loc": problem["loc"][1:]}) for problem in error.errors()])
     if isinstance(error, FieldError) and error.more:
-        return _together([_told(error.field, str(error)), *error.more])
+        return _together([_field_fault(error.field, str(error)), *error.more])
     field = error.field if isinstance(error, FieldError) else ""
-    return _told(field, str(error))
+    return _field_fault(field, str(error))
 
 
-def _told(field: str, message: str) -> dict[str, Any]:
-    told = {"field": field, "message": shortened(message)}
-    words = {system: shortened(one) for system, one in in_one_system(message).items()}
-    return told if words["us"] == words["si"] else {**told, "words": words}
+def _field_fault(field: str, message: str) -> dict[str, Any]:
+    content = {"field": field, "message": shortened(message)}
+    words = {system: shortened(text) for system, text in in_one_system(message).items()}
+    return content if words["us"] == words["si"] else {**content, "words": words}
 
 
 def shortened(message: str) -> str:

@@ -21,7 +21,7 @@ from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
 
 Answer = Callable[..., bytes]
-"""From a view's name and state, and the name of an aside if one is meant, to the answer as JSON."""
+"""From a view's name and state, and the name of an aside if one is asked, to the answer as JSON."""
 Question = tuple[str, ViewState, str]
 """A view's name, its state, and the name of an aside or nothing."""
 APART = "flight"
@@ -68,8 +68,8 @@ def prepare(answer: Answer, say: Callable[[str], None]) -> None:
     say("preparing the solver for this machine, about a minute, once")
     try:
         with ProcessPoolExecutor(len(shares), mp_context=multiprocessing.get_context("spawn")) as pool:
-            for done in as_completed([pool.submit(work_out, answer, tuple(sorted(share))) for share in shares]):
-                say(f"ready: {', '.join(VIEWS[name].title for name in done.result())}")
+            for share in as_completed([pool.submit(work_out, answer, tuple(sorted(names))) for names in shares]):
+                say(f"ready: {', '.join(VIEWS[name].title for name in share.result())}")
     except (OSError, BrokenProcessPool):  # no other process to be had, or one was killed
         say("preparing in this process alone, which takes longer")
         work_out(answer, tuple(missing))

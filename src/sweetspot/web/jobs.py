@@ -27,11 +27,11 @@ MOST_RUNNING, MOST_OF_ONE = 2, 2
 """Jobs that run at once, on the whole server and for one address."""
 MOST_KEPT = 16
 UNWATCHED = 90.0
-"""s after which a job that nobody asks about is stopped; browsers let a page that is not seen ask once a minute."""
+"""s after which a job without requests is stopped; browsers let a page that is not seen ask once a minute."""
 LONGEST = 1800.0
 """s that a job may run."""
 GENTLE = 10
-"""By how much a job gives way to the page's own answers (nice)."""
+"""How much lower a job's priority is than that of the page's own answers (nice)."""
 BROKEN = "this could not be computed; the fault is the program's. Please report it with what was asked"
 NOT_BEGUN = "this machine could not begin another process; end other programs, and begin it again"
 
@@ -60,7 +60,7 @@ class Look(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    seen: int = Field(0, ge=0, le=2**31, description="the count of the last answer; what came since is told")
+    seen: int = Field(0, ge=0, le=2**31, description="the count of the last answer; later results are returned")
     stop: bool = Field(False, description="end it with what it has")
     go_on: bool = Field(False, description="go on where it was stopped, or longer")
 
@@ -111,7 +111,7 @@ class Job:
                 "error": self._error}  # fmt: skip
 
     def _listen(self, process: Any, ours: Connection) -> None:
-        """Take what the process says until it ends, or until nobody asks any more."""
+        """Take the results of the process until it ends, or until requests cease."""
         begun = time.monotonic()
         died = False
         try:
@@ -131,13 +131,13 @@ class Job:
         process.join(5)
         ours.close()
 
-    def _take(self, kind: str, content: Any, kept: Any) -> None:
+    def _take(self, kind: str, content: Any, after: Any) -> None:
         if self.status != "running":  # it was stopped while this was on its way
             return
         if kind == "failed":
             self.status, self._error = "failed", content
             return
-        self._found, self._kept = content, kept if kept is not None else self._kept
+        self._found, self._kept = content, after if after is not None else self._kept
         self._count += 1
         if kind == "done":
             self.status = "done"
@@ -198,7 +198,7 @@ def job_routes(api: APIRouter, jobs: Jobs) -> None:
 
 
 def _death(code: int | None) -> str:
-    """Return what is told of a process that ended before its work was done, by its exit code.
+    """Return the message about a process that ended before its work was done, by its exit code.
 
     >>> _death(1)
     'its process ended before it was done (exit code 1). Begin it again; if it ends again, see what the terminal says'

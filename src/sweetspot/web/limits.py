@@ -147,7 +147,7 @@ class TooLargeError(Exception):
 
 
 class _Body:
-    """A request's body, ended where it grows beyond the limit whatever its length was said to be: that is told by 413.
+    """A request's body, ended where it grows beyond the limit whatever its announced length: the answer is 413.
 
     What the application says of the body that broke off is not sent.
     """
@@ -175,9 +175,9 @@ def _with_headers(send: Send) -> Send:
         if message["type"] == "http.response.start":
             given = dict(message["headers"])
             part = given.get(b"content-type", b"").startswith(NO_DOCUMENTS)
-            known = {*given, *(OF_DOCUMENTS if part else ())}
+            present = {*given, *(OF_DOCUMENTS if part else ())}
             extra = [(name.encode(), value.encode()) for name, value in SECURITY_HEADERS]
-            message["headers"] = [*message["headers"], *(pair for pair in extra if pair[0] not in known)]
+            message["headers"] = [*message["headers"], *(pair for pair in extra if pair[0] not in present)]
         await send(message)
 
     return sending

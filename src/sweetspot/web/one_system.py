@@ -10,7 +10,7 @@ from sweetspot.reports.sentences import Slot
 from sweetspot.units.usual_units import WRITTEN
 
 SCALES = {"oz": "mass", "in": "place", "ft": "distance", "mph": "speed", "lb/ft^3": "density", "oz in^2": "moi"}
-"""How a quantity is told that one of these stands beside; the other unit is an SI one."""
+"""The kind of a quantity beside which one of these stands; the other unit is an SI one."""
 SIZES = {unit: size for kind in ("length", "mass", "speed", "density", "moi") for unit, size in WRITTEN[kind].items()}
 NUMBER = r"-?\d[\d.]*(?:e[+-]?\d+)?"
 METRIC, CUSTOMARY = r"kg m\^2|kg/m\^3|m/s|kg|g|mm|m", "|".join(map(re.escape, SCALES))
@@ -20,7 +20,7 @@ BOTH = re.compile(
 )
 """As `sweetspot.units.shown` and its like write them: '0.8382 m (33 in)'; or the other way round."""
 WALL_DIGITS = 3
-"""Behind the point of inches or centimetres, of what is told in millimetres."""
+"""Decimals of inches or centimetres, of a thickness given in millimetres."""
 
 
 def in_one_system(words: str) -> dict[System, str]:

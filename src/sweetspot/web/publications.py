@@ -43,7 +43,7 @@ class Publication:
 
 
 def published(state: BatState) -> tuple[Publication, ...]:
-    """Return what is known of a state's bat, as long as nothing of it was changed."""
+    """Return the publications about a state's bat, as long as nothing of it was changed."""
     return _of_bat(state.bat) if is_catalogued(state) else ()
 
 

@@ -26,12 +26,12 @@ Options = Mapping[str, str | bool | None]
 
 
 def bat_name(state: BatState) -> str:
-    """Return what the command line calls the bat: its catalogue name, quoted, or the file."""
+    """Return the name of the bat on the command line: its catalogue name, quoted, or the file."""
     return quote(bat_source(state))
 
 
 def bat_source(state: BatState) -> str:
-    """Return where a bat is found: its name in the catalogue, or the file."""
+    """Return the source of a bat: its name in the catalogue, or the file."""
     return state.bat if is_catalogued(state) else BAT_FILE
 
 
@@ -154,9 +154,9 @@ def _speed_to_give(state: SwungState, *, beside: bool) -> float | None:
         return state.bat_speed_mph
     bat = described(state)
     speed = conditions_of(state, bat).swing.bat_speed
-    known = None if beside else Changed.of(bat, law=catalog.swing_law(usual(bat).swing_law))
-    if known is not None and state.same == "effort":
-        speed = known.speed_before(conditions_of(state, bat))
+    changed = None if beside else Changed.of(bat, law=catalog.swing_law(usual(bat).swing_law))
+    if changed is not None and state.same == "effort":
+        speed = changed.speed_before(conditions_of(state, bat))
     given = round(speed / MPH, 9)
     return None if given == usual(bat).bat_speed_mph and state.bat_speed_mph is None else given
 

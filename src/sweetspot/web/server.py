@@ -157,10 +157,10 @@ def _page_routes(app: FastAPI) -> None:
     files = static_files()
     pages = {**dict.fromkeys(("", *VIEWS), shell(files["index.html"])), "docs": files["docs.html"]}
 
-    def hand_out(path: str, find: Callable[[str], File | None], kept: str = ASKED_AGAIN) -> None:
+    def hand_out(path: str, find: Callable[[str], File | None], cache_control: str = ASKED_AGAIN) -> None:
         @app.api_route(path, methods=["GET", "HEAD"], include_in_schema=False)
         async def handed(request: Request) -> Response:
-            return _handed(find(request.path_params.get("name", "")), request, kept)
+            return _handed(find(request.path_params.get("name", "")), request, cache_control)
 
     hand_out("/", pages.get)
     hand_out("/static/{name:path}", files.get, f"max-age={KEPT_FOR}")
@@ -173,10 +173,10 @@ def _page_routes(app: FastAPI) -> None:
         return response
 
 
-def _handed(file: File | None, request: Request, kept: str = ASKED_AGAIN) -> Response:
+def _handed(file: File | None, request: Request, cache_control: str = ASKED_AGAIN) -> Response:
     if file is None:
         raise HTTPException(NOT_FOUND)
-    headers = {"etag": file.tag, "cache-control": kept, "vary": "accept-encoding"}
+    headers = {"etag": file.tag, "cache-control": cache_control, "vary": "accept-encoding"}
     if request.headers.get("if-none-match") == file.tag:
         return Response(status_code=304, headers=headers)
     if "gzip" in request.headers.get("accept-encoding", ""):

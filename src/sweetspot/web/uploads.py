@@ -1,6 +1,6 @@
 """Files that a page hands in, piece by piece, into a folder of this server's own: sounds of taps, tables of a season.
 
-A name of ours stands for each file, never a path; what nobody used for an hour is thrown away, and everything is when
+A name of ours stands for each file, never a path; what was not used for an hour is thrown away, and everything is when
 the server ends. Nothing leaves this machine. What long work makes of files lies beside them, and can be taken away.
 """
 
@@ -28,7 +28,7 @@ LARGEST_FILE = 2_000_000_000
 """Bytes of one file."""
 MOST_FILES = 200
 FORGOTTEN = 3600.0
-"""s after which a file that nobody used is thrown away."""
+"""s after which an unused file is thrown away."""
 SPARE = 500_000_000
 """Bytes of the disk that are never filled."""
 ENDINGS = (".csv", ".tsv", ".gz", ".parquet", ".txt", *SOUND_FILES, *OF_PHONES)
@@ -79,7 +79,7 @@ class Uploads:
             if shutil.disk_usage(folder).free - new.size < SPARE:
                 raise FieldError("size", "there is not enough room on this machine's disk for that file")
             key = secrets.token_urlsafe(12)
-            safe = "".join(one if one.isalnum() or one in "._-" else "_" for one in ending)[-20:]
+            safe = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in ending)[-20:]
             self._files[key] = _File(Path(new.name).name, folder / f"{key}{safe}", new.size)
         return key
 
@@ -104,7 +104,7 @@ class Uploads:
         return upload.taken
 
     def path_of(self, key: str) -> tuple[Path, str]:
-        """Return where a whole file lies, and what it was called."""
+        """Return the path of a whole file, and its name at the sender."""
         upload = self._found(key)
         if upload.path.is_dir():
             raise FieldError("upload", GONE)
@@ -141,7 +141,7 @@ class Uploads:
         return self._folder
 
     def _forget(self) -> None:
-        for key in [key for key, one in self._files.items() if time.monotonic() - one.used > FORGOTTEN]:
+        for key in [key for key, file in self._files.items() if time.monotonic() - file.used > FORGOTTEN]:
             path = self._files.pop(key).path
             if path.is_dir():
                 shutil.rmtree(path, ignore_errors=True)
@@ -173,7 +173,7 @@ def upload_routes(api: APIRouter) -> None:
     def take_away(key: str, name: str) -> FileResponse:
         """Return one of the tables that were made of files."""
         folder = UPLOADS.folder_of(key) / TAKEN_AWAY
-        known = [path.name for path in folder.iterdir()] if folder.is_dir() else []
-        if name not in known:
-            raise FieldError("name", f"there is no file {name[:60]!r}; there are {', '.join(sorted(known)) or 'none'}")
+        names = [path.name for path in folder.iterdir()] if folder.is_dir() else []
+        if name not in names:
+            raise FieldError("name", f"there is no file {name[:60]!r}; there are {', '.join(sorted(names)) or 'none'}")
         return FileResponse(folder / name, filename=name, media_type="application/octet-stream")

@@ -63,7 +63,7 @@ class Usual(BaseModel):
 class WizardQuestion(Usual):
     """One question.
 
-    ``kind`` says how its number is shown, by the ending of a name; ``system`` that it is told in one system whatever
+    ``kind`` says how its number is shown, by the ending of a name; ``system`` that it is shown in one system whatever
     the page has. A number without a value may stay empty. ``follows`` names another question of whose answer ``by``
     has what is usual here, and ``proportion_to`` one in proportion to whose answer that is.
     """
@@ -98,7 +98,7 @@ class Form(BaseModel):
 
 @cache
 def forms() -> tuple[Form, ...]:
-    """Return what is asked in every sport."""
+    """Return the questions of every sport."""
     return tuple(_form(sport, patterns) for sport, patterns in PATTERNS.items())
 
 
@@ -154,7 +154,7 @@ def _club_weight(pattern: GolfClub, shaft: str, usual: tuple[float, float]) -> U
 
 
 def _wood_weight(pattern: Bat, wood: str, mass: float) -> Usual:
-    """Return what a turned bat of the pattern's length may weigh, and what it does: as the pattern, where it can."""
+    """Return the range of weights of a turned bat like the pattern, and the usual one: its own, where inside."""
     bat = pattern.with_material(catalog.material(wood))
     drawn, density = rigid_body(beam_model(bat)).mass, bat.density_range
     low, high = (drawn * part / density.usual for part in (density.lightest, density.heaviest))
@@ -294,7 +294,7 @@ def _built(tool: Implement, wanted: Wanted) -> Implement:
 
 
 def _steps(pattern: Implement, wanted: Wanted, axis: float) -> list[tuple[str, Measures]]:
-    """Return what is known, answer by answer, so that the one that cannot be met is the one that is named."""
+    """Return the measures, answer by answer, so that an answer that cannot be met is named."""
     measures = Measures(length=None if wanted.length_in is None else wanted.length_in * INCH)
     steps = [("length_in", measures)]
     if wanted.mass_oz is not None:

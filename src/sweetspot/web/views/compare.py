@@ -183,8 +183,8 @@ def answer(state: CompareState) -> ComparisonPicture:
         | {
             "interval": "none here: /compare/intervals has them",
             "bats": tuple(
-                _drawn(row, one.analysis, wall=state.what_if == "wall")
-                for row, one in zip(plain.bats, comparison.compared, strict=True)
+                _drawn(row, compared.analysis, wall=state.what_if == "wall")
+                for row, compared in zip(plain.bats, comparison.compared, strict=True)
             ),
         },
         bat=bat_picture(state, reductions[0]),
@@ -230,10 +230,10 @@ def intervals(state: CompareState) -> SureComparison:
 
 
 def _sources(state: CompareState, comparison: Comparison[Bat]) -> list[Sources]:
-    """Return what is not known, bat by bat."""
-    own = _own_controls(state, len(comparison.compared))
-    analyses = [one.analysis for one in comparison.compared]
-    return [sources_for(each, one.bat, one.conditions) for each, one in zip(own, analyses, strict=True)]
+    """Return the uncertain quantities, bat by bat."""
+    controls = _own_controls(state, len(comparison.compared))
+    analyses = [compared.analysis for compared in comparison.compared]
+    return [sources_for(each, entry.bat, entry.conditions) for each, entry in zip(controls, analyses, strict=True)]
 
 
 def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], Comparison[Bat]]:
@@ -262,23 +262,23 @@ def rules_sure(state: CompareState) -> ReadDocument:
     state = swung(state)
     reductions, labels = _bats(state, ball_of(state))
     every = _leagues(state)
-    leagues = [one for one in every if one.ball == every[0].ball]
+    leagues = [entry for entry in every if entry.ball == every[0].ball]
     pages = dict.fromkeys(SYSTEMS, "")
     bats = zip(_own_controls(state, len(reductions)), reductions, labels, strict=True)
-    for place, (own, reduction, label) in enumerate(bats, start=1):
+    for place, (controls, reduction, label) in enumerate(bats, start=1):
         bat = _unheld(reduction.bat)
-        done = _certified(bat, every[0].ball)
-        conditions = standard_conditions(bat).replaced(ball=done.ball)
-        sources = sources_for(own, bat, conditions)
-        question = CertifyQuestion(bat, leagues, done.ball, sources=sources, draws=PAGE_DRAWS)
-        tested = certificate_of(question, body=reduction.body, test=done)
+        test = _certified(bat, every[0].ball)
+        conditions = standard_conditions(bat).replaced(ball=test.ball)
+        sources = sources_for(controls, bat, conditions)
+        question = CertifyQuestion(bat, leagues, test.ball, sources=sources, draws=PAGE_DRAWS)
+        tested = certificate_of(question, body=reduction.body, test=test)
         for system, page in told(certificate_document(tested), mark=f"-{place}").html.items():
             pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
     return ReadDocument("", pages)
 
 
 def rules(state: CompareState) -> CertifiedBats:
-    """Return what the league's simulated test measures of every bat, and every rule held against it."""
+    """Return the results of the league's simulated test of every bat, and the verdict by every rule."""
     state = swung(state)
     reductions, labels = _bats(state, ball_of(state))
     leagues = _leagues(state)
@@ -287,7 +287,7 @@ def rules(state: CompareState) -> CertifiedBats:
 
 
 def _of_wall(state: CompareState, comparison: Comparison) -> list[Sentence]:
-    """Return what another wall does, where that was asked."""
+    """Return the effect of another wall, where that was asked."""
     return wall_verdict(comparison) if state.what_if == "wall" else []
 
 
@@ -304,7 +304,7 @@ def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]
         other = _made(_changed(state, wall_factor=thickness), ball, "wall_times")
         return [first, other], ["wall as it is", f"wall × {state.wall_times:.3g}"]
     bats = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
-    return bats, _distinct([one.bat.name for one in bats])
+    return bats, _distinct([reduction.bat.name for reduction in bats])
 
 
 def _own_controls(state: CompareState, count: int) -> list[BatState]:
@@ -321,7 +321,7 @@ def _others(state: CompareState, reductions: list[ReducedBat]) -> list[tuple[Bat
     """Return the controls of bats 2 to 4 with the bats; a what-if has none."""
     if state.what_if != "none":
         return []
-    return [(own, reduction.bat) for own, reduction in zip(state.others, reductions[1:], strict=True)]
+    return [(controls, reduction.bat) for controls, reduction in zip(state.others, reductions[1:], strict=True)]
 
 
 def _other(bat: BatState, ball: Ball, number: int) -> ReducedBat:

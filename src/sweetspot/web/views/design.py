@@ -131,7 +131,7 @@ def _present(request: ShapedBat) -> Bat:
 
 
 def _handles(request: ShapedBat, numbers: Array) -> list[dict[str, float]]:
-    """Return what can be pulled on the picture: the handles of an outline; hollow bats have none."""
+    """Return the handles that can be pulled on the picture, those of an outline; hollow bats have none."""
     space = request.bench.space
     if not isinstance(space, TurnedSpace):
         return []
@@ -197,7 +197,7 @@ def _curves(request: ShapedBat, measured: MeasuredDesigns) -> dict[str, Any]:
 
 
 def gain(state: DesignState) -> dict[str, Any]:
-    """Return what the bat gains in this batter's hands beside wood that differs, in words and as a band."""
+    """Return the gain of the bat in this batter's hands beside wood that differs, in words and as a band."""
     request = asked(state)
     design = _designed(state, request)
     words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
@@ -273,7 +273,7 @@ def batter(state: DesignState) -> dict[str, Any]:
 
 
 def _of_file(text: str, name: str, read: Callable[[Path], Read]) -> Read:
-    """Return what a reader makes of a text as a file; its faults are the field's."""
+    """Return a reader's result of a text as a file; its faults are the field's."""
     with tempfile.TemporaryDirectory() as folder, about("swings_csv"):
         path = Path(folder) / name
         path.write_text(text, encoding="utf-8")

@@ -141,7 +141,7 @@ def _asked(state: DesignState, durable: bool) -> ShapedBat:
 
 @lru_cache(maxsize=32)
 def _space(bat: Bat, deepest_cup: float) -> tuple[Space, Mapping[str, Array]]:
-    """Return what a bat can become, and what the outline says that it begins with."""
+    """Return the design space of a bat, and the sizes of the outline that it begins with."""
     space = space_of(bat, deepest_cup=deepest_cup)
     return space, space.shapes(space.start[None])
 
@@ -189,7 +189,7 @@ def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
 
 
 def league_of(state: DesignState, request: ShapedBat) -> League | None:
-    """Return the league whose rules hold; None: nobody's."""
+    """Return the league whose rules hold; None: no league's."""
     if state.league == NOBODY:
         return None
     chosen = usual_league(request.bench.space.present) if state.league == USUAL_LEAGUE else state.league
@@ -198,13 +198,13 @@ def league_of(state: DesignState, request: ShapedBat) -> League | None:
 
 
 def question_of(state: DesignState) -> DesignSearch:
-    """Return what is looked for."""
+    """Return the design search of a state."""
     wants = tuple(dict.fromkeys((state.want, state.also_want)))
     return DesignSearch(wants, limits_of(state), seed=state.seed, generations=state.generations)
 
 
 def batter_controls(values: Mapping[str, float]) -> dict[str, float]:
-    """Return what is known of a batter, m and m/s by the names of a player's parameters, as fields of a state."""
+    """Return the parameters of a batter, m and m/s by the names of a player's parameters, as fields of a state."""
     scales = {
         "contact_in": ("position", INCH),
         "contact_spread_in": ("position_spread", INCH),

@@ -132,12 +132,17 @@ class ReportWords:
 
 def answer(state: ExplorerState) -> ExplorerAnswer:
     """Return bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why."""
-    met = along(state)
-    bat, conditions, spots, words = met.reduced.bat, met.conditions, met.spots, words_of(met.reduced.bat)
+    setup = along(state)
+    bat, conditions, spots, words = (
+        setup.reduced.bat,
+        setup.conditions,
+        setup.spots,
+        words_of(setup.reduced.bat),
+    )
     found = curves(state)
-    hit, middle = _hit(state, met, found)
-    fastest = float(np.nanmax(met.scan.exit_speed[beside(met.scan, spots.max_exit_speed)]))
-    difference = speed_difference(met.scan, float(hit.position), best=spots.max_exit_speed, exit_speed=middle)
+    hit, middle = _hit(state, setup, found)
+    fastest = float(np.nanmax(setup.scan.exit_speed[beside(setup.scan, spots.max_exit_speed)]))
+    difference = speed_difference(setup.scan, float(hit.position), best=spots.max_exit_speed, exit_speed=middle)
     backwards = hit.launch_angle is not None and abs(float(hit.launch_angle)) > math.pi / 2
     lost = None if backwards or hit.exit_speed is None else fastest - float(hit.exit_speed)
     if backwards:
@@ -146,7 +151,7 @@ def answer(state: ExplorerState) -> ExplorerAnswer:
         why = [
             why_here(
                 difference,
-                body=met.reduced.body,
+                body=setup.reduced.body,
                 conditions=conditions,
                 best=spots.max_exit_speed,
                 words=words,
@@ -158,11 +163,11 @@ def answer(state: ExplorerState) -> ExplorerAnswer:
     speed = None if hit.exit_speed is None else float(hit.exit_speed)
     headline = [
         hits_fastest(bat.name, bat.length - spots.max_exit_speed, fastest, words=words),
-        *met.doubts,
+        *setup.doubts,
         leaves_here(bat.length - float(hit.position), speed, ends=hit.outcome_text, backwards=backwards, words=words),
     ]
     return ExplorerAnswer(
-        bat=bat_picture(state, met.reduced),
+        bat=bat_picture(state, setup.reduced),
         hands=conditions.hands.places,
         sweet_spots=sweet_spot_places(spots),
         scan=found.curves,
@@ -182,9 +187,9 @@ def answer(state: ExplorerState) -> ExplorerAnswer:
 
 
 def why(state: ExplorerState) -> ReportWords:
-    """Return what the report says of this bat and swing, and what misses cost by two laws of the ball."""
-    met = along(state)
-    report = report_of(analyse_reduced(met.reduced, met.conditions))
+    """Return the report's answer on this bat and swing, and the cost of misses by two laws of the ball."""
+    setup = along(state)
+    report = report_of(analyse_reduced(setup.reduced, setup.conditions))
     best, top = float(report.sweet_spots.max_exit_speed), float(np.nanmax(values_of(report.scan.exit_speed)))
     sides = [
         (best + way * float(miss.distance), loss)
@@ -203,9 +208,9 @@ def sure(state: ExplorerState) -> ReadDocument:
     from sweetspot.reports.bat.document import report_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
-    met = along(state)
-    analysis = analyse_reduced(met.reduced, met.conditions)
-    sources = sources_for(state, met.reduced.bat, analysis.conditions)
+    setup = along(state)
+    analysis = analyse_reduced(setup.reduced, setup.conditions)
+    sources = sources_for(state, setup.reduced.bat, analysis.conditions)
     return told(report_document(report_of(analysis, sources, drawn=True, draws=PAGE_DRAWS)))
 
 
@@ -226,13 +231,13 @@ def recipe(state: ExplorerState) -> dict[str, str]:
     return {**lines_of(*asks), "toml": bat_text(state)}
 
 
-def _hit(state: ExplorerState, met: Met, found: HitsAlongBat) -> tuple[ExplorerHit, float | None]:
+def _hit(state: ExplorerState, setup: Met, found: HitsAlongBat) -> tuple[ExplorerHit, float | None]:
     """Return the collision at the chosen place, and the exit speed there of a ball met in the middle.
 
     Off the bat's axis it is a level swing at a ball that comes level. Head-on the part along the line of centres is all
     there is, and is found three times as fast alone.
     """
-    bat, conditions, modes = met.reduced.bat, met.conditions, met.reduced.modes
+    bat, conditions, modes = setup.reduced.bat, setup.conditions, setup.reduced.modes
     place = place_of(state, bat, conditions)
     coming, bat_speed = conditions.pitch.speed, conditions.swing.speed_at(place)
     if state.offset_in == 0:
@@ -241,13 +246,13 @@ def _hit(state: ExplorerState, met: Met, found: HitsAlongBat) -> tuple[ExplorerH
         speed = exit_speed(float(hit.collision_efficiency[0]), ball_speed=coming, bat_speed=bat_speed)
         angle = spin = 0.0
     else:
-        hit = struck(met, position=[place], offset=state.offset_in * INCH)
+        hit = struck(setup, position=[place], offset=state.offset_in * INCH)
         closing = float(hit.closing_speed[0])
         speed, angle, spin = (float(values[0]) for values in leaving(hit))
     numbers = numbers_in_batch(hit, position=place, closing_speed=closing)
     leaves = hit.outcome[0] == Outcome.SEPARATED
     again = touched_again_at(
-        bool(hit.touches[0] > 1) or touched_twice(met.scan, place, within=INCH),
+        bool(hit.touches[0] > 1) or touched_twice(setup.scan, place, within=INCH),
         words_of(bat),
         modes=modes,
         ball=conditions.ball,
@@ -258,7 +263,7 @@ def _hit(state: ExplorerState, met: Met, found: HitsAlongBat) -> tuple[ExplorerH
     shares = {name: float(np.interp(place, at, part)) for name, part in found.shares.items()}
     middle = speed if state.offset_in == 0 else None
     push = felt = None
-    if jumps_at(met, place):  # between the neighbours lies nothing that happens
+    if jumps_at(setup, place):  # between the neighbours lies nothing that happens
         on_axis, here = scans_at(state, place)
         middle = speed if state.offset_in == 0 else float(on_axis.exit_speed[0])
         push, felt = float(here.hand_impulse[0]), float(here.sting[0])
@@ -270,7 +275,7 @@ def _hit(state: ExplorerState, met: Met, found: HitsAlongBat) -> tuple[ExplorerH
         exit_speed=speed if leaves else None,
         launch_angle=angle if leaves else None,
         backspin=spin if leaves else None,
-        bbcor=bbcor(float(numbers.collision_efficiency), body=met.reduced.body, ball=conditions.ball, position=place),
+        bbcor=bbcor(float(numbers.collision_efficiency), body=setup.reduced.body, ball=conditions.ball, position=place),
         energy_shares=shares,
         hand_impulse=push,
         sting=felt,

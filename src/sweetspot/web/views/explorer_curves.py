@@ -96,14 +96,14 @@ def curves(state: HitState) -> HitsAlongBat:
     return _curves(_shared(state, impact_from_tip_in=6.0))
 
 
-def struck(met: Met, *, position: ArrayLike, offset: ArrayLike) -> Strikes:
+def struck(setup: Met, *, position: ArrayLike, offset: ArrayLike) -> Strikes:
     """Return hits by a level swing of a ball that comes level without spin; m from the knob end and off the axis."""
-    swing, place = met.conditions.swing, np.asarray(position, float)
+    swing, place = setup.conditions.swing, np.asarray(position, float)
     return strikes(
-        met.reduced,
-        ball=met.conditions.ball,
+        setup.reduced,
+        ball=setup.conditions.ball,
         swings=Swings(swing.angular_speed * (place - swing.pivot), SwingPath().axes, swing.pivot),
-        pitches=BallMotions(velocity=(0.0, -met.conditions.pitch.speed, 0.0), spin=(0.0, 0.0, 0.0)),
+        pitches=BallMotions(velocity=(0.0, -setup.conditions.pitch.speed, 0.0), spin=(0.0, 0.0, 0.0)),
         contact=Contact(place, offset),
     )
 
@@ -141,7 +141,7 @@ def touched_twice(scanned: Scan, place: float, *, within: float) -> bool:
 
 
 def _doubts(model: ReducedBat, conditions: Conditions, scanned: Scan, best: float) -> list[Sentence]:
-    """Return what is not known of the best hit; asked, by a hit of its own, where balls beside it are touched twice."""
+    """Return the doubts about the best hit; computed, by a hit of its own, where balls beside it are touched twice."""
     if not touched_twice(scanned, best, within=BESIDE):
         return []
     return best_in_doubt(hit_at(best, modes=model.modes, conditions=conditions), words_of(model.bat))
@@ -149,11 +149,11 @@ def _doubts(model: ReducedBat, conditions: Conditions, scanned: Scan, best: floa
 
 @lru_cache(maxsize=KEPT)
 def _curves(state: HitState) -> HitsAlongBat:
-    met = along(state)
-    scanned, angle = _scanned(state, met, met.scan)
-    from_tip = met.reduced.bat.length - scanned.position
+    setup = along(state)
+    scanned, angle = _scanned(state, setup, setup.scan)
+    from_tip = setup.reduced.bat.length - scanned.position
     barrel = from_tip <= BARREL
-    again = touched_again_between(from_tip[barrel], scanned.touches[barrel], words_of(met.reduced.bat))
+    again = touched_again_between(from_tip[barrel], scanned.touches[barrel], words_of(setup.reduced.bat))
     shares: dict[str, Array] = {
         name: part.round(5) for name, part in scanned.energy._asdict().items() if np.nanmax(part) > 0
     }
@@ -162,16 +162,16 @@ def _curves(state: HitState) -> HitsAlongBat:
     return HitsAlongBat(CurvesOfHits(**values, launch_angle=angle), shares, in_both_systems(again))
 
 
-def _scanned(state: HitState, met: Met, middle: Scan) -> tuple[Scan, Array | None]:
+def _scanned(state: HitState, setup: Met, middle: Scan) -> tuple[Scan, Array | None]:
     """Return a scan of a ball met as far off the bat's axis as is asked, from one met on it, and its launch angles."""
     if state.offset_in == 0:
         return middle, None
-    position, modes, ball = middle.position, met.reduced.modes, met.conditions.ball
-    off = struck(met, position=position, offset=state.offset_in * INCH)
+    position, modes, ball = middle.position, setup.reduced.modes, setup.conditions.ball
+    off = struck(setup, position=position, offset=state.offset_in * INCH)
     closing = np.nan_to_num(off.closing_speed)
     again = hits_with_motion(modes, ball=ball, position=position, closing_speed=closing)
     speed, angle, _ = leaving(off)
-    efficiency, body, hands = off.collision_efficiency, met.reduced.body, met.conditions.hands
+    efficiency, body, hands = off.collision_efficiency, setup.reduced.body, setup.conditions.hands
     ratio = hand_impulse_ratio(body, position, hands=hands.position)
     felt = sting(modes, hands=hands, displacement=again.displacement, velocity=again.velocity)
     changed = replace(
@@ -194,27 +194,27 @@ def beside(scanned: Scan, place: float) -> slice:
     return slice(max(0, beyond - 1), beyond + 1)
 
 
-def jumps_at(met: Met, place: float) -> bool:
+def jumps_at(setup: Met, place: float) -> bool:
     """Return whether values jump next to a place, m from the knob end: where a ball begins to be touched twice."""
-    return bool(np.any(met.scan.touches[beside(met.scan, place)] > 1))
+    return bool(np.any(setup.scan.touches[beside(setup.scan, place)] > 1))
 
 
 def scans_at(state: HitState, place: float) -> tuple[Scan, Scan]:
     """Return scans of one place: of a ball met in the middle, and of one met as far off the axis as is asked."""
-    met = along(state)
-    bat, body, modes = met.reduced.bat, met.reduced.body, met.reduced.modes
-    middle = scan(bat, body=body, modes=modes, conditions=met.conditions, positions=np.array([place]))
-    return middle, _scanned(state, met, middle)[0]
+    setup = along(state)
+    bat, body, modes = setup.reduced.bat, setup.reduced.body, setup.reduced.modes
+    middle = scan(bat, body=body, modes=modes, conditions=setup.conditions, positions=np.array([place]))
+    return middle, _scanned(state, setup, middle)[0]
 
 
 @lru_cache(maxsize=KEPT)
 def _power_map(state: HitState) -> PowerMap:
-    met = along(state)
-    bat, ball = met.reduced.bat, met.conditions.ball
-    position = np.linspace(max(bat.length - BARREL, met.scan.position[0]), bat.length, ALONG)
+    setup = along(state)
+    bat, ball = setup.reduced.bat, setup.conditions.ball
+    position = np.linspace(max(bat.length - BARREL, setup.scan.position[0]), bat.length, ALONG)
     reach = EDGE * (ball.radius + float(np.max(bat.diameter_at(position))) / 2)
     offset = np.linspace(-reach, reach, ABOVE)
     places, above = np.meshgrid(position, offset)
-    speed, angle, _ = leaving(struck(met, position=places.ravel(), offset=above.ravel()))
+    speed, angle, _ = leaving(struck(setup, position=places.ravel(), offset=above.ravel()))
     speed = np.where(np.abs(angle) < math.pi / 2, speed, np.nan).reshape(places.shape)
     return PowerMap(position, offset, np.round(speed, 3))

@@ -214,9 +214,9 @@ def sure(state: FlightState) -> ReadDocument:
         question = FlightQuestion(start.motion, flying, flight_sources(flying.aerodynamics), PAGE_DRAWS)
         return told(flight_document(flight_answer(question)))
     free_bat, conditions, path, pitch, contact = _met(state, ball_of(state))
-    known = play_sources(sources_for(state, free_bat.bat, conditions), flying.aerodynamics)
+    sources = play_sources(sources_for(state, free_bat.bat, conditions), flying.aerodynamics)
     model = free_bat.held(conditions.hands)
-    asked = PlayQuestion(model, conditions, flying, path, pitch, contact, sources=known, draws=PAGE_DRAWS)
+    asked = PlayQuestion(model, conditions, flying, path, pitch, contact, sources=sources, draws=PAGE_DRAWS)
     return told(play_document(play_answer(asked)))
 
 

@@ -35,7 +35,7 @@ ANGLES = np.arange(-5.0, 66.0, 3.0) * DEGREE
 
 
 def parks_of(bat: Bat) -> tuple[Park, ...]:
-    """Return where such bats are swung: the fields of the sport, or every big park."""
+    """Return the fields on which such bats are swung: those of the sport, or every big park."""
     fields = catalog.sport(bat.sport).fields
     return tuple(catalog.park(name) for name in fields) or catalog.parks()
 
@@ -149,7 +149,7 @@ def in_parks(
     there = [catalog.conditions_in(park, outdoors, own_elevation=own_elevation) for park in parks]
     chance, clearance = _everywhere(motion, outdoors, parks, own_elevation)
     carry, paths = _flown(motion, there)
-    own = float(home_run_chances(motion, outdoors, parks=(here,), own_elevation=False).chance[0, 0])
+    chance_here = float(home_run_chances(motion, outdoors, parks=(here,), own_elevation=False).chance[0, 0])
     end = landing(path, here)
     rows = []
     for index, (park, direction) in enumerate(zip(parks, _directions(paths, parks).tolist(), strict=True)):
@@ -157,7 +157,7 @@ def in_parks(
         foul, above = abs(direction) > FOUL_LINE, float(clearance[index])
         over, reached = above > 0 and not foul, math.isfinite(above) and above > -height and not foul
         # in its own air, not between those of all the parks
-        likely = own if park.name == here.name else float(chance[index])
+        likely = chance_here if park.name == here.name else float(chance[index])
         rows.append(
             OutcomeInPark(
                 park=park.name,
@@ -174,7 +174,7 @@ def in_parks(
         out_in=sum(row.outcome == "home run" for row in rows),
         of=len(rows),
         expected_out_in=sum(float(row.chance) for row in rows),
-        chance=0.0 if end.outcome == "foul" else own,
+        chance=0.0 if end.outcome == "foul" else chance_here,
         end=FlightEnd(park=here.name, **vars(end)),
     )
 
@@ -212,7 +212,7 @@ def _flown(motion: BallMotion, there: list[FlightConditions]) -> tuple[Array, Ar
 
 
 def _directions(paths: Array, parks: tuple[Park, ...]) -> Array:
-    """Return where each path passes its park's fence, or comes down: rad from centre field, shape (parks,)."""
+    """Return the direction of each path at its park's fence, or where it lands: rad from centre, shape (parks,)."""
     far, way = np.hypot(paths[..., 0], paths[..., 1]), np.arctan2(paths[..., 0], paths[..., 1])
     step = np.rint((way + FOUL_LINE) / FENCE_STEP).astype(int).clip(0, len(FENCE_DIRECTIONS) - 1)
     beyond = far > np.take_along_axis(_fences(parks), step, axis=1)

@@ -31,7 +31,7 @@ from sweetspot.web.view import View
 
 PLACES = 101
 HIGHEST = 10e3
-"""Hz; above it a beam or a thin shell says little, and nobody hears or feels it."""
+"""Hz; above it a beam or a thin shell says little, and nothing is heard or felt."""
 TAP_FIELDS = ("tap_from_tip_in", "tap_ms")
 STILL = 1e-3
 """Part of the greatest shape below which a stretch of a hoop mode counts as still all along."""
@@ -131,8 +131,8 @@ def answer(state: ModesState) -> ModesAnswer:
         raise FieldError("tap_from_tip_in", f"the bat is {length / INCH:.4g} in long; tap it no further from its tip")
     taps = _taps(held, place, duration)
     motions = tuple(replace(motion, tap=tap) for motion, tap in zip(held.motions, taps, strict=True))
-    shown = _shown(motions, state)
-    chosen = motions[shown]
+    index = _shown(motions, state)
+    chosen = motions[index]
     words = motion_words(
         chosen.name,
         chosen.family,
@@ -149,7 +149,7 @@ def answer(state: ModesState) -> ModesAnswer:
         hoop_start=held.hoop_start,
         tap=BatTap(place, duration),
         modes=motions,
-        shown=shown,
+        shown=index,
         words=in_both_systems(words),
     )
 
@@ -245,7 +245,7 @@ def _taps(held: _BatMotions, place: float, duration: float) -> list[Tapped]:
 
 
 def _nodes(modes: Modes, listed: list[int], length: float) -> dict[int, list[float]]:
-    """Return where motions stand still; a hoop mode's ends, where the barrel is held round, are not its nodes."""
+    """Return the nodes of motions; a hoop mode's ends, where the barrel is held round, are not its nodes."""
     hoops = [index for index in listed if modes.families[index] == "hoop"]
     still = {index: [float(node) for node in modes.nodes(index)] for index in listed if index not in hoops}
     if hoops:
@@ -257,7 +257,7 @@ def _nodes(modes: Modes, listed: list[int], length: float) -> dict[int, list[flo
 
 
 def _crossings(places: Array, values: Array) -> list[float]:
-    """Return where values along a line change their sign, straight between places."""
+    """Return the places along a line at which values change their sign, straight between samples."""
     turns = np.flatnonzero(values[1:] * values[:-1] < 0)
     parts = values[turns] / (values[turns] - values[turns + 1])
     return [float(place) for place in places[turns] + parts * (places[turns + 1] - places[turns])]

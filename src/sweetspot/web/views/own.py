@@ -70,7 +70,7 @@ LEAST_SHARE = 0.02
 def answer(state: OwnState) -> dict[str, Any]:
     """Return the bat that the measurements allow: values with intervals, residuals, contradictions and rules.
 
-    While measurements contradict each other, nothing is told of a fitted bat: it is the one that was described.
+    While measurements contradict each other, no bat is fitted: the values are those of the bat as described.
     """
     described, _ = unknown_of(state)
     found = answer_of(state)
@@ -111,7 +111,7 @@ def _picture(state: OwnState, described: Implement) -> dict[str, Any]:
 
 
 def _guesses(body: RigidBody, state: OwnState, described: Implement) -> dict[str, float | None]:
-    """Return what the bat as described would measure, where its controls stand until somebody has measured."""
+    """Return the measurements expected of the bat as described, the controls' values until there are measured ones."""
     pivot = pivot_of(state, described)
     period = None
     if pivot <= FARTHEST_PIVOT * body.balance_point:

@@ -71,28 +71,28 @@ class OwnState(BatState):
 
 
 def own_of(state: OwnState) -> Implement:
-    """Return what was measured, as it is described: the bat, or what is named in its place."""
+    """Return the measured implement, as it is described: the bat, or what is named in its place."""
     implement = described(state) if state.implement is None else implement_of(state.implement, state.implement_toml)
     return implement.as_drawn()
 
 
 @lru_cache(maxsize=64)
 def unknown_of(state: OwnState) -> tuple[Implement, tuple[Unknown, ...]]:
-    """Return what was measured, as it is described, and what is not known of it."""
+    """Return the measured implement, as it is described, and its unknowns."""
     implement = own_of(state)
     with about("bat" if state.implement is None else "implement"):
         return implement, unknowns_of(implement, diameter_spread=state.diameter_error)
 
 
 def pivot_of(state: OwnState, implement: Implement) -> float:
-    """Return where it hangs, and what its swing weight is about, in m from the grip's end."""
+    """Return the pivot from which it hangs, and the axis of its swing weight, in m from the grip's end."""
     if state.pivot_in is not None:
         return state.pivot_in * INCH
     return implement.swing_axis
 
 
 def measurements_of(state: OwnState) -> list[Measurement]:
-    """Return what was measured, all of it."""
+    """Return all measurements of a state."""
     measurements = []
     axis = pivot_of(state, own_of(state))
     if state.weighed_oz is not None:

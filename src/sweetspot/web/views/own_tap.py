@@ -59,7 +59,7 @@ def expected_tones(state: OwnState) -> list[dict[str, Any]]:
 
 
 def tap(state: OwnState) -> dict[str, Any]:
-    """Return what the recorded taps say: which are good, why others are not, and the named tones of all together.
+    """Return the results of recorded taps: the good ones, the faults of others, and the named tones of all together.
 
     A recording that cannot be read is refused with its reason; the others are heard without it.
     """
@@ -123,7 +123,7 @@ def _fault(test: TapTest, bending: bool) -> str | None:
 
 
 def _doubts(test: TapTest, unlike: bool) -> list[str]:
-    """Return what is to be said of tones that may count all the same."""
+    """Return the doubts about tones that may count all the same."""
     if test.unheard:
         return []
     hardly = [f"{unlike_words(test)} Describe what was tapped better, or count them all the same."] if unlike else []

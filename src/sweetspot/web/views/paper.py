@@ -134,7 +134,7 @@ def _number(number: Number, reader: Reader) -> str:
 
 
 def choices_of(state: PaperState) -> Choices:
-    """Return what the paper leaves open, as the controls say."""
+    """Return the paper's open parameters, as the controls say."""
     with about("hole_fill"):
         fill = catalog.material(state.hole_fill)
     return Choices(

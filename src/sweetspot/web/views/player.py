@@ -126,7 +126,7 @@ def _fitted(state: PlayerState) -> ReadDocument:
 
 @lru_cache(maxsize=16)
 def learned(state: PlayerState) -> PlayerPosterior:
-    """Return what the swings of a state say about the player; a second or so."""
+    """Return the parameters of the player learned from the swings of a state; it takes a second or so."""
     swings = _swings(state)
     with about("swings_csv"):
         return player_posterior(swings)

@@ -50,7 +50,7 @@ if TYPE_CHECKING:  # tables load slowly, and no other view needs them
 
 MOST_TABLES = 60
 PLACES_DOUBT, LEAST_SPREAD = 1.0 * INCH, 0.2 * INCH
-"""m: a season's places are known to an inch, for inside and outside of the best one are told apart badly; and the
+"""m: a season's places are known to an inch, since inside and outside of the best one are hard to separate; and the
 smallest scatter that Design takes."""
 Choice = Annotated[str, Field(min_length=1, max_length=80)] | None
 DIRECTIONS = np.linspace(-FOUL_LINE, FOUL_LINE, 46)
@@ -113,7 +113,7 @@ class SeasonPicture:
 
 @dataclass(frozen=True)
 class SeasonWords:
-    """What is told of the whole season, and its players; nothing where none was read."""
+    """The summary of the whole season, and its players; nothing where none was read."""
 
     html: Mapping[System, str] | None = None
     players: tuple[ListedPlayer, ...] | None = None
@@ -175,12 +175,12 @@ def fenced(state: SeasonState) -> Park:
 
 
 def bat_words(state: BatState) -> str:
-    """Return what tells one bat from another."""
+    """Return the text that identifies a bat."""
     return state.model_dump_json(include=set(BatState.model_fields))
 
 
 def begun(state: SeasonState) -> tuple[Handed, Path, str, Any, str]:
-    """Return what reading takes, with a new folder for what is made of the tables."""
+    """Return the arguments of reading, with a new folder for what is made of the tables."""
     with renamed("uploads"):
         handed = tuple(UPLOADS.path_of(key) for key in state.uploads)
     bat = described(state)
@@ -198,7 +198,7 @@ def renamed(field: str) -> Iterator[None]:
 
 
 def summary(state: SeasonState) -> SeasonWords:
-    """Return what is told of the whole season, and its players."""
+    """Return the summary of the whole season, and its players."""
     found = _summary(state)
     return SeasonWords() if found is None else SeasonWords(found.html, found.players)
 
@@ -228,7 +228,7 @@ def _boxes(ball_map: BallMap | None) -> BallsInBoxes | None:
 
 
 def player(state: SeasonState) -> ReadDocument | None:
-    """Return one player's page; None where nobody is chosen."""
+    """Return one player's page; None where no player is chosen."""
     from sweetspot.reports.season.one_player import player_page
 
     folder = _folder(state)
@@ -239,7 +239,7 @@ def player(state: SeasonState) -> ReadDocument | None:
 
 
 def contacts(state: SeasonState) -> dict[str, float]:
-    """Return where the chosen player meets the ball and how fast the swing is, as controls of the view Design."""
+    """Return the chosen player's contact place and swing speed, as controls of the view Design."""
     from sweetspot.designs.batter import contacts_at
     from sweetspot.seasons.ball_maps import contact_places
 

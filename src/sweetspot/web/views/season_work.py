@@ -1,4 +1,4 @@
-"""Season's long work: tables are read in a process of its own; what is told of them lies in files of its folder."""
+"""Season's long work: tables are read in a process of its own, which writes the results to files of its folder."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LISTED = 3000
 LONGEST_NAME = 120
 """Bytes of a file's name that is kept."""
 SETTLED = 1.0
-"""s of reading from which on its speed is told: the first parts come together."""
+"""s of reading from which on its speed is reported: the first parts come together."""
 MADE_UP = (16, 90)
 """Players of a made-up season, and balls of each."""
 
@@ -65,7 +65,7 @@ class SavedTable:
 
 @dataclass(frozen=True)
 class SeasonSummary:
-    """What is told of a season that was read to its end.
+    """The summary of a season that was read to its end.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def made_up(bat: Bat, folder: Path) -> Path:
 
 
 def analysed(paths: list[Path], folder: Path, bat: Bat, *, resume: bool, say: Say) -> SeasonAnswer:
-    """Return what is told of some tables; what is wrong with one is said by the name that people know."""
+    """Return the answer about some tables; the faults of one are reported by the name that people know."""
     from sweetspot.answers.season import season_answer
     from sweetspot.answers.season_question import SeasonQuestion
 
@@ -139,7 +139,7 @@ def analysed(paths: list[Path], folder: Path, bat: Bat, *, resume: bool, say: Sa
 
 
 def counting(say: Say) -> Callable[[int, int], None]:
-    """Return what tells how many rows are done, how many a second since the first, and how long the rest takes."""
+    """Return a callback that reports how many rows are read, how many a second since the first, and the time left."""
     first: list[tuple[int, float]] = []
 
     def progress(finished: int, rows: int) -> None:
@@ -201,7 +201,7 @@ def players_of(answer: SeasonAnswer) -> Iterator[ListedPlayer]:
 
 
 def kept_summary(folder: Path) -> SeasonSummary | None:
-    """Return what was told of a season; None: it has not been read to its end. The file is this server's own."""
+    """Return the summary of a season; None: it has not been read to its end. The file is this server's own."""
     path = folder / SUMMARY
     if not path.exists():
         return None
@@ -210,6 +210,6 @@ def kept_summary(folder: Path) -> SeasonSummary | None:
 
 
 def kept_answer(folder: Path) -> SeasonAnswer:
-    """Return what was told of a season without its balls; the file is this server's own."""
+    """Return the answer about a season without its balls; the file is this server's own."""
     answer: SeasonAnswer = pickle.loads((folder / ANSWER).read_bytes())
     return answer

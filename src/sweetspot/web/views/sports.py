@@ -171,13 +171,13 @@ def answer(state: SportsState) -> SportsAnswer:
 
 
 def sentences(state: SportsState) -> SportsWords:
-    """Return where it hits best and why, in either system of units."""
+    """Return the place of the best hits and the reasons, in either system of units."""
     report = replace(report_of(_played(state)), misses=())  # they stand in the picture
     return SportsWords(in_both_systems(answer_words(report)))
 
 
 def face(state: SportsState) -> SportsFace:
-    """Return what a hit gives at every place of the face; nothing where an implement has none."""
+    """Return the outcome of a hit at every place of the face; nothing where an implement has none."""
     return SportsFace(_face(_played(state)))
 
 
