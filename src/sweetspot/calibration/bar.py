@@ -149,7 +149,7 @@ class Bar:
 
 
 def frequency_factor(mode: int, *, slenderness: float, modulus_ratio: float) -> float:
-    """Return 1 + r (F1 + s (E/G) F2): by how much shear and rotation make E larger than Euler's beam says.
+    """Return 1 + r (F1 + s (E/G) F2), the factor by which shear and rotation make E larger than by Euler's beam.
 
     Parameters
     ----------

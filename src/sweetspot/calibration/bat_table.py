@@ -59,7 +59,7 @@ POWERS: Mapping[MeasuredKind, tuple[float, float]] = {"mass": (1.0, 0.0), "moi":
 
 
 def at_usual_moisture(measurement: Measurement, moisture: Measured) -> Measurement:
-    """Return a measurement as it would be at 12 % of moisture, with what the moisture's own error adds.
+    """Return a measurement corrected to 12 % of moisture, with the error of the moisture added.
 
     Wood that dries gets lighter and stiffer: m ~ 1 + u, and E falls by about 1.5 % for each per cent of moisture
     (assumed, between those of ash and maple in [usda_wood_handbook]). What goes as m^p E^r is moved by

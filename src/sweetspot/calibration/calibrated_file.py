@@ -1,4 +1,4 @@
-"""What a calibrated bat is: weight, balance point, moment of inertia, moduli and density, each with its error.
+"""The properties of a calibrated bat: weight, balance point, moment of inertia, moduli and density, with errors.
 
 Each says where it comes from: a measurement that tells it by itself, the fit to all of them, or what was assumed.
 """
@@ -61,7 +61,7 @@ def fitted_names(posterior: BatPosterior) -> tuple[str, ...]:
 
 
 def _doubt_of_moi(posterior: BatPosterior) -> float:
-    """Return by how much the moment of inertia may be off that was not measured, kg m^2; see `moi_doubt`."""
+    """Return one sigma of a moment of inertia that was not measured, kg m^2; see `moi_doubt`."""
     bat = posterior.beam.bat
     if not isinstance(bat, Bat):
         return 0.0
@@ -145,7 +145,7 @@ def calibrated_bat(posterior: BatPosterior, damping: Measured | None) -> Bat:
 
 
 def calibrated_table(posterior: BatPosterior, damping: Measured | None) -> dict[str, Any]:
-    """Return the content of a bat file with half widths of 90 % intervals, and the covariance of what is not known."""
+    """Return the content of a bat file with half widths of 90 % intervals, and the covariance of the unknowns."""
     if not isinstance(posterior.beam.bat, Bat):
         return _implement_table(posterior, damping)
     table = bat_table(calibrated_bat(posterior, damping))

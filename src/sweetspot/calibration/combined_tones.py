@@ -1,4 +1,4 @@
-"""What all good taps say together: tones with frequency and damping, named after the modes that make them."""
+"""The tones of all good taps together, with frequency and damping, for naming after the modes that make them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which measurement contradicts all the others, and what was probably meant by it.
+"""Measurements that contradict all the others, and their probable intended meaning.
 
 The slips that people make are tried: inches given as centimetres, a balance point from the other end, two swings timed
 for one, a tone by another mode's name. Those that agree with everything else are reported; there may be several.
@@ -39,14 +39,14 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     },
     "period": {"the time of two swings": 0.5, "the time of half a swing": 2.0},
 }
-"""What a value would have to be multiplied by, were it meant as the words say."""
+"""Factors by which a value has to be multiplied if the words describe the slip."""
 HANDLE = 0.4
 """Of the length; an implement balances beyond it, and hangs from within it."""
 
 
 @dataclass(frozen=True)
 class Meant:
-    """What was probably meant by a measurement.
+    """The probable intended meaning of a measurement.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def suspects(posterior: BatPosterior) -> dict[str, BatPosterior]:
 
 
 def meant(suspect: Measurement, others: BatPosterior) -> list[Meant]:
-    """Return as what a measurement would agree with all the others, the nearest first.
+    """Return the readings of a measurement that agree with all the others, the nearest first.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def meant(suspect: Measurement, others: BatPosterior) -> list[Meant]:
 
 
 def _slips(suspect: Measurement, others: BatPosterior) -> Iterator[Meant]:
-    """Yield what people may have meant, whether it agrees or not."""
+    """Yield the readings that may have been intended, whether they agree or not."""
     value, bat = suspect.value, others.beam.bat
     for words, factor in FACTORS.get(suspect.kind, {}).items():
         yield Meant(replace(suspect, value=Measured(value.value * factor, value.error * factor)), words)

@@ -1,4 +1,4 @@
-"""What can be measured on one bat with a scale, a string and a telephone, and what a beam model says to it."""
+"""Measurements of one bat with a scale, a string and a telephone, and their predictions by a beam model."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ ELEMENTS = 8
 
 @dataclass(frozen=True)
 class Shooting:
-    """What was shot at a bat.
+    """The conditions of a shot at a bat.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ class Measurement:
 
     @property
     def name(self) -> str:
-        """What people call it."""
+        """Its name in plain words."""
         words = {"balance_point": "balance point", "moi": "moment of inertia", "period": "pendulum"}
         if self.shooting is not None:
             return f"q {self.shooting.position / INCH:.1f} in from the knob"

@@ -34,13 +34,13 @@ far from a mode may belong to another family."""
 SILENT = 0.15
 """Part of its greatest excitation below which a mode need not be heard."""
 UNHEARD, UNEXPLAINED = 6.0, 3.0
-"""What a mode without a tone and a loud tone without a mode cost, in units of chi squared."""
+"""Costs of a mode without a tone and of a loud tone without a mode, in units of chi squared."""
 MOST_BENDING = 5
 """Bending modes that are named and compared; higher ones depend on shear, knots and grain."""
 DOUBT = 4.0
-"""What another name may cost more, in units of chi squared, for a tone to have none."""
+"""Additional cost of another name, in units of chi squared, below which a tone has no name."""
 STRAY = 4.0
-"""What a tone off by the usual spread costs more where the others agree to the fine one, in units of chi squared."""
+"""Additional cost of a tone off by the usual spread where the others agree to the fine one, units of chi squared."""
 LOUD = 0.1
 """Level of a tone that wants to be explained, unless the room may have added it."""
 BAR_SPREAD = 0.6
@@ -77,7 +77,7 @@ class ModeName:
 
 @dataclass(frozen=True)
 class ModeFamily:
-    """What a family of modes is expected to sound like.
+    """The expected frequencies of a family of modes.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ def _cost_in(tones: Sequence[Tone], family: ModeFamily, modes: Assignment) -> fl
 
 
 def wants_a_mode(tone: Tone) -> bool:
-    """Say whether a tone must have a mode: it is loud, and surely the body's and not the room's."""
+    """Return whether a tone must have a mode: it is loud, and surely the body's and not the room's."""
     return tone.level > LOUD and tone.distinct
 
 

@@ -34,17 +34,17 @@ STEP = 0.02
 ARRIVED = 1e-3
 """Of a spread; after a smaller one of Gauss's and Newton's steps comes the last one, by differences to both sides."""
 LOOKS = 5
-"""How often straight lines are drawn to see whether measurements must contradict each other."""
+"""Linearizations at most, in the test whether measurements must contradict each other."""
 HARDLY = 0.02
 """Part of a source's own variance that the others must leave it, for it to be able to contradict them. The bat meets
 one that has less, unless contradictions elsewhere draw it away: then it is off by its own errors."""
 IMPOSSIBLE = (InputError, np.linalg.LinAlgError)
-"""What is raised of deviations that no bat can have."""
+"""The errors raised by deviations that no bat can have."""
 
 
 @dataclass(frozen=True)
 class BatPosterior:
-    """What is known of a bat after it was measured.
+    """The posterior of a bat's unknowns, given its measurements.
 
     Parameters
     ----------
@@ -244,7 +244,7 @@ def calibrate(
 
 
 def _least_squares(at_all: Callable[[Array], Array], count: int, *, agreeing: bool) -> Array:
-    """Return the unknowns, in their spreads, whose misses have the least sum of squares, shape (count,).
+    """Return the least-squares estimate of the unknowns, in units of their spreads, shape (count,).
 
     What scale, pendulum and tap say is nearly linear in them, so that a few of Gauss's and Newton's steps arrive. Where
     they lead too far or do not shrink fast, or to a bat that cannot be, the measurements contradict each other or are

@@ -40,7 +40,7 @@ OF_PHONES = (".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm")
 CONTAINERS = "mov,aac,amr,asf,matroska,mp3,wav,flac,ogg,aiff,caf,w64,au,ac3,avi"
 """Formats by FFmpeg's names that it may open: each is one file with its sound; lists name other files."""
 UNKNOWN_FORMAT = 1
-"""What libsndfile says of a file that it does not know."""
+"""The error of libsndfile about a format that it does not know."""
 LOSSLESS = ("alac", "flac", "pcm")
 """Beginnings of the names of codings of phones that leave out nothing."""
 AT_REST = 0.05

@@ -1,4 +1,4 @@
-"""Whether what was measured on a bat can belong to the model that it is said to be like."""
+"""Checks that the measurements of a bat are plausible for the model given."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What shots at known places say about a bat: the collision efficiency q there, with its error.
+"""Measurements from shots at known places of a bat: the collision efficiency q there, with its error.
 
 A wrong modulus, wall or weight moves q differently along the bat; a livelier ball moves it everywhere. The ball's
 restitution is therefore one more unknown, as wide as the catalogue allows for its kind, or as the shots tell where
@@ -74,7 +74,7 @@ def _as_measured(ball: Ball, group: Sequence[Shot]) -> Ball:
 
 
 def shot_ball_unknown(shots: Sequence[Shot], ball: Ball) -> Unknown:
-    """Return how much livelier than their law the shot balls may be: the logarithm of their restitution."""
+    """Return the unknown of the shot balls' restitution: its logarithm over that of their law."""
     spreads, law = ball_spreads(ball), ball.restitution
     measured = all(shot.ball_cor is not None for shot in shots)
     known_at = COR_SPEED if measured else law.reference_speed

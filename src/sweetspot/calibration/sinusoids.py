@@ -77,7 +77,7 @@ class Sinusoid:
 
 @dataclass(frozen=True)
 class Fit:
-    """What a window of sound was taken apart into.
+    """The decomposition of a window of sound into damped sinusoids.
 
     Parameters
     ----------
@@ -216,12 +216,12 @@ def _start(left: Array, rate: float, frequency: Array, power: Array, peak: int) 
 
 
 def _rings(parameters: Array) -> NDArray[np.bool_]:
-    """Say which rows die away slowly enough to be a tone."""
+    """Return which rows decay slowly enough to be a tone."""
     return np.asarray(np.abs(parameters[:, 1]) < FASTEST_DECAY * 2 * np.pi * np.abs(parameters[:, 0]))
 
 
 def _counts(sinusoid: Sinusoid, band: FrequencyBand) -> bool:
-    """Say whether a tone lies in the band and its frequency is known."""
+    """Return whether a tone lies in the band and its frequency is known."""
     return (
         band.low < sinusoid.frequency.value < band.high and sinusoid.frequency.error < WORST * sinusoid.frequency.value
     )
@@ -279,7 +279,7 @@ give a neighbour or two (assumed)."""
 
 
 def stands_out(sinusoid: Sinusoid, tones: Sequence[Sinusoid], *, least: float = AUDIBLE) -> bool:
-    """Say whether a tone is surely what was tapped: no other near it holds more energy, and it holds enough.
+    """Return whether a tone is surely the tapped body's: no other near it holds more energy, and it holds enough.
 
     A room only gives back what the body rang into it, spread over its own many tones that die away sooner. So the
     body's tone has most of the energy around it. Of a mode in two planes the fainter does not stand out either.
@@ -301,7 +301,7 @@ def stands_out(sinusoid: Sinusoid, tones: Sequence[Sinusoid], *, least: float = 
 
 
 def in_their_room(tones: tuple[Sinusoid, ...]) -> tuple[Sinusoid, ...]:
-    """Return tones with what a room leaves open of each: how far its energy is spread over its neighbours.
+    """Return tones with the error that a room adds to each: the spread of its energy over its neighbours.
 
     sigma^2 = sum E_j (f_j - f)^2 / sum E_j over the tones within `NEAR`, E = a^2 / (zeta f) the energy of each. Where
     less than `IN_A_ROOM` of the tones have neighbours nothing is left open.

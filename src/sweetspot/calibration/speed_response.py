@@ -28,7 +28,7 @@ from sweetspot.numerics.interval import REACH
 
 @dataclass(frozen=True)
 class EfficiencyResponse:
-    """What q along a bat depends on: n unknowns, the bat's first, then the ball's.
+    """The linear response of q along a bat to n unknowns, the bat's first, then the ball's.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ STEPS_IN_SPREAD = 10
 
 @dataclass(frozen=True)
 class SpeedResponse:
-    """What exit speeds along a bat depend on.
+    """The linear response of exit speeds along a bat.
 
     Parameters
     ----------

@@ -103,7 +103,7 @@ LOWEST = 2
 
 @dataclass(frozen=True)
 class TapTest:
-    """What the taps of one implement say.
+    """The analysis of the taps of one implement.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ class TapTest:
 
     @property
     def unlike(self) -> bool:
-        """Whether what rang is hardly what was described."""
+        """Whether the tones hardly fit the implement as described."""
         hollow = any(name.family == "hoop" for family in self.expected for name in family.names)
         return bool(self.unheard) or self.misfit > (UNLIKE_HOLLOW if hollow else UNLIKE)
 

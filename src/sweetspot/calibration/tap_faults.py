@@ -137,7 +137,7 @@ def _no_free_body(fit: Fit, background: float) -> str | None:
 
 
 def louder_later(samples: Array, rate: float) -> float:
-    """Return how much louder in dB a sound gets later than in its first `ONE_BLOW` s, over as long a time each.
+    """Return the increase of a sound's level in dB over its first `ONE_BLOW` s, over as long a time each.
 
     Parameters
     ----------
@@ -168,7 +168,7 @@ def cancelled(fit: Fit) -> float:
 
 
 def breaks_off(samples: Array, rate: float) -> bool:
-    """Say whether a sound goes on and then breaks off: the energy of damped tones falls ever more slowly."""
+    """Return whether a sound goes on and then breaks off: the energy of damped tones falls ever more slowly."""
     for seconds in LASTING:
         size = int(seconds * rate / 3)
         if 3 * size <= len(samples):
@@ -180,7 +180,7 @@ def breaks_off(samples: Array, rate: float) -> bool:
 
 
 def clipped(samples: Array) -> bool:
-    """Say whether a sound was cut off: at full scale, or again and again at the very same height."""
+    """Return whether a sound was clipped: at full scale, or repeatedly at the very same height."""
     for side in (samples, -samples):
         top = side.max(initial=0.0)
         if top < NEAR_TOP:

@@ -1,4 +1,4 @@
-"""What is not known about a bat before it is measured, and the bat that follows from a guess of it.
+"""The unknowns of a bat before it is measured, and the bat that follows from a guess of them.
 
 Each unknown is the deviation of a logarithm (moduli, density, wall, diameters, masses at knob and end cap) from the
 description, or of the density's gradient itself. Before any measurement it is normal with mean 0 and the spread that
@@ -267,7 +267,7 @@ def _thickest(bat: Bat) -> float:
 
 @lru_cache(maxsize=8)
 def barrel_parts(profile: Stations, length: float) -> Array:
-    """Return how much of the barrel's error the diameter at every station has: 0 on the handle to 1 on the barrel."""
+    """Return the share of the barrel's diameter error at every station: 0 on the handle to 1 on the barrel."""
     places, diameters = np.array(profile).T
     beyond_knob = np.linspace(0.15 * length, length, 200)
     there = np.interp(beyond_knob, places, diameters)
@@ -312,6 +312,6 @@ def deviated_bodies(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Ar
 
 @lru_cache(maxsize=16)
 def _between(stations: tuple[float, ...], edges: tuple[float, ...]) -> Array:
-    """Return how much of every station's value each place of the integration has, shape (stations, places)."""
+    """Return the interpolation weights of the stations at each place of the integration, shape (stations, places)."""
     places, _ = quadrature(edges)
     return np.array([np.interp(places, stations, unit) for unit in np.eye(len(stations))])

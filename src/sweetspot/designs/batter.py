@@ -1,4 +1,4 @@
-"""Who the bat is for: where and how high the ball is met, how surely that is known, and how the swing is."""
+"""The batter: the distribution of contacts along and across the bat, its uncertainty, and the swing."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SHAPE_BALLS = 20
 SPREADS = np.linspace(-4.0, 4.0, 161)
 """Standard deviations of the prior at which the scatter of places is looked at."""
 MEANS, MEAN_SHARES = np.polynomial.hermite_e.hermegauss(7)
-"""Where the mean is looked at for every scatter, in its standard deviations, and how much each counts."""
+"""Points of the mean for every scatter, in its standard deviations, and their weights."""
 RARE = 0.02
 """Part of the contacts on either side that is left out: the farthest of a scatter would be met once in a career."""
 USUAL_PLACES = 8

@@ -1,4 +1,4 @@
-"""What a bat must keep: bands of weight and balance, a league's rules, what a lathe can turn; how bats get there."""
+"""Constraints on a bat: bands of weight and balance, a league's rules, the lathe; and steps that satisfy them."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class Limit:
             )
 
     def excess(self, values: Array) -> Array:
-        """Return by how many grains values lie beyond the nearer end: above 0 where they do, shape (n,)."""
+        """Return the excess of values over the nearer end in grains: above 0 outside, shape (n,)."""
         grain = MEASURES[self.measure].grain
         below = -np.inf if self.least is None else (self.least - values) / grain
         above = -np.inf if self.most is None else (values - self.most) / grain
@@ -180,7 +180,7 @@ def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
 
 
 def _quarrel(bench: Bench, limits: Sequence[Limit], numbers: Array) -> str:
-    """Return which limits cannot be kept, and what comes nearest."""
+    """Return the limits that cannot be kept, and the nearest values."""
     values = drawn_values(bench, numbers)
     limits_words = " and ".join(
         f"{MEASURES[limit.measure].label} {_band_words(limit)} ({limit.why})" for limit in limits

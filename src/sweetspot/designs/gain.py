@@ -1,4 +1,4 @@
-"""What of a gain can be seen: beside wood that differs, what is not known of the batter, and what the handle pays."""
+"""Whether a gain can be seen: beside differences of wood and doubts about the batter, and its cost at the handle."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ PRIOR_BALLS = 3.5
 
 
 class GainVerdict(StrEnum):
-    """What of a gain can be said, beside what could hide it."""
+    """The verdict on a gain, beside the effects that could hide it."""
 
     SEEN = "a gain that you could see"
     LIKELY = "likely a gain, yet too small to see"
@@ -118,7 +118,7 @@ class Gain:
 
     @property
     def verdict(self) -> GainVerdict:
-        """What of the gain can be said: seen only where the interval clearly leaves zero out; a loss alike."""
+        """The verdict on the gain: seen only where the interval clearly excludes zero; a loss alike."""
         size = abs(self.expected)
         if size > CLEARLY * self.spread:
             return GainVerdict.SEEN if self.expected > 0 else GainVerdict.LOSS

@@ -31,7 +31,7 @@ INSIDE = 0.5
 def polished(
     bench: Bench, question: DesignSearch, numbers: Array, *, looks: int | None = None
 ) -> tuple[Array, MeasuredDesigns]:
-    """Return the numbers of a bat near a given one that is best in the first want, and what it is and does.
+    """Return the numbers of a bat near a given one that is best in the first want, and its measures.
 
     It is never worse than the one that was given: it keeps every limit if that one did, or comes nearer to them.
 

@@ -1,4 +1,4 @@
-"""What is measured on every bat of a search: sizes and weights, and what it does for this batter."""
+"""Measures of every bat of a search: sizes, weights, and its results for this batter."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ class MeasuredDesigns:
 
 @dataclass(frozen=True)
 class Bench:
-    """Everything that stays the same while bats change: batter, ball, hands, and what an off-centre hit keeps.
+    """Everything that stays the same while bats change: batter, ball, hands, and the losses of off-centre hits.
 
     Parameters
     ----------

@@ -123,7 +123,7 @@ def front_of(bench: Bench, question: DesignSearch, numbers: Array) -> Front:
 
 
 def _nearest_words(question: DesignSearch, measured: MeasuredDesigns, generation: int) -> str:
-    """Return that no bat keeps all limits, and which one the nearest misses most, by how much."""
+    """Return the error that no bat keeps all limits, with the limit that the nearest bat exceeds most."""
     missed = np.maximum(excesses(question, measured), 0.0)
     nearest = int(np.argmin(missed.sum(axis=1)))
     limit = question.limits[int(np.argmax(missed[nearest]))]
@@ -141,7 +141,7 @@ def wanted(question: DesignSearch, measured: MeasuredDesigns) -> Array:
 
 
 def excesses(question: DesignSearch, measured: MeasuredDesigns) -> Array:
-    """Return by how many grains every bat misses every limit, shape (n, limits); 0 or less: kept."""
+    """Return the excess of every bat over every limit in grains, shape (n, limits); 0 or less: kept."""
     if not question.limits:
         return np.full((len(measured), 1), -1.0)
     return np.array([limit.excess(measured.values[limit.measure]) for limit in question.limits]).T

@@ -53,7 +53,7 @@ MORE: Mapping[str, tuple[str, tuple[float, float]]] = {
     "knob": ("diameter of the knob", (0.8 * INCH, 3.5 * INCH)),
     "cup_diameter": ("width of the cup", (0.5 * INCH, 2.2 * INCH)),
 }
-"""What may change besides, with its label and what bats have, m."""
+"""Other variables, each with its label and the range of bats, m."""
 
 
 def stations(diameters: Array, *, knob: Array, length: Array) -> tuple[Array, Array]:
@@ -86,7 +86,7 @@ def steepness(diameters: Array, *, length: Array) -> tuple[Array, Array]:
 
 
 def waist(diameters: Array) -> Array:
-    """Return by how much an outline is thinner somewhere than on both sides of it, m, shape (n,); 0: one swelling."""
+    """Return the depth of an outline's deepest waist, m, shape (n,); 0: one swelling."""
     before = np.maximum.accumulate(diameters, axis=1)[:, :-2]
     beyond = np.maximum.accumulate(diameters[:, ::-1], axis=1)[:, ::-1][:, 2:]
     inside = diameters[:, 1:-1]

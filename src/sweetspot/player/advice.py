@@ -1,4 +1,4 @@
-"""What would serve this player: bats ranked, where to meet the ball, and what an inch or a mile an hour is worth."""
+"""Advice for a player: bats ranked, the best contact point, and the value of an inch or a mile an hour."""
 
 from __future__ import annotations
 

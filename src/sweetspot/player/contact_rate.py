@@ -82,7 +82,7 @@ def _rows_at(table: LikelihoodTable, bat: int, steeper: float) -> tuple[Array, A
 
 @compiled(nogil=True)
 def fill_hits(hits: Array, weight: Array, table: LikelihoodTable, bat: int, parameters: Array, steeper: float) -> float:
-    """Fill what part of the balls met at every tabled offset are hits; return how likely a hit is.
+    """Fill the share of hits among the balls met at every tabled offset; return the probability of a hit.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The compiled mean of a goal over a player's scatter of swings, draw by draw: what `expected.Expectation` asks."""
+"""The compiled mean of a goal over a player's scatter of swings, draw by draw; used by `Expectation`."""
 
 from __future__ import annotations
 

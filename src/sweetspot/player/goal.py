@@ -1,4 +1,4 @@
-"""What a player wants more of, and how much of it a hit gives: exit speed, carry, or whether it passes a line."""
+"""The goals of a player as functions of a hit: exit speed, carry, or whether it passes a line."""
 
 from __future__ import annotations
 

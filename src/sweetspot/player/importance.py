@@ -23,7 +23,7 @@ GOOD = 300.0
 FREEDOM = 5.0
 """Degrees of freedom of the wide tails."""
 WIDER = 1.6
-"""Times the variance that the draws are wider than what was found."""
+"""Factor by which the draws' variance exceeds that of the density found."""
 LEAST_SHARE = 0.05
 """Of any part of the mixture."""
 TAIL = 1.0
@@ -59,7 +59,7 @@ class Mixture:
 
 @dataclass(frozen=True)
 class Weighted:
-    """Weighted draws, and what they were drawn from.
+    """Weighted draws, and the mixture that they were drawn from.
 
     Parameters
     ----------
@@ -198,7 +198,7 @@ def _ridge(log_density: Density, place: Array, curvature: Array, along: int, ske
 
 
 def _climbed(log_density: Density, places: Array, rest: IntArray, within: Array) -> tuple[Array, Array]:
-    """Return places moved to where the density is higher, some parameters free, and its logarithms there.
+    """Return places moved uphill in the density, some parameters free, and its logarithms there.
 
     Newton's steps with one curvature for all places, whose inverse is ``within``; the best part of each is taken.
     """
@@ -238,7 +238,7 @@ def _log_parts(mixture: Mixture, draws: Array) -> Array:
 
 
 def _fitted(mixture: Mixture, weighted: Weighted) -> Mixture:
-    """Return the mixture moved to where the weighted draws are; a part that few of them belong to stays.
+    """Return the mixture moved towards the weighted draws; a component with few of them stays.
 
     One covariance for all: of few draws a part's own would be too narrow.
     """

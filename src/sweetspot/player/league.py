@@ -34,7 +34,7 @@ MODEL_DOUBT = 0.3
 """What a league's mean may be off by because the model is, alike for all players, in deviations of the prior:
 up to 0.29 of players made by full collisions before the tables knew the place, 0.08 now (docs/theory/player.md)."""
 TELLS = 0.1
-"""Precision, where the prior's is 1, below which a direction is taken as one that a player's swings do not tell."""
+"""Precision, where the prior's is 1, below which a player's swings are taken as uninformative in a direction."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ def likeliest_population(evidence: SwingEvidence) -> Population:
 
 
 def _height(evidence: SwingEvidence, mean: Array, variance: Array) -> tuple[float, Array]:
-    """Return the logarithm of what `likeliest_population` makes highest, and its slope by mean and log variance."""
+    """Return the log-likelihood that `likeliest_population` maximizes, and its gradient by mean and log variance."""
     count, within = len(evidence.pull), 1 - BETWEEN_LEAGUES
     posterior = evidence.precision + np.diag(1 / variance)
     pull = evidence.pull + mean / variance
@@ -129,7 +129,7 @@ def _height(evidence: SwingEvidence, mean: Array, variance: Array) -> tuple[floa
 
 
 def own_share(posterior: PlayerPosterior, league: Population) -> dict[str, float]:
-    """Return by parameter how much a player's own swings say beside the league: 1 less the variance over the league's.
+    """Return the information of a player's own swings by parameter: 1 minus the variance over the league's.
 
     0: the player is taken for the league's average; 1: the league says nothing.
     """

@@ -25,7 +25,7 @@ COUNTED = 0.9
 of other simulators and of the field scatter in more than the model's noise. Set on 200 made-up players and shown on
 others (docs/theory/player.md)."""
 LANES = 8
-"""Places are summed in whole eights, the last ones with no weight: what is left over would be done one by one."""
+"""Places are summed in blocks of eight, the last padded with zero weights: a remainder would be summed one by one."""
 
 
 @inner

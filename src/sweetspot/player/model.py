@@ -1,4 +1,4 @@
-"""A player's swings and bats made ready for the fit: what every measured number says about the player's parameters."""
+"""A player's swings and bats made ready for the fit: the likelihood of the player's parameters."""
 
 from __future__ import annotations
 

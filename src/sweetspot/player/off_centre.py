@@ -1,7 +1,7 @@
-"""What a launch angle says of how high the ball was met, place by place along the bat, ready for a likelihood.
+"""The offset of the contact inferred from a launch angle, place by place along the bat, ready for a likelihood.
 
 A hit's launch less attack angle is given by the bat's tables for every offset, with a scatter of its own. What it says
-of the offset is therefore no normal law: it bends where the ball is hardly turned further, and beyond that a grazing
+of the offset is therefore not normal: it bends where the ball is hardly turned further, and beyond that a grazing
 hit may leave at the same angle. For every swing and place the whole of it is put into a few points with weights, those
 of Gauss for that very law, so that whatever changes slowly with the offset is summed over to high order. None of this
 depends on the player's parameters, so it is done once.
@@ -54,7 +54,7 @@ class OffsetPoints(NamedTuple):
 def offset_points(
     tables: Sequence[ContactTable], bat: IntArray, *, ratio: Array, launch: Array, attack: Array, places: Array
 ) -> OffsetPoints:
-    """Return the likelihood of offsets given the launch angles of swings; zeros where none was measured.
+    """Return points and weights for sums over offsets given the launch angles of swings; zeros where none was measured.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def _together(bat: IntArray, those: NDArray[np.bool_]) -> Iterator[tuple[int, In
 
 
 def _steeper(attack: Array) -> Array:
-    """Return by how much swings are steeper than usual; as much as usual where that was not measured."""
+    """Return attack angles less the usual one; 0 where none was measured."""
     return np.where(np.isnan(attack), 0.0, attack - priors()["attack_angle"].centre)
 
 

@@ -1,4 +1,4 @@
-"""What the swings say about the player: draws from the posterior, how many of them count, and what was learned."""
+"""The posterior of a player: weighted draws, their effective number, and summaries of the parameters."""
 
 from __future__ import annotations
 

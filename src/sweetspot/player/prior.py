@@ -140,7 +140,7 @@ ANYBODY = Population(np.zeros(len(NAMES)), np.ones(len(NAMES)))
 
 
 def population_range(population: Population) -> dict[str, Interval]:
-    """Return by parameter the middle of a population and what 90 % of its players lie within, SI."""
+    """Return the median of a population and the range of 90 % of its players by parameter, SI."""
     ends = np.array([natural(population.mean + side * population.spread) for side in (0.0, -REACH, REACH)])
     return {name: Interval(*part) for name, part in zip(NAMES, ends.T.tolist(), strict=True)}
 

@@ -1,4 +1,4 @@
-"""Swings of a made-up player whose parameters are known: what the fit is tested with."""
+"""Simulated swings of a player with known parameters, for tests of the fit."""
 
 from __future__ import annotations
 

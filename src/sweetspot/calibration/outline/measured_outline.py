@@ -109,7 +109,7 @@ def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
 
 
 def unlike_bats(profile: Stations) -> tuple[str, ...]:
-    """Return in words what no bat's outline has; nothing of a bat's.
+    """Return in words the features of an outline that no bat has; none for a bat's.
 
     >>> unlike_bats(((0.0, 0.033), (0.84, 0.064)))
     ('Unlike a bat: handle 35 mm thick (bats have 15 to 31 mm); no knob. It was taken as round, turned and whole.',)

@@ -30,7 +30,7 @@ from sweetspot.units import FOOT, INCH, format_length
 
 STATIONS = quantities_of("stations")
 ACROSS = {"diameter": 1.0, "circumference": 1 / math.pi, "radius": 2.0}
-"""What is measured across, and the diameter per unit of it."""
+"""The quantities measured across, and the diameter per unit of each."""
 PLURALS = {"diameter": "diameters", "circumference": "circumferences", "radius": "radii"}
 METRES = {"inches": INCH, "feet": FOOT, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
 """m of the units that are tried where something is no bat."""

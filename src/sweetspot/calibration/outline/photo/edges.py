@@ -41,7 +41,7 @@ FINEST = 0.05
 OUTLIER = 4.0
 """Usual distances from the running median, of the edge around it, beyond which an edge is not believed."""
 ROUNDS = 3
-"""How often the axis is laid anew through the middle of the edges, at most."""
+"""Iterations of the axis through the middle of the edges, at most."""
 
 
 @dataclass(frozen=True)
