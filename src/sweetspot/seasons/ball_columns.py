@@ -76,7 +76,7 @@ SIDES = ("", "_low", "_high")
 
 
 def columns_of_other(name: str) -> tuple[OutputColumn, ...]:
-    """Return the columns of a bat that every swing is tried with: what it would have given, and its 90 % interval."""
+    """Return the columns of a bat that every swing is tried with: its exit speed and 90 % interval."""
     stem = f"exit_speed_with_{name.replace('-', '_')}"
     meaning = f"exit speed of the same swing with {name}, met at the same place"
     return tuple(OutputColumn(stem + side, "speed", meaning, "bats") for side in SIDES)
@@ -126,7 +126,7 @@ HOME_RUN_KINDS = (None, "doubter", "mostly gone", "no doubter")
 
 @dataclass(frozen=True)
 class SeasonSetting:
-    """What all rows share.
+    """The parameters that all rows share.
 
     Parameters
     ----------

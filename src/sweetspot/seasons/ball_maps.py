@@ -91,7 +91,7 @@ def is_home_run(event: pl.Expr) -> pl.Expr:
 
 
 def known_sum(values: pl.Expr) -> pl.Expr:
-    """Return the sum of what is known of a column, missing where nothing is."""
+    """Return the sum of the known values of a column, missing where there is none."""
     return pl.when(values.is_not_null().any()).then(values.sum())
 
 
@@ -148,7 +148,7 @@ HEADS = {"from_tip_in": INCH, "from_tip_m": 1.0}
 
 
 def contact_places(folder: Path, batter: str) -> Array:
-    """Return the medians of where a batter's balls were met, m from the tip, shape (balls,).
+    """Return the medians of the places where a batter's balls were met, m from the tip, shape (balls,).
 
     Balls without a computed place are left out. Each median is drawn towards the season's mean, and whether a ball
     was met inside or outside of the best place is often not known: the scatter is a rough one.

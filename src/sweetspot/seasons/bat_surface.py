@@ -49,7 +49,7 @@ RATIOS, SLANTS, SPEEDS = (
 )
 """Nodes of the ceiling: pitch speed over bat speed, rad between the pitch's way and the bat's, bat speed."""
 SPEED_ERROR, ANGLE_ERROR = 0.1 * MPH, np.radians(0.1)
-"""What 95 of 100 hits may miss the kernel's answer by."""
+"""Bounds on the error of 95 of 100 hits by the kernel."""
 TRIED = 4000
 """Hits that the table is compared with the kernel at."""
 MOST_NODES = 1_000_000
@@ -92,7 +92,7 @@ class BatSurface:
 
     @property
     def table(self) -> tuple[Axes, Array, Array, Array]:
-        """What the kernels look hits up in: axes, velocities after the hit, reach and arm."""
+        """The kernels' table: axes, velocities after the hit, reach and arm."""
         return self.axes, self.after, self.reach, self.arm
 
 

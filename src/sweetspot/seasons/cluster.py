@@ -16,9 +16,9 @@ from sweetspot.errors import InputError
 from sweetspot.seasons.plan import Plan, Progress, Task, do_task, is_done, run_here, serial
 
 PATIENCE = "20s"
-"""How long a scheduler is waited for, at first and when it was lost."""
+"""Waiting times for a scheduler, at first and when it was lost."""
 TRIES = 5
-"""How often a task is given out again when its worker died."""
+"""Number of times that a task is given out again when its worker died."""
 
 
 def run_on_cluster(
@@ -52,7 +52,7 @@ def run_on_cluster(
 
 
 def _started(dask: Any, workers: int) -> Any:
-    """Return a cluster of this machine whose workers know nothing of a Ctrl-C, which is this process' to answer.
+    """Return a cluster of this machine whose workers ignore Ctrl-C, which this process handles.
 
     Its status goes to the first free port, not the usual one: another cluster may have that.
     """

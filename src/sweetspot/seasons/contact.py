@@ -61,7 +61,7 @@ class OtherBat:
 
 @dataclass(frozen=True)
 class ContactSetting:
-    """What all balls of a table share.
+    """The parameters that all balls of a table share.
 
     Parameters
     ----------

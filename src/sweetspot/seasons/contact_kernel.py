@@ -246,7 +246,7 @@ def _summarise(places: Array, part: Array, above: Array, best: float, draw: floa
 
 @inner(forceinline=True, error_model="numpy")
 def _below(passed: Array, at: float) -> float:
-    """Return how much of a distribution lies below a place in cells, from the parts below the upper edges of cells."""
+    """Return the distribution function at a place in cells, from its values at the upper edges of cells."""
     if at <= 0:
         return 0.0
     if at >= len(passed):

@@ -36,7 +36,7 @@ PADDED, PADDED_LINES = r"^[+-]?0\d", 1000
 
 @dataclass(frozen=True)
 class CsvCopy:
-    """What a copy of a CSV table holds.
+    """A copy of a CSV table.
 
     Parameters
     ----------

@@ -15,7 +15,7 @@ from sweetspot.seasons.table_reader import PART, TableReader
 from sweetspot.tables.headings import Headings
 
 KEYS = (("game", "at_bat", "pitch"), ("pitch_id",))
-"""What tells pitches apart, the first that a table has."""
+"""Quantities that identify pitches; the first that a table has is used."""
 WHEN, WHO = ("game", "date"), ("batter", "batter_name")
 """One of each must be known; a batter goes by his number, or by his name."""
 MEASURED = ("exit_speed", "launch_angle", "map_x", "map_y", "release_speed", "velocity_x", "velocity_z", "plate_side")
@@ -28,7 +28,7 @@ ENOUGH = 5
 
 
 def tells_pitches(headings: Headings) -> bool:
-    """Return whether a table has what tells pitches apart."""
+    """Return whether a table has quantities that identify pitches."""
     return _numbered(headings) is not None or bool(_measured(headings))
 
 
@@ -90,7 +90,7 @@ def _numbered(headings: Headings) -> tuple[str, ...] | None:
 
 
 def _measured(headings: Headings) -> tuple[str, ...]:
-    """Return who and what must agree for two rows to be the same pitch; nothing where that is too little."""
+    """Return the quantities that must agree for two rows to be the same pitch; none where they are too few."""
     when, who = ([name for name in names if headings.has(name)] for names in (WHEN, WHO))
     measured = [name for name in MEASURED if headings.has(name)]
     agreeing = (*when, *who[:1], *(name for name in ("pitcher",) if headings.has(name)), *measured)

@@ -1,4 +1,4 @@
-"""What each ball's flight was: where it set out, how far it carries and how surely, and how likely it is a home run.
+"""The flight of each ball: launch direction, carry with its error, and the probability of a home run.
 
 The tracked direction is where a ball came down; the direction in which it set out is solved for. How surely a carry is
 known is given by `carry_scatter`.
@@ -58,7 +58,7 @@ GLOVE = 5 * FOOT
 
 @dataclass(frozen=True)
 class FlightSetting:
-    """What all balls of a table share.
+    """The parameters that all balls of a table share.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ def _launched(
 def _per_drag(
     balls: Balls, spray: Array, density: Array, flown: Flights, expected: Expected, setting: FlightSetting
 ) -> Array:
-    """Return by how much carries grow with the logarithm of drag, m; 0 of balls that were hit down."""
+    """Return the slope of carry by the logarithm of drag, m; 0 for balls that were hit down."""
     per_drag = np.where(balls.launch_angle > 0, expected.carry_per_drag, 0.0)
     steep = np.flatnonzero(flown.landed & (balls.launch_angle > STEEP))
     if len(steep):

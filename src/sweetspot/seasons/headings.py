@@ -1,4 +1,4 @@
-"""What the columns of a table of batted balls mean: what such a table needs, and what only its rows tell of them."""
+"""The meaning of the columns of a table of batted balls: the required ones, and what depends on the rows."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ BOARDS = {
 ESSENTIAL = ("exit_speed", "launch_angle", "bat_speed")
 """Without a unit these are refused: whether 98 is a speed in mph or in km/h is not guessed."""
 DAY_FIRST = "day first"
-"""What stands for the unit of a table's dates where they begin with the day."""
+"""Unit given to a table's dates where they begin with the day."""
 
 
 def headings_of(names: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, file_name: str = "table") -> Headings:

@@ -71,7 +71,7 @@ APART = 0.2
 
 @dataclass(frozen=True)
 class Expected:
-    """What a table says of n balls, every array of shape (n,).
+    """The expectations from a table for n balls, every array of shape (n,).
 
     Parameters
     ----------

@@ -53,7 +53,7 @@ def normal_scatter(rng: np.random.Generator, count: int) -> Array:
 
 @dataclass(frozen=True)
 class MadeSeason:
-    """How a season is made up.
+    """The parameters of a made-up season.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How many rows of a table are held together, and Parquet files of which that many cannot be had by themselves.
+"""The number of rows held together, and Parquet files whose row groups are too large to be read by themselves.
 
 A piece of a Parquet file (a row group) is fetched whole, though packed, for every part of it that is asked for. Where
 one is larger than memory should hold, the table is laid out anew once, some columns at a time: in strips, files of a
@@ -37,7 +37,7 @@ FLOATS = {4: "<f", 5: "<d"}
 
 
 class Footer(NamedTuple):
-    """What the footer of a Parquet file tells of its pieces; nothing where it is not understood.
+    """The row groups in the footer of a Parquet file; none where it is not understood.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ class _CompactReader:
 
 
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EPERM}
-"""What a system says that takes no file, or no more of it."""
+"""Errors of a system that takes no file, or no more of it."""
 
 
 @contextmanager

@@ -67,7 +67,7 @@ SPEED, TILT = 5 * MPH, 6 * DEGREE
 
 
 class Circumstances(NamedTuple):
-    """What is known of n balls, each about 0 for a usual one and where it is not known.
+    """The covariates of n balls, each about 0 for a usual one and where it is not known.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ def circumstances(balls: Balls, bat_speeds: SwingSpeeds) -> Circumstances:
 
 
 def turn_term(turned: Array) -> Array:
-    """Return by how much balls left the bat's path upwards, in `TURNED`; 0 where not known."""
+    """Return the angle by which balls left the bat's path upwards, in `TURNED`; 0 where not known."""
     return np.clip(np.nan_to_num(turned / TURNED), -MOST_TURNED, MOST_TURNED)
 
 
@@ -180,7 +180,7 @@ class PlaceRelation:
 
     @property
     def noise(self) -> float:
-        """What exit speeds of usual swings scatter by beyond measuring errors, m/s."""
+        """Standard deviation of exit speeds of usual swings beyond measuring errors, m/s."""
         return float(np.exp(self.noise_weights[0]))
 
     def prior(self, conditions: Circumstances) -> Array:

@@ -92,7 +92,7 @@ class Plan:
                 yield Task(number, start, min(rows, table.rows - start))
 
     def paths(self, task: Task) -> tuple[Path, Path, Path]:
-        """Return the files of a task: balls, ledger and what is counted."""
+        """Return the files of a task: balls, ledger and counts."""
         balls, ledger, counted = (self.folder / name / task.name for name in (BALLS, LEDGER, COUNTED))
         return balls, ledger, counted
 

@@ -34,11 +34,11 @@ NODES = 24
 LEFT_OUT = 10.0
 """Logarithm of the likelihood below its greatest from which on a value is left out."""
 CLOSER = 2
-"""How often the values are laid closer about those that are likely."""
+"""Refinements of the values about the likely ones."""
 
 
 def spread_weights(likelihood: Callable[[Array], Array], *, most: float) -> tuple[Array, Array]:
-    """Return values of tau, shape (k,), and what part of all each has: by how much groups differ is not known.
+    """Return values of tau, shape (k,), and their weights, as the spread of groups is not known.
 
     The prior is flat in the variance tau^2. It has no scale of its own, the means it leads to are better than plain
     ones however groups differ [morris2012], and its intervals hold in repeated leagues about as often as they say
@@ -75,7 +75,7 @@ GREATEST_RATE_SPREAD = 0.99
 
 @dataclass(frozen=True)
 class Scatter:
-    """How balls and groups scatter about the mean of all: mu, sigma^2, tau^2; whether groups are enough to pool."""
+    """The scatter of balls and groups about the mean of all: mu, sigma^2, tau^2; whether groups are enough to pool."""
 
     mean: float
     within: float
@@ -134,7 +134,7 @@ def bounded_intervals(
 
 
 def _rate_moments(hits: Array, trials: Array) -> tuple[Array, Array]:
-    """Return mean and variance of each group's rate, summed over how much groups may differ.
+    """Return mean and variance of each group's rate, summed over the spread of groups.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ POSITIVE: Bounds = (0.0, np.inf)
 
 @dataclass(frozen=True)
 class Spread:
-    """How balls and groups scatter.
+    """The scatter of balls and groups.
 
     Parameters
     ----------
@@ -302,7 +302,7 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
 
 
 def _wider(spread: Spread) -> dict[int, float]:
-    """Return by how much wider intervals are, by their percent, for balls that tell sigma badly: Student's."""
+    """Return the factors of intervals' widths by their percent, for a sigma from few balls: Student's."""
     from scipy.special import stdtrit
 
     freedom = spread.balls - spread.groups

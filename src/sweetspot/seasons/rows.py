@@ -48,7 +48,7 @@ in what is usual of many (`doubts`).
 Exit speed and launch angle decide by themselves whether a row counts."""
 DATES = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%d.%m.%Y", "%Y%m%d", "%m-%d-%Y", "%d-%b-%Y")
 SWAPPED = {"%m/%d/%Y": "%d/%m/%Y", "%m/%d/%y": "%d/%m/%y", "%m-%d-%Y": "%d-%m-%Y"}
-"""What dates that begin with the day are read as."""
+"""Formats of dates that begin with the day."""
 WORDED_DATES = ("%b %d, %Y", "%B %d, %Y", "%d %b %Y", "%d %B %Y")
 CLOCK = r",?\s+\d{1,2}:\d{2}.*$"
 """A time of the day behind a date in words."""
@@ -196,7 +196,7 @@ def tidy(text: pl.Expr) -> pl.Expr:
 
 
 def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:
-    """Return rows without what cannot be, and how many measurements of each that were."""
+    """Return rows without impossible measurements, and the number of these by quantity."""
     names = [name for name in POSSIBLE if name in rows.columns]
     if not names:
         return rows, pl.lit(0, pl.UInt32)

@@ -29,7 +29,7 @@ SELECTED = 0.5
 
 @dataclass(frozen=True)
 class DragOfMonth:
-    """What the fly balls of a month say.
+    """The drag by the fly balls of a month.
 
     Parameters
     ----------

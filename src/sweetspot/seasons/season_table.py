@@ -62,7 +62,7 @@ MOST_PARTS = 16
 
 @dataclass(frozen=True)
 class Season:
-    """What was computed.
+    """The results of a season.
 
     Parameters
     ----------
@@ -271,7 +271,7 @@ def _require_balls(survey: Survey) -> None:
 
 
 def _unread(survey: Survey) -> str:
-    """Return in how many rows something stands that is no number where one should be, in words."""
+    """Return in words the number of rows without a readable number where one is expected."""
     count = sum(warning.count for warning in survey.warnings if warning.name == "unreadable")
     return f"; {count} rows hold words, or numbers with another unit, where a number should be" if count else ""
 

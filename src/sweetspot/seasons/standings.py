@@ -86,7 +86,7 @@ def _made_ready(rows: pl.DataFrame) -> pl.DataFrame:
 
 
 class _Sums:
-    """What was counted of one column of groups."""
+    """Sums over the groups of one column."""
 
     def __init__(self, key: str, columns: Sequence[str], measures: Sequence[str]) -> None:
         self.key, self.name = key, NAMES.get(key, "")
@@ -160,7 +160,7 @@ GROUPS: Mapping[str, str] = {
 ABOVE = "squared_up_above"
 """By how much more often a ball is squared up than balls of its bat speed."""
 MEASURES: Mapping[str, tuple[str, str]] = columns_in("measures")
-"""What is averaged over balls: scale and meaning."""
+"""Measures averaged over balls: scale and meaning."""
 BOUNDS: Mapping[str, Bounds] = {
     name: (-1.0, 1.0) if name == ABOVE else (0.0, 1.0) for name, (scale, _) in MEASURES.items() if scale == "share"
 } | {"from_best": POSITIVE}
@@ -308,7 +308,7 @@ def above_expected_parts(parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
 
 @dataclass(frozen=True)
 class OtherBatGain:
-    """What the balls of a season would gain with another bat.
+    """The gain of a season's balls with another bat.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What is counted over players, pitchers, clubs, pitch types, counts and months: one narrow row per ball, in SI."""
+"""Groups and measures for sums over players, pitchers, clubs, pitch types, counts and months: a row per ball, SI."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
 
 
 def timing(rows: pl.DataFrame, plate_speed: Array) -> Array:
-    """Return how much earlier than usual balls were met, s, by the league's formula; NaN where a table does not tell.
+    """Return the time by which balls were met earlier than usual, s, by the league's formula; NaN where not known.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def timing(rows: pl.DataFrame, plate_speed: Array) -> Array:
 
 
 def groups(headings: Headings) -> list[pl.Expr]:
-    """Return who and what a ball belongs to, each as text, of rows whose month and season are texts.
+    """Return the groups that a ball belongs to, each as text, of rows whose month and season are texts.
 
     Who has no number goes by his name.
     """

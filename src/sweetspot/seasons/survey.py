@@ -33,7 +33,7 @@ APART = 20.0
 
 @dataclass(frozen=True)
 class Survey:
-    """What was found before anything is computed.
+    """The content and faults of tables, found before anything is computed.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def _count_endings(rows: pl.DataFrame, endings: dict[Ending, tuple[int, float, i
 
 @dataclass(frozen=True)
 class TrackingBias:
-    """How balls without an exit speed bias the mean of those with one.
+    """The bias of the mean exit speed by balls without one.
 
     Parameters
     ----------

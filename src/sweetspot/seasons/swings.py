@@ -24,7 +24,7 @@ LOSS_CUTOFF = 25 * MPH
 
 @dataclass(frozen=True)
 class SwingSpeeds:
-    """How bat speeds are spread: full swings about one speed, and what swings that are broken off have lost.
+    """The distribution of bat speeds: full swings about one speed, and the loss of swings that are broken off.
 
     A bat speed is that of a full swing, normal about its mean, less what was lost, which falls off exponentially:
     few swings lose much. What was read then tells how much of either there was, on average. It matters because the
@@ -43,7 +43,7 @@ class SwingSpeeds:
     lost_speed: float
 
     def parts(self, bat_speed: Array) -> tuple[Array, Array]:
-        """Return how much faster than usual full swings were on average, and what was lost, m/s; NaN where not known.
+        """Return the expected excess of full swings over the usual and the expected loss, m/s; NaN where not known.
 
         The first has the mean 0 over all swings, the second the mean ``lost_speed``. Given what was read, what was lost
         is normal about ``full_speed - bat_speed - full_spread^2 / lost_speed``, cut off at 0: the product of both
@@ -94,7 +94,7 @@ def likeliest_speeds(bat_speed: Array) -> SwingSpeeds:
 
 
 OUTCOMES = ("ok", "no bat speed", "no launch angle", "not a full swing", "out of the swing's plane", "grazed")
-"""What became of a ball's contact; "grazed": no place of the barrel sends a ball off so."""
+"""The outcomes of a ball's contact; "grazed": no place of the barrel sends a ball off so."""
 FULL_SWING = 40 * MPH
 """m/s; slower bats were checked or bunted, and the tables do not reach down to them."""
 USUAL_ATTACK, ATTACK_SPREAD = np.radians(8.6), np.radians(7.0)
@@ -102,7 +102,7 @@ USUAL_ATTACK, ATTACK_SPREAD = np.radians(8.6), np.radians(7.0)
 USUAL_PITCH, PITCH_SPREAD = 82.0 * MPH, 5.0 * MPH
 """At the plate: mean of 2,507 pitches, and what kinds of pitches differ by [savant_2020day]."""
 PER_PITCH_SPEED = 0.22
-"""What exit speed gains per pitch speed, the efficiency of a bat at its best [statcast]."""
+"""Exit speed gained per pitch speed, the efficiency of a bat at its best [statcast]."""
 USUAL_TILT = np.radians(32.0)
 """Mean of 20,023 swings [sure2026]."""
 STEEPEST = np.radians(79.0)
@@ -134,7 +134,7 @@ USUAL_ERRORS = Errors()
 
 @dataclass(frozen=True)
 class InPlane:
-    """What a bat's table is asked with, every array of shape (n,).
+    """The inputs of a bat's table, every array of shape (n,).
 
     Parameters
     ----------

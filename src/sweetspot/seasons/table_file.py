@@ -70,7 +70,7 @@ class TableFile:
     strips: tuple[Path, ...] = ()
 
     def numbers(self, rows: ArrayLike) -> NDArray[np.int64]:
-        """Return by which numbers people find rows in the file, however many lines were left out above them.
+        """Return the numbers by which people find rows in the file, however many lines were left out above them.
 
         Parameters
         ----------
@@ -81,12 +81,12 @@ class TableFile:
 
     @property
     def lines(self) -> int:
-        """How many rows it was given with: those that it has, and those left out."""
+        """Number of rows that it was given with: those that it has, and those left out."""
         return self.rows + sum(self.left_out.values())
 
     @property
     def width(self) -> int:
-        """How many columns it has."""
+        """Number of columns."""
         return len(self.headings.columns) + len(self.headings.passed)
 
     @property
@@ -102,7 +102,7 @@ class TableFile:
 
     @cached_property
     def footer(self) -> Footer:
-        """What its data's footer tells."""
+        """Footer of its data."""
         return footer_of(self.data)
 
     def part(self, start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:

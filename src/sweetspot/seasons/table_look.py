@@ -47,14 +47,14 @@ DOUBTFUL = (*TYPICAL, *ANGLES, "map_x", "map_y")
 LEVEL = 1.6 * DEGREE
 """rad; where 99 of 100 are less, a column of degrees is written in radians."""
 FASTER = 1.2
-"""How many times as fast as bats balls are at least, in the median: some 88 of 70 mph in the major league."""
+"""Least ratio of ball to bat speed in the median: some 88 to 70 mph in the major league."""
 STEEP_MEDIAN, NEGATIVE, IMPOSSIBLE = 45 * DEGREE, 0.05, 0.2
 """rad of the median launch angle, the part of exit speeds below 0, above which the two stand in each other's place; and
 the part of both that cannot be from which their unit is doubted."""
 
 
 def unusual(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> Iterator[tuple[str, str]]:
-    """Yield each quantity whose numbers are usual in another unit, and what is the matter with it.
+    """Yield each quantity whose numbers are usual in another unit, with a description of the fault.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ def _usual_speed(name: str, value: float, columns: Mapping[str, TableColumn]) ->
 
 
 def exchanged(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> str:
-    """Return which two columns seem to stand in each other's place; "": none.
+    """Return the two columns that seem to be swapped; "": none.
 
     Bats faster than balls may also be in another unit: then balls are as much faster in it as balls in play are.
 

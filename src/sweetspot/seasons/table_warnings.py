@@ -1,4 +1,4 @@
-"""What there is to beware of in a table of batted balls."""
+"""Warnings about a table of batted balls."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class TableWarning:
 with Path(__file__).with_name("warnings.toml").open("rb") as file:
     _TEXTS: Mapping[str, Mapping[str, str]] = tomllib.load(file)
 WARNINGS, CANNOT_TELL = _TEXTS["warnings"], _TEXTS["cannot_tell"]
-"""What can be wrong with a table of batted balls, by name; and what such tables cannot tell."""
+"""Possible faults of a table of batted balls, by name; and the answers that such tables cannot give."""
 
 
 def cannot_tell(tables: Sequence[TableFile]) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""How far the controls of a bat may go: bounds that come with an answer, so that no slider has dead travel."""
+"""Bounds of a bat's controls, which come with an answer so that no slider has dead travel."""
 
 from __future__ import annotations
 

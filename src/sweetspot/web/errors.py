@@ -1,4 +1,4 @@
-"""What is wrong with what a browser or a program sent, said in plain words beside the field it concerns."""
+"""Faults of a request from a browser or a program, in plain words beside the field that they concern."""
 
 from __future__ import annotations
 

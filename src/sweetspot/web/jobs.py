@@ -43,7 +43,7 @@ Work = Callable[..., dict[str, Any]]
 
 @dataclass(frozen=True)
 class LongWork:
-    """What a view can have done.
+    """A job that a view can start.
 
     Parameters
     ----------

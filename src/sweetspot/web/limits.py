@@ -48,7 +48,7 @@ NO_HOST = frozenset("@#/?\\")
 
 
 def host_allowed(host: str, names: Iterable[str]) -> bool:
-    """Say whether a Host header names this server: a number address, or one of the allowed names.
+    """Return whether a Host header names this server: a number address, or one of the allowed names.
 
     A name that someone else's server resolves to this machine (DNS rebinding) is neither. Starlette's
     `TrustedHostMiddleware` cannot serve: it knows no number addresses, and does not say what to do.
@@ -71,7 +71,7 @@ def host_allowed(host: str, names: Iterable[str]) -> bool:
 
 
 def origin_allowed(origin: str | None, host: str) -> bool:
-    """Say whether a request's Origin is this very page; a program that is no browser sends none.
+    """Return whether a request's Origin is this very page; a program that is no browser sends none.
 
     >>> origin_allowed("http://127.0.0.1:8000", "127.0.0.1:8000"), origin_allowed("https://evil.example", "127.0.0.1")
     (True, False)

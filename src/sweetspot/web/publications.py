@@ -1,4 +1,4 @@
-"""What was published of a bat of the catalogue and is drawn beside its curves: places and values with their source."""
+"""Published values of a catalogue bat, drawn beside its curves: places and values with their source."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every view is asked with: the bat, and the hit. Each field is one control, its bounds are the control's.
+"""The states of every view: the bat, and the hit. Each field is one control, its bounds are the control's.
 
 Units stand in the names, and they are those a page's address shows (mph, in, oz, degF); answers are SI. The page
 shows both in either system.
