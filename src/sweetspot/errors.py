@@ -43,7 +43,7 @@ def first_line(error: BaseException) -> str:
     return str(error).strip().split("\n")[0][:200] or type(error).__name__
 
 
-def nearest_names(name: str, known: Sequence[str], *, listed: Sequence[str] | None = None) -> str:
+def nearest_names(name: str, names: Sequence[str], *, listed: Sequence[str] | None = None) -> str:
     """Return a hint that lists the known names spelt like ``name``, whole or by a word in them; else what there is.
 
     Parameters
@@ -59,35 +59,35 @@ def nearest_names(name: str, known: Sequence[str], *, listed: Sequence[str] | No
     """
     import difflib
 
-    def likeness(one: str) -> tuple[float, float]:
+    def likeness(candidate: str) -> tuple[float, float]:
         """Return how alike the nearest of the name and its words is, then how alike the whole name."""
-        parts = [one, *one.replace("-", " ").split()]
+        parts = [candidate, *candidate.replace("-", " ").split()]
         ratios = [difflib.SequenceMatcher(None, asked, part.lower()).ratio() for part in parts]
         return max(ratios), ratios[0]
 
     asked = name.lower()
     # any two numbers of players share half of their digits
     enough = ALMOST if asked.isdigit() or len(asked) < FEW else SPELT_LIKE
-    likely = sorted(((likeness(one), one) for one in known), reverse=True)
-    close = [one for how, one in likely if how[0] >= enough][:MOST_MEANT]
+    likely = sorted(((likeness(candidate), candidate) for candidate in names), reverse=True)
+    close = [candidate for how, candidate in likely if how[0] >= enough][:MOST_MEANT]
     if close:
         return f"Did you mean {' or '.join(close)}?"
-    listed = known if listed is None else listed
+    listed = names if listed is None else listed
     if len(listed) <= MOST_LISTED:
         return f"Known names: {', '.join(listed)}."
     return f"There are {len(listed)}, for example {', '.join(listed[:MOST_EXAMPLES])}."
 
 
-def maybe_meant(name: str, known: Iterable[str]) -> str:
+def maybe_meant(name: str, names: Iterable[str]) -> str:
     """Return a name in quotes, and behind it the known one that is spelt almost so, where there is one.
 
     >>> maybe_meant("r161-asch", ["r161-ash", "youth-30"]), maybe_meant("my gamer", ["r161-ash", "youth-30"])
     ("'r161-asch' (did you mean r161-ash?)", "'my gamer'")
     """
-    return _with_meant(name, spelt_almost(name, known))
+    return _with_meant(name, spelt_almost(name, names))
 
 
-def spelt_almost(name: str, known: Iterable[str]) -> str | None:
+def spelt_almost(name: str, names: Iterable[str]) -> str | None:
     """Return the known name that another may be a slip of, None where there is none.
 
     >>> spelt_almost("R161-asch", ["r161-ash", "youth-30"]), spelt_almost("my gamer", ["r161-ash", "youth-30"])
@@ -95,7 +95,7 @@ def spelt_almost(name: str, known: Iterable[str]) -> str | None:
     """
     import difflib
 
-    return next(iter(difflib.get_close_matches(name.lower(), list(known), n=1, cutoff=ALMOST)), None)
+    return next(iter(difflib.get_close_matches(name.lower(), list(names), n=1, cutoff=ALMOST)), None)
 
 
 def _with_meant(name: str, meant: str | None) -> str:

@@ -155,22 +155,22 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _documented(words: str, setups: Iterable[object]) -> str:
-    """Return a docstring that also tells the parameters of setups, behind those of its own."""
-    told = [PARAMETERS.search(inspect.getdoc(type(setup)) or "") for setup in setups]
-    more = "\n".join(found[1].rstrip() for found in told if found)
+    """Return a docstring that also lists the parameters of setups, after the function's own."""
+    sections = [PARAMETERS.search(inspect.getdoc(type(setup)) or "") for setup in setups]
+    more = "\n".join(found[1].rstrip() for found in sections if found)
     if not more:
         return words
-    own = PARAMETERS.search(words)
-    if own is None:
+    section = PARAMETERS.search(words)
+    if section is None:
         head, blank, rest = words.partition("\n\n")
         return f"{head}{blank}Parameters\n----------\n{more}\n\n{rest}"
-    return f"{words[: own.end(1)].rstrip()}\n{more}\n{words[own.end(1) :]}"
+    return f"{words[: section.end(1)].rstrip()}\n{more}\n{words[section.end(1) :]}"
 
 
 def _flat(signature: inspect.Signature, setups: Mapping[str, Any]) -> inspect.Signature:
     """Return a signature with the fields of setups in their place, and what follows from the bat marked so."""
     hitter = any(each.annotation in HITTERS for each in signature.parameters.values())
-    own = [
+    parameters = [
         each.replace(default=USUAL_FOR_IT)
         if hitter and each.annotation in FILLED and each.default is each.empty
         else each
@@ -184,8 +184,8 @@ def _flat(signature: inspect.Signature, setups: Mapping[str, Any]) -> inspect.Si
         for setup in setups.values()
         for field in fields(setup)
     ]
-    further = [each for each in own if each.kind is each.VAR_KEYWORD]
-    return signature.replace(parameters=[*(each for each in own if each not in further), *of_setups, *further])
+    further = [each for each in parameters if each.kind is each.VAR_KEYWORD]
+    return signature.replace(parameters=[*(each for each in parameters if each not in further), *of_setups, *further])
 
 
 def _loaded(value: Any, name: str) -> Any:

@@ -65,10 +65,10 @@ def keys() -> list[str]:
 
 def reference(key: str) -> Reference:
     """Return one source; raises `InputError` with the nearest keys for an unknown one."""
-    known = _bibliography()
-    if key not in known:
-        raise InputError(f"source {key!r} is not in the bibliography. {nearest_names(key, list(known))}")
-    return known[key]
+    sources = _bibliography()
+    if key not in sources:
+        raise InputError(f"source {key!r} is not in the bibliography. {nearest_names(key, list(sources))}")
+    return sources[key]
 
 
 def cite(key: str) -> str:

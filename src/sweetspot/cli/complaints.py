@@ -87,8 +87,8 @@ def _unknown_option(error: UnknownOptionError, given: Sequence[str]) -> str:
 def _missing(error: MissingArgumentError) -> str:
     assert error.argument is not None
     choices = error.argument.get_choices()
-    told = f"{_command(error)} needs {error.argument.name}. {error.argument.parameter.help}" + (
+    message = f"{_command(error)} needs {error.argument.name}. {error.argument.parameter.help}" + (
         f" Choices: {', '.join(choices)}." if choices else ""
     )
     negative = any(word[:1] == "-" and word[1:2].isdigit() for word in error.root_input_tokens or ())
-    return f"{told} A negative number is written with =, as in --at=-3in." if negative else told
+    return f"{message} A negative number is written with =, as in --at=-3in." if negative else message

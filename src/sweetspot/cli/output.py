@@ -134,11 +134,11 @@ def progress(what: str) -> Iterator[Callable[..., None]]:
     if not console.is_terminal:
         quarter = 0
 
-        def say(done: int, total: int, words: str = "") -> None:
+        def say(completed: int, total: int, words: str = "") -> None:
             nonlocal quarter
-            before, quarter = quarter, 4 * done // total
+            before, quarter = quarter, 4 * completed // total
             if total >= LONG and quarter > before:
-                print(f"sweetspot: {what}: {done} of {total}{f' ({words})' if words else ''}", file=sys.stderr)
+                print(f"sweetspot: {what}: {completed} of {total}{f' ({words})' if words else ''}", file=sys.stderr)
 
         yield say
         return
@@ -151,8 +151,8 @@ def progress(what: str) -> Iterator[Callable[..., None]]:
     ) as bar:
         task = bar.add_task(what)
 
-        def show(done: int, total: int, words: str = "") -> None:
-            bar.update(task, completed=done, total=total, description=f"{what}, {words}" if words else what)
+        def show(completed: int, total: int, words: str = "") -> None:
+            bar.update(task, completed=completed, total=total, description=f"{what}, {words}" if words else what)
 
         try:
             yield show

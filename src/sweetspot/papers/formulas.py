@@ -157,8 +157,8 @@ def block_share(ball: Ball, *, material: Material, compression: float) -> float:
     poisson = material.poisson
     patch = math.sqrt(ball.radius * compression)
     block = 2 * modulus * patch / (1 - poisson**2)
-    own = loading_force(ball, compression) / compression
-    return own / (own + block)
+    ball_stiffness = loading_force(ball, compression) / compression
+    return ball_stiffness / (ball_stiffness + block)
 
 
 @dataclass(frozen=True)

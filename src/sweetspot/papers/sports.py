@@ -86,9 +86,9 @@ def _energy(analysis: Analysis[Implement]) -> Iterator[Row]:
     """Yield the two-spring formula with the sport's ball and face."""
     ball, best, face = analysis.conditions.ball, analysis.best, analysis.bat.face
     share, speed = face_share(analysis), wall_speed(analysis)
-    own = ball.restitution.at(speed * math.sqrt(1 - share))
-    kept = face.restitution if face is not None else 1.0
-    returned = paper.energy_returned(bat_restitution=kept, ball_restitution=own, share=share)
+    ball_restitution = ball.restitution.at(speed * math.sqrt(1 - share))
+    face_restitution = face.restitution if face is not None else 1.0
+    returned = paper.energy_returned(bat_restitution=face_restitution, ball_restitution=ball_restitution, share=share)
     recoil = ball.mass / effective_mass(analysis.body, best.position)
     measured = best.collision_efficiency * (1 + recoil) + recoil
     yield Row(
@@ -98,9 +98,9 @@ def _energy(analysis: Analysis[Implement]) -> Iterator[Row]:
     yield Row(
         "W", "W = k_bat^2 z + k_ball^2 (1 - z): energy returned over energy stored", "ratio", None, returned,
         measured**2,
-        f"k_bat = {kept:.3f} (face alone), k_ball = {own:.3f} (at the speed of its share); e = "
-        f"{math.sqrt(returned):.3f}, full model {measured:.3f}. The formula knows no bending, and a face that follows "
-        "without delay.",
+        f"k_bat = {face_restitution:.3f} (face alone), k_ball = {ball_restitution:.3f} (at the speed of its share); "
+        f"e = {math.sqrt(returned):.3f}, full model {measured:.3f}. The formula knows no bending, and a face that "
+        "follows without delay.",
     )  # fmt: skip
 
 

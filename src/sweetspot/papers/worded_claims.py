@@ -39,9 +39,9 @@ def hole_lightens(analysis: Analysis[Implement], other: Analysis[Implement]) -> 
 
 def metal_is_swung_faster(analysis: Analysis[Implement]) -> Row:
     """Return the claim that a metal bat, being lighter, is swung faster with the same effort."""
-    metal, own = catalog.bat(METAL_BAT), analysis.bat
+    metal, bat = catalog.bat(METAL_BAT), analysis.bat
     body = rigid_body(beam_model(metal))
-    ratio = speed_ratios(catalog.swing_law(), metal, body, own, analysis.body)
+    ratio = speed_ratios(catalog.swing_law(), metal, body, bat, analysis.body)
     speed = analysis.conditions.swing.bat_speed
     faster, low, high = (speed * (each - 1) for each in (ratio.value, ratio.low, ratio.high))
     right = "Right in kind" if low > 0 else "Not so for this bat" if high < 0 else "Not to be told apart here"

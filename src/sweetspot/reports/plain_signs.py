@@ -14,5 +14,5 @@ def spelled_for(encoding: str, text: str) -> str:
     """
     if text.isascii():
         return text
-    lacking = (one for one in SIGNS if one in text and not one.encode(encoding, "ignore"))
-    return text.translate({ord(one): SIGNS[one] for one in lacking})
+    lacking = (sign for sign in SIGNS if sign in text and not sign.encode(encoding, "ignore"))
+    return text.translate({ord(sign): SIGNS[sign] for sign in lacking})

@@ -77,23 +77,23 @@ def words_in_both_systems(words: str) -> dict[System, str]:
     'an axis 15.2 cm from the knob'
     """
 
-    def told(found: re.Match[str], reading: Reader) -> str:
+    def converted(found: re.Match[str], reading: Reader) -> str:
         place = found[1].endswith((" in", " cm"))
         value = parse(found[1], "length" if place else "speed")
         return Slot(value, "place" if place else "speed", round=True).read(reading)
 
-    return {system: IN_WORDS.sub(partial(told, reading=reading), words) for system, reading in SYSTEMS.items()}
+    return {system: IN_WORDS.sub(partial(converted, reading=reading), words) for system, reading in SYSTEMS.items()}
 
 
 def _shown(scale: str, stored: Stored) -> dict[str, dict[str, Any]]:
     """Return how a stored number is shown in either system."""
     units = {"us": SCALES[scale].us, "si": SCALES[scale].si}
-    kept = Unit("", 1.0, 0) if stored == "plain" else units[stored]
+    stored_unit = Unit("", 1.0, 0) if stored == "plain" else units[stored]
     return {
         system: {
             "unit": unit.name,
-            "scale": kept.size / unit.size,
-            "offset": (kept.zero - unit.zero) / unit.size,
+            "scale": stored_unit.size / unit.size,
+            "offset": (stored_unit.zero - unit.zero) / unit.size,
             "digits": unit.digits,
         }
         for system, unit in units.items()

@@ -212,9 +212,9 @@ def joined(sentences: Iterable[Words | Slot], between: str = " ") -> Sentence:
     """Return sentences one after the other; empty ones are left out."""
     parts: list[Part] = []
     for sentence in sentences:
-        own = sentence.parts if isinstance(sentence, Sentence) else (sentence,)
-        if any(own):
-            parts += [between, *own] if parts else own
+        added = sentence.parts if isinstance(sentence, Sentence) else (sentence,)
+        if any(added):
+            parts += [between, *added] if parts else added
     return Sentence(tuple(parts))
 
 

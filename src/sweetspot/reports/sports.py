@@ -50,7 +50,7 @@ def sport_document(described: Sport, rows: Sequence[Row]) -> Document:
         _stroke(described),
     ]
     lists = (("Speeds", described.speeds), ("Rules", described.limits), ("Published numbers", described.facts))
-    blocks += [_known_table(known, title) for title, known in lists if known]
+    blocks += [_facts_table(facts, title) for title, facts in lists if facts]
     if described.marks:
         blocks.append(_marks(described))
     if rows:
@@ -58,15 +58,15 @@ def sport_document(described: Sport, rows: Sequence[Row]) -> Document:
     if described.terms:
         blocks.append(Table("Words", [Column("word"), Column("what it is here")], described.terms))
     missing = Bullets(described.not_covered)
-    known = [_record(each) for each in described.numbers()]
+    records = [_record(each) for each in described.numbers()]
     data = _summary(described) | {
-        "words": described.words.model_dump(), "numbers": known, "formulas": [to_dict(row) for row in rows],
+        "words": described.words.model_dump(), "numbers": records, "formulas": [to_dict(row) for row in rows],
         "terms": dict(described.terms), "not_covered": list(described.not_covered),
     }  # fmt: skip
     return Document(
         name="sports", title=described.name, kind="Sport",
         blocks=[*blocks, Section("not-covered", "What the model does not cover", [missing])], data=data,
-        rows=as_columns(known), reader=reader(None, described.words),
+        rows=as_columns(records), reader=reader(None, described.words),
     )  # fmt: skip
 
 
@@ -85,8 +85,8 @@ def _summary(described: Sport) -> dict[str, Any]:
     }
 
 
-def _record(one: Fact) -> dict[str, Any]:
-    return {name: getattr(one, name) for name in ("name", "value", "unit", "written", "kind", "source", "where")}
+def _record(fact: Fact) -> dict[str, Any]:
+    return {name: getattr(fact, name) for name in ("name", "value", "unit", "written", "kind", "source", "where")}
 
 
 def _stroke(described: Sport) -> Table:
@@ -101,9 +101,9 @@ def _stroke(described: Sport) -> Table:
     return Table("Usual stroke", [Column(name) for name in ("what", "speed", "kind", "source")], rows)
 
 
-def _known_table(known: Sequence[Fact], title: str) -> Table:
+def _facts_table(facts: Sequence[Fact], title: str) -> Table:
     rows: list[list[Cell]] = []
-    for each in known:
+    for each in facts:
         value, *others = _cells(each)
         rows.append([each.name, f"at {each.side} {value}" if isinstance(each, RuleLimit) else value, *others])
     return Table(title, [Column(name) for name in ("what", "value", "kind", "source")], rows)
@@ -119,8 +119,8 @@ def _marks(described: Sport) -> Table:
     return Table("Court or field, from where the ball is usually hit", columns, rows)
 
 
-def _cells(one: Fact) -> tuple[str, str, str]:
-    return one.marked, one.kind, one.source
+def _cells(fact: Fact) -> tuple[str, str, str]:
+    return fact.marked, fact.kind, fact.source
 
 
 def _speed(speed: float, kind: str) -> Sentence:

@@ -27,14 +27,14 @@ class Spot:
 
     def named(self, words: Terms) -> str:
         """Return the name as a sport's people have it."""
-        own = words.strongest if "{efficiency}" in self.name else ""
-        return own or self.name.format(**words.model_dump())
+        strongest = words.strongest if "{efficiency}" in self.name else ""
+        return strongest or self.name.format(**words.model_dump())
 
     def labelled(self, words: Terms) -> str:
         """Return the label as a sport's people have it."""
-        own = words.strongest if "{efficiency}" in self.name else ""
+        strongest = words.strongest if "{efficiency}" in self.name else ""
         short = words.efficiency.replace("collision ", "").replace("coefficient of ", "")
-        return own or self.label.format(**words.model_dump(), short_efficiency=short)
+        return strongest or self.label.format(**words.model_dump(), short_efficiency=short)
 
     def explained(self, words: Terms) -> str:
         """Return the meaning as a sport's people have it."""

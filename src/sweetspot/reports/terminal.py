@@ -102,14 +102,14 @@ def table(block: parts.Table, screen: Screen) -> RichTable:
     """Return a table as `rich` prints it; the last column of words takes what room there is."""
     made = RichTable(header_style="bold", box=None, pad_edge=False)
     by_column = [[row[number] for row in block.rows] for number in range(len(block.columns))]
-    shown = [screen.cells(column, cells) for column, cells in zip(block.columns, by_column, strict=True)]
+    text_columns = [screen.cells(column, cells) for column, cells in zip(block.columns, by_column, strict=True)]
     heads = [screen.head(column) for column in block.columns]
     doubted = any(DOUBT in column.shown(row[number], screen.reader) for number, column in enumerate(block.columns)
                   if column.is_number for row in block.rows)  # fmt: skip
     widths = [max(len(head), *(len(text) for text in texts if len(text) <= SHORT and " (" not in text), 0) + 2
-              for head, texts in zip(heads, shown, strict=True)]  # fmt: skip
+              for head, texts in zip(heads, text_columns, strict=True)]  # fmt: skip
     wide = sum(widths) > screen.room
-    for number, (column, head, texts) in enumerate(zip(block.columns, heads, shown, strict=True)):
+    for number, (column, head, texts) in enumerate(zip(block.columns, heads, text_columns, strict=True)):
         lopsided = [text for text in texts if column.is_number and " (" in text]  # too long for a line among others
         whole = (column.is_number and not lopsided) or (number == 0 and len(block.columns) < 7 and not wide)
         whole = whole and not any(len(text) > SHORT for text in texts)
@@ -121,6 +121,6 @@ def table(block: parts.Table, screen: Screen) -> RichTable:
         least = max(map(len, lines)) if whole and column.is_number else min(longest, WORD)
         made.add_column(heads[number], justify="right" if column.is_number else "left", no_wrap=whole, overflow="fold",
                         min_width=least)  # fmt: skip
-    for row in zip(*shown, strict=True):
+    for row in zip(*text_columns, strict=True):
         made.add_row(*map(Text, row))
     return made

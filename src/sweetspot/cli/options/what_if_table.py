@@ -68,9 +68,9 @@ def _axis(text: str | None, what: str) -> Axis:
     from sweetspot.plausibility import check
 
     name, _, span = (text or "").partition("=")
-    variation = next((known for known in VARIATIONS if known == name.strip().replace("-", "_")), None)
+    variation = next((quantity for quantity in VARIATIONS if quantity == name.strip().replace("-", "_")), None)
     if variation is None or span.count(":") != 2:
-        allowed = ", ".join(known.replace("_", "-") for known in VARIATIONS)
+        allowed = ", ".join(quantity.replace("_", "-") for quantity in VARIATIONS)
         raise InputError(
             f"{what} was given as {text!r}; write what varies ({allowed}), then from, to and how many values: "
             "mass=29oz:33oz:5"

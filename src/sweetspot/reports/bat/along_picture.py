@@ -66,10 +66,10 @@ def exit_speed(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     spots = analysis.sweet_spots
     best = float(np.interp(spots.max_exit_speed, scan.position, speed))
     draw_dot(axes, spots.max_exit_speed, best, RED)
-    told = Slot(report.best_hit.exit_speed, "speed", 1).read(reading)
+    label = Slot(report.best_hit.exit_speed, "speed", 1).read(reading)
     place = Slot(analysis.bat.length - report.sweet_spots.max_exit_speed, "place").read(reading)
     axes.annotate(
-        f"{told}, {place} from the {words.tip}", (spots.max_exit_speed, best),
+        f"{label}, {place} from the {words.tip}", (spots.max_exit_speed, best),
         xytext=(spots.max_exit_speed - 0.08 * (axes.get_xlim()[1] - axes.get_xlim()[0]), 1.1 * top), textcoords="data",
         ha="right", va="center", weight="bold", color=INK,
         arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
@@ -166,12 +166,12 @@ def mode_shapes(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     places = np.linspace(0, bat.length, 200)
-    shown = modes.of_family("bending")[:MODES_SHOWN]
-    for row, index in enumerate(shown):
+    bending = modes.of_family("bending")[:MODES_SHOWN]
+    for row, index in enumerate(bending):
         draw_mode(axes, modes, index, row, places, modes.shape_at(places)[:, index])
         rings = Slot(tones[row], "frequency").read(reading).replace(" ± ", "\n± ").replace(" (", "\n(")
         label_mode(axes, row, f"mode {modes.harmonics[index]}", rings)
-    axes.set_ylim(-len(shown) + 0.45, 0.55)
+    axes.set_ylim(-len(bending) + 0.45, 0.55)
 
 
 def _band(axes: Axes, report: ReportAnswer, curve: Curve, colour: str, *, size: float = 1.0) -> Array:
@@ -227,7 +227,7 @@ def _curve_label(
     taken = [Text.get_window_extent(text).padded(1) for text in axes.texts]
     fine = np.linspace(places[0], places[-1], 8 * len(places))  # where a curve is steep its own points lie far apart
     lines = [axes.transData.transform(np.column_stack([fine, np.interp(fine, *curve)])) for curve in curves.values()]
-    least, kept = np.inf, {}
+    least, clearest = np.inf, {}
     for part in (at, *TRIED):
         for over in (above, not above):
             place = axes.get_xlim()[0] + part * (axes.get_xlim()[1] - axes.get_xlim()[0])
@@ -242,7 +242,7 @@ def _curve_label(
             faults = 100 * sum(box.overlaps(other) for other in taken) + 50 * outside
             faults += sum(int(np.sum(np.all((line > box.min) & (line < box.max), axis=1))) for line in lines)
             if faults < least:
-                least, kept = faults, look
+                least, clearest = faults, look
         if least == 0:
             break
-    axes.annotate(words, textcoords="offset points", color=colour, size=SMALL, path_effects=halo(), **kept)
+    axes.annotate(words, textcoords="offset points", color=colour, size=SMALL, path_effects=halo(), **clearest)

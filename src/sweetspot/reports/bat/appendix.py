@@ -143,9 +143,9 @@ def _cells(result: Result) -> list[Cell]:
 
 def chosen(sport: str) -> list[Result]:
     """Return in turn one row from every source about a sport's implements, and known misses for at most half of it."""
-    own = [[(row, case) for row in case.rows if _predicts(row) and sport in _sports(row)] for case in sources()]
-    missed = [pair for queue in own for pair in queue if pair[0].expected_miss][: ROWS // 2]
-    queues = [[pair for pair in queue if _tells(pair[0])] for queue in own]
+    by_source = [[(row, case) for row in case.rows if _predicts(row) and sport in _sports(row)] for case in sources()]
+    missed = [pair for queue in by_source for pair in queue if pair[0].expected_miss][: ROWS // 2]
+    queues = [[pair for pair in queue if _tells(pair[0])] for queue in by_source]
     turns = max(map(len, queues), default=0)
     others = [queue[turn] for turn in range(turns) for queue in queues if turn < len(queue)]
     return [judged(row, case) for row, case in [*others[: ROWS - len(missed)], *missed]]

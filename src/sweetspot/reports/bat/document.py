@@ -107,9 +107,10 @@ def _cards(report: ReportAnswer) -> Cards:
         drawn, bounds = report.uncertainty is not None, say("")
         if isinstance(worse, Interval) and not drawn:
             bounds = Sentence((Bounds(Slot(worse.value, "speed"), worse.low, worse.high),))
-        told = say("for missing it by {missed}{bounds}", missed=Slot(miss.distance, "place", round=True), bounds=bounds)
+        missed = Slot(miss.distance, "place", round=True)
+        caption = say("for missing it by {missed}{bounds}", missed=missed, bounds=bounds)
         lost = worse if drawn else float(worse)
-        cards.append((Slot(-lost, "speed"), told))
+        cards.append((Slot(-lost, "speed"), caption))
     return Cards([(joined([number]), words) for number, words in cards])
 
 
@@ -152,7 +153,7 @@ def _details(report: ReportAnswer) -> list[Block]:
     return [
         Section("sweet-spots", "Every sweet spot", [spots_table(report)]),
         Section("along", f"Along the {words.implement}", [along_table(report), *_touched_again(analysis)]),
-        Section("mass", "Weight and balance", _mass(analysis.bat, analysis.body, report.bat, told=True)),
+        Section("mass", "Weight and balance", _mass(analysis.bat, analysis.body, report.bat, note=True)),
         Section("modes", "How it rings", [modes_table(analysis.bat, report.modes)]),
         Section("best-hit", where, [table, hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(report)]),
@@ -163,14 +164,14 @@ def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
     """Return what is not known of hits in the table that touch the ball more than once."""
     scan, length = analysis.scan, analysis.bat.length
     from_tip = length - scan.position
-    shown = from_tip <= stations(analysis)[-1]
-    doubts = touched_again_between(from_tip[shown], scan.touches[shown], words_of(analysis.bat))
+    in_table = from_tip <= stations(analysis)[-1]
+    doubts = touched_again_between(from_tip[in_table], scan.touches[in_table], words_of(analysis.bat))
     return [Paragraph(doubt, "note") for doubt in doubts]
 
 
-def _mass(bat: Implement, body: RigidBody, mass: MassProperties, *, told: bool = False) -> list[Block]:
-    """Return the table of weight and balance, and what ± means where it has one or was told of a speed before."""
-    doubted = told or moi_doubt(bat, body, STANDARD_AXIS) > 0
+def _mass(bat: Implement, body: RigidBody, mass: MassProperties, *, note: bool = False) -> list[Block]:
+    """Return the table of weight and balance, with a note on ± where ``note`` or an interval asks for it."""
+    doubted = note or moi_doubt(bat, body, STANDARD_AXIS) > 0
     return [mass_table(bat, body, mass), *([Paragraph(PLUS_MINUS, "note")] if doubted else [])]
 
 

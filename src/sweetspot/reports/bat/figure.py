@@ -200,15 +200,15 @@ def sheet_figure(report: ReportAnswer, reading: Reader) -> Figure:
         across *= NARROW
         panel = bat_panel(bat, across)
     room, side = room - panel.height, (SHEET - across) / 2
-    shown = [each for number, each in enumerate(SHEET_PANELS, 1)
+    panels = [each for number, each in enumerate(SHEET_PANELS, 1)
              if number == 1 or sum(tall + between for _, tall in SHEET_PANELS[:number]) <= room]  # fmt: skip
-    height = panel.height + RULER + sum(tall + between for _, tall in shown) + SHEET_FOOT
+    height = panel.height + RULER + sum(tall + between for _, tall in panels) + SHEET_FOOT
     figure = Figure(figsize=(SHEET, height))
     axes = axes_in_inches(figure, left=side, top=0.0, width=across, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
     shade_zone(axes, analysis, panel)
     top = panel.height + RULER
-    for draw, tall in shown:
+    for draw, tall in panels:
         top += between
         axes = axes_in_inches(figure, left=side, top=top, width=across, height=tall)
         draw(axes, report, reading)

@@ -49,11 +49,11 @@ def own_values(analysis: Analysis[Implement]) -> list[str]:
     """Return in words what was used but is not the catalogue's: a bat from a file, changed materials or balls."""
     words = []
     described, used = analysis.bat, analysis.conditions.ball
-    known = [each for each in described.lineage() if _key_of(each) is not None]
-    if not known:
+    originals = [each for each in described.lineage() if _key_of(each) is not None]
+    if not originals:
         words.append(f"Sizes and weight of {described.name}: as given by whoever described it.")
-    elif known[0] is not described:
-        words.append(f"The records of the bat are those of {known[0].name}, before it was changed.")
+    elif originals[0] is not described:
+        words.append(f"The records of the bat are those of {originals[0].name}, before it was changed.")
     for made_of in described.materials:
         words += (
             _changes("material", made_of, material(key))
@@ -79,10 +79,10 @@ def bat_records(described: Implement) -> list[Record]:
     return records
 
 
-def _key_of(one: Implement) -> str | None:
+def _key_of(described: Implement) -> str | None:
     """Return the key of a catalogue bat; None for any other."""
-    named = (key for key, entry in implement_tables().items() if entry.get("name") == one.name)
-    return next((key for key in named if implement(key) == one), None)
+    named = (key for key, entry in implement_tables().items() if entry.get("name") == described.name)
+    return next((key for key in named if implement(key) == described), None)
 
 
 def material_records(made_of: Material) -> list[Record]:
@@ -105,12 +105,12 @@ def assumed_of_ball(used: Ball) -> list[str]:
     """
     if not (key := _ball_key(used)):
         return []
-    known = ball(key)
+    original = ball(key)
     same = {
-        "weight": used.mass == known.mass,
-        "restitution": used.restitution.reference == known.restitution.reference,
-        "loss of restitution with speed": used.restitution.slope == known.restitution.slope,
-        "stiffness": used.stiffness == known.stiffness,
+        "weight": used.mass == original.mass,
+        "restitution": used.restitution.reference == original.restitution.reference,
+        "loss of restitution with speed": used.restitution.slope == original.restitution.slope,
+        "stiffness": used.stiffness == original.stiffness,
     }
     names = [record.name.rpartition(".")[2] for record in ball_records(used) if record.kind == "assumed"]
     called = dict.fromkeys(OF_THE_BALL[name] for name in names if name in OF_THE_BALL)
@@ -155,9 +155,9 @@ def _ball_key(used: Ball) -> str | None:
     return next((key for key, entry in read_table(BALL_FILE).items() if entry["name"] == used.name), None)
 
 
-def _changes(what: str, used: Material | Ball, known: Material | Ball) -> list[str]:
+def _changes(what: str, used: Material | Ball, original: Material | Ball) -> list[str]:
     """Say which fields of a thing differ from the catalogue's."""
-    names = [name for name in type(used).model_fields if getattr(used, name) != getattr(known, name)]
+    names = [name for name in type(used).model_fields if getattr(used, name) != getattr(original, name)]
     if not names:
         return []
     fields = ", ".join(names).replace("_", " ")

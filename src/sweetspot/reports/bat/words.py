@@ -327,18 +327,18 @@ def why_here(
 
 def why_off_axis(offset: float, cost: float, *, words: Terms) -> Sentence:
     """Return what it costs that the ball's centre lies off the implement's axis by so much; m and m/s."""
-    met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
+    template = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
     if abs(cost) <= LITTLE:
-        return in_words(met + "leaves as fast as from the middle.", words, offset=Slot(abs(offset), "length"))
+        return in_words(template + "leaves as fast as from the middle.", words, offset=Slot(abs(offset), "length"))
     return in_words(
-        met + f"gets {'less' if cost < 0 else 'more'} of the swing ({{cost}}).",
+        template + f"gets {'less' if cost < 0 else 'more'} of the swing ({{cost}}).",
         words, offset=Slot(abs(offset), "length"), cost=Slot(cost, "speed", sign=True),
     )  # fmt: skip
 
 
 def why_backwards(offset: float, *, words: Terms) -> Sentence:
     """Return why a ball that is met so far off the implement's axis, m, leaves behind the batter."""
-    met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
+    template = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
     return in_words(
-        met + "glances off the {implement} and goes on backwards.", words, offset=Slot(abs(offset), "length")
+        template + "glances off the {implement} and goes on backwards.", words, offset=Slot(abs(offset), "length")
     )

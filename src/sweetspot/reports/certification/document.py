@@ -148,17 +148,17 @@ def _kept(answer: CertifyAnswer) -> Sentence:
             "{bat} is not passed: this test does not decide {rules}: {reason}.",
             bat=bat, rules=rules, reason=answer.untested[0].reason,
         )  # fmt: skip
-    kept, unsure = sum(check.sure for check in checks), unsure_words(checks)
+    passed, unsure = sum(check.sure for check in checks), unsure_words(checks)
     counted = sum(check.verdict is not Verdict.NOT_APPLICABLE for check in checks)
-    if not kept and not unsure:
+    if not passed and not unsure:
         return say("No rule could be decided for {bat}, so nothing is passed.", bat=bat)
     if all(each.rules.superseded for each in answer.checks):
         return say("{bat} keeps limits that hold no more; they say nothing about today." + unsure, bat=bat)
-    if kept == counted:
+    if passed == counted:
         return say("{bat} keeps every rule.", bat=bat)
     left = dict.fromkeys(title(check.rule) for check in checks if check.verdict is Verdict.NOT_DECIDABLE)
     return say(
-        "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}", bat=bat, kept=kept, all=counted,
+        "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}", bat=bat, kept=passed, all=counted,
         unsure=unsure, left=f" Not decidable: {'; '.join(left)}." if left else "",
     )  # fmt: skip
 
@@ -170,15 +170,15 @@ def _superseded(checks: Sequence[RuleCheck]) -> list[str]:
 
 def _ball_of_the_rule(answer: CertifyAnswer) -> list[Sentence]:
     """Return why a bat is tested with another ball than it is swung at; nothing where it is the same."""
-    own = standard_conditions(answer.implement).ball
+    usual = standard_conditions(answer.implement).ball
     named = [check for check in answer.checks if ball(check.rules.ball) == answer.fired]
-    if answer.fired == own or not named or answer.test is None:
+    if answer.fired == usual or not named or answer.test is None:
         return []
     source = named[0].rules.rules[0].source
     return [
         say(
             'The test is with the ball that the rule names [{source}], "{ball}", not with "{own}", which this bat is '
-            "swung at; --ball takes that.", source=source, ball=answer.ball, own=own.name,
+            "swung at; --ball takes that.", source=source, ball=answer.ball, own=usual.name,
         )
     ]  # fmt: skip
 

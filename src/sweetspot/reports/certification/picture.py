@@ -119,10 +119,10 @@ def _header(figure: Figure, answer: CertifyAnswer, width: float, height: float) 
 
 
 def _counted(count: int, verdict: Verdict, doubt: str) -> str:
-    told = {Verdict.PASS: ("passes", "pass"), Verdict.FAIL: ("fails", "fail"),
+    verbs = {Verdict.PASS: ("passes", "pass"), Verdict.FAIL: ("fails", "fail"),
             Verdict.NOT_APPLICABLE: ("does not apply", "do not apply")}  # fmt: skip
-    one, more = told.get(verdict, (verdict.value, verdict.value))
-    return f"{count} {one if count == 1 else more}{doubt}"
+    singular, plural = verbs.get(verdict, (verdict.value, verdict.value))
+    return f"{count} {singular if count == 1 else plural}{doubt}"
 
 
 def _capital(verdicts: str) -> str:
@@ -162,7 +162,7 @@ def _limits(answer: CertifyAnswer, measure: str) -> list[tuple[str, float, str]]
 
 def _draw_limits(axes: Axes, limits: list[tuple[str, float, str]]) -> None:
     """Draw each limit as a line with its league: the lowest named below its line, the others above, side by side."""
-    for number, (names, limit, colour) in enumerate(sorted(limits, key=lambda one: one[1])):
+    for number, (names, limit, colour) in enumerate(sorted(limits, key=lambda line: line[1])):
         under = number == 0 and len(limits) > 1
         axes.axhline(limit, color=colour, linewidth=1.2, linestyle=(0, (5, 2)))
         axes.annotate(

@@ -50,11 +50,11 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
     ----------
     corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
     """
-    reference, bats, known = answer.comparison.reference.analysis, answer.bats, answer.uncertainty
+    reference, bats, uncertainty = answer.comparison.reference.analysis, answer.bats, answer.uncertainty
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(bats)
     gains, corked = verdict(answer), cork_verdict(answer) if corking else []
-    chances = [] if known is None else [gain_words(gain, answer.reference) for gain in known.gains]
+    chances = [] if uncertainty is None else [gain_words(gain, answer.reference) for gain in uncertainty.gains]
     main = "exit speed" if number == 1 else f"change of {bats[-1].label}"
     picture = Picture(
         "curves", lambda reading: _drawn(answer, reading),
@@ -76,7 +76,7 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
             *map(Paragraph, (*gains, *chances, *corked)), picture, _things(answer), _in_play(answer),
             *([legality_table(bats)] if ruled else []),
             *(Paragraph(note, "note") for note in notes),
-            *([] if known is None else [how_sure(known, main)]),
+            *([] if uncertainty is None else [how_sure(uncertainty, main)]),
         ],
         data=data, rows=as_columns([_row(each) for each in data["bats"]]), reader=reading, drawing=picture,
         details=_by_place(answer),
@@ -110,10 +110,10 @@ def _things(answer: CompareAnswer) -> Table:
     columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
     rows: list[list[Cell]] = []
     for each in answer.bats:
-        own, body = each.compared.analysis.bat, each.compared.analysis.body
+        implement, body = each.compared.analysis.bat, each.compared.analysis.body
         turning: Cell = convention.text_of(body)
-        if isinstance(own, Bat):
-            turning = moment(_of_draws(answer, each.bat.moi_6in), moi_doubt(own, body, STANDARD_AXIS))
+        if isinstance(implement, Bat):
+            turning = moment(_of_draws(answer, each.bat.moi_6in), moi_doubt(implement, body, STANDARD_AXIS))
         row: list[Cell] = [
             each.label, Slot(_of_draws(answer, each.bat.mass), "mass", unit=False),
             Slot(_of_draws(answer, each.bat.balance_point), "length", unit=False),
@@ -160,8 +160,8 @@ def _by_place(answer: CompareAnswer) -> list[Block]:
     first, *others = answer.comparison.compared
     if not isinstance(first.analysis.bat, Bat) or not 0 < len(others) <= MOST_BY_PLACE:
         return []
-    known = first.exit_speed_from_tip(PLACES)
-    changes = [other.exit_speed_from_tip(PLACES) - known for other in others]
+    reference = first.exit_speed_from_tip(PLACES)
+    changes = [other.exit_speed_from_tip(PLACES) - reference for other in others]
     columns = [
         Column("hit from the tip", "place"), *(Column(f"{other.label},", "speed_change", sign=True) for other in others)
     ]  # fmt: skip

@@ -183,7 +183,7 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
     for number, each in reversed(list(enumerate(compared))):  # the reference last, on top
         scan, (colour, dash) = each.analysis.scan, _look(number)
         places, speed = scan.position + length - each.analysis.bat.length, scan.exit_speed / size
-        speed = np.where(places > (1 - OUTER) * length, speed, np.nan)  # nobody means to hit nearer the hands
+        speed = np.where(places > (1 - OUTER) * length, speed, np.nan)  # no batter aims nearer the hands
         axes.plot(places, speed, color=colour, linestyle=dash, linewidth=1.5)
         axes.plot(_best(each, length), each.exit_speed.value / size, "o", color=colour, markersize=5,
                   markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)  # fmt: skip
@@ -208,11 +208,11 @@ def _differences(axes: Axes, bats: Sequence[ComparedBat], length: float, reading
         along, (colour, dash) = each.scan.position + length - each.compared.analysis.bat.length, _look(number)
         change = each.scan.change
         sides = (change.value, change.low, change.high) if isinstance(change, Band) else (change,)
-        shown = [np.interp(places, along, side, left=np.nan, right=np.nan) / size for side in sides]
-        axes.plot(places, shown[0], color=colour, linestyle=dash, linewidth=1.5)
+        bands = [np.interp(places, along, side, left=np.nan, right=np.nan) / size for side in sides]
+        axes.plot(places, bands[0], color=colour, linestyle=dash, linewidth=1.5)
         if isinstance(change, Band):
-            axes.fill_between(places, shown[1], shown[2], color=colour, alpha=0.15, linewidth=0, zorder=1.5, gid="band")
-        ends += [float(np.nanmin(shown, initial=0.0)), float(np.nanmax(shown, initial=0.0))]
+            axes.fill_between(places, bands[1], bands[2], color=colour, alpha=0.15, linewidth=0, zorder=1.5, gid="band")
+        ends += [float(np.nanmin(bands, initial=0.0)), float(np.nanmax(bands, initial=0.0))]
     room = 0.1 * (max(ends) - min(ends)) or 1.0
     axes.set_ylim(min(ends) - room, max(ends) + room)
 
@@ -254,6 +254,6 @@ def _look(number: int) -> tuple[str, Any]:
     return COLOURS[number % len(COLOURS)], DASHES[min(number // len(COLOURS), len(DASHES) - 1)]
 
 
-def _best(one: Compared[Implement], length: float) -> float:
+def _best(compared: Compared[Implement], length: float) -> float:
     """Return the best place in m on the common axis, on which all tips lie at ``length``."""
-    return one.analysis.sweet_spots.max_exit_speed + length - one.analysis.bat.length
+    return compared.analysis.sweet_spots.max_exit_speed + length - compared.analysis.bat.length

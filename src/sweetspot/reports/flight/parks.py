@@ -31,7 +31,7 @@ def parks_document(parks: Mapping[str, Park], fields: Mapping[str, Park] | None 
         rows.append([name, park.team, park.elevation, ROOFS[park.roof], *_distances(park), wall])
     far = [Column(name, "distance", digits=0) for name in ("LF", "LC", "CF", "RC", "RF")]
     columns = [Column("name"), Column("team"), Column("elev.", "distance", digits=0), Column("roof")]
-    told = [{"key": name, **_json(park)} for name, park in parks.items()]
+    records = [{"key": name, **_json(park)} for name, park in parks.items()]
     picture = _picture(list(parks.values()), None)
     blocks = [Table("Parks: elevation, fence and wall", [*columns, *far, Column("wall", "distance")], rows, "parks")]
     if fields:
@@ -39,7 +39,7 @@ def parks_document(parks: Mapping[str, Park], fields: Mapping[str, Park] | None 
     return Document(
         name="parks", title="", kind="Ball parks",
         blocks=[*blocks, picture],
-        data={"parks": told}, rows=as_columns(told), drawing=picture,
+        data={"parks": records}, rows=as_columns(records), drawing=picture,
     )  # fmt: skip
 
 

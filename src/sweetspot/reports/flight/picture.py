@@ -83,7 +83,7 @@ def draw_side(
     least : m along and up that are drawn at least.
     """
     unit = reading.units["distance"].size
-    shown = partial(reading.shown, scale="distance")
+    text = partial(reading.shown, scale="distance")
     right, out, up = flight.positions.T / unit
     over_ground = np.hypot(right, out)
     axes.plot(over_ground, up, color=RED)
@@ -92,18 +92,18 @@ def draw_side(
     top = int(np.argmax(up))
     if top > 0:  # a ball that is hit down is highest where it is hit
         axes.annotate(
-            f"{shown(flight.apex_height)} after {reading.shown(flight.apex_time, 'time')}", (over_ground[top], up[top]),
+            f"{text(flight.apex_height)} after {reading.shown(flight.apex_time, 'time')}", (over_ground[top], up[top]),
             xytext=(0, 5), textcoords="offset points", ha="center", size=SMALL, color=MUTED, path_effects=halo(),
         )  # fmt: skip
-    if park is not None and (met := landing(flight.positions, park)).outcome != "foul":
-        distance, height = park.distance_at(met.direction), park.height_at(met.direction)
+    if park is not None and (arrival := landing(flight.positions, park)).outcome != "foul":
+        distance, height = park.distance_at(arrival.direction), park.height_at(arrival.direction)
         there = float(np.interp(distance / unit, over_ground, up, right=0.0))
         rises = distance / unit < over_ground[top]  # the label stands above the path, on the side where that is lower
         axes.plot(
             [distance / unit, distance / unit], [0, height / unit], color=GREEN, linewidth=3, solid_capstyle="butt"
         )
         axes.annotate(
-            f"{shown(distance)},\n{shown(height)} high", (distance / unit, max(height / unit, there)),
+            f"{text(distance)},\n{text(height)} high", (distance / unit, max(height / unit, there)),
             xytext=(-3 if rises else 3, 4), textcoords="offset points", size=SMALL, color=GREEN,
             ha="right" if rises else "left", va="bottom", path_effects=halo(),
         )  # fmt: skip

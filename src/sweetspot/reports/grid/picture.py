@@ -54,11 +54,11 @@ def _cells(axes: Axes, grid: Grid, reading: Reader) -> None:
     if max(grid.values.shape) > MOST_NUMBERS:
         return
     for (row, column), value in np.ndenumerate(grid.values):
-        known = bool(np.isfinite(value))
-        dark = known and value - low > DARK * (high - low) > 0
+        finite = bool(np.isfinite(value))
+        dark = finite and value - low > DARK * (high - low) > 0
         axes.text(
-            column, row, grid.number(float(value), reading) if known else "none", ha="center", va="center", size=SMALL,
-            color=PAPER if dark else INK if known else MUTED,
+            column, row, grid.number(float(value), reading) if finite else "none", ha="center", va="center", size=SMALL,
+            color=PAPER if dark else INK if finite else MUTED,
         )  # fmt: skip
 
 

@@ -163,8 +163,8 @@ def _energy_rows(hit: Collision, words: Terms) -> Rows:
         energy = Slot(joules, "energy", digits)
         rows.append((in_words(f"energy: {name}", words), say("{joules}, {part}", joules=energy, part=part)))
     missed = abs(hit.energy_imbalance)
-    told = say("less than {part}", part=Slot(TOLD, "share", 1)) if missed < TOLD else Slot(missed, "share", 1)
-    return [*rows, ("energy: what the sum misses", told)]
+    text = say("less than {part}", part=Slot(TOLD, "share", 1)) if missed < TOLD else Slot(missed, "share", 1)
+    return [*rows, ("energy: what the sum misses", text)]
 
 
 def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:

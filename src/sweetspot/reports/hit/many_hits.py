@@ -28,32 +28,32 @@ def impacts_document(hits: Impacts | Strikes) -> Document:
         caption="In the order in which they were asked for.",
     )  # fmt: skip
     lists = cleaned(columns)
-    known = bool(np.isfinite(hits.collision_efficiency).any())
+    valid = bool(np.isfinite(hits.collision_efficiency).any())
     return Document(
-        name="hits", title="", kind="Hits", blocks=[Paragraph(_words(hits)), *([picture] if known else [])], data=lists,
-        rows=lists, drawing=picture if known else None,
+        name="hits", title="", kind="Hits", blocks=[Paragraph(_words(hits)), *([picture] if valid else [])], data=lists,
+        rows=lists, drawing=picture if valid else None,
     )  # fmt: skip
 
 
 def _words(hits: Impacts | Strikes) -> Sentence:
     efficiency, count = hits.collision_efficiency.ravel(), len(hits.outcome.ravel())
-    known = np.isfinite(efficiency)
+    finite = np.isfinite(efficiency)
     noun = "hit" if count == 1 else "hits"
-    if not known.any():
+    if not finite.any():
         return say("{count} {noun}, none of which has an answer.", count=grouped(count), noun=noun)
     best = int(np.nanargmax(efficiency))
     return say(
         "{count} {noun}, {known} with an answer: collision efficiency {q}, greatest in number {best}; contact {time}; "
         "peak force {force}.",
-        count=grouped(count), noun=noun, known=grouped(int(known.sum())), best=grouped(best + 1),
-        q=Span(float(efficiency[known].min()), float(efficiency[best]), "ratio"),
+        count=grouped(count), noun=noun, known=grouped(int(finite.sum())), best=grouped(best + 1),
+        q=Span(float(efficiency[finite].min()), float(efficiency[best]), "ratio"),
         time=_span(hits.contact_time, "contact"), force=_span(hits.peak_force, "blow"),
     )  # fmt: skip
 
 
 def _span(values: Any, scale: str) -> Span | Slot:
-    known = values[np.isfinite(values)]
-    return Span(float(known.min()), float(known.max()), scale) if len(known) else Slot(float("nan"), scale)
+    finite = values[np.isfinite(values)]
+    return Span(float(finite.min()), float(finite.max()), scale) if len(finite) else Slot(float("nan"), scale)
 
 
 def _drawn(hits: Impacts | Strikes, reading: Reader) -> Any:

@@ -43,8 +43,8 @@ def hit_figure(impact: Impact, words: Terms = BASEBALL, title: str = "") -> Figu
     above = TITLE if title else 0.0
     figure = Figure(figsize=(WIDTH, HEIGHT + above))
     if title:
-        shown, size = fitted(title, width=WIDTH - 1.0, size=LARGE)
-        figure.text(0.3 / WIDTH, 1 - 0.28 / (HEIGHT + above), shown, weight="bold", size=size, parse_math=False)
+        text, size = fitted(title, width=WIDTH - 1.0, size=LARGE)
+        figure.text(0.3 / WIDTH, 1 - 0.28 / (HEIGHT + above), text, weight="bold", size=size, parse_math=False)
     force_in_time(axes_in_inches(figure, left=0.8, top=0.35 + above, width=3.55, height=1.85), impact)
     force_loop(axes_in_inches(figure, left=5.35, top=0.35 + above, width=2.35, height=1.85), impact)
     energy_ledger(axes_in_inches(figure, left=2.3, top=2.95 + above, width=5.4, height=1.65), impact, words)

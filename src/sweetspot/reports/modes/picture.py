@@ -21,17 +21,17 @@ POINTS = 200
 @styled
 def modes_figure(modes: Modes, reading: Reader) -> Figure:
     """Return the first bending modes, each on its own line, nodes as dots; places count from the end of the grip."""
-    shown = modes.of_family("bending")[:MOST_SHOWN]
-    figure = Figure(figsize=(8.0, 1.0 + 0.75 * len(shown)), layout="constrained")
+    bending = modes.of_family("bending")[:MOST_SHOWN]
+    figure = Figure(figsize=(8.0, 1.0 + 0.75 * len(bending)), layout="constrained")
     axes = figure.subplots()
     places = np.linspace(modes.shapes.ends[0], modes.shapes.ends[-1], POINTS)
     unit = reading.units["place"]
-    for row, index in enumerate(shown):
+    for row, index in enumerate(bending):
         draw_mode(axes, modes, index, row, places / unit.size, modes.shape_at(places)[:, index], unit.size)
         label_mode(
             axes, row, f"mode {modes.harmonics[index]}", reading.shown(float(modes.frequency[index]), "frequency")
         )
-    axes.set(ylim=(-len(shown) + 0.45, 0.6), yticks=[], xlabel=f"{TICKS[unit.name][0]} from the end of the grip")
+    axes.set(ylim=(-len(bending) + 0.45, 0.6), yticks=[], xlabel=f"{TICKS[unit.name][0]} from the end of the grip")
     axes.spines["left"].set_visible(False)
     light_grid(axes)
     heading(axes, "Bending modes", "a hit at a node does not ring that mode")

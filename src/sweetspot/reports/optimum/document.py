@@ -73,7 +73,7 @@ def _swing_words(best: FarthestSwing, *, length: float) -> Sentence:
 
 
 def _park_words(parks: Sequence[SlowestHomeRun]) -> Sentence:
-    easiest = min(parks, key=lambda one: float(one.exit_speed))
+    easiest = min(parks, key=lambda park: float(park.exit_speed))
     return say(
         "{lead} {park}: a ball of {speed} at {angle}, {where}, just clears a fence {far} away and {high} high.",
         lead="Easiest to leave is" if len(parks) > 1 else "Easiest way out of",

@@ -49,27 +49,27 @@ def optimum_figure(answer: OptimumAnswer, reading: Reader) -> Figure:
 
 def _panels(answer: OptimumAnswer, reading: Reader) -> list[tuple[str, str, Sequence[Row], str]]:
     """Return title, scale, rows and colour of every panel."""
-    shown = reading.shown
+    as_text = reading.shown
     panels: list[tuple[str, str, Sequence[Row], str]] = []
     if answer.swings:
         swings = [
-            (best.pitch, float(best.carry), f"attack {shown(float(best.attack_angle), 'angle', digits=0)}")
+            (best.pitch, float(best.carry), f"attack {as_text(float(best.attack_angle), 'angle', digits=0)}")
             for best in answer.swings
         ]
         panels.append(("Farthest carry of each pitch", "distance", swings, BLUE))
     if answer.launches:
         launches = [
             (
-                shown(float(best.exit_speed), "speed", digits=0),
+                as_text(float(best.exit_speed), "speed", digits=0),
                 float(best.carry),
-                f"at {shown(float(best.launch_angle), 'angle')}",
+                f"at {as_text(float(best.launch_angle), 'angle')}",
             )
             for best in answer.launches
         ]
         panels.append(("Farthest carry of each exit speed", "distance", launches, GREEN))
     if answer.parks:
         ordered = sorted((float(best.exit_speed), best.park) for best in answer.parks)
-        parks = [(name, speed, shown(speed, "speed")) for speed, name in ordered]
+        parks = [(name, speed, as_text(speed, "speed")) for speed, name in ordered]
         panels.append(("Slowest home run of each park", "speed", parks, RED))
     return panels
 

@@ -109,15 +109,15 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
     axes.plot(body.balance_point, below, "^", color=INK, markersize=6, zorder=4, clip_on=False)
     balance = f"balance {reading.shown(body.balance_point, 'place')} from the {words_of(bat).butt}"
     quiet: dict[str, Any] = {"va": "center_baseline", "color": MUTED, "size": SMALL}
-    told = axes.text(body.balance_point - 0.12 * scale, upper, balance, ha="right", **quiet)
+    label = axes.text(body.balance_point - 0.12 * scale, upper, balance, ha="right", **quiet)
     hands = analysis.conditions.hands.places
     for place in hands:
         reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
     held = axes.text(sum(hands) / 2, upper, words_of(bat).hands, ha="center", **quiet)
-    if told.get_window_extent().padded(6).overlaps(held.get_window_extent()):  # a balance point near the hands
+    if label.get_window_extent().padded(6).overlaps(held.get_window_extent()):  # a balance point near the hands
         if bat.outline is None:
-            told.set(x=body.balance_point + 0.12 * scale, ha="left")
+            label.set(x=body.balance_point + 0.12 * scale, ha="left")
         else:  # where the face lies ahead, and nothing below
             held.set(y=lower)
     note = _inside_note(analysis, reading)
@@ -223,10 +223,10 @@ def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = 
     """
     unit = reading.units["place"]
     limits = axes.get_xlim()
-    shown = limits[1] - limits[0]
+    extent = limits[1] - limits[0]
     step = TICKS[unit.name][1]
-    if shown <= length / 2:
-        step = next(each for each in STEPS if shown / (each * unit.size) < MOST_TICKS)
+    if extent <= length / 2:
+        step = next(each for each in STEPS if extent / (each * unit.size) < MOST_TICKS)
     counts = np.arange(0, length / unit.size + 1e-6, step)
     places = length - counts * unit.size
     seen = (places >= limits[0]) & (places <= limits[1])

@@ -54,16 +54,16 @@ def play_words(answer: PlayAnswer) -> Sentence:
     """Return what happened as a few sentences."""
     bat, struck, launch = answer.question.reduced.bat, answer.play.strike, answer.launch
     words, below = sport(bat.sport).words, float(answer.offset) >= 0
-    met = say(
+    contact = say(
         "{place} from the tip, {offset} {side} the ball's centre",
         place=Slot(bat.length - answer.position, "place"),
         offset=Slot(answer.offset if below else -answer.offset, "offset"),
         side="below" if below else "above",
     )
     if launch is None or answer.flight is None:
-        return say("The bat came {met}: {outcome}.", met=met, outcome=struck.outcome.sentence)
+        return say("The bat came {met}: {outcome}.", met=contact, outcome=struck.outcome.sentence)
     sentences = [
-        say("The bat meets the ball {met}, at {speed}.", met=met, speed=Slot(answer.bat_speed, "speed")),
+        say("The bat meets the ball {met}, at {speed}.", met=contact, speed=Slot(answer.bat_speed, "speed")),
         say("The ball leaves {launch}.", launch=launch_words(launch)),
         *by_ball(answer.exit_speed_half_by_ball, words),
         *([] if struck.impact is None else touched_again(struck.impact, words)),

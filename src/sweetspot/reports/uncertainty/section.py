@@ -17,23 +17,23 @@ LONGEST_BAR = 30
 """Characters."""
 
 
-def how_sure(known: Uncertainty, named: str) -> Section:
+def how_sure(uncertainty: Uncertainty, named: str) -> Section:
     """Return what the intervals of an answer are, and what that of its main number comes from.
 
     Parameters
     ----------
     named : what people call the main number.
     """
-    shares = {name: share for name, share in known.shares.items() if share >= LEAST_SHARE}
-    not_drawn = {name: 0.0 for name in known.sources if name not in known.shares}
+    shares = {name: share for name, share in uncertainty.shares.items() if share >= LEAST_SHARE}
+    not_drawn = {name: 0.0 for name in uncertainty.sources if name not in uncertainty.shares}
     return Section("how-sure", "How sure", [
         Paragraph(say(
             "Numbers with ±, or with ends in brackets of which nothing else is said: {level} intervals from {count} "
             "draws of what is not known. What the interval of the {named} comes from (the rest of the conditions is "
             "taken as given):",
-            level=Slot(known.interval_level, "share"), count=str(known.draws), named=named,
+            level=Slot(uncertainty.interval_level, "share"), count=str(uncertainty.draws), named=named,
         )),
-        shares_table({**shares, **not_drawn}, known.sources), shares_picture(shares, named),
+        shares_table({**shares, **not_drawn}, uncertainty.sources), shares_picture(shares, named),
     ])  # fmt: skip
 
 
