@@ -1,15 +1,15 @@
-"""The package's own errors: what was given, what is allowed, what to do."""
+"""Errors and warnings of the package: what was given, what is allowed, what to do."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
 ALMOST = 0.75
-"""How alike two names are at least, from 0 to 1, where one may be a slip of the other. [Our choice.]"""
+"""Least similarity, from 0 to 1, of two names of which one may be a misspelling of the other. [Our choice.]"""
 SPELT_LIKE = 0.65
-"""The same where several are only listed as what may have been meant. [Our choice.]"""
+"""The same for names that are only listed as candidates. [Our choice.]"""
 FEW = 3
-"""Letters of a name below which only such are listed: two letters are in many words. [Our choice.]"""
+"""Letters of a name below which the list needs `ALMOST` too: two letters are in many words. [Our choice.]"""
 MOST_MEANT, MOST_LISTED, MOST_EXAMPLES = 3, 12, 8
 """Names listed at most: of those spelt alike, of a short list whole, of a long one as examples."""
 
@@ -19,7 +19,7 @@ class SweetspotError(Exception):
 
 
 class InputError(SweetspotError, ValueError):
-    """Something a person gave cannot be used.
+    """An input that cannot be used.
 
     The message is one sentence or two: what was given, what is allowed, what to do.
     The command line prints it as it is and exits with code 2.
@@ -27,15 +27,15 @@ class InputError(SweetspotError, ValueError):
 
 
 class UnwritableError(SweetspotError):
-    """What was computed cannot be kept: a disk is full, or a folder takes nothing. Nothing given is at fault."""
+    """A result cannot be written: the disk is full or the folder is read-only. The input is not at fault."""
 
 
 class UnusualWarning(UserWarning):
-    """What was given can be computed and is like nothing in its sport, or part of it is not understood."""
+    """An input can be computed but is unlike anything in its sport, or is partly not understood."""
 
 
 def first_line(error: BaseException) -> str:
-    r"""Return what another library's error says, in one line of at most 200 letters; its kind where it says nothing.
+    r"""Return another library's message in one line of at most 200 letters; the error's class if it has none.
 
     >>> first_line(OSError("no such column\nin a long plan")), first_line(OSError())
     ('no such column', 'OSError')
@@ -44,11 +44,11 @@ def first_line(error: BaseException) -> str:
 
 
 def nearest_names(name: str, names: Sequence[str], *, listed: Sequence[str] | None = None) -> str:
-    """Return a hint that lists the known names spelt like ``name``, whole or by a word in them; else what there is.
+    """Return a hint with the names spelt like ``name``, whole or by a word in them; else with all choices.
 
     Parameters
     ----------
-    listed : what there is, where it is told otherwise than by the known names.
+    listed : the choices as the message lists them; None: ``names``.
 
     >>> nearest_names("r161", ["r161-ash", "youth-30"]), nearest_names("asch", ["white-ash", "maple"])
     ('Did you mean r161-ash?', 'Did you mean white-ash?')
@@ -60,7 +60,7 @@ def nearest_names(name: str, names: Sequence[str], *, listed: Sequence[str] | No
     import difflib
 
     def likeness(candidate: str) -> tuple[float, float]:
-        """Return how alike the nearest of the name and its words is, then how alike the whole name."""
+        """Return the similarity of the closest of the name and its words, then that of the whole name."""
         parts = [candidate, *candidate.replace("-", " ").split()]
         ratios = [difflib.SequenceMatcher(None, asked, part.lower()).ratio() for part in parts]
         return max(ratios), ratios[0]
@@ -79,7 +79,7 @@ def nearest_names(name: str, names: Sequence[str], *, listed: Sequence[str] | No
 
 
 def maybe_meant(name: str, names: Iterable[str]) -> str:
-    """Return a name in quotes, and behind it the known one that is spelt almost so, where there is one.
+    """Return a name in quotes, followed by the known name it may misspell, if there is one.
 
     >>> maybe_meant("r161-asch", ["r161-ash", "youth-30"]), maybe_meant("my gamer", ["r161-ash", "youth-30"])
     ("'r161-asch' (did you mean r161-ash?)", "'my gamer'")
@@ -88,7 +88,7 @@ def maybe_meant(name: str, names: Iterable[str]) -> str:
 
 
 def spelt_almost(name: str, names: Iterable[str]) -> str | None:
-    """Return the known name that another may be a slip of, None where there is none.
+    """Return the known name that ``name`` may misspell; None if there is none.
 
     >>> spelt_almost("R161-asch", ["r161-ash", "youth-30"]), spelt_almost("my gamer", ["r161-ash", "youth-30"])
     ('r161-ash', None)

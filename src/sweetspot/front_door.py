@@ -1,7 +1,7 @@
-"""What `sweetspot.NAME` adds to a function: names, files and quantities are taken where it works on things and SI.
+"""Conversion of the arguments of public functions: names, files and quantities become objects and SI numbers.
 
-A door is opened once per function, when it is first used; inside the package the functions call each other directly.
-What is wanted is read off the annotations, and modules are loaded only where something is to be made of a name.
+Each public function is wrapped once, when first used; inside the package functions call each other directly. The
+annotations decide the conversion, and modules are loaded only when a name has to be resolved.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ FILLED = {"Conditions", "Ball", "SwingLaw | None"}
 PARAMETERS = re.compile(r"^Parameters\n-+\n(.*?)(?=\n\n|\Z)", re.DOTALL | re.MULTILINE)
 """That section of a docstring."""
 LONGEST_SHOWN = 60
-"""Letters of what was given that a message repeats."""
+"""Letters of an argument that a message repeats."""
 
 
 class _Usual:
@@ -97,8 +97,8 @@ USUAL_FOR_IT: Final = _Usual()
 def opened(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return a function that also takes names, files, texts with units and `pint` quantities.
 
-    The fields of its setups become parameters of its own. Where a bat is given and its conditions, ball or swing law
-    are not, those that are usual in its sport count.
+    The fields of its setups become its parameters. Conditions, ball and swing law that are not given with a bat are
+    the usual ones of its sport.
     """
     inner = inspect.signature(function)
     setups = {name: each.default for name, each in inner.parameters.items() if each.annotation in SETUPS}
@@ -168,7 +168,7 @@ def _documented(words: str, setups: Iterable[object]) -> str:
 
 
 def _flat(signature: inspect.Signature, setups: Mapping[str, Any]) -> inspect.Signature:
-    """Return a signature with the fields of setups in their place, and what follows from the bat marked so."""
+    """Return a signature with setups replaced by their fields and with `USUAL_FOR_IT` for what follows from the bat."""
     hitter = any(each.annotation in HITTERS for each in signature.parameters.values())
     parameters = [
         each.replace(default=USUAL_FOR_IT)
@@ -189,7 +189,7 @@ def _flat(signature: inspect.Signature, setups: Mapping[str, Any]) -> inspect.Si
 
 
 def _loaded(value: Any, name: str) -> Any:
-    """Return what was loaded, of a name, a file, an implement or what was made of one; each of several."""
+    """Return the loaded implement of a name, a file, an implement or a model of one; a tuple for several."""
     from sweetspot.catalog.implements import Loaded, loaded_bat, loaded_implement
 
     if isinstance(value, (list, tuple)):
@@ -215,7 +215,7 @@ def _as_list(value: Any) -> tuple[Any, ...]:
 
 
 def _written(value: Any, name: str, kind: str, tool: Implement | None) -> Any:
-    """Return the number of a setup's field in SI, with the error that was written; each of several."""
+    """Return the number of a setup's field in SI, with its error if one was given; a tuple for several."""
     from sweetspot.answers.reading import Owner, number_of_text
 
     if value is None or _is_a(value, "Measured"):
@@ -234,7 +234,7 @@ def _numbers_of(value: Any) -> Any:
 
 
 def _is_a(value: Any, *names: str) -> bool:
-    """Return whether something is of a class of one of these names, whose module need not be loaded to ask."""
+    """Return whether a value's class or a base of it has one of these names, without loading their modules."""
     return any(base.__name__ in names for base in type(value).__mro__)
 
 
@@ -243,7 +243,7 @@ def _is_list(value: Any) -> bool:
 
 
 def _numbers(value: Any, name: str, *, callers: int = 3) -> Any:
-    """Return the number or numbers of a parameter in SI; each of further keywords by its own name."""
+    """Return the number or numbers of a parameter in SI; a dictionary is converted key by key."""
     if isinstance(value, dict):
         found = {}
         for key, each in value.items():
@@ -258,7 +258,7 @@ def _numbers(value: Any, name: str, *, callers: int = 3) -> Any:
 
 
 def _warn_of_unusual(speeds: Any, name: str, *, callers: int) -> None:
-    """Warn of speeds that are no game's, which as a rule are miles an hour in place of m/s."""
+    """Warn of speeds outside those of the game, which usually are miles an hour in place of m/s."""
     import numpy as np
 
     many = np.ravel(np.asarray(speeds, dtype=float))
@@ -276,7 +276,7 @@ def _warn_of_unusual(speeds: Any, name: str, *, callers: int) -> None:
 
 
 def _implement(value: Any) -> Implement | None:
-    """Return the implement that something given is, is called or was made of; None where that cannot be said."""
+    """Return the implement that a value is, names or was computed from; None if there is none."""
     if isinstance(value, (str, Path)):
         from sweetspot.catalog import load_implement
 
@@ -311,7 +311,7 @@ def _ball_for(tool: Implement | None, given: Mapping[str, Any]) -> Ball | None:
 
 
 def _thing(value: Any, name: str, kind: str, ball: Ball | None) -> Any:
-    """Return what a function takes, of what was given for it; see `THINGS`."""
+    """Return an argument converted to the type that the function takes; see `THINGS`."""
     if kind in MANY:
         if _is_list(value) and not value:
             raise InputError(f"{name} is empty; give {THINGS[MANY[kind]][1]}")
@@ -335,7 +335,7 @@ def _thing(value: Any, name: str, kind: str, ball: Ball | None) -> Any:
 
 
 def _made_of(value: Any, kind: str, ball: Ball | None) -> Any:
-    """Return of a bat, or of what was made of one, the part that a function works on; as it is where there is none."""
+    """Return the part of a bat or of a model of one that a function works on; the value itself if there is no bat."""
     tool = _implement(value)
     if tool is None or (kind == "Bat" and not _is_a(tool, "Bat")):
         return value if tool is None else tool
@@ -354,7 +354,7 @@ def _made_of(value: Any, kind: str, ball: Ball | None) -> Any:
 
 
 def _reduced_of(value: Any, tool: Implement, ball: Ball | None) -> ReducedBat[Implement]:
-    """Return a bat reduced, from what was made of it already."""
+    """Return the reduced bat, reusing models that were computed already."""
     from sweetspot.dynamics.reduction import ReducedBat, all_modes
     from sweetspot.dynamics.rigid import rigid_body
 
@@ -372,14 +372,14 @@ def _reduced_of(value: Any, tool: Implement, ball: Ball | None) -> ReducedBat[Im
 
 @lru_cache(maxsize=16)
 def _reduced(tool: Implement, ball: Ball) -> ReducedBat[Implement]:
-    """Return a bat reduced, kept for the next call: a loop over speeds gives the same bat again and again."""
+    """Return the reduced bat, cached because a loop over speeds repeats the same bat."""
     from sweetspot.dynamics.reduction import reduced_bat
 
     return reduced_bat(tool, ball=ball)
 
 
 def _shown(value: Any) -> str:
-    """Return what was given, short."""
+    """Return an argument as short text for a message."""
     if _is_a(value, "ReducedBat"):
         return _shown(value.bat)
     if _is_a(value, "Implement"):

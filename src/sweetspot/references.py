@@ -15,7 +15,7 @@ FIELD = re.compile(r"^\s*(\w+)\s*=\s*\{(.*)\},?\s*$", re.MULTILINE)
 PLACES = ("booktitle", "publisher", "institution", "school", "howpublished", "pages")
 """Fields that say where something appeared, in the order of a citation, after the journal."""
 LETTERS = {r"{\o}": "ø", r"{\"o}": "ö", r"{\"u}": "ü", r"{\"a}": "ä", r"{\'e}": "é", r"{\ss}": "ß", r"\&": "&"}
-"""What our file may write of TeX's letters."""
+"""TeX letters that the file may use."""
 
 
 @dataclass(frozen=True)
@@ -26,8 +26,8 @@ class Reference:
     ----------
     key : its name in docstrings and catalogue records.
     kind : article, book, misc ...
-    authors : who wrote it, "Cross, R. and Nathan, A. M."; empty when not known.
-    fields : what is known about it, plain text by field name.
+    authors : "Cross, R. and Nathan, A. M."; empty when not known.
+    fields : plain text by field name.
     """
 
     key: str
@@ -46,7 +46,7 @@ class Reference:
 
     @property
     def link(self) -> str | None:
-        """An address to follow: the DOI, the preprint or a page; None when none is known."""
+        """Address of the source: its DOI, preprint or page; None when unknown."""
         fields = self.fields
         if "doi" in fields:
             return f"https://doi.org/{fields['doi']}"
@@ -91,7 +91,7 @@ def _bibliography() -> dict[str, Reference]:
 
 
 def parse_bibliography(text: str) -> dict[str, Reference]:
-    """Return the sources of a BibTeX text written the way our file is: one field to a line, values in braces.
+    """Return the sources of a BibTeX text with one field per line and values in braces.
 
     Raises
     ------
@@ -114,14 +114,14 @@ def parse_bibliography(text: str) -> dict[str, Reference]:
 
 
 def _plain(value: str) -> str:
-    """Return a field's text without TeX: letters spelled out, dashes, braces gone."""
+    """Return a field's text without TeX markup: letters and dashes replaced, braces removed."""
     for written, letter in LETTERS.items():
         value = value.replace(written, letter)
     return value.replace("--", "\N{EN DASH}").replace("{", "").replace("}", "")
 
 
 def _authors(written: str) -> str:
-    """Return BibTeX authors as people write them; a body's name, in braces of its own, stays whole."""
+    """Return BibTeX authors in citation form; an organization's name, in its own braces, stays whole."""
     if written.startswith("{"):
         return _plain(written)
     names = [_short(_plain(name)) for name in written.split(" and ") if name]

@@ -91,5 +91,5 @@ def _warnings_told(insisted: bool) -> Iterator[None]:
 
 
 def _complain(text: str) -> None:
-    with suppress(OSError, AttributeError):  # nobody listens on standard error
+    with suppress(OSError, AttributeError):  # standard error may be closed
         sys.stderr.write(spelled_for(sys.stderr.encoding or "utf-8", f"sweetspot: {text}\n"))

@@ -82,6 +82,6 @@ for name, path in PATHS.items():
 
 
 def load_all() -> None:
-    """Load every command: what is told of all of them needs their own words."""
+    """Load every command: the overall help needs the help text of each."""
     for name in PATHS:
         app[name]

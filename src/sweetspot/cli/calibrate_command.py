@@ -133,7 +133,7 @@ def calibrate(
 
 
 def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]:
-    """Return what scale, balance and pendulum say."""
+    """Return the measurements by scale, balance and pendulum."""
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.written import of_swing_weight, parse_measured
     from sweetspot.plausibility import parse_position

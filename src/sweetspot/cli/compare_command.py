@@ -82,7 +82,7 @@ def compare(
         if len(bats) != 1 or corked or table.rows is None:
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
         if uncertainty:
-            raise InputError("--uncertainty is told of bats side by side; leave it out, or leave out --rows")
+            raise InputError("--uncertainty applies to bats side by side; leave it out, or leave out --rows")
         return present(table.document(_bat(first), effort.law(first, same_speed=swing.same_speed), swing), output)
     refuse_unused(given(table, "cell"), "a what-if table", "add --rows, for example --rows mass=29oz:33oz:5")
     if corked and len(bats) != 1:

@@ -29,7 +29,7 @@ UNITS = {unit for sizes in (*WRITTEN.values(), TEMPERATURES) for unit in sizes}
 
 
 def one_line(error: Exception, given: Sequence[str]) -> str:
-    """Return what is wrong with the words of a command line, in one line.
+    """Return a one-line message about an error in a command line.
 
     Parameters
     ----------

@@ -73,7 +73,7 @@ def design(
 ) -> int:
     """Shape a bat for a batter: where the wood should go, what that gains beside wood that differs, and who pays.
 
-    Every gain is told with its interval; --uncertainty is understood and changes nothing.
+    Every gain has its interval; --uncertainty is understood and changes nothing.
     """
     from sweetspot import catalog
     from sweetspot.answers.design import design_answer

@@ -56,7 +56,7 @@ def drop(
     if fall.height is not None and fall.speed is not None:
         raise InputError("give either --height or --speed, and only one of them")
     if fall.speed is not None and fall.in_air:
-        raise InputError("--in-air slows a ball that falls; with --speed it arrives as it is told to")
+        raise InputError("--in-air slows a ball that falls; with --speed it arrives at that speed")
     falling = read(FallSetup, fall, errors=uncertainty, quantities={"height": "fall_height"})
     with patience():
         answer = asked(block=read(BlockSetup, block), fall=falling, uncertainty=uncertainty)

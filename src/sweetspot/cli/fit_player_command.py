@@ -122,7 +122,7 @@ def _named_bats(texts: list[str]) -> dict[str, Bat]:
 
 
 def _measured_at(bat: Bat, text: str) -> float:
-    """Return how far in m from the tip bat speed is measured."""
+    """Return the distance in m from the tip at which bat speed is measured."""
     from sweetspot.plausibility import parse_position
 
     place = bat.length - parse_position(text, length=bat.length, what="--bat-speed-at")

@@ -91,7 +91,7 @@ def fly(
     if not ranges and cell != CELL:
         refuse_unused(["--cell"], "a table", "give a range, for example --launch-angle 10deg:40deg:7")
     if uncertainty and ranges:
-        raise InputError("--uncertainty is told of one flight; leave it out, or leave out the ranges")
+        raise InputError("--uncertainty applies to one flight; leave it out, or leave out the ranges")
     asked_of = read(LaunchSetup, _without(ranges, launch), sport=game, errors=uncertainty)
     for height in [asked_of.height, *(value for name, values in ranges if name == "height" for value in values)]:
         check(height, "--height", launch.height, quantity="launch_height")

@@ -118,7 +118,7 @@ def _question(
 
 
 def _content(path: Path, bat: Bat, reading: Reader) -> bytes:
-    """Return what a file of this name holds."""
+    """Return the contents of a file with this name."""
     from sweetspot.catalog.files.write import bat_toml, legible
     from sweetspot.reports.drawing.drawing_files import ENDINGS, drawing_bytes
 

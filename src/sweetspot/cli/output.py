@@ -199,7 +199,7 @@ def _meanwhile(say: Callable[[], None], *, wait: float, again: bool = False) -> 
             if not again:
                 return
 
-    with suppress(RuntimeError):  # the system may refuse another thread; then nobody is told
+    with suppress(RuntimeError):  # without another thread there are no messages
         threading.Thread(target=watch, daemon=True, name="heartbeat").start()
     try:
         yield

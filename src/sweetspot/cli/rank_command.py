@@ -65,7 +65,7 @@ def rank(
 
 
 def _measured(table: Path, axis: float, model: Implement, given: GivenColumns) -> dict[str, list[Measurement]]:
-    """Return what was measured on each bat: of a table, or of all that a folder holds."""
+    """Return the measurements of each bat, from a table or from every file of a folder."""
     from sweetspot.calibration.bat_table import read_bats, read_folder
 
     if table.is_dir():

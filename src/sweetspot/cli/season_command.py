@@ -74,7 +74,7 @@ class WorkOptions:
     ] = None
 
     def __post_init__(self) -> None:
-        """Refuse a number of processes that nobody can start."""
+        """Refuse a number of processes that cannot be started."""
         if self.workers < 0:
             raise InputError(f"--workers was given as {self.workers}; allowed is 0 (this process alone) and up")
 

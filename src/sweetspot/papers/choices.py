@@ -63,7 +63,7 @@ def corked(bat: Bat, choices: Choices) -> Bat:
 
 @lru_cache(maxsize=8)
 def corked_analysis(bat: Bat, choices: Choices, conditions: Conditions) -> Analysis:
-    """Return the full answer for the corked bat under the same swing; the last few are kept."""
+    """Return the full analysis of the corked bat under the same swing; the last few are cached."""
     return analyse(corked(bat, choices), conditions)
 
 

@@ -173,7 +173,7 @@ class Drop:
 
 
 def drop_test(ball: Ball, *, height: float, material: Material, block_restitution: float = 1.0) -> Drop:
-    """Return what a ball dropped from ``height`` (m) on a thick, fixed block does, by the two-spring formula.
+    """Return the rebound of a ball dropped from ``height`` (m) on a thick, fixed block, by the two-spring formula.
 
     m g dH = E_D with dH the height lost [paper2014, Figure 6]: E_D is what the impact loses, not an elastic energy.
     The ball's own restitution is its law at the fall speed.

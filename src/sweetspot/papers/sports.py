@@ -1,6 +1,6 @@
 """The implemented paper's formulas with the numbers of any sport, beside the full model.
 
-The paper hopes that its formulas serve other sports "by revising coefficients". They do as far as they go: the
+The paper proposes its formulas for other sports "by revising coefficients". They hold within their limits: the
 centre of percussion is exact for any rigid body, W holds where the face follows the ball without delay.
 """
 
@@ -105,7 +105,7 @@ def _energy(analysis: Analysis[Implement]) -> Iterator[Row]:
 
 
 def rule_book_drop(rule: DropRule, *, ball: Ball) -> Rebound:
-    """Return a rule book's drop test as the model plays it: the fall through air, the bounce on the block."""
+    """Return a rule book's drop test by the model: the fall through air and the bounce on the block."""
     return drop(_block(rule), ball=ball, height=rule.drop_height, air_density=ROOM_AIR)
 
 

@@ -1,4 +1,4 @@
-"""What the paper claims in words alone, without an equation: lighter bats, livelier balls, further hits, no air."""
+"""Claims of the paper without an equation: lighter bats, livelier balls, farther hits, no air."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def metal_is_swung_faster(analysis: Analysis[Implement]) -> Row:
     ratio = speed_ratios(catalog.swing_law(), metal, body, bat, analysis.body)
     speed = analysis.conditions.swing.bat_speed
     faster, low, high = (speed * (each - 1) for each in (ratio.value, ratio.low, ratio.high))
-    right = "Right in kind" if low > 0 else "Not so for this bat" if high < 0 else "Not to be told apart here"
+    right = "Right in kind" if low > 0 else "Not so for this bat" if high < 0 else "Not decided here"
     return Row(
         "W", "bat speed with the same effort, metal less this bat", "mph", "more", None, faster / MPH,
         Words(
@@ -57,7 +57,7 @@ def metal_is_swung_faster(analysis: Analysis[Implement]) -> Row:
 
 
 def carries(analysis: Analysis[Implement], *, speeds: Sequence[float]) -> Iterator[Row]:
-    """Yield how far the balls of the formula for W fly, without air, as the paper has them, and with it.
+    """Yield the carries of the balls of the formula for W, without air, as in the paper, and with air.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def carries(analysis: Analysis[Implement], *, speeds: Sequence[float]) -> Iterat
 
 
 def livelier_ball(analysis: Analysis[Implement]) -> Iterator[Row]:
-    """Yield what is cited of the restitution: that it moves the best point not at all, and the speed a lot."""
+    """Yield the cited claims on restitution: it does not move the best point and changes the speed a lot."""
     conditions = analysis.conditions
     ball = conditions.ball.with_restitution(conditions.ball.restitution.reference + LIVELIER)
     other = analyse(analysis.bat, conditions.replaced(ball=ball))

@@ -1,4 +1,4 @@
-"""Words of the paper's chain with numbers in them, which others tell in their readers' units."""
+"""Text of the paper's chain with numbers in it that other documents show in their readers' units."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ class Number(NamedTuple):
     Parameters
     ----------
     value : SI.
-    scale : by which others tell it, a name of `sweetspot.reports.quantities.SCALES`.
-    text : as the chain itself tells it, with its unit.
-    digits : that others tell; None: as many as is usual.
+    scale : for other documents, a name of `sweetspot.reports.quantities.SCALES`.
+    text : as the chain itself shows it, with its unit.
+    digits : in other documents; None: as many as is usual.
     """
 
     value: float
@@ -25,7 +25,7 @@ class Number(NamedTuple):
 
 
 class Words(str):
-    """A text with numbers in it; taken as a plain text, they are in the units of the chain.
+    """A text with numbers in it; as plain text, they are in the units of the chain.
 
     Parameters
     ----------
@@ -47,15 +47,15 @@ class Words(str):
 
 
 def inches(length: float) -> Number:
-    """Return a length in m that the chain tells in inches."""
+    """Return a length in m that the chain shows in inches."""
     return Number(length, "place", f"{length / INCH:.3g} in")
 
 
 def miles_per_hour(speed: float) -> Number:
-    """Return a speed in m/s that the chain tells in miles per hour."""
+    """Return a speed in m/s that the chain shows in miles per hour."""
     return Number(speed, "speed_change", f"{speed / MPH:.1f} mph", 1)
 
 
 def metres(height: float, text: str) -> Number:
-    """Return a height in m, told with a text of the chain in m."""
+    """Return a height in m that the chain shows in m."""
     return Number(height, "place", f"{text} m", 1)

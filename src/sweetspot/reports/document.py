@@ -42,7 +42,7 @@ class Cited:
 
     Parameters
     ----------
-    year : of the edition that is meant; "": not known.
+    year : of the edition; "": unknown.
     note : behind it, such as how it was read.
     """
 
@@ -198,7 +198,7 @@ class Document(ShownInNotebooks):
     appendix : what only a page shows when it is opened, or what makes it; a terminal does not wait for it.
     drawing : the picture that is written as a file of its own.
     passed : whether what was checked holds.
-    made_for : whom it is for; "": nobody said.
+    made_for : the person it is for; "": not given.
     made : when, and what it was made from: the head of a page.
     attachments : further files that go along with it, by name: made for a reader.
     """

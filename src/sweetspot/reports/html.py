@@ -81,7 +81,7 @@ def _told(words: str) -> Markup:
 
 
 def _author(cited: parts.Cited) -> str:
-    """Return who wrote a work and when; its title where nobody is named."""
+    """Return the authors and year of a work; its title if it has no authors."""
     work = reference(cited.key)
     named = work.fields.get("shortauthor") or work.authors or work.fields.get("shorttitle") or cite(cited.key)
     return f"{named} ({cited.year})" if cited.year else named

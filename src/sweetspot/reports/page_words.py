@@ -11,19 +11,19 @@ from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.reports.sport_words import in_words
 
 LEAST_SHARE = 0.004
-"""Part of the energy below which it would be told as 0 %."""
+"""Part of the energy below which it would be printed as 0 %."""
 SURE = 0.05
-"""Chances nearer to none or to one are told as one outcome."""
+"""Chances nearer to 0 or 1 are reported as one outcome."""
 NEAR = 1.0
-"""m from a fence's top within which inches or centimetres are told."""
+"""m from a fence's top within which margins are in inches or centimetres."""
 STRAIGHT = 5e-4
-"""rad off centre field that nobody would call so."""
+"""rad off centre field below which a direction counts as centre field."""
 FEW = 1e-4
-"""Part of a tap's energy below which a motion's part is told as less than that."""
+"""Part of a tap's energy below which a motion's part is reported as less than this."""
 
 
 def hits_fastest(name: str, from_tip: float, exit_speed: float, *, words: Terms) -> Sentence:
-    """Return where an implement hits fastest, m from its tip, and how fast, m/s."""
+    """Return the place of the greatest exit speed, m from the tip, and that speed, m/s."""
     return in_words(
         "{name} hits fastest {place} from the {tip}: {speed}.",
         words,
@@ -92,7 +92,7 @@ def motion_words(
     nodes: Sequence[float],
     tap: tuple[float, float | None],
 ) -> list[Sentence]:
-    """Return what a motion of a bat is, where it stands still, and what a tap gives it.
+    """Return the kind of a motion of a bat, its nodes, and its share of a tap's energy.
 
     Parameters
     ----------
@@ -129,12 +129,12 @@ def motion_words(
 
 
 def missed_words() -> Sentence:
-    """Return what is said of a swing that sends no ball off."""
+    """Return the sentence for a swing after which no ball leaves."""
     return say("The bat misses the ball, or the ball does not come off it. Move the ball nearer to the bat's axis.")
 
 
 def outcome_words(end: FlightEnd, *, carry: float, chance: float) -> Sentence:
-    """Return what becomes of a ball in a park: where it ends, and whether another like it would.
+    """Return the outcome of a ball in a park, with the likelihood from balls that are hit alike.
 
     Parameters
     ----------

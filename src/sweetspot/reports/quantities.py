@@ -194,7 +194,7 @@ class Reader:
         return number if number == NOTHING else f"{number}{self.behind(scale)}"
 
     def behind(self, scale: str) -> str:
-        """Return what stands behind a number of a scale: a space and the unit, as typesetters have it."""
+        """Return the suffix of a number of a scale: a typographic space and the unit."""
         name = self.units[scale].name
         return name if name in ("", "°") else f" {name}"
 

@@ -71,7 +71,7 @@ IN_WORDS = re.compile(r"\{([^{}]+)\}")
 
 
 def words_in_both_systems(words: str) -> dict[System, str]:
-    """Return words with what stands in braces told in either system.
+    """Return a text in either system of units, its values in braces converted.
 
     >>> words_in_both_systems("an axis {6 in} from the knob")["si"]
     'an axis 15.2 cm from the knob'

@@ -18,7 +18,7 @@ MOST_DIGITS = 6
 SHARP = 1e-6
 """An interval narrower than this part of its number is none."""
 LOPSIDED = 0.25
-"""An interval whose sides differ by more than this part of its width is told by its ends."""
+"""An interval whose sides differ by more than this part of its width is given by its ends."""
 
 
 @dataclass(frozen=True)

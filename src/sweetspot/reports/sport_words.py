@@ -1,4 +1,4 @@
-"""What the people of an implement's sport call things, and who reads about it: data of the catalogue, for any sport."""
+"""Vocabulary and readers of an implement's sport: data of the catalogue, for any sport."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ LIGHT = 0.02
 
 
 def words_of(implement: Implement) -> Terms:
-    """Return what the people of an implement's sport call things."""
+    """Return the vocabulary of an implement's sport."""
     return sport(implement.sport).words
 
 
 def reader_of(implement: Implement) -> Reader:
-    """Return who reads about an implement unless somebody says otherwise: the people of its sport."""
+    """Return the default reader of an implement: the people of its sport."""
     return reader(None, words_of(implement))
 
 
@@ -35,7 +35,7 @@ def in_words(template: str, words: Terms, **slots: Part | float | Sentence) -> S
 
 
 def arriving(words: Terms, speed: float) -> Sentence:
-    """Return what comes in: "a pitch at 90 mph", "a ball at rest"."""
+    """Return the incoming ball: "a pitch at 90 mph", "a ball at rest"."""
     if not speed > 0:
         return in_words("a {incoming} at rest", words)
     return in_words("a {incoming} at {speed}", words, speed=Slot(speed, "speed", round=True))
@@ -47,7 +47,7 @@ def weight(mass: Number) -> Slot:
 
 
 def made_of_words(tool: Implement) -> Words:
-    """Return what an implement is made of, with the tension of its strings or the weight of its head."""
+    """Return the materials of an implement, with the tension of its strings or the weight of its head."""
     if isinstance(tool, Racket):
         return say("{frame}, strings at {tension}", frame=tool.made_of, tension=Slot(tool.bed.tension, "tension"))
     if isinstance(tool, GolfClub):

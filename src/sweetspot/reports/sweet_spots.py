@@ -11,7 +11,7 @@ from sweetspot.reports.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 
 @dataclass(frozen=True)
 class Spot:
-    """One meaning, told with a sport's words.
+    """One meaning of "sweet spot", with a sport's words.
 
     Parameters
     ----------
@@ -26,18 +26,18 @@ class Spot:
     colour: str
 
     def named(self, words: Terms) -> str:
-        """Return the name as a sport's people have it."""
+        """Return the name in the sport's vocabulary."""
         strongest = words.strongest if "{efficiency}" in self.name else ""
         return strongest or self.name.format(**words.model_dump())
 
     def labelled(self, words: Terms) -> str:
-        """Return the label as a sport's people have it."""
+        """Return the label in the sport's vocabulary."""
         strongest = words.strongest if "{efficiency}" in self.name else ""
         short = words.efficiency.replace("collision ", "").replace("coefficient of ", "")
         return strongest or self.label.format(**words.model_dump(), short_efficiency=short)
 
     def explained(self, words: Terms) -> str:
-        """Return the meaning as a sport's people have it."""
+        """Return the meaning in the sport's vocabulary."""
         top_hand = "top hand" if words.hands == "hands" else words.hands
         return self.meaning.format(**words.model_dump(), top_hand=top_hand)
 

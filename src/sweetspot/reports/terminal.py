@@ -21,7 +21,7 @@ from sweetspot.reports.sentences import Words, read
 NARROW = 8
 """Characters of a column that its heading may take at least."""
 ROOM = 110
-"""Characters of a line, where nobody says how many there are."""
+"""Default characters of a line."""
 SHORT = 32
 """Characters of a cell that a line may be kept whole for."""
 DOUBT = "±"

@@ -28,7 +28,7 @@ class ColumnOptions:
     ] = None
 
     def given(self) -> GivenColumns:
-        """Return what is said of the columns."""
+        """Return the columns as described by the options."""
         from sweetspot.tables.headings import GivenColumns
 
         headings = {}

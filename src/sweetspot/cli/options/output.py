@@ -14,14 +14,14 @@ Format = Literal["table", "json", "csv"]
 @Parameter(name="*")
 @dataclass(frozen=True)
 class AnswerOptions:
-    """How an answer is told."""
+    """Units and format of an answer."""
 
     format: Annotated[
         Format, Parameter(help="table for people, json or csv for programs (SI); --json and --csv do too.")
     ] = "table"
     units: Annotated[
         Literal["us", "si"] | None,
-        Parameter(help="Units that people are told in; default: the sport's own, SI on the bench."),
+        Parameter(help="Units of the answer; default: the sport's own, SI on the bench."),
     ] = None
 
     def into(self, folder: Path | None) -> OutputOptions:
@@ -32,7 +32,7 @@ class AnswerOptions:
 @Parameter(name="*")
 @dataclass(frozen=True)
 class OutputOptions(AnswerOptions):
-    """How an answer is told, and to which files it goes."""
+    """Units and format of an answer, and the files it is written to."""
 
     title: Annotated[str, Parameter(help="Heading of the answer and its page.")] = ""
     made_for: Annotated[str, Parameter(name="--for", help="Whom it is for, named at the head of the page.")] = ""

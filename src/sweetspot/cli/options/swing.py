@@ -54,7 +54,7 @@ class StrokeOptions:
     ] = False
 
     def setup(self, implement: Implement, *, errors: bool = True) -> HitSetup:
-        """Return what the options describe; ``errors`` says whether what is written behind ± counts."""
+        """Return the setup that the options describe; ``errors``: whether errors written after ± count."""
         from sweetspot.answers.setups import HitSetup, value_of
         from sweetspot.catalog.standard_hit import standard_conditions
 

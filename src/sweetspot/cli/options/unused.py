@@ -1,4 +1,4 @@
-"""Options that would change nothing: they are refused, so that nobody takes the answer for theirs."""
+"""Options that would change nothing: they are refused, so that the answer is not mistaken for one that uses them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happens for a hit at every place along the bat, on the same horizontal axis as the bat's drawing."""
+"""Effects of a hit at every place along the bat, on the same horizontal axis as the bat's drawing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a report takes for granted, and where its constants come from."""
+"""Assumptions of a report and the sources of its constants."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ PATCH = 2 * MPH
 
 
 def assumptions_section(analysis: Analysis[Implement]) -> Section:
-    """Return what the model takes for granted, what the sport's description leaves out, and what was assumed."""
+    """Return the assumptions of the model, the gaps of the sport's description, and the assumed values."""
     words, records = words_of(analysis.bat), used_records(analysis)
     assumed = [
         f"{heading.partition(': ')[2]} {record.name.rpartition('.')[2].replace('_', ' ')}"
@@ -58,7 +58,7 @@ def assumptions_section(analysis: Analysis[Implement]) -> Section:
 
 
 def _face(analysis: Analysis[Implement]) -> Sentence:
-    """Say what gives way under the ball."""
+    """Return a sentence on what deforms under the ball."""
     if "hoop" in analysis.modes.families:
         return say(
             "The wall of this hollow bat gives way in hoop modes, felt through a round patch under the ball; the size "
@@ -70,7 +70,7 @@ def _face(analysis: Analysis[Implement]) -> Sentence:
 
 
 def _grip(analysis: Analysis[Implement]) -> Sentence:
-    """Say how it is held, and how little that matters to the ball."""
+    """Return a sentence on the grip and its small effect on the ball."""
     hands, words = analysis.conditions.hands, words_of(analysis.bat)
     change = Slot(abs(analysis.grip_effect), "share", 1)
     if any((hands.mass, hands.stiffness, hands.damping)):
@@ -103,7 +103,7 @@ def constants_section(analysis: Analysis[Implement]) -> Section:
 ROWS = 14
 SLOW = {name for name, function in COMPUTATIONS.items() if function.__module__ == space.__name__}
 SLOW |= {"turned", "restitution_of_share"}
-"""Computations that a report does not wait for: the speed of a given hit is searched, a league's hits are drawn, many
+"""Computations that are too slow for a report: the speed of a given hit is searched, a league's hits are drawn, many
 walls are tried."""
 
 
@@ -159,18 +159,18 @@ def _sports(row: Row) -> set[str]:
 
 
 def _predicts(row: Row) -> bool:
-    """Say whether a row predicts something about bats, soon enough for a report."""
+    """Return whether a row predicts something about bats and is computed fast enough for a report."""
     return "prediction" in row.evidence and row.computation not in SLOW
 
 
 def _tells(row: Row) -> bool:
-    """Say whether a row is a measured number, and not a known miss."""
+    """Return whether a row is a measured number and not a known miss."""
     number = row.kind in ("quantitative", "band") and any(letter.isdigit() for letter in row.printed)
     return number and not row.expected_miss
 
 
 def soft_defaults(implement: Implement, ball: Ball, conditions: Conditions | None = None) -> Sentence:
-    """Return what was assumed of a ball, and with conditions of the speeds, in a sentence; no words where nothing was.
+    """Return a sentence on the assumed values of a ball and, with conditions, of the speeds; empty if there are none.
 
     >>> from sweetspot.catalog.balls import ball
     >>> from sweetspot.catalog.bats import bat
@@ -199,6 +199,6 @@ def soft_defaults(implement: Implement, ball: Ball, conditions: Conditions | Non
 
 
 def soft_note(implement: Implement, ball: Ball) -> list[Block]:
-    """Return what was assumed of a ball as a note of a document, or nothing."""
+    """Return the assumed values of a ball as a note of a document, or nothing."""
     words = soft_defaults(implement, ball)
     return [Paragraph(words, "note")] if words.parts else []

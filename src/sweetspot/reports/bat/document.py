@@ -62,7 +62,7 @@ def report_document(report: ReportAnswer) -> Document:
 
 
 def described_document(bat: Implement) -> Document:
-    """Return an implement alone, as nobody swings it, as a document: its size, weight and balance."""
+    """Return an implement without a swing as a document: its size, weight and balance."""
     body = rigid_body(beam_model(bat))
     mass = mass_properties(bat, body)
     data = to_dict(mass)
@@ -75,7 +75,7 @@ def described_document(bat: Implement) -> Document:
 
 
 def remarks(bat: Implement) -> list[str]:
-    """Return how a bat's description was made to agree with what was measured on it; nothing where it did."""
+    """Return how a bat's description was adjusted to its measurements; nothing if they agreed."""
     return [bat.remark] if isinstance(bat, Bat) and bat.remark else []
 
 
@@ -90,7 +90,7 @@ def _sizes(report: ReportAnswer) -> Sentence:
 
 
 def _cards(report: ReportAnswer) -> Cards:
-    """Return the few numbers that everybody asks for."""
+    """Return the cards with the main numbers."""
     spots, words = report.sweet_spots, words_of(report.analysis.bat)
     width: Words | Slot = "none" if spots.zone_width is None else Slot(spots.zone_width, "place")
     wide = "{zone}: no stretch is fast and quiet" if spots.zone is None else "wide: the {zone}, fast and quiet"
@@ -161,7 +161,7 @@ def _details(report: ReportAnswer) -> list[Block]:
 
 
 def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
-    """Return what is not known of hits in the table that touch the ball more than once."""
+    """Return notes on the hits in the table that touch the ball more than once."""
     scan, length = analysis.scan, analysis.bat.length
     from_tip = length - scan.position
     in_table = from_tip <= stations(analysis)[-1]
@@ -170,13 +170,13 @@ def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
 
 
 def _mass(bat: Implement, body: RigidBody, mass: MassProperties, *, note: bool = False) -> list[Block]:
-    """Return the table of weight and balance, with a note on ± where ``note`` or an interval asks for it."""
+    """Return the table of weight and balance, with a note on ± if ``note`` or if the moment of inertia has a doubt."""
     doubted = note or moi_doubt(bat, body, STANDARD_AXIS) > 0
     return [mass_table(bat, body, mass), *([Paragraph(PLUS_MINUS, "note")] if doubted else [])]
 
 
 def _appendix(report: ReportAnswer) -> list[Block]:
-    """Return what only an opened page shows: maps, misses, limits, published numbers, constants, sources."""
+    """Return the appendix of a page: maps, misses, limits, published numbers, constants, sources."""
     from sweetspot.reports.bat.appendix import assumptions_section, chosen, constants_section, published_section
     from sweetspot.reports.bat.provenance import sources_of, used_records
 

@@ -1,4 +1,4 @@
-"""The big picture of a report: the bat, and below it, place for place, what a hit there does."""
+"""The main picture of a report: the bat, and below it the effect of a hit at each place."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def _header(figure: Figure, report: ReportAnswer, reading: Reader, height: float
 
 
 def _swing_weight(report: ReportAnswer, reading: Reader) -> str:
-    """Say how heavy the swing is, as the sport weighs it."""
+    """Return the swing weight as the sport defines it."""
     bat = report.analysis.bat
     if isinstance(bat, Bat):
         moi = moment(report.bat.moi_6in, float(report.bat.moi_6in_doubt)).read(reading)
@@ -156,14 +156,14 @@ def _guides(
 
 
 def _footer(figure: Figure, analysis: Analysis[Implement], height: float, *, banded: bool) -> None:
-    """Say what was hit with what, and what the lines are."""
+    """Write the conditions and the legend of the lines."""
     words = words_of(analysis.bat)
     text = f"{what_lines_are(analysis, banded=banded)}\nFree {words.implement}, {analysis.conditions.ball.name}, hit "
     figure.text(SIDE / WIDTH, 0.08 / height, text + "straight on.", color=MUTED, size=SMALL, parse_math=False)
 
 
 def what_lines_are(analysis: Analysis[Implement], *, banded: bool) -> str:
-    """Return what shading, bands and lines of a report's picture mean."""
+    """Return the legend of the shading, bands and lines of a report's picture."""
     words = words_of(analysis.bat)
     shaded = "" if analysis.sweet_spots.zone is None else f"Shaded: {words.zone}.  "
     bands = "Bands: 90 % intervals.  " if banded else ""

@@ -1,4 +1,4 @@
-"""The catalogue as a document: bats, and what other sports hit with."""
+"""The catalogue as a document: bats, and implements of other sports."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def _other_rows(bats: set[str]) -> list[dict[str, Any]]:
 
 
 def _others(bats: set[str]) -> Table:
-    """Return what other sports hit with, each in the words of its sport."""
+    """Return the implements of other sports, each in the words of its sport."""
     columns = [Column("name"), Column("what"), Column("sport"), Column("length", right=True),
                Column("mass", right=True), Column("swing weight", right=True)]  # fmt: skip
     rows: list[list[Cell]] = []

@@ -67,18 +67,18 @@ def places_table(bat: Implement, places: Mapping[str, Number]) -> Table:
 
 
 def _from(end: float, place: Number) -> Slot:
-    """Return how far a place is from an end of the implement, m from the butt."""
+    """Return the distance from an end of the implement to a place in m from the butt."""
     return Slot(end - place if end else place, "place")
 
 
 def _ends(bat: Implement) -> list[tuple[str, float]]:
-    """Return both ends from which places are told."""
+    """Return both ends from which places are measured."""
     words = words_of(bat)
     return [(words.tip, bat.length), (words.butt, 0.0)]
 
 
 def along_table(report: ReportAnswer) -> Table:
-    """Return what a hit does at even places from the tip."""
+    """Return the results of hits at even places from the tip."""
     scan, bat = report.scan, report.analysis.bat
     words, rigid = words_of(bat), bat.face is None
     columns = [
@@ -114,7 +114,7 @@ def stations(analysis: Analysis[Implement]) -> Array:
 
 
 def misses_table(report: ReportAnswer) -> Table:
-    """Return what hitting beside the best place costs, either way."""
+    """Return the loss of exit speed beside the best place, on either side."""
     words, drawn = words_of(report.analysis.bat), report.uncertainty is not None
     off = f"off the {words.implement}"
     rows: list[list[Cell]] = [

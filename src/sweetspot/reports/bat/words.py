@@ -33,7 +33,7 @@ WHY_TWO = (
     "measurement has settled that."
 )
 SMALL = 1e-3
-"""Relative change of a speed that is told as less than this."""
+"""Relative change of a speed below which it is reported as less than this."""
 FOLLOWS = 0.005
 """Below minus this q is called negative."""
 
@@ -50,7 +50,7 @@ def answer_words(report: ReportAnswer) -> list[Sentence]:
 
 
 def from_tip(report: ReportAnswer, position: Number) -> Slot:
-    """Return how far from the tip a position is."""
+    """Return the distance of a position from the tip."""
     return Slot(report.analysis.bat.length - position, "place")
 
 
@@ -62,7 +62,7 @@ def cost(loss: Number, *, drawn: bool) -> Sentence:
 
 
 def _sure(report: ReportAnswer, words: Terms) -> Sentence:
-    """Return how far the exit speed may be off, and by what; nothing where that is not known, or stands beside it."""
+    """Return the doubt of the exit speed and its causes; nothing if unknown or if it stands beside the speed."""
     if report.doubt is not None:
         return doubt_words(report.doubt, words)
     if report.half_by_ball is None:
@@ -96,7 +96,7 @@ def _where(report: ReportAnswer, words: Terms) -> Sentence:
 
 
 def _outside(best: float, zone: tuple[float, float], words: Terms) -> Sentence:
-    """Return, where the place that hits best lies outside the zone, on which side of it."""
+    """Return on which side of the zone the best place lies, if outside it."""
     if zone[0] <= best <= zone[1]:
         return say("")
     return in_words(
@@ -106,7 +106,7 @@ def _outside(best: float, zone: tuple[float, float], words: Terms) -> Sentence:
 
 
 def _bounce(report: ReportAnswer, words: Terms) -> Sentence:
-    """Return where a ball comes back best and worst, where the sport has words for it, and what a negative q means."""
+    """Return the places of greatest q and of the dead spot, if the sport names them, and what a negative q means."""
     parts: list[Sentence] = []
     if words.strongest:
         parts.append(
@@ -174,7 +174,7 @@ def _miss(report: ReportAnswer, words: Terms) -> Sentence:
 
 
 def why_intervals(words: Terms, *, drawn: bool) -> Sentence:
-    """Return what the intervals of a miss reach over."""
+    """Return the explanation of the intervals of a miss."""
     return in_words(WHY_BOTH if drawn else WHY_TWO, words)
 
 
@@ -194,7 +194,7 @@ def _hands(report: ReportAnswer, words: Terms) -> Sentence:
 
 
 def _wall(report: ReportAnswer) -> Sentence:
-    """Return what a hollow barrel's wall does; how much, not only its frequency, says how lively it is."""
+    """Return the ringing of a hollow barrel's wall: its lowest frequency and its share of the energy."""
     if report.lowest_hoop is None:
         return Sentence(())
     share = report.best_hit.energy_share.hoop
@@ -224,7 +224,7 @@ def doubt_words(doubt: SpeedDoubt, words: Terms) -> Sentence:
 
 
 def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:
-    """Return which part of the variance the ball, what hits it and the speeds that were given add."""
+    """Return the parts of the variance due to the ball, the implement and the given speeds."""
     parts: dict[str, float] = {}
     for name, share in doubt.shares.items():
         if name.startswith(OF_BALL) or name == PATCH:
@@ -240,12 +240,12 @@ def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:
 NEAR = 0.006
 """m from the best place within which a hit counts as the best one."""
 LITTLE = 0.05
-"""m/s below which a part of the difference is not worth a word."""
+"""m/s below which a part of the difference is not mentioned."""
 
 
 @dataclass(frozen=True)
 class SpeedDifference:
-    """What a place's exit speed owes to what, against the best place, m/s; the parts sum to ``whole``.
+    """Contributions to a place's exit speed, against the best place, m/s; the parts sum to ``whole``.
 
     Parameters
     ----------
@@ -266,7 +266,7 @@ class SpeedDifference:
 
 
 def speed_difference(scan: Scan, position: float, *, best: float, exit_speed: float | None = None) -> SpeedDifference:
-    """Return what the exit speed at a place (m from the knob end) owes to what, against the best place.
+    """Return the contributions to the exit speed at a place (m from the knob end), against the best place.
 
     Parameters
     ----------
@@ -326,7 +326,7 @@ def why_here(
 
 
 def why_off_axis(offset: float, cost: float, *, words: Terms) -> Sentence:
-    """Return what it costs that the ball's centre lies off the implement's axis by so much; m and m/s."""
+    """Return the cost (m/s) of a ball whose centre lies ``offset`` (m) off the implement's axis."""
     template = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
     if abs(cost) <= LITTLE:
         return in_words(template + "leaves as fast as from the middle.", words, offset=Slot(abs(offset), "length"))

@@ -96,12 +96,12 @@ def _values(answer: CalibrateAnswer) -> Table:
 
 
 def _noun(answer: CalibrateAnswer) -> str:
-    """Return what people call what was calibrated: a bat, a racket."""
+    """Return the noun for the calibrated implement: a bat, a racket."""
     return sport(answer.posterior.beam.bat.sport).words.implement
 
 
 def called(name: str, implement: Implement) -> str | Sentence:
-    """Return what a value of a calibrated bat, or of an implement of another sport, is called."""
+    """Return the label of a value of a calibrated bat, or of an implement of another sport."""
     if isinstance(implement, Bat) or name not in ("balance_point", "moi"):
         return VALUES[name][0]
     if name == "moi":
@@ -127,12 +127,12 @@ def _unknowns(answer: CalibrateAnswer) -> Table:
 
 
 def parts_of(unknown: CalibratedUnknown) -> tuple[Measured, Measured]:
-    """Return what was not known before and after the measurements, as parts of what was described."""
+    """Return the deviations before and after the measurements, relative to the description."""
     return as_part(unknown.name, Measured(0.0, unknown.before_error)), as_part(unknown.name, unknown.deviation)
 
 
 def unknown_words(name: str, implement: Implement) -> str:
-    """Return what something that was not known is called of this implement."""
+    """Return the label of an unknown of this implement."""
     of_club = OF_CLUB if isinstance(implement, GolfClub) else {}
     return of_club.get(name, WORDS[name])
 
@@ -157,7 +157,7 @@ def _percent(value: Measured) -> Sentence:
 
 
 def _measured(answer: CalibrateAnswer) -> Table:
-    """Return the measurements and how far they lie off; what a fitted bat says to them only where they allow one."""
+    """Return the measurements with their deviations, and the fitted bat's values if they allow a fit."""
     rows: list[tuple[Cell, ...]] = []
     for row in answer.measurements:
         scale, digits = SCALE_OF[row.kind]
@@ -230,7 +230,7 @@ def _unexplained(implement: Implement) -> Sentence:
 
 
 def budget_words(answer: CalibrateAnswer) -> Sentence:
-    """Return in words what the doubt about the modulus comes from, and what a wrong handle would do to it."""
+    """Return in words the sources of the modulus's uncertainty, and the effect of a wrong handle."""
     posterior = answer.posterior
     bat = posterior.beam.bat
     what, unknown = ("E", "modulus") if isinstance(bat, Bat) else ("the first frequency", "first_frequency")
@@ -280,7 +280,7 @@ def again_words(answer: CalibrateAnswer) -> list[Sentence]:
 
 
 def moi_words(answer: CalibrateAnswer) -> list[Sentence]:
-    """Return in words what a bat's moment of inertia rests on where it was not measured."""
+    """Return in words the basis of a moment of inertia that was not measured."""
     moi = answer.bat.moi
     if not isinstance(answer.posterior.beam.bat, Bat) or moi is None or moi.kind == "measured":
         return []

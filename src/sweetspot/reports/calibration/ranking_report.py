@@ -68,7 +68,7 @@ def ranking_document(answer: RankAnswer) -> Document:
         Paragraph(
             say(
                 "{level} intervals: of the bat alone, hit by the same ball. MOI: about {axis}. E off: "
-                "modulus against the drawing's. Where a moisture was given, all is told at 12 %."
+                "modulus against the drawing's. Where a moisture was given, all values are at 12 %."
                 if of_bats
                 else "{level} intervals: of the {thing} alone, hit by the same ball. {moi}: about {axis}. "
                 "Stiffness off: the first frequency squared, against the description's.",

@@ -216,7 +216,7 @@ def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
 
 
 def _wall_note(answer: CertifyAnswer, test: SimulatedTest) -> list[Words]:
-    """Return whose wall was tested, and what another one would give; nothing for a bat with a wall of its own."""
+    """Return the wall that was tested and the result of another one; nothing for a bat whose wall is described."""
     pattern, spreads = wall_pattern(answer.implement), test.spread_by_wall
     if pattern is None or spreads is None:
         return []
@@ -249,7 +249,7 @@ def _place(scan: ScanAtRest, length: float) -> Sentence:
 
 
 def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
-    """Return what the shots say: measures, places, hits that stand out, rows not used, notes."""
+    """Return the results of the shots: measures, places, outliers, unused rows, notes."""
     raw = shots.standard_ball_cor is None
     rows = [_estimate("BBCOR, as measured" if raw else "BBCOR, normalised", shots.bbcor)]
     if not raw:

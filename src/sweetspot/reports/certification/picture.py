@@ -130,7 +130,7 @@ def _capital(verdicts: str) -> str:
 
 
 def _curve(answer: CertifyAnswer) -> _Curve:
-    """Return what is drawn: what the rules limit, BBCOR where they limit something else."""
+    """Return the curve to draw: the measure that the rules limit, else BBCOR."""
     asked = {check.quantity for check in answer.checks if check.most is not None}
     test = answer.result
     if isinstance(test, ShotStatistics):

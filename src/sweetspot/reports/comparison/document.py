@@ -35,7 +35,7 @@ BBCOR_OF_PLAY = (
 )
 
 PLACES = INCH * np.array([1, 2, 3, 4, 5, 6, 7, 8, 10, 12])
-"""m from the tip; hits that are told one by one."""
+"""m from the tip; hits that are listed one by one."""
 MOST_BY_PLACE = 3
 """Bats beside the first whose columns fit a terminal; the picture draws any number."""
 OF_MASS = ("mass", "balance_point", "moi_6in", "moi_knob")
@@ -101,7 +101,7 @@ def _has_doubt(bats: Sequence[ComparedBat]) -> bool:
 
 
 def _things(answer: CompareAnswer) -> Table:
-    """Return what the implements are; round bats have a BBCOR, others their sport's own swing weight."""
+    """Return the properties of the implements; round bats have a BBCOR, others their sport's swing weight."""
     bat = answer.comparison.reference.analysis.bat
     tool, convention = sport(bat.sport).words.implement, swing_weight(bat.sport)
     columns = [Column(tool), Column("mass", "mass"), Column("balance", "length")]
@@ -156,7 +156,7 @@ def _in_play(answer: CompareAnswer) -> Table:
 
 
 def _by_place(answer: CompareAnswer) -> list[Block]:
-    """Return what each place on a round bat gains beside the first bat, as the picture draws it; none for many bats."""
+    """Return the gain at each place on a round bat against the first, as in the picture; none for many bats."""
     first, *others = answer.comparison.compared
     if not isinstance(first.analysis.bat, Bat) or not 0 < len(others) <= MOST_BY_PLACE:
         return []

@@ -137,7 +137,7 @@ def compare_sheet(answer: CompareAnswer, reading: Reader = US) -> Figure:
 
 
 def _window(compared: Sequence[Compared[Implement]], length: float) -> float:
-    """Return where the panels begin in m on the common axis: at the longest one's end, or where all faces do."""
+    """Return the start of the panels in m on the common axis: the end of the longest bat, or the start of all faces."""
     return min(marks.window(each.analysis.bat)[0] + length - each.analysis.bat.length
                if marks.is_zoomed(each.analysis.bat) else 0.0 for each in compared)  # fmt: skip
 

@@ -60,7 +60,7 @@ def cork_verdict(answer: CompareAnswer) -> list[Sentence]:
 
 
 def wall_verdict(comparison: Comparison) -> list[Sentence]:
-    """Return what another wall does, for a comparison of a hollow bat with itself with that wall."""
+    """Return the effect of another wall, for a comparison of a hollow bat with itself with that wall."""
     first, other = (wall_point_of(compared.analysis) for compared in comparison.compared[:2])
     return [
         say(
@@ -79,7 +79,7 @@ def wall_verdict(comparison: Comparison) -> list[Sentence]:
 
 
 def assumptions(answer: CompareAnswer) -> Sentence:
-    """Return what the numbers were computed under."""
+    """Return the conditions of the computation."""
     reference, law = answer.comparison.reference.analysis, answer.comparison.law
     words, conditions = sport(reference.bat.sport).words, reference.conditions
     tool, pitch = words.implement, conditions.pitch.speed
@@ -104,7 +104,7 @@ def assumptions(answer: CompareAnswer) -> Sentence:
 
 
 def assumed(answer: CompareAnswer, *, draws: str) -> Sentence:
-    """Return what the numbers were computed under, and what their intervals hold.
+    """Return the conditions of the computation, and what the intervals include.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def assumed(answer: CompareAnswer, *, draws: str) -> Sentence:
 
 
 def without_draws(answer: CompareAnswer, draws: str) -> Sentence:
-    """Return what the intervals in brackets hold that come from no draws, and where draws are."""
+    """Return a sentence on the intervals in brackets, which come from no draws, and on how to get drawn ones."""
     law, words = answer.comparison.law, sport(answer.comparison.reference.analysis.bat.sport).words
     power = "" if law is None else say(
         ", and of the power (-{low} to -{high})",
@@ -193,7 +193,7 @@ def _answer(first: ComparedBat, corked: ComparedBat, answer: CompareAnswer) -> S
     elif sign > 0:
         end = "Here it does."
     else:
-        end = "Whether it helps cannot be told within what is not known."
+        end = "Whether it helps cannot be decided within what is not known."
     return joined([text + swung, _needed(first, corked), net, end])
 
 

@@ -173,4 +173,4 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
         )
     axes.set_xlabel(f"{MEASURES[wants[0]].label}, {reading.unit(scales[0])}")
     axes.set_ylabel(f"{MEASURES[wants[1]].label}, {reading.unit(scales[1])}")
-    heading(axes, "The front", "none of these is better in everything; orange: the one told about")
+    heading(axes, "The front", "none of these is better in everything; orange: the one described")

@@ -1,4 +1,4 @@
-"""What the maker needs: diameters along the bat, and what their tolerance does."""
+"""Sizes for the maker: diameters along the bat, and the effect of their tolerance."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def sizes_table(bat: Bat) -> Table:
 
 
 def tolerance_words(design: Designed) -> Sentence | None:
-    """Return what a diameter that is off by the tolerance all along does; None where nothing is turned."""
+    """Return the effect of a diameter off by the tolerance all along; None for an implement that is not turned."""
     space = design.bench.space
     if not isinstance(space, TurnedSpace):
         return None

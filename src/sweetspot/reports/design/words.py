@@ -18,24 +18,24 @@ from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.units import INCH, grouped
 
 STILL = 0.02 * INCH
-"""m below which a place does not move for anybody."""
+"""m below which a place counts as unmoved."""
 
 FURTHER = 0.05
-"""Part by which a handle's bending must grow to be told (assumed: two pieces of one species differ by more)."""
+"""Relative growth of a handle's bending that is reported (assumed: two pieces of one species differ by more)."""
 
 
 def tool_of(design: Designed) -> str:
-    """Return what people of the sport call what is designed."""
+    """Return the sport's word for the designed implement."""
     return sport(design.bench.space.present.sport).words.implement
 
 
 def label_of(design: Designed, measure: str) -> str:
-    """Return what a measure is called in the sport of what is designed."""
+    """Return the name of a measure in the sport of the designed implement."""
     return f"{tool_of(design)} speed" if measure == "bat_speed" else MEASURES[measure].label
 
 
 def moved_words(design: Designed) -> Sentence:
-    """Return where the best place goes, how wide the zone is, and only then what the greatest exit speed does."""
+    """Return the shift of the best place, then the zone's width, and last the change of the greatest exit speed."""
     gain = design.gain
     if abs(gain.shift) < STILL:
         place = say("The best place stays where it is")
@@ -55,7 +55,7 @@ def moved_words(design: Designed) -> Sentence:
 
 
 def worth_words(design: Designed) -> Sentence:
-    """Return what the design is worth to this batter, beside what could hide it."""
+    """Return the gain of the design for this batter, beside the scatter that could hide it."""
     gain, batter = design.gain, design.bench.batter
     first = say(
         "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt} (90 %): "
@@ -80,7 +80,7 @@ def _of_100(odds: float) -> str:
 
 
 def _balls(design: Designed) -> list[Sentence]:
-    """Return how far the number of balls limits what is known; nothing where the contacts were simply told."""
+    """Return how the number of balls limits the answer; nothing if no balls were given."""
     gain = design.gain
     if not gain.balls:
         return []
@@ -166,7 +166,7 @@ def warning_words(design: Designed) -> Sentence:
     place = Slot(float(FROM_TIP[worst]), "place")
     if not outer.any() or gain.curve[worst] >= 0:
         return say(
-            "Who should not use it: nobody by exit speed; {place} from the tip it still gains {gain}.",
+            "Who should not use it: by exit speed, no one; {place} from the tip it still gains {gain}.",
             place=Slot(TOWARDS_END, "place"),
             gain=Slot(gain.at(TOWARDS_END), "speed_change"),
         )
@@ -224,7 +224,9 @@ def unbounded_words(design: Designed) -> list[Sentence]:
         return []
     left = [check for check in design.checks if check.rule.quantity in PERFORMANCE]
     why = (
-        say("nobody's rules were asked for") if not design.checks else say("its league limits none that can be tested")
+        say("no league's rules were asked for")
+        if not design.checks
+        else say("its league limits none that can be tested")
     )
     if left:
         why = say("{rule} is not decidable: {reason}", rule=title(left[0].rule), reason=left[0].reason)
@@ -238,7 +240,7 @@ def unbounded_words(design: Designed) -> list[Sentence]:
 
 
 def wall_words(design: Designed) -> list[Sentence]:
-    """Return what of a hollow bat's wall and end cap to change; nothing for other implements."""
+    """Return the changes to a hollow bat's wall and end cap; nothing for other implements."""
     if not design.bench.tested:
         return []
     changes = [
@@ -257,7 +259,7 @@ def wall_words(design: Designed) -> list[Sentence]:
 
 
 def effort_words(design: Designed) -> Sentence:
-    """Return what the design does to the swing."""
+    """Return the effect of the design on the swing."""
     gain, law = design.gain, design.bench.batter.law
     if law is None:
         return say("All are swung at the same speed.")

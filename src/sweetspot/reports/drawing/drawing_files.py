@@ -49,7 +49,7 @@ def drawn_dxf(bat: Bat, hollow: np.ndarray) -> bytes:
 MARGIN, BELOW = 12.0, 26.0
 """mm of paper around the bat, and below it for its sizes."""
 STEP = {"in": INCH, "cm": 0.02}
-"""m between the places whose diameter is written, by the unit in which people tell places."""
+"""m between the places whose diameter is written, by the reader's unit of places."""
 TEXT, SMALL = 4.0, 2.6
 """mm, height of the name and of the sizes."""
 STYLE = {
@@ -66,7 +66,7 @@ def drawn_svg(bat: Bat, hollow: np.ndarray, reading: Reader) -> bytes:
     Parameters
     ----------
     hollow : (position, radius) of the hollow that opens at the tip, m, shape (n, 2).
-    reading : whose units the sizes are told in.
+    reading : in whose units sizes are written.
     """
     contour = 1e3 * side_view(bat)
     reach = float(contour[:, 1].max())
@@ -163,7 +163,7 @@ FEWEST = 9
 
 
 def drawing_bytes(bat: Implement, path: Path, *, reading: Reader = US) -> bytes:
-    """Return what a file of this name holds: the bat's outline as CSV, SVG, DXF or STL.
+    """Return the contents of a file with this name: the bat's outline as CSV, SVG, DXF or STL.
 
     `sweetspot.calibration.outline.outline_file.read_outline` takes the first three back.
 

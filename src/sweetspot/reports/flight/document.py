@@ -86,7 +86,7 @@ def _words(answer: FlyAnswer) -> Sentence:
 
 
 def _bend(flown: FlightNumbers, *, windy: bool) -> Sentence:
-    """Return where the ball comes down, if the air has bent its path by a degree or more."""
+    """Return the bend of a path and its landing direction, if the air bends it by a degree or more."""
     flight = flown.flight
     bent = flight.bearing - flight.launch.spray
     if flight.outcome is not FlightOutcome.LANDED or abs(bent) < DEGREE:
@@ -157,9 +157,9 @@ def _at_marks(court: Court) -> Iterator[Sentence]:
 
 
 NEAR = 1.0
-"""m from a net or a fence within which inches or centimetres are told: in feet or metres most would be none."""
+"""m from a net or fence within which margins are in inches or centimetres: in feet or metres most would be 0."""
 STRAIGHT = 0.05 * DEGREE
-"""A direction nearer to an axis than this is told as the axis."""
+"""A direction nearer to an axis than this is reported as the axis."""
 PLACES_OF_BALLPARKS = ("to centre field", "to home plate", "to right field", "to left field")
 PLACES_OF_FIELDS = ("straight ahead", "straight back", "to the right", "to the left")
 """What is ahead, behind, to the right and to the left, in words."""
@@ -181,7 +181,7 @@ def flight_words(flown: FlightNumbers) -> Sentence:
 
 
 def small_or_far(margin: float) -> Slot:
-    """Return the size of a margin (m) in the unit in which it says something: less than `NEAR` as a place is told."""
+    """Return the size of a margin (m) in a suitable unit: below `NEAR` that of places."""
     return Slot(abs(margin), "place" if abs(margin) < NEAR else "distance")
 
 
@@ -190,7 +190,7 @@ def fence_words(end: FlightEnd, *, chance: float | None = None) -> Sentence:
 
     Parameters
     ----------
-    chance : of a home run there, with which the words agree; None: nobody knows how such balls scatter.
+    chance : of a home run there, with which the words agree; None: the scatter of such balls is unknown.
     """
     if end.outcome == "foul":
         return say("At {park} it is foul.", park=end.park)
@@ -256,7 +256,7 @@ def direction_words(angle: Number, *, ballpark: bool = True) -> Sentence:
 
 
 def wind_words(angle: float, *, ballpark: bool) -> Sentence:
-    """Return where a wind blows to, all the way round; parameters as of `direction_words`."""
+    """Return the direction that a wind blows to, over the full circle; parameters as of `direction_words`."""
     if min(abs(angle), abs(abs(angle) - 180 * DEGREE)) < STRAIGHT:
         return direction_words(angle, ballpark=ballpark)
     side, ahead = "right" if angle > 0 else "left", "centre field" if ballpark else "straight ahead"

@@ -20,7 +20,7 @@ from sweetspot.units import grouped
 
 
 def flights_document(flown: Flights) -> Document:
-    """Return many flights as a document; nobody says here what was hit, or on which field."""
+    """Return many flights as a document, without bat or field."""
     columns = {
         "outcome": flown.outcome, key("carry"): flown.carry, key("hang_time"): flown.hang_time,
         key("apex"): flown.apex_height, key("bearing"): flown.bearing, key("landing_angle"): flown.landing_angle,
@@ -57,7 +57,7 @@ def _drawn(flown: Flights, reading: Reader) -> Any:
 
 
 def answers(table: FlightTable) -> dict[str, Array]:
-    """Return what every cell answers, row after row, SI; nan where a ball did not land."""
+    """Return the results of every cell, row by row, SI; nan where a ball did not land."""
     flown = table.flights
     return {
         "carry": flown.carry,

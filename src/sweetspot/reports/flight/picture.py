@@ -175,7 +175,7 @@ LEAST_DRAWN = 440 * FOOT
 
 @styled
 def flights_figure(flown: Flights, reading: Reader) -> Figure:
-    """Return where the balls come down, from above, with their paths where they were asked for, and their carries."""
+    """Return the landing points from above, with the requested paths, and the carries."""
     figure = Figure(figsize=(8.0, 4.2), layout="constrained")
     above, far = figure.subplots(1, 2, width_ratios=(1.25, 1))
     _above(above, flown, reading)

@@ -61,12 +61,12 @@ def hit_document(answer: HitAnswer) -> Document:
 
 
 def masses_words(tool: Number, ball: Number, words: Terms) -> Sentence:
-    """Return what met, kg, in words."""
+    """Return the masses that met, kg, in words."""
     return in_words("{implement} {tool}, {ball} {thrown}", words, tool=Slot(tool, "mass"), thrown=weight(ball))
 
 
 def by_ball(half: Number | None, words: Terms) -> list[Sentence]:
-    """Return in words what the ball alone leaves open of an exit speed; nothing where that is not known.
+    """Return in words the uncertainty of an exit speed due to the ball alone; nothing if unknown.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def _doubts(impact: Impact, words: Terms) -> list[Paragraph]:
 
 
 def impact_document(impact: Impact) -> Document:
-    """Return a collision alone as a document: nobody says here whose it is, or how fast the bat was swung."""
+    """Return a collision alone as a document, without its bat's name or swing speed."""
     bare, words = collision_of(impact), Terms()
     data = to_dict(bare)
     title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
@@ -205,7 +205,7 @@ PRESSED_AGAIN = (
 
 
 def best_in_doubt(best: Impact, words: Terms) -> list[Sentence]:
-    """Return what is not known of a best hit that presses the ball more than once; nothing of any other."""
+    """Return the doubt of a best hit that presses the ball more than once; nothing for any other."""
     if best.presses < 2:
         return []
     return [

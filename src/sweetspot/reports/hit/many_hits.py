@@ -17,7 +17,7 @@ from sweetspot.units import grouped
 
 
 def impacts_document(hits: Impacts | Strikes) -> Document:
-    """Return many collisions as a document; nobody says here whose they are, or how fast the bat was swung."""
+    """Return many collisions as a document, without their bat's name or swing speed."""
     columns = {
         "outcome": [Outcome(int(each)).name.lower() for each in hits.outcome.ravel()],
         **{key(name): getattr(hits, name).ravel().tolist()

@@ -17,7 +17,7 @@ MOST_NODES = 4
 
 
 def modes_document(modes: Modes) -> Document:
-    """Return all motions as a document; places count from the end of the grip, for nobody says here how long it is."""
+    """Return all motions as a document; places count from the end of the grip, as its length is not given."""
     rows: list[list[Cell]] = []
     data: list[dict[str, Any]] = []
     for index, family in enumerate(modes.families):

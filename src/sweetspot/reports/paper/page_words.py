@@ -29,7 +29,7 @@ Told = tuple[list[Sentence], list[Sentence]]
 
 
 def paper_words(question: str, analysis: Analysis[Bat], choices: Choices, rows: list[Row]) -> Told:
-    """Return what the full model says of a question, and the question's formulas with its numbers.
+    """Return the full model's answer to a question, and the question's formulas with its numbers.
 
     Parameters
     ----------

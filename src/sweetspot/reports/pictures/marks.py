@@ -253,7 +253,7 @@ def _marks(axes: Axes, places: Array, *, size: float, width: float) -> None:
 
 
 def from_the_tip(implement: Implement, reading: Reader) -> str:
-    """Return what the numbers along an implement count: "inches from the tip"."""
+    """Return the label of the axis along an implement: "inches from the tip"."""
     return f"{TICKS[reading.unit('place')][0]} from the {words_of(implement).tip}"
 
 

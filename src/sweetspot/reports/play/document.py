@@ -51,7 +51,7 @@ NO_PATH: dict[str, list[float]] = {"time_s": [], "right_m": [], "out_m": [], "up
 
 
 def play_words(answer: PlayAnswer) -> Sentence:
-    """Return what happened as a few sentences."""
+    """Return the course of a play in a few sentences."""
     bat, struck, launch = answer.question.reduced.bat, answer.play.strike, answer.launch
     words, below = sport(bat.sport).words, float(answer.offset) >= 0
     contact = say(

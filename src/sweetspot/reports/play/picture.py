@@ -110,7 +110,7 @@ def _along(vector: np.ndarray) -> np.ndarray:
 
 
 def _beyond(centre: np.ndarray, arrow: np.ndarray, radius: float) -> np.ndarray:
-    """Return where an arrow from a ball's centre ends, or a place just outside the ball where that lies inside."""
+    """Return the end of an arrow from a ball's centre, moved just outside the ball if it lies inside."""
     return centre + max(float(np.hypot(*arrow)), radius + 2 * GAP) * _along(arrow)
 
 

@@ -113,7 +113,7 @@ def _bats(advice: Advice) -> Table:
 
 
 def _facts(learned: dict[str, Learned]) -> Table:
-    """Return every parameter: value, interval, what was known before, whether the data told."""
+    """Return every parameter: value, interval, prior, and whether the data determine it."""
     columns = [Column("parameter"), Column("value (90 %)"), Column("before the data")]
     rows: list[list[Cell]] = [
         [
@@ -129,7 +129,7 @@ def _facts(learned: dict[str, Learned]) -> Table:
 
 
 def _means(goal: Goal) -> str:
-    """Return what the numbers mean."""
+    """Return an explanation of the numbers."""
     fast = goal.name == "exit-speed"
     missed = "misses and balls just grazed are not in it" if fast else "misses and balls just grazed bring nothing"
     extra = "" if fast else " Carry is to the first touch of the ground, in still air."

@@ -9,7 +9,7 @@ from sweetspot.reports.player.phrases import goal_shown
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say, within
 
 PAIRS_TOLD = 6
-"""Pairs that are told in words; a table has all."""
+"""Pairs that are described in words; a table has all."""
 BETTER = ("better", "better by the model")
 VERDICTS = {
     "better": "the first is better, as measured too",
@@ -61,7 +61,7 @@ def pairs_table(advice: Advice) -> Table:
 
 
 def _lead(pairs: tuple[BatPair, ...]) -> str:
-    """Return what all pairs together say: which bat is best, if any is."""
+    """Return the conclusion from all pairs: the best bat, if there is one."""
     top = pairs[0].better
     verdicts = [pair.verdict for pair in pairs if pair.better == top]
     if all(verdict == "better" for verdict in verdicts):

@@ -18,7 +18,7 @@ SCALES = {"weight": "mass", "balance": "mass", "length": "place", "choke": "plac
 
 
 def goal_words(goal: Goal) -> Sentence:
-    """Return what a goal is in words.
+    """Return a goal in words.
 
     >>> from sweetspot.reports.quantities import US
     >>> goal_words(Goal("line", line=91.44)).read(US)
@@ -30,7 +30,7 @@ def goal_words(goal: Goal) -> Sentence:
 
 
 def pitch_words(speed: float) -> Sentence:
-    """Return what comes to be hit.
+    """Return the incoming ball in words.
 
     >>> from sweetspot.reports.quantities import US
     >>> pitch_words(0.0).read(US), pitch_words(26.8).read(US)
@@ -46,7 +46,7 @@ def goal_shown(interval: Interval, goal: Goal, *, sign: bool = False) -> Sentenc
 
 
 def option_words(candidate: Candidate) -> Sentence:
-    """Return what a bat tried is beside the player's own: "1 in longer, same weight"; another bat's name."""
+    """Return a tried bat relative to the player's own, "1 in longer, same weight", or another bat's name."""
     scale = SCALES.get(candidate.family)
     if scale is None:
         return say("{name}", name=candidate.label)

@@ -56,7 +56,7 @@ ALONE = Paper()
 ON_A_SHEET = Paper(SHEET, 0.34, 0.22, 0.8, 0.56, 0.13, 0.56, 1.84, 0.4, 7.2)
 """Whose page says whom it is for."""
 SURE = {1: GREEN, -1: RED, 0: MUTED}
-"""Colour of a gain, a loss, and what cannot be told."""
+"""Colours of a gain, a loss and an undecided change."""
 LIGHTER = 1.06
 """How much wider bold letters are than the rows' names."""
 

@@ -45,7 +45,7 @@ USUAL_EXPONENT = (
     "rests on what is usual for players, and its interval with it."
 )
 REASONS, LONGEST_REASON = 3, 160
-"""Kinds of reasons told in the first line, and letters of each."""
+"""Kinds of reasons listed in the first line, and letters of each."""
 ROWS_SHOWN = 8
 """Rows not used that are listed; the JSON has all."""
 
@@ -57,7 +57,7 @@ def parameter_shown(name: str, interval: Interval) -> Sentence:
 
 
 def findings(answer: FitPlayerAnswer) -> list[Words]:
-    """Return what the swings say about the player, and what they cannot tell."""
+    """Return the findings from the swings, and what they leave undetermined."""
     posterior, swings = answer.posterior, answer.file
     learned = posterior.learned
     words: list[Words] = [_data(posterior, swings), *taken_for(posterior.model)]
@@ -310,7 +310,7 @@ def _place(advice: Advice) -> Sentence:
 
 
 def changes() -> dict[str, Sentence]:
-    """Return the single changes of a player whose worth is told, in words, by key of `Advice.worth`."""
+    """Return the single changes whose worth is reported, in words, by key of `Advice.worth`."""
     inch, quarter = Slot(INCH, "place"), Slot(INCH / 4, "offset")
     return {
         "bat_speed": say("{speed} more bat speed", speed=Slot(MPH, "speed_change")),
@@ -336,7 +336,7 @@ def _worth(advice: Advice, key: str) -> Sentence:
 
 
 def notes(swings: SwingFile) -> list[str]:
-    """Return what to know about the file, with the rows that were not used."""
+    """Return notes on the file, with the rows that were not used."""
     words = list(swings.notes)
     if swings.bad_rows:
         count = len(swings.bad_rows)

@@ -1,1 +1,1 @@
-"""A season told: what was read, the league, the players, and what to beware of."""
+"""A season for people: the files, the league, the players, and warnings."""

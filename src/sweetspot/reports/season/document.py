@@ -134,10 +134,10 @@ def _by_league_formula(league: SeasonMeans) -> list[Sentence]:
     return [say(words, league=rate, balls=grouped(league.league_squared_up_balls), same=same)]
 
 
-NO_SPEEDS = "No table has bat speeds, so nothing is told of bats."
+NO_SPEEDS = "No table has bat speeds, so nothing is reported about bats."
 FEW_SPEEDS = (
     "Too few balls have a bat speed to learn from them where these batters meet the ball; where batters usually do is "
-    "taken instead, so what is told of bats is rough."
+    "taken instead, so what is reported about bats is rough."
 )
 
 
@@ -171,7 +171,7 @@ def _ledger(tables: Sequence[SeasonTable]) -> Table:
 
 
 def _untracked(answer: SeasonAnswer) -> list[Block]:
-    """Return what balls without exit speed would change, in words; nothing where there are none."""
+    """Return in words the effect of balls without exit speed; nothing where there are none."""
     count, bias = sum(table.ledger["untracked"] for table in answer.tables), answer.untracked
     if not count:
         return []

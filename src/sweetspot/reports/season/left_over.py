@@ -43,7 +43,7 @@ def _where(group: LeftOver, kind: str) -> str | Slot:
 
 
 def own_drag_words(league: SeasonMeans, months: Sequence[DragOfMonth]) -> list[Sentence]:
-    """Return what the season's own drag would change of the expected home runs, which fly with the law's."""
+    """Return the effect of the season's own drag on the expected home runs, which fly with the law's."""
     if league.home_runs_with_own_drag is None:
         return []
     words = (

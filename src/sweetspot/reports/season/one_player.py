@@ -58,7 +58,7 @@ def player_page(player: SeasonPlayer) -> Document:
 
 
 def _home_runs(row: Mapping[str, Any]) -> list[str]:
-    """Return what is known of a player's home runs, in words."""
+    """Return a player's home runs in words."""
     counts = []
     if row["home_runs_expected"] is not None:
         counts.append(f"{row['home_runs_expected']:.1f} expected in the parks they were hit in")

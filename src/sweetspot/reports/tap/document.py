@@ -36,8 +36,8 @@ ROOMS = (
 
 PLATE = (
     "So wide a bar is a plate: it bends across and twists at tones among those of bending along, and nothing in them "
-    "tells which is which. So its tones have no names and no E is told. If you know which is the first that bends it "
-    "along (held at 0.22 of its length from both ends and tapped in the middle, it is the loudest), take E from its "
+    "tells which is which. So its tones have no names and no E is reported. If you know which is the first that bends "
+    "it along (held at 0.22 of its length from both ends and tapped in the middle, it is the loudest), take E from its "
     "line; of metal, a plate seems up to a tenth stiffer than a bar."
 )
 
@@ -98,7 +98,7 @@ def _fault(test: TapTest, number: int) -> Sentence:
 
 def _heard_to(tap: Tap, top: float) -> Sentence:
     return say(
-        "{name}, {start}: heard below {top} only; above it has more tones than can be told apart.",
+        "{name}, {start}: heard below {top} only; above it has more tones than can be separated.",
         name=tap.recording,
         start=Slot(tap.start, "time", 2),
         top=Slot(top, "frequency", 0),

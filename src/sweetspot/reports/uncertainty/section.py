@@ -1,4 +1,4 @@
-"""What a number's doubt comes from: ranked bars, in words, as a table and as a picture."""
+"""Sources of a number's uncertainty as ranked bars: in words, as a table and as a picture."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LONGEST_BAR = 30
 
 
 def how_sure(uncertainty: Uncertainty, named: str) -> Section:
-    """Return what the intervals of an answer are, and what that of its main number comes from.
+    """Return an explanation of an answer's intervals, with the sources of the main number's.
 
     Parameters
     ----------
@@ -71,11 +71,11 @@ def _name(source: str) -> str:
 
 
 LEAST = 0.005
-"""That few draws do not tell from none: a probability nearer to 0 or 1 is told as beyond 1 or 99 %."""
+"""Least probability that draws resolve: one nearer to 0 or 1 is reported as beyond 1 or 99 %."""
 
 
 def chance_words(chance: float) -> Sentence:
-    """Return a probability as a part of 100; never none and never all, of which draws cannot be sure.
+    """Return a probability in percent; never 0 or 100, which draws cannot establish.
 
     >>> str(chance_words(0.64)), str(chance_words(0.0)), str(chance_words(1.0))
     ('64 %', 'less than 1 %', 'more than 99 %')

@@ -1,4 +1,4 @@
-"""What an interval comes from, as ranked bars."""
+"""Sources of an interval as ranked bars."""
 
 from __future__ import annotations
 
