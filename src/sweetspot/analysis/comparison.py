@@ -236,10 +236,10 @@ def _exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditions])
 
 @dataclass(frozen=True)
 class _Barrel:
-    """Where a bat hits best with other swings than the one it was scanned with.
+    """Best hits of a bat with other swings than the one it was scanned with.
 
-    The best place moves by millimetres with the swing, so hits at `NEARBY` places on either side tell; where the top is
-    not inside them, or the curve has other tops nearly as high, the whole barrel is hit.
+    The best place moves by millimetres with the swing, so hits at `NEARBY` places on either side suffice; where the top
+    is not inside them, or the curve has other tops nearly as high, the whole barrel is hit.
 
     Parameters
     ----------

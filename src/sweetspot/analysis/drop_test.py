@@ -51,7 +51,7 @@ def terminal_speed(ball: Ball, *, air_density: float = ROOM_AIR, drag_coefficien
 
 @dataclass(frozen=True)
 class Rebound:
-    """What a ball does on a block.
+    """Rebound of a ball from a block.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class Rebound:
 
     @property
     def deflection(self) -> float:
-        """How far in m the peak force, as a slow load, presses the face in; the model holds up to the thickness."""
+        """Static deflection of the face in m under the peak force; the model holds up to the thickness."""
         return self.compliance * self.impact.peak_force
 
     @property

@@ -53,7 +53,7 @@ ABOVE_HANDS = 0.05
 
 
 class EnergyShares(NamedTuple):
-    """Where the incoming energy of many hits goes, as parts of it, each of the shape of the hits; nan where none ended.
+    """Shares of the incoming energy of many hits, each of the shape of the hits; nan where none ended.
 
     Parameters
     ----------

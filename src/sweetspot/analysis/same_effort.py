@@ -13,7 +13,7 @@ from sweetspot.motion.swing_law import SwingLaw, turned_faster
 
 
 def is_changed(bat: Implement) -> bool:
-    """Say whether a bat is another one changed, or is held further up than at the bottom of its grip."""
+    """Return whether a bat is a modified copy of another, or is held further up than at the bottom of its grip."""
     return _piece(bat) is not bat or bat.choke > 0
 
 
@@ -59,7 +59,7 @@ class Changed:
         return speed_ratios(self.law, self.bat, self.body, self.before, self.body_before).value
 
     def with_same_effort(self, conditions: Conditions) -> Conditions:
-        """Return how the changed bat is swung by who swings the bat as it was so.
+        """Return the conditions of the same player's swing of the changed bat.
 
         Parameters
         ----------

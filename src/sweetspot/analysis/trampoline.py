@@ -22,7 +22,7 @@ from sweetspot.motion.swing import Conditions
 
 @dataclass(frozen=True)
 class WallEnergy:
-    """What a wall did during one hit.
+    """Work of a wall during one hit.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What if: one bat changed in two ways at once, an answer in every cell, like a spreadsheet's two-way table."""
+"""One bat varied in two ways at once, an answer in every cell, like a spreadsheet's two-way data table."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ FIELDS: dict[str, Kind] = {
     "spin_decay_time": "time",
     "spin_decay_speed": "speed",
 }
-"""What an entry may say, and the kind of quantity."""
+"""Keys of an entry, and the kind of quantity."""
 
 
 def aerodynamics_names() -> list[str]:

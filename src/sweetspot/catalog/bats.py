@@ -141,7 +141,7 @@ def _names_by_wall() -> dict[Stations, str]:
 
 
 FILLS: Mapping[str, str] = {"cork": "cork", "rubber": "rubber", "foam": "polyurethane-foam"}
-"""What a corked bat is filled with: label and material of the catalogue."""
+"""Fill of a corked bat: label and material of the catalogue."""
 LABELS = ("unmodified", "drilled", *FILLS)
 
 

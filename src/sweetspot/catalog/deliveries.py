@@ -21,7 +21,7 @@ FIELDS: dict[str, Kind] = {
     "extension": "length",
     "distance": "length",
 }
-"""What an entry says of a delivery, and the kind of quantity."""
+"""Keys of an entry, and the kind of quantity."""
 
 
 def delivery_names() -> list[str]:

@@ -24,7 +24,7 @@ KINDS: dict[str, Callable[[], Tables]] = {
     "aerodynamics": lambda: read_table("aerodynamics.toml"),
     "swing-law": lambda: read_table("swing_laws.toml"),
 }
-"""What the catalogue holds, in the order in which a name is looked for."""
+"""Parts of the catalogue, in the order of the search for a name."""
 
 
 def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> str:

@@ -20,7 +20,7 @@ RecordKind = Literal["measured", "specified", "derived", "fitted", "assumed"]
 
 @dataclass(frozen=True)
 class Record:
-    """Where a catalogue value comes from.
+    """Source of a catalogue value.
 
     Parameters
     ----------

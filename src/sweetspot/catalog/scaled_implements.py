@@ -1,7 +1,7 @@
-"""An implement like one of the catalogue, with the length, weight, balance and swing weight of somebody's own.
+"""An implement like one of the catalogue, with the length, weight, balance and swing weight that were measured.
 
-What is known of most bats, rackets, clubs and sticks is what a ruler, a scale and a finger tell. The pattern gives the
-rest: its outline, its construction, its materials. What meets the weight is said.
+For most bats, rackets, clubs and sticks only a ruler, a scale and a finger are at hand. The pattern gives the rest: its
+outline, its construction, its materials. The change that gives the weight is reported.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ THICKNESS = (0.75, 1.35)
 
 @dataclass(frozen=True)
 class Measures:
-    """What is known of an implement; None: as the pattern has it at this length.
+    """Measured quantities of an implement; None: as the pattern has it at this length.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class Measures:
 
 
 def scaled_to(pattern: Implement, measures: Measures) -> tuple[Implement, str]:
-    """Return an implement like a pattern that has all that is known of it, and what met its weight, in words.
+    """Return an implement like a pattern with the given measures, and the change that gave its weight, in words.
 
     Density meets the weight first, as far as the material varies; where it cannot, a hollow bat's handle, knob, cap or
     wall (`weight_matched`), a blade's thickness, a stick's wall. A racket has what was measured; a club has its weight
@@ -59,7 +59,7 @@ def scaled_to(pattern: Implement, measures: Measures) -> tuple[Implement, str]:
     Raises
     ------
     InputError
-        where nothing meets what is known, with what can be.
+        where nothing gives these measures; the message has the possible ones.
 
     >>> from sweetspot import catalog
     >>> racket, _ = scaled_to(catalog.implement("tennis-racket"), Measures(mass=0.305))
@@ -96,7 +96,7 @@ def _mass_of(pattern: Implement, tool: Implement) -> float:
 
 
 def _racket(racket: Racket, measures: Measures) -> Racket:
-    """Return a racket as measured; what was not: the same distribution of mass, heavier or moved."""
+    """Return a racket as measured; unmeasured quantities: the same distribution of mass, heavier or moved."""
     assert racket.mass is not None and racket.balance_point is not None and racket.moi is not None
     mass = racket.mass if measures.mass is None else measures.mass
     balance = racket.balance_point if measures.balance_point is None else measures.balance_point
@@ -151,7 +151,7 @@ THICKER: dict[type[Implement], tuple[Callable[..., Implement], str]] = {
     HockeyStick: (_thicker_wall, "its wall is"),
     TableTennisRacket: (_thicker_plies, "its plies are"),
 }
-"""What is made thicker, by kind."""
+"""Part that is made thicker, by kind."""
 
 
 def _club(club: GolfClub, measures: Measures) -> tuple[Implement, str]:

@@ -57,7 +57,7 @@ STATE_ROWS = 24
 
 
 class Lanes(NamedTuple):
-    """What the lanes hold: scalars by row of ``state``, modal values by mode, and which hit is in which lane."""
+    """State of the lanes: scalars by row of ``state``, modal values by mode, and which hit is in which lane."""
 
     state: Array
     shape: Array
@@ -211,7 +211,7 @@ def solve(
 
 @inner(_nrt=False)
 def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None:
-    """Let the dashpots act on the modal velocities of every lane."""
+    """Apply the dashpots to the modal velocities of every lane."""
     for k in range(len(factors)):
         rate[:] = 0.0
         for i in range(len(velocity)):

@@ -41,7 +41,7 @@ def equivalent_wall_speed(ball: Ball, peak: float) -> float:
 
 
 class LossyBall(Protocol):
-    """What unloading asks of a ball; the compiled collision has it in a record of its own."""
+    """Properties of a ball that unloading needs; the compiled collision has it in a record of its own."""
 
     @property
     def mass(self) -> float: ...

@@ -165,7 +165,7 @@ def _collision(
 
 @dataclass(frozen=True)
 class _Contact:
-    """How the integration ended, ``late`` s after release, and its history kick by kick."""
+    """End of the integration, ``late`` s after release, and its history kick by kick."""
 
     outcome: Outcome
     release: float
@@ -183,7 +183,7 @@ class _Contact:
 
 @dataclass
 class Course:
-    """How a collision has gone so far.
+    """State of a collision in progress.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ from sweetspot.numerics.notebook_display import ShownInNotebooks
 
 
 class Contact(NamedTuple):
-    """Where ball and bat meet.
+    """Point of contact of ball and bat.
 
     Parameters
     ----------
@@ -267,7 +267,7 @@ def _leaving(
     normal: Impact | Impacts,
     friction: Friction,
 ) -> Launch:
-    """Return how balls leave, of one hit or of many, from the part along the line of centres.
+    """Return the motion of balls after one or many hits, from the part along the line of centres.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ CONTACT_FORCE = 0.01
 
 
 class Outcome(IntEnum):
-    """How a hit ended; a batch carries one per row."""
+    """Outcome of a hit; a batch carries one per row."""
 
     SEPARATED = 0
     STILL_IN_CONTACT = 1
@@ -37,7 +37,7 @@ class Outcome(IntEnum):
 
 @dataclass(frozen=True)
 class EnergyLedger:
-    """Where the energy went, J, in the frame of the undisturbed bat (as in a laboratory that fires at a bat at rest).
+    """Energy balance, J, in the frame of the undisturbed bat (as in a laboratory that fires at a bat at rest).
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ class EnergyLedger:
 
     @property
     def imbalance(self) -> float:
-        """What the parts miss of the incoming energy, as a ratio: the error of the time steps."""
+        """Relative residual of the energy balance: the error of the time steps."""
         parts = (
             self.ball, self.heat, self.translation, self.rotation, self.bending, self.hoop, self.damping, self.face,
         )  # fmt: skip
@@ -112,13 +112,13 @@ class Impact(ShownInNotebooks):
 
     @property
     def touches(self) -> int:
-        """How many times the ball was touched: more than once where the bat caught up with it."""
+        """Number of touches: more than one where the bat caught up with the ball."""
         pressed = self.force > 0
         return int(np.count_nonzero(pressed[1:] & ~pressed[:-1]))
 
     @property
     def presses(self) -> int:
-        """How many times the ball was pressed, with less than 1 % of the greatest force in between.
+        """Number of times that the ball was pressed, with less than 1 % of the greatest force in between.
 
         More than once too where the bat caught up with a ball that was nearly gone and had touched it all the time.
         """
@@ -127,7 +127,7 @@ class Impact(ShownInNotebooks):
 
     @property
     def unrecovered_gain(self) -> float:
-        """How much faster, m/s along the line of centres, a ball leaves that has not recovered; 0 if touched once."""
+        """Excess speed, m/s along the line of centres, of a ball that has not recovered; 0 if touched once."""
         if self.unrecovered is None:
             return 0.0
         return self.closing_speed * (self.unrecovered.collision_efficiency - self.collision_efficiency)

@@ -1,4 +1,4 @@
-"""What the compiled collision takes and gives."""
+"""Inputs and outputs of the compiled collision."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class RestitutionNumbers(NamedTuple):
 
 
 class BallNumbers(NamedTuple):
-    """What the kernel knows of a ball: mass in kg, k and n of its force, and its law of restitution."""
+    """The kernel's constants of a ball: mass in kg, k and n of its force, and its law of restitution."""
 
     mass: float
     stiffness: float
@@ -31,7 +31,7 @@ class BallNumbers(NamedTuple):
 
 
 class BatNumbers(NamedTuple):
-    """What is struck.
+    """The kernel's constants of the struck bats.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ class Steps(NamedTuple):
 
 
 class HitOutput(NamedTuple):
-    """Where results go: outcome (n,), results (7, n), motion (2, n, modes) or (2, 0, modes) to leave it out.
+    """Output arrays: outcome (n,), results (7, n), motion (2, n, modes) or (2, 0, modes) to leave it out.
 
     The motion is that at the first kick after release, by the seconds of the row `LATE` after it.
     """

@@ -1,4 +1,4 @@
-"""How the bat moved during a hit and moves on after it: the recorded kicks drive its modes once more."""
+"""Motion of the bat during and after a hit: the recorded kicks drive its modes once more."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ SPHERE = 2 / 5
 
 
 class Friction(NamedTuple):
-    """How ball and bat rub.
+    """Friction between ball and bat.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ NO_FRICTION = Friction(coefficient=0.0)
 
 @dataclass(frozen=True)
 class ObliqueImpact:
-    """What an oblique hit adds to its normal part.
+    """Tangential part of an oblique hit, beside its normal part.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class SurfaceMobility(NamedTuple):
 
 
 class Impulses(NamedTuple):
-    """What a ball gets at the point of contact, each of shape (...).
+    """Impulses on a ball at the point of contact, each of shape (...).
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ class Impulses(NamedTuple):
 
 
 class Launch(NamedTuple):
-    """How balls leave; one row per hit.
+    """Motion of balls after the hit; one row per hit.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ ARRIVAL = 0.1
 
 
 class EnergyHistory(NamedTuple):
-    """Where the incoming energy is at each moment, J, shape (times,); in every row the sum is the incoming energy.
+    """Energies at each moment, J, shape (times,); in every row they sum to the incoming energy.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What hands on the handle do to the bat's motions."""
+"""Effect of hands on the handle on the bat's motions."""
 
 from __future__ import annotations
 

@@ -134,7 +134,7 @@ def _work(law: Array, strain: Array, middle: Array, push: Array) -> Array:
 
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
-"""Where along the bat, from -1 to 1 of the patch's radius, it pushes."""
+"""Places of the pushes along the bat, from -1 to 1 of the patch's radius."""
 
 
 def wall_pushes(shell: ShellElements, places: Array, radii: Array) -> Pushes:
@@ -265,7 +265,7 @@ def hoop_modes(
 
 @dataclass(frozen=True)
 class OtherPatch:
-    """What a patch of another size than the nominal one adds to the shapes of hoop modes; see `Surface.basis`."""
+    """Correction to the shapes of hoop modes for a patch of another size than the nominal; see `Surface.basis`."""
 
     felt: ByPatch
 

@@ -27,7 +27,7 @@ ASKED = np.linspace(0.4, 1.0, 25)
 
 @dataclass(frozen=True)
 class Surface:
-    """How the struck surface moves where that depends on more than the place along it.
+    """Motion of the struck surface that depends on more than the place along it.
 
     That is the place across a face that deflects or a turning blade, or the patch that a fast ball presses.
 
@@ -151,14 +151,14 @@ class Modes(ShownInNotebooks):
 
     @cached_property
     def liveliest(self) -> tuple[float, float]:
-        """How light and how stiff the surface gets: the greatest sum of squared shapes, 1/kg, and least give, m/N."""
+        """Extremes of the surface: the greatest sum of squared shapes, 1/kg, and the least compliance, m/N."""
         first, last = self.shapes.ends[0], self.shapes.ends[-1]
         places = first + ASKED * (last - first)
         return float((self.shape_at(places) ** 2).sum(axis=-1).max()), float(self.compliance_at(places).min())
 
     @cached_property
     def for_steps(self) -> dict[float, tuple[Array, ...]]:
-        """What solvers in time know of these motions for steps of so many s; theirs to fill."""
+        """Cache of the time solvers: constants of these motions by step in s."""
         return {}
 
     @cached_property

@@ -100,7 +100,7 @@ class PatchLaw:
 
     @cached_property
     def _between(self) -> Array:
-        """What Lagrange's weights are divided by."""
+        """Denominators of Lagrange's weights."""
         return np.asarray((self._squares[:, None] - self._squares[OTHERS]).prod(axis=-1))
 
 

@@ -30,7 +30,7 @@ from sweetspot.units import format_length, grouped
 
 @dataclass(frozen=True)
 class RigidBody:
-    """What a rigid bat is, as far as a collision can tell.
+    """Inertial properties of a rigid bat.
 
     Parameters
     ----------

@@ -52,7 +52,7 @@ class Pushes(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """What `solved_walls` fills in: of the first D of H harmonics, M modes each.
+    """Output arrays of `solved_walls`: of the first D of H harmonics, M modes each.
 
     Parameters
     ----------
@@ -207,7 +207,7 @@ EVEN_PART[np.ix_([0, 1, 3, 4], [2, 5])] = EVEN_PART[np.ix_([2, 5], [0, 1, 3, 4])
 CLOSEST = 1e-4
 """m; ends of walls and rings nearer to each other than this are one."""
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
-"""Where along an element its energies are taken: exact for products of its functions on an even wall."""
+"""Quadrature points of an element's energies: exact for products of its functions on an even wall."""
 OF_U, OF_V, OF_W = [0, 4, 5, 8], [1, 6, 7, 9], [2, 3, 10, 11]
 """Places of U, V and W among an element's unknowns."""
 

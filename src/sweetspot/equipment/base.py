@@ -59,7 +59,7 @@ UNIT_OF = {
 
 
 class _Readable(ModelMetaclass):
-    """Lets `dir` and `help` of a class name what is its own, not the machinery that checks its fields."""
+    """Restricts `dir` and `help` of a class to its own members, without the machinery that checks its fields."""
 
     @property
     def __signature__(self) -> Signature:

@@ -110,7 +110,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
     @property
     @abstractmethod
     def made_of(self) -> str:
-        """What it is made of, in a few words."""
+        """Material, in a few words."""
 
     @property
     def materials(self) -> tuple[Material, ...]:
@@ -151,7 +151,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
 
     @property
     def density_range(self) -> DensityRange | None:
-        """What its density may be; None where the sections hold what was measured already."""
+        """Usual density and its limits; None where the sections already hold measured values."""
         return None
 
     @property

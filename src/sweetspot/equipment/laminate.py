@@ -99,7 +99,7 @@ class Plate:
 
 @dataclass(frozen=True)
 class Moduli:
-    """What a laminate is like as one sheet pulled along its axes, free to contract.
+    """Effective properties of a laminate as one sheet pulled along its axes, free to contract.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How the mass of an implement lies along it, when only its weight, balance and swing weight were measured.
+"""Distribution of an implement's mass along it, when only weight, balance and swing weight were measured.
 
 `tilt`: mu(x) = base(x) exp(a + b z + c z^2), z = 2 x / L - 1: of all distributions that have the three measured
 values, the one that departs least from the drawn one (least relative entropy). It is positive everywhere, whatever was

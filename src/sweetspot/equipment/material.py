@@ -1,4 +1,4 @@
-"""What a bat is made of: density, elastic moduli, damping."""
+"""Materials of bats: density, elastic moduli, damping."""
 
 from __future__ import annotations
 

@@ -193,7 +193,7 @@ class Racket(Implement):
 
     @cached_property
     def _twist_factor(self) -> float:
-        """What makes the mass at the sides have the measured twist weight."""
+        """Factor on the mass at the sides that gives the measured twist weight."""
         if self.twist_moi is None:
             return 1.0
         places, weights = quadrature(self.breakpoints())

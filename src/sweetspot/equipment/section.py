@@ -1,4 +1,4 @@
-"""What a beam is at one place: mass, inertia and stiffness per length, of round bodies, walls and anything else."""
+"""Section properties of a beam: mass, inertia and stiffness per length, of round bodies, walls and anything else."""
 
 from __future__ import annotations
 

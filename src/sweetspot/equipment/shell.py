@@ -1,4 +1,4 @@
-"""What a hollow bat is built of: wall, inner sleeve, handle of another material, cap and knob.
+"""Parts of a hollow bat: wall, inner sleeve, handle of another material, cap and knob.
 
 Positions are metres from the knob end.
 """
@@ -45,7 +45,7 @@ class Ring(Validated):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Where it begins and ends, m from the knob end."""
+        """Its start and end, m from the knob end."""
         return self.position - self.width / 2, self.position + self.width / 2
 
     def hole(self, outer: float) -> float:

@@ -137,7 +137,7 @@ class Terms(Validated):
 
 
 class Stroke(Validated):
-    """How an implement is usually swung in a sport.
+    """Usual swing of an implement in a sport.
 
     Parameters
     ----------

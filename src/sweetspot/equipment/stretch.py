@@ -103,4 +103,4 @@ KINDS: dict[type[Implement], Callable[[Any, float], dict[str, Any]]] = {
     GolfClub: _golf_club,
     Racket: _racket,
 }
-"""What lies along an implement of every kind, at another length."""
+"""Stretching of every kind of implement to another length."""

@@ -1,4 +1,4 @@
-"""How the air pushes a ball: coefficients of drag and lift as functions of spin.
+"""Aerodynamic forces on a ball: coefficients of drag and lift as functions of spin.
 
 What acts on a ball in flight: weight, drag against its way through the air, and the lift of its spin.
 

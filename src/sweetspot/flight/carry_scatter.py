@@ -1,4 +1,4 @@
-"""How surely a carry is known: drag and spin that single balls scatter in, and the errors of what was measured.
+"""Uncertainty of a carry: scatter of drag and spin between balls, and the errors of the measured launch.
 
 What a carry does when exit speed, launch angle or backspin are a little more is tabled once in some air, with the
 flight kernel; what it does with more drag is known ball by ball. All four are independent.
@@ -52,7 +52,7 @@ TRACKED = LaunchErrors(1.0 * MPH, 1.0 * DEGREE)
 
 @dataclass(frozen=True)
 class CarryErrors:
-    """What carries scatter by beside drag, m, at nodes of exit speed and launch angle.
+    """Scatter of carries apart from drag, m, at nodes of exit speed and launch angle.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ RESULT_ROWS = 10
 
 
 class FlightOutput(NamedTuple):
-    """Where results go: outcome (n,), results (10, n), paths (n, k, 3)."""
+    """Output arrays: outcome (n,), results (10, n), paths (n, k, 3)."""
 
     outcome: IntArray
     results: Array
@@ -70,7 +70,7 @@ _lift_by_power = _inlined(aerodynamics.lift_by_power)
 
 
 class FlightLaw(NamedTuple):
-    """What all flights of a batch share.
+    """Constants that all flights of a batch share.
 
     Parameters
     ----------

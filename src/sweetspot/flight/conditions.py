@@ -17,7 +17,7 @@ from sweetspot.units.quantities import in_si
 
 @dataclass(frozen=True, kw_only=True)
 class FlightConditions:
-    """What flies, and through what.
+    """Ball and air of a flight.
 
     Parameters
     ----------

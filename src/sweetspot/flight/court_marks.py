@@ -1,4 +1,4 @@
-"""Where a flight passes the marks of a court or field: over the net, before the line, beyond the boundary."""
+"""Passage of a flight over the marks of a court or field: over the net, before the line, beyond the boundary."""
 
 from __future__ import annotations
 

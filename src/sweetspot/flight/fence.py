@@ -26,7 +26,7 @@ OUTCOMES: tuple[Outcome, ...] = ("home run", "off the wall", "in play", "foul")
 
 @dataclass(frozen=True)
 class Landings:
-    """Where many flights end in one park, each field of the shape of the flights.
+    """Landings of many flights in one park, each field of the shape of the flights.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class Landings:
 
 @dataclass(frozen=True)
 class Landing:
-    """Where one flight ends in one park; the fields are those of `Landings`, ``clearance`` None before the fence."""
+    """Landing of one flight in one park; the fields are those of `Landings`, ``clearance`` None before the fence."""
 
     outcome: Outcome
     direction: float

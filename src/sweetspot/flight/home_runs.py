@@ -1,4 +1,4 @@
-"""How likely is a home run: a ball's chance in every park, with what its flight scatters by.
+"""Probability of a home run: a ball's chance in every park, with the scatter of its flight.
 
 Two balls hit alike do not fly alike. Balls differ in drag, spin about the usual line, and no park's weather is known to
 the breeze. One scatter of the drag coefficient stands for all of it, as wide as the scatter of tracked carries
@@ -38,7 +38,7 @@ DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
 
 @dataclass(frozen=True)
 class CarryScatter:
-    """What single flights scatter by, as parts of the drag coefficient.
+    """Scatter of single flights, as fractions of the drag coefficient.
 
     Parameters
     ----------

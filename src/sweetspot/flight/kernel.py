@@ -85,7 +85,7 @@ class Flights(ShownInNotebooks):
 
     @property
     def landing_angle(self) -> Array:
-        """How steeply each ball comes down, rad below the level, shape (n,)."""
+        """Descent angle of each ball, rad below horizontal, shape (n,)."""
         level = np.hypot(self.landing_velocity[:, 0], self.landing_velocity[:, 1])
         return np.arctan2(-self.landing_velocity[:, 2], level)
 

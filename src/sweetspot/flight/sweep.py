@@ -1,4 +1,4 @@
-"""What if: one hit with one or two of its numbers varied, an answer in every cell."""
+"""Sweeps: one hit with one or two of its numbers varied, an answer in every cell."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Variation = Literal[
 VARIATIONS: tuple[Variation, ...] = get_args(Variation)
 """What may be varied, in the order in which a table puts it down its side rather than across."""
 Varied = tuple[Variation, tuple[float, ...]]
-"""What is varied, and its values in SI."""
+"""A varied quantity, and its values in SI."""
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ MOST_STEPS = 100_000
 
 
 class FlightOutcome(IntEnum):
-    """How a flight ended; a batch carries one per row."""
+    """Outcome of a flight; a batch carries one per row."""
 
     LANDED = 0
     STILL_FLYING = 1
@@ -89,7 +89,7 @@ class Flight(ShownInNotebooks):
 
     @property
     def landing_angle(self) -> float:
-        """How steeply the ball comes down, rad below the level."""
+        """Descent angle of the ball, rad below horizontal."""
         return -self.landing.launch_angle
 
     def at(self, time: float) -> BallMotion:

@@ -1,1 +1,1 @@
-"""How a ball and an implement move before they meet."""
+"""Motion of a ball and an implement before contact."""

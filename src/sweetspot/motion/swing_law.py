@@ -1,4 +1,4 @@
-"""How fast the same player swings another bat: bat speed against moment of inertia.
+"""Swing speed of the same player with another bat: bat speed against moment of inertia.
 
 Players who were measured with several bats swing slower with the larger moment of inertia, not with the larger
 mass: omega goes as I^-n. n = 0 would be the same speed with any bat, n = 1/2 the same energy of rotation in any bat.

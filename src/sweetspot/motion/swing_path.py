@@ -47,7 +47,7 @@ class Swings(NamedTuple):
 
 
 class SwingPlane(NamedTuple):
-    """What fixes a swing's path but for its attack angle; see `SwingPath`.
+    """Parameters of a swing's path except its attack angle; see `SwingPath`.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ class SwingPath(Validated):
 
     @property
     def barrel_drop(self) -> float:
-        """How far the bat's axis points below the level at contact, rad; 0 for a level bat."""
+        """Angle of the bat's axis below horizontal at contact, rad; 0 for a level bat."""
         return -math.asin(self.axes.tip[2])
 
 

@@ -1,4 +1,4 @@
-"""What is said of a Parquet file that is damaged, wherever in it the damage lies."""
+"""Messages on a damaged Parquet file, wherever in it the damage lies."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def reading_parquet(path: Path) -> Iterator[None]:
-    """Say in one message what is wrong with a Parquet file that is being read.
+    """Report in one message the fault of a Parquet file that is being read.
 
     Polars answers some damage with an error and some with a panic of its Rust core, which is no `Exception` and is
     printed on standard error; of that nothing is shown.

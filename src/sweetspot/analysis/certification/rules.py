@@ -48,7 +48,7 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "break_in": ("BBCOR after break-in", "-"),
     "youth_performance": ("performance like wood", "-"),
 }
-"""What a rule can limit: name for people, unit."""
+"""Quantities that a rule can limit: name for people, unit."""
 PERFORMANCE = frozenset({"bbcor", "besr", "bpf", "batted_ball_speed"})
 """Of these what a test of a bat measures: how lively it is."""
 STATED_FOR: dict[Construction, str] = {
@@ -66,7 +66,7 @@ NOT_SURE = ", not sure"
 
 
 class Verdict(StrEnum):
-    """What came out of one check."""
+    """Outcome of one check."""
 
     PASS = "pass"
     FAIL = "fail"
@@ -129,7 +129,7 @@ class League:
 
 @dataclass(frozen=True)
 class Finding:
-    """What is known about one quantity of a bat.
+    """Knowledge about one quantity of a bat.
 
     Parameters
     ----------
@@ -173,7 +173,7 @@ class Check:
 
     @property
     def sure(self) -> bool:
-        """Whether it is a pass or a fail that what is not known of the value cannot turn."""
+        """Whether it is a pass or a fail that the uncertainty of the value cannot reverse."""
         return self.decided and not self.reason
 
     @property
@@ -183,7 +183,7 @@ class Check:
 
 
 def check_rules(league: League, *, bat: Implement, findings: Mapping[str, Finding]) -> list[Check]:
-    """Return every rule of a league held against a bat and what is known about it.
+    """Return the outcome of every rule of a league for a bat and the findings about it.
 
     A quantity with one limit for wood and another for the rest is checked by the one that applies.
     """

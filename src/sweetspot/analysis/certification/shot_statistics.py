@@ -1,4 +1,4 @@
-"""What measured shots say about a bat: BBCOR at the best place, with its uncertainty, and the shots that stand out."""
+"""Statistics of measured shots: BBCOR at the best place, with its uncertainty, and outlying shots."""
 
 from __future__ import annotations
 

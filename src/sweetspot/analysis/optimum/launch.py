@@ -1,4 +1,4 @@
-"""How high to send the ball: the best launch angle for an exit speed, and the slowest ball that leaves a park."""
+"""Optimal launches: the best launch angle for an exit speed, and the slowest ball that leaves a park."""
 
 from __future__ import annotations
 

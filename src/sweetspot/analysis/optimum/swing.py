@@ -1,4 +1,4 @@
-"""How to swing for carry: how far below the ball's middle, how steeply upwards, and with which part of the barrel.
+"""Optimal swings for carry: how far below the ball's middle, how steeply upwards, and with which part of the barrel.
 
 Carry is a smooth function of these, so it is searched on a coarse grid and then climbed to the top by Nelder and
 Mead's method.
@@ -41,7 +41,7 @@ SHARP, MOST_STEPS = 1e-3, 400
 
 
 class Held(NamedTuple):
-    """What is given instead of searched.
+    """Variables that are given instead of searched.
 
     Parameters
     ----------

@@ -54,7 +54,7 @@ class AddedTable(FileTable):
 
 
 class CommonTable(FileTable):
-    """What every implement's file may say."""
+    """Fields of every implement's file."""
 
     kind: str
     name: str

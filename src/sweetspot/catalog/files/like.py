@@ -30,12 +30,12 @@ OUTLINES = frozenset({"profile", "turned", "linear_density"})
 ADDED_TO = ("point_mass", "bore", "ring")
 """Lists that a file adds to; an empty one takes away what the parent has."""
 OF_THE_PARENT = ("note", "original", "fitted")
-"""What a parent's file says of that one alone."""
+"""Keys of a parent's file that hold for the parent alone."""
 KNOWN_BY_MEASURES = ("racket", "golf-club")
 """Kinds that cannot be without what was measured, or its parts: what their files leave out keeps the parent's."""
 
 CHANGED = ", changed"
-"""What the name of a thing ends with that its file gives none."""
+"""Ending of the default name, where a file gives none."""
 UNITS: dict[str, tuple[Kind, str]] = {
     "mass": ("mass", "kg"),
     "balance_point": ("length", "m"),

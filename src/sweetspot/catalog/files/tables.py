@@ -19,14 +19,14 @@ from sweetspot.units import Kind
 
 @dataclass(frozen=True)
 class Of:
-    """What quantity a field's text is."""
+    """Kind of quantity of a field's text."""
 
     kind: Kind
 
 
 @dataclass(frozen=True)
 class PairsOf:
-    """What quantities the two texts of every pair in a field are."""
+    """Kinds of quantity of the two texts of every pair in a field."""
 
     first: Kind
     second: Kind

@@ -1,4 +1,4 @@
-"""What is different about an implement from one of the catalogue, as the text of a file that is ``like`` it."""
+"""Differences of an implement from one of the catalogue, as the text of a file that is ``like`` it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a batch is asked of: many beams, from outlines side by side or from any implements one by one."""
+"""Input of a batch: many beams, from outlines side by side or from any implements one by one."""
 
 from __future__ import annotations
 

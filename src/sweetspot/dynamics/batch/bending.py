@@ -105,7 +105,7 @@ class BendingBatch:
         return on_even_splines(self._spline, part)
 
     def modes(self, number: int) -> Modes:
-        """Return one beam's motions as everybody else takes them."""
+        """Return one beam's modes."""
         first = self.mesh.first_piece
         inside = slice(first[number], first[number + 1])
         edges = self.mesh.ends[self.mesh.first[number] : self.mesh.first[number + 1]]

@@ -93,17 +93,17 @@ class Mesh:
 
     @property
     def left(self) -> Array:
-        """Where every piece begins, m, shape (pieces,)."""
+        """Start of every piece, m, shape (pieces,)."""
         return self.ends[self._inner]
 
     @property
     def width(self) -> Array:
-        """How long every piece is, m, shape (pieces,)."""
+        """Length of every piece, m, shape (pieces,)."""
         return np.diff(self.ends)[self._inner[:-1]]
 
     @property
     def owner(self) -> IntArray:
-        """Whose every piece is, shape (pieces,)."""
+        """Owner of every piece, shape (pieces,)."""
         return np.repeat(np.arange(len(self)), np.diff(self.first_piece))
 
     @property

@@ -91,7 +91,7 @@ class ReducedBats:
         return np.asarray(np.maximum(give, 0.0))
 
     def modes(self, number: int) -> Modes:
-        """Return one bat's motions as everybody else takes them."""
+        """Return one bat's modes."""
         modes, wall = self.bending.modes(number), self.walls[number]
         if self.local_compliance[number].any():
             places = np.linspace(0.0, self.bending.length[number], PLACES)
