@@ -49,7 +49,8 @@ def worth_figure() -> Figure:
         if so_far:
             posterior = calibrate(beam, unknowns, so_far)
             covariance, described = posterior.covariance, calibrated_bat(posterior, None)
-        open_yet = sources_of(described, conditions, known=(unknowns, covariance))  # with what the outline leaves open
+        # with the unknowns that the outline leaves open
+        open_yet = sources_of(described, conditions, calibration=(unknowns, covariance))
         question = HitQuestion(described, conditions, place, sources=replace(open_yet, others=()), draws=256)
         sure = hit_answer(question).exit_speed
         assert isinstance(sure, Interval)

@@ -72,7 +72,7 @@ def test_the_file_says_the_interval_that_answers_carry(r161: Bat) -> None:
     half = REACH * moi_doubt(own, body, AXIS)
     assert float(table["moi"]["spread"].split()[0]) == pytest.approx(half, rel=1e-3)
     assert REACH * properties(posterior)["moi"].value.error == pytest.approx(half)
-    sources = sources_of(own, standard_conditions(own), known=known_deviations(table))
+    sources = sources_of(own, standard_conditions(own), calibration=known_deviations(table))
     assert [one.name for one in sources.unknowns][-1] == "gyration"
     assert 2 * REACH * np.sqrt(sources.doubt.covariance[-1, -1]) * body.moi_cm == pytest.approx(half)
     swung = kept(fitted_to(r161, MASS, BALANCE, PERIOD))

@@ -39,7 +39,7 @@ def test_draws_against_the_whole_way(name: str, most: float, weighed: bool) -> N
     conditions, beam = standard_conditions(bat), beam_model(bat)
     known = [Unknown(one.name, CALIBRATED[one.name]) for one in unknowns_of(bat)] if weighed else []
     left = (known, np.diag([one.spread**2 for one in known])) if weighed else None
-    sources = sources_of(bat, conditions, known=left, bat_speed_error=0.5, pitch_speed_error=0.5)
+    sources = sources_of(bat, conditions, calibration=left, bat_speed_error=0.5, pitch_speed_error=0.5)
     places = np.linspace(bat.length - 0.25, bat.length - 0.05, 5)
     assert {one for one in sources.names if one in {"bat", "racket"}} <= {
         "racket" if name == "tennis-racket" else "bat"

@@ -75,7 +75,9 @@ def halves(folder: Path, *files: str) -> list[float]:
     law = catalog.swing_law(catalog.sport(implements[0].sport).swing_law)
     found = compare(implements, conditions=standard_conditions(implements[0]), law=law)
     sources = [
-        sources_of(one.analysis.bat, one.analysis.conditions, known=known_deviations(loaded_implement(name).table))
+        sources_of(
+            one.analysis.bat, one.analysis.conditions, calibration=known_deviations(loaded_implement(name).table)
+        )
         for one, name in zip(found.compared, named, strict=True)
     ]
     return [float(linear_reach(one.change).below) / MPH for one in linear_comparison(found, sources).bats[1:]]

@@ -83,7 +83,7 @@ def test_nodes_follow_the_bat(name: str) -> None:
     conditions = standard_conditions(bat)
     other = None if isinstance(bat, Bat) else unknowns_of(bat)
     known = None if other is None else (other, 0.01**2 * np.eye(len(other)))  # after they were measured
-    sources = sources_of(bat, conditions, known=known)
+    sources = sources_of(bat, conditions, calibration=known)
     beam = beam_model(bat) if other is None else described(bat)
     draws = draws_of(beam, conditions, sources, count=2)
     off = sources.deviations(draws.normal)[1, : len(sources.unknowns)]

@@ -238,5 +238,7 @@ def _park_search(weather: Weather, flying: FlightConditions, backspin: float) ->
         )
     everywhere = weather.park in (None, EVERY_PARK)
     parks = list(catalog.parks()) if everywhere else [catalog.park(weather.park)]
-    own = everywhere and weather.elevation is None
-    return ParkSearch(tuple((park, catalog.conditions_in(park, flying, own_elevation=own)) for park in parks), backspin)
+    at_parks = everywhere and weather.elevation is None
+    return ParkSearch(
+        tuple((park, catalog.conditions_in(park, flying, own_elevation=at_parks)) for park in parks), backspin
+    )

@@ -227,8 +227,8 @@ def calibrate(
     from sweetspot.calibration.measurements import MeasuredKind, Measurement
     from sweetspot.calibration.naming import MOST_BENDING, ModeName
 
-    own = implement.implement.as_drawn()
-    axis = own.swing_axis if pivot is None else value_of(pivot)
+    drawn = implement.implement.as_drawn()
+    axis = drawn.swing_axis if pivot is None else value_of(pivot)
     given: tuple[tuple[MeasuredKind, Written | None], ...] = (
         ("mass", mass),
         ("balance_point", balance_point),
@@ -248,4 +248,4 @@ def calibrate(
             raise InputError(f"the tone {name!r} is not known; allowed is one of {', '.join(modes)}")
         frequency = hertz if isinstance(hertz, Measured) else Measured(hertz, 1.0)
         measurements.append(Measurement("frequency", frequency, mode=modes[name]))
-    return calibrate_answer(CalibrateQuestion(own, measurements))
+    return calibrate_answer(CalibrateQuestion(drawn, measurements))

@@ -68,22 +68,22 @@ class SimulatedTest:
     swung: Annotated[SwungTest, INTERNAL]
 
 
-def simulated_test(done: Certification) -> SimulatedTest:
+def simulated_test(certification: Certification) -> SimulatedTest:
     """Return a simulated test as people ask for it."""
     return SimulatedTest(
         pivot=CLAMP,
-        bbcor=done.bbcor,
-        collision_efficiency=done.fast.best_efficiency,
-        besr=done.besr,
-        bpf=done.bpf,
-        batted_ball_speed=done.batted_ball_speed,
-        spread=MeasureSpreads(**done.spreads),
-        spread_by_moi=MeasureSpreads(**done.moi_spreads) if done.moi_spreads else None,
-        spread_by_wall=MeasureSpreads(**done.wall_spreads) if done.wall_spreads else None,
-        best_position=done.fast.best_position,
-        fast=_scan(done.fast),
-        slow=_scan(done.slow),
-        swung=done.swung,
+        bbcor=certification.bbcor,
+        collision_efficiency=certification.fast.best_efficiency,
+        besr=certification.besr,
+        bpf=certification.bpf,
+        batted_ball_speed=certification.batted_ball_speed,
+        spread=MeasureSpreads(**certification.spreads),
+        spread_by_moi=MeasureSpreads(**certification.moi_spreads) if certification.moi_spreads else None,
+        spread_by_wall=MeasureSpreads(**certification.wall_spreads) if certification.wall_spreads else None,
+        best_position=certification.fast.best_position,
+        fast=_scan(certification.fast),
+        slow=_scan(certification.slow),
+        swung=certification.swung,
     )
 
 

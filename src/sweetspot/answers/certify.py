@@ -163,8 +163,8 @@ def _untested(checks: Sequence[RuleCheck]) -> list[RuleCheck]:
 
 
 def _passed(checks: Sequence[RuleCheck]) -> bool:
-    kept = any(check.outcome.verdict is Verdict.PASS for check in checks)
-    return not _failed(checks) and not _untested(checks) and (kept or not checks)
+    any_passed = any(check.outcome.verdict is Verdict.PASS for check in checks)
+    return not _failed(checks) and not _untested(checks) and (any_passed or not checks)
 
 
 @dataclass(frozen=True)
@@ -249,11 +249,11 @@ def certificate_of(
         return _with_chances(plain, [chance_by_shots(each.outcome, test) for each in checks])
     asked, conditions = sources_of_test(question.sources), standard_conditions(bat).replaced(ball=ball)
     drawn = drawn_test(beam_model(bat), conditions, asked, test, count=question.draws)
-    known = uncertainty_of(
+    sampled = uncertainty_of(
         drawn.bbcor, of="test.bbcor", normal=drawn.draws.normal, names=asked.names, sources=asked.described
     )
     likely = _with_chances(plain, [chance_of_draws(each.outcome, drawn) for each in checks])
-    return with_intervals(replace(likely, uncertainty=known), _columns(checks, drawn), reach_of_draws)
+    return with_intervals(replace(likely, uncertainty=sampled), _columns(checks, drawn), reach_of_draws)
 
 
 def rule_check(league: League, check: Check) -> RuleCheck:

@@ -246,32 +246,32 @@ def _described(comparison: Comparison[Implement]) -> CompareAnswer:
     )
 
 
-def _compared_bat(one: Compared[Implement], reference: Compared[Implement]) -> ComparedBat:
-    analysis, scan, known = one.analysis, one.analysis.scan, reference.analysis
-    there = scan.position + (known.bat.length - analysis.bat.length)  # equally far from the tip
-    before = np.interp(there, known.scan.position, known.scan.exit_speed, left=np.nan, right=np.nan)
+def _compared_bat(bat: Compared[Implement], reference: Compared[Implement]) -> ComparedBat:
+    analysis, scan, first = bat.analysis, bat.analysis.scan, reference.analysis
+    there = scan.position + (first.bat.length - analysis.bat.length)  # equally far from the tip
+    before = np.interp(there, first.scan.position, first.scan.exit_speed, left=np.nan, right=np.nan)
     return ComparedBat(
-        label=one.label,
+        label=bat.label,
         bat=mass_properties(analysis.bat, analysis.body),
-        bending_1=_lowest(one, "bending"),
-        hoop_1=_lowest(one, "hoop"),
-        max_collision_efficiency=one.collision_efficiency,
-        max_bbcor=one.bbcor,
-        bat_speed=one.bat_speed.value,
-        exit_speed=one.exit_speed.value,
-        change=one.change.value,
-        break_even_bat_speed=one.break_even,
+        bending_1=_lowest(bat, "bending"),
+        hoop_1=_lowest(bat, "hoop"),
+        max_collision_efficiency=bat.collision_efficiency,
+        max_bbcor=bat.bbcor,
+        bat_speed=bat.bat_speed.value,
+        exit_speed=bat.exit_speed.value,
+        change=bat.change.value,
+        break_even_bat_speed=bat.break_even,
         max_exit_speed=analysis.sweet_spots.max_exit_speed,
         zone=analysis.sweet_spots.zone,
         scan=ComparedCurves(scan.position, scan.exit_speed, scan.exit_speed - before),
-        swung_faster=one.bat_speed.value - reference.bat_speed.value,
-        compared=one,
+        swung_faster=bat.bat_speed.value - reference.bat_speed.value,
+        compared=bat,
     )
 
 
-def _lowest(one: Compared[Implement], family: Family) -> float:
+def _lowest(bat: Compared[Implement], family: Family) -> float:
     """Return the lowest frequency in Hz of a family of modes; nan where there is none."""
-    modes = one.analysis.modes
+    modes = bat.analysis.modes
     return min(map(float, modes.frequency[modes.of_family(family)]), default=float("nan"))
 
 
@@ -300,20 +300,20 @@ def _uncertainty(answer: CompareAnswer, found: DrawnComparison) -> ComparisonUnc
     last = len(found.bats) - 1
     main = "change" if last else "exit_speed"
     labels = names_of_bats(answer.comparison)
-    own = {label: each.bat_where for label, each in zip(labels, answer.sources, strict=True)}
+    of_bats = {label: each.bat_where for label, each in zip(labels, answer.sources, strict=True)}
     others = {other.name: other.where for other in answer.sources[0].others}
-    known = uncertainty_of(
+    sampled = uncertainty_of(
         getattr(found.bats[last], main),
         of=f"bats.{last}.{main}",
         normal=found.normal,
         names=found.names,
-        sources={**own, **others, LAW: "spread of its exponent in the catalogue"},
+        sources={**of_bats, **others, LAW: "spread of its exponent in the catalogue"},
     )
     gains = tuple(
         BatGain(bat.label, bat.change, chance_above_zero(drawn.change))
         for bat, drawn in zip(answer.bats[1:], found.bats[1:], strict=True)
     )
-    return ComparisonUncertainty(**vars(known), gains=gains)
+    return ComparisonUncertainty(**vars(sampled), gains=gains)
 
 
 def chance_above_zero(values: Array) -> float:
@@ -335,8 +335,8 @@ def _with_rules(answer: CompareAnswer) -> CompareAnswer:
 
 def certificate_of_sport(bat: Bat) -> CertifyAnswer:
     """Return a bat held against the rules of its sport; a wooden one of baseball also against those of the majors."""
-    own = sport(bat.sport).rules or DEFAULT_LEAGUE
-    names = [own, WOODEN_LEAGUE] if own == DEFAULT_LEAGUE and bat.material.family == "wood" else [own]
+    of_sport = sport(bat.sport).rules or DEFAULT_LEAGUE
+    names = [of_sport, WOODEN_LEAGUE] if of_sport == DEFAULT_LEAGUE and bat.material.family == "wood" else [of_sport]
     leagues = [league(name) for name in names]
     return certify_answer(CertifyQuestion(bat, leagues, ball(leagues[0].ball)))
 

@@ -120,7 +120,7 @@ def drop_answer(question: DropQuestion) -> DropAnswer:
     if sources is None:
         return plain
     drawn = drawn_drop(rebound, sources, question.rebound, count=question.draws)
-    known = uncertainty_of(
+    sampled = uncertainty_of(
         drawn.drop["restitution"],
         of="restitution",
         normal=drawn.normal,
@@ -128,4 +128,4 @@ def drop_answer(question: DropQuestion) -> DropAnswer:
         sources=sources.described,
     )
     columns: Columns = {**drawn.drop, "energy": drawn.energy}
-    return with_intervals(replace(plain, uncertainty=known), columns, reach_of_draws)
+    return with_intervals(replace(plain, uncertainty=sampled), columns, reach_of_draws)

@@ -50,8 +50,8 @@ def drop_sources(block: Block, ball: Ball, *, speed_error: float = 0.0) -> Sourc
     speed_error : one standard deviation of the speed with which the ball comes, m/s; 0: exact.
     """
     name = block.material.name
-    known, where = material_spreads(name), f"spread of {name} in the catalogue"
-    given = ((STIFFNESS, known.get("longitudinal_modulus", 0.0)), (DENSITY, known.get("density", 0.0)))
+    spreads, where = material_spreads(name), f"spread of {name} in the catalogue"
+    given = ((STIFFNESS, spreads.get("longitudinal_modulus", 0.0)), (DENSITY, spreads.get("density", 0.0)))
     of_block = [Source(source, size, where) for source, size in given if size > 0]
     arrival = [Source(ARRIVAL, speed_error, "as it was written")] if speed_error > 0 else []
     return Sources(NO_DOUBT, (*sources_of_ball(ball), *of_block, *arrival))
@@ -70,10 +70,10 @@ def drawn_drop(
     """
     normal, off = draws_of_sources(sources, count)
     moved: list[tuple[Array, Rebound, Rebound]] = []
-    for column, one in enumerate(sources.others):
-        assert isinstance(one.spread, float)  # none is even between limits
-        up, down = (fired(*_moved(rebound, one.name, sign * one.spread)) for sign in (1.0, -1.0))
-        moved.append((off[:, column] / one.spread, up, down))
+    for column, source in enumerate(sources.others):
+        assert isinstance(source.spread, float)  # none is even between limits
+        up, down = (fired(*_moved(rebound, source.name, sign * source.spread)) for sign in (1.0, -1.0))
+        moved.append((off[:, column] / source.spread, up, down))
 
     def followed(numbers: Callable[[Rebound], Mapping[str, float]]) -> dict[str, Array]:
         """Return numbers of a test for every draw, by slope and bend."""
@@ -100,8 +100,12 @@ def _moved(rebound: Rebound, name: str, off: float) -> tuple[Block, Ball, float]
     if name.startswith(OF_BALL):
         return block, ball.deviated({name.removeprefix(OF_BALL).replace(" ", "_"): off}), 0.0
     made_of, factor = block.material, float(np.exp(off))
-    fields = ("density",) if name == DENSITY else tuple(one for one in MODULI if getattr(made_of, one) is not None)
-    other = made_of.unchecked(**{one: factor * getattr(made_of, one) for one in fields})
+    fields = (
+        ("density",)
+        if name == DENSITY
+        else tuple(modulus for modulus in MODULI if getattr(made_of, modulus) is not None)
+    )
+    other = made_of.unchecked(**{field: factor * getattr(made_of, field) for field in fields})
     return block.replaced(material=other), ball, 0.0
 
 

@@ -183,7 +183,7 @@ def flight_with_intervals(plain: Flown, question: FlightQuestion) -> Flown:
     if sources is None:
         return plain
     drawn = drawn_flight(question.motion, question.conditions, sources, count=question.draws)
-    known = uncertainty_of(
+    sampled = uncertainty_of(
         np.asarray(drawn.flight["carry"]),
         of="carry",
         normal=drawn.normal,
@@ -191,4 +191,4 @@ def flight_with_intervals(plain: Flown, question: FlightQuestion) -> Flown:
         sources=sources.described,
     )
     columns: Columns = {**drawn.flight, "launch": drawn.launch}
-    return with_intervals(replace(plain, uncertainty=known), columns, reach_of_draws)
+    return with_intervals(replace(plain, uncertainty=sampled), columns, reach_of_draws)

@@ -146,8 +146,8 @@ def fly_answer(question: FlyQuestion) -> FlyAnswer:
 
 def _spread(hit: BattedBall, conditions: FlightConditions, park: Park | None) -> float:
     """Return the scatter in carry of balls hit alike: m, one standard deviation; 0 where it is unknown."""
-    known = {} if hit.backspin is None else {"spin_scatter": 0.0}  # a measured spin is no other than it is
-    return carry_spread(hit.motion, conditions, drag_scatter=USUAL.drag(park), **known)
+    scatter = {} if hit.backspin is None else {"spin_scatter": 0.0}  # a measured spin is no other than it is
+    return carry_spread(hit.motion, conditions, drag_scatter=USUAL.drag(park), **scatter)
 
 
 def _in_parks(plain: FlyAnswer, park: Park) -> FlyAnswer:

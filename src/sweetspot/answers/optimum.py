@@ -203,21 +203,21 @@ def optimum_answer(question: OptimumQuestion) -> OptimumAnswer:
         backspin=0.0 if park is None else park.backspin,
         count=question.draws,
     )
-    known = uncertainty_of(
+    sampled = uncertainty_of(
         drawn.main,
         of=drawn.main_name,
         normal=drawn.normal,
         names=question.sources.names,
         sources=question.sources.described,
     )
-    return with_intervals(replace(plain, uncertainty=known), drawn.columns, reach_of_draws)
+    return with_intervals(replace(plain, uncertainty=sampled), drawn.columns, reach_of_draws)
 
 
 @lru_cache(maxsize=32)
 def _easiest(search: ParkSearch) -> tuple[AskedPark, ...]:
     """Return the slowest home runs, the slowest first; no bat makes a difference to them."""
     found = [AskedPark(easiest_home_run(park, here, backspin=search.backspin), here) for park, here in search.parks]
-    return tuple(sorted(found, key=lambda one: one.best.exit_speed))
+    return tuple(sorted(found, key=lambda park: park.best.exit_speed))
 
 
 def _ball(found: FarthestLaunch) -> BallMotion:

@@ -74,7 +74,7 @@ def drawn_optimum(
     plays = [drawn_play(replace(asked, draws=count), sources) for asked in swings]
     of_swings = [{name: {**play.contact, **play.flight}[name] for name in OF_PLAY} for play in plays]
     flown = [flight_columns(_alike(left, len(off)), flying, drag) for left, flying in launches]
-    of_launches = [{"carry": one["carry"]} for one in flown]
+    of_launches = [{"carry": flight["carry"]} for flight in flown]
     of_parks = [{"exit_speed": _slowest(park, drag, backspin)} for park in parks]
     rows = {"swings": of_swings, "launches": of_launches, "parks": of_parks}
     columns = {name: row for name, row in rows.items() if row}

@@ -103,9 +103,9 @@ def pendulum_answer(question: PendulumQuestion) -> PendulumAnswer:
         return plain
     normal, columns = drawn_pendulum(question)
     main, sources = "moi" if question.timed else "period", question.sources
-    known = uncertainty_of(columns[main], of=main, normal=normal, names=sources.names, sources=sources.described)
+    sampled = uncertainty_of(columns[main], of=main, normal=normal, names=sources.names, sources=sources.described)
     drawn: Columns = {**columns}
-    return with_intervals(replace(plain, uncertainty=known), drawn, reach_of_draws)
+    return with_intervals(replace(plain, uncertainty=sampled), drawn, reach_of_draws)
 
 
 def checked_pendulum(question: PendulumQuestion) -> PendulumAnswer:

@@ -127,7 +127,7 @@ def play_answer(question: PlayQuestion) -> PlayAnswer:
         )
         return plain if error is None else replace(plain, exit_speed_half_by_ball=REACH * error)
     drawn = drawn_play(question, sources)
-    known = uncertainty_of(
+    sampled = uncertainty_of(
         drawn.flight["carry"],
         of="flight.carry",
         normal=drawn.normal,
@@ -135,7 +135,7 @@ def play_answer(question: PlayQuestion) -> PlayAnswer:
         sources=sources.described,
     )
     columns: Columns = {**drawn.contact, "flight": drawn.flight}
-    return with_intervals(replace(plain, uncertainty=known), columns, reach_of_draws)
+    return with_intervals(replace(plain, uncertainty=sampled), columns, reach_of_draws)
 
 
 def _described(question: PlayQuestion, played: Play) -> PlayAnswer:

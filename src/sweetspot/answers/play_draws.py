@@ -82,28 +82,28 @@ def drawn_play(asked: PlayQuestion, sources: Sources) -> DrawnPlay:
     swing, thrown = conditions.swing, faster[:, None] * np.asarray(pitch.velocity)
     speed = draws.bat_speed * (place - swing.pivot) / (swing.measured_at - swing.pivot)
     axes = asked.path.axes
-    met = strikes(
+    rebound = strikes(
         reduced,
         ball=conditions.ball,
         swings=Swings(speed, axes, swing.pivot),
         pitches=BallMotions(velocity=thrown, spin=np.asarray(pitch.spin), position=np.asarray(pitch.position)),
         contact=Contact(place, offset),
     )
-    closing = np.nan_to_num(met.closing_speed, nan=1.0)[:, None]
-    own = draws.struck(place[:, None], closing).collision_efficiency[:, 0]
+    closing = np.nan_to_num(rebound.closing_speed, nan=1.0)[:, None]
+    efficiency = draws.struck(place[:, None], closing).collision_efficiency[:, 0]
     reach = conditions.ball.radius + reduced.bat.diameter_at(place) / 2
     normal = contact_frame(*axes, lift=np.arcsin(np.clip(offset / reach, -1.0, 1.0))).normal
-    more = (own - met.collision_efficiency) * met.closing_speed
-    velocity = met.velocity + more[:, None] * np.asarray(normal)
-    left = BallMotions(velocity=velocity, spin=met.spin, position=np.asarray(pitch.position))
+    more = (efficiency - rebound.collision_efficiency) * rebound.closing_speed
+    velocity = rebound.velocity + more[:, None] * np.asarray(normal)
+    left = BallMotions(velocity=velocity, spin=rebound.spin, position=np.asarray(pitch.position))
     contact = {
         "position": place,
         "offset": offset,
         "bat_speed": speed,
         "pitch_speed": draws.pitch_speed,
-        "closing_speed": met.closing_speed,
-        "collision_efficiency": own,
+        "closing_speed": rebound.closing_speed,
+        "collision_efficiency": efficiency,
         **launch_columns(velocity),
-        **spin_columns(velocity, met.spin),
+        **spin_columns(velocity, rebound.spin),
     }
     return DrawnPlay(draws.normal, contact, flight_columns(left, asked.flying, sources.of(DRAG, off)))

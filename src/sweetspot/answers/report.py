@@ -248,14 +248,14 @@ def report_of(
         half = None if doubt is None else REACH * doubt.error
         return replace(plain, doubt=doubt, best_hit=replace(best, exit_speed_half=half))
     found = drawn_report(analysis, sources, misses=plain.misses, count=draws)
-    known = uncertainty_of(
+    sampled = uncertainty_of(
         found.best_exit_speed,
         of="best_hit.exit_speed",
         normal=found.normal,
         names=sources.names,
         sources=sources.described,
     )
-    return with_intervals(replace(plain, uncertainty=known), found.columns, reach_of_draws)
+    return with_intervals(replace(plain, uncertainty=sampled), found.columns, reach_of_draws)
 
 
 def _described(analysis: Analysis[Implement]) -> ReportAnswer:

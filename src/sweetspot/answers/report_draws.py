@@ -153,10 +153,10 @@ def _modes(modes: Modes, frequencies: Sequence[Array], nodes: Sequence[Array]) -
 
 def _barrel_nodes(modes: Modes, nodes: Sequence[Array]) -> dict[str, Array]:
     """Return the nodes nearest to the tip of the two lowest bending modes, by the fields of `SweetSpotPlaces`."""
-    shown = [index for index, family in enumerate(modes.families) if family in DESCRIBED]
+    described = [index for index, family in enumerate(modes.families) if family in DESCRIBED]
     return {
         f"node_{modes.harmonics[index]}": places[:, -1]
-        for index, places in zip(shown, nodes, strict=False)
+        for index, places in zip(described, nodes, strict=False)
         if places.shape[1] and modes.families[index] == "bending" and modes.harmonics[index] in (1, 2)
     }
 

@@ -141,7 +141,7 @@ class HitSetup:
         return sources_of(
             loaded.implement,
             conditions,
-            known=known_deviations(loaded.table),
+            calibration=known_deviations(loaded.table),
             bat_speed_error=error_of(self.bat_speed),
             pitch_speed_error=error_of(self.pitch_speed),
         )

@@ -199,7 +199,7 @@ def _drawn_implements(
     wholes = tuple(all_modes(end, ball, count=count) for end in ends)
     same = joined_batches([bending_batch(BeamRow([beam]), threads=1)] * len(deviations))
     drawn = DrawnBats(same, (), deviations / sizes, whole, wholes)
-    bodies = [rigid_body(one) for one in (beam, *ends)]
+    bodies = [rigid_body(model) for model in (beam, *ends)]
     mass, balance, moi = (
         drawn.followed([np.array([getattr(body, name)]) for body in bodies])[:, 0]
         for name in ("mass", "balance_point", "moi_cm")

@@ -108,7 +108,7 @@ def drawn_comparison(
 
 
 def _drawn_bat(
-    one: Compared[Implement], draws: Draws, reference: Compared[Implement], first: DrawnBat | None
+    compared: Compared[Implement], draws: Draws, reference: Compared[Implement], first: DrawnBat | None
 ) -> DrawnBat:
     """Return the sampled answers for one bat.
 
@@ -116,29 +116,30 @@ def _drawn_bat(
     ----------
     reference, first : the bat that it is compared with, and its draws; None: it is that bat.
     """
-    scan, length = one.analysis.scan, one.analysis.bat.length
-    barrel = scan.position[scan.position > one.analysis.body.balance_point]
+    scan, length = compared.analysis.scan, compared.analysis.bat.length
+    barrel = scan.position[scan.position > compared.analysis.body.balance_point]
     nearer = np.linspace(min(SHOWN_FROM * length, barrel[0]), barrel[0], NEARER, endpoint=False)
     along = hits_along(draws, np.concatenate([nearer, np.linspace(barrel[0], barrel[-1], PLACES)]))
     off = [np.interp(scan.position, along.position, row, left=np.nan) for row in along.exit_speed - along.exit_speed[0]]
     exit_speed, exit_speed_along = _peaks(along.exit_speed[:, NEARER:]), scan.exit_speed + np.array(off)
     change = exit_speed - (exit_speed if first is None else first.exit_speed)
-    known = exit_speed_along
+    baseline = exit_speed_along
     if first is not None:  # equally far from the tip
         there, places = reference.analysis.scan.position, scan.position + (reference.analysis.bat.length - length)
-        known = np.array([np.interp(places, there, row, left=np.nan, right=np.nan) for row in first.exit_speed_along])
+        rows = [np.interp(places, there, row, left=np.nan, right=np.nan) for row in first.exit_speed_along]
+        baseline = np.array(rows)
     return DrawnBat(
         draws,
         bat_speed=draws.bat_speed,
         exit_speed=exit_speed,
         swung_faster=draws.bat_speed - (draws if first is None else first.draws).bat_speed,
         change=change,
-        break_even=None if first is None else _break_even(one, draws.bat_speed, change),
+        break_even=None if first is None else _break_even(compared, draws.bat_speed, change),
         max_collision_efficiency=_peaks(along.collision_efficiency[:, NEARER:]),
         max_bbcor=_peaks(along.bbcor[:, NEARER:]),
         bending_1=draws.bats.angular_frequency[:, 2] / (2 * np.pi) if draws.sources.unknowns else None,
         exit_speed_along=exit_speed_along,
-        change_along=exit_speed_along - known,
+        change_along=exit_speed_along - baseline,
     )
 
 
@@ -156,17 +157,17 @@ def _behind(comparison: Comparison[Implement], sources: Sequence[Sources]) -> di
     return called
 
 
-def _break_even(one: Compared[Implement], bat_speed: Array, change: Array) -> Array | None:
+def _break_even(compared: Compared[Implement], bat_speed: Array, change: Array) -> Array | None:
     """Return the bat speed at which a bat would send the ball off as fast as the first; None where none would.
 
     Near there the exit speed goes with the bat speed as it does for the bats as described.
     """
-    apart = one.bat_speed.value - one.break_even
+    apart = compared.bat_speed.value - compared.break_even
     if not np.isfinite(apart):
         return None
-    slope = one.change.value / apart if abs(apart) > LEAST_APART else 1 + one.collision_efficiency
+    slope = compared.change.value / apart if abs(apart) > LEAST_APART else 1 + compared.collision_efficiency
     needed = bat_speed - change / slope
-    return np.asarray(one.break_even + needed - needed[0])
+    return np.asarray(compared.break_even + needed - needed[0])
 
 
 def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
@@ -183,10 +184,10 @@ def _of_law(law: SwingLaw | None) -> tuple[Source, ...]:
 
 def _ratios(law: SwingLaw, draws: Draws, reference: Draws, power: Array) -> Array:
     """Return every draw's omega against the reference's, over that of the bats as described."""
-    own, known = (one.moi(one.beam.bat.choke + law.axis) for one in (draws, reference))
+    mois, of_reference = (each.moi(each.beam.bat.choke + law.axis) for each in (draws, reference))
     ratios = [
-        law.speed_ratio(float(moi), reference_moi=float(before), exponent=float(exponent))
-        for moi, before, exponent in zip(own, known, power, strict=True)
+        law.speed_ratio(float(moi), reference_moi=float(reference_moi), exponent=float(exponent))
+        for moi, reference_moi, exponent in zip(mois, of_reference, power, strict=True)
     ]
     return np.array(ratios) / ratios[0]
 

@@ -188,10 +188,10 @@ def _rigid(draws: Draws, places: Array, closing: Array) -> Array:
     return np.asarray(np.where(closing > 0, collision_efficiency(restitution, recoil=recoil), np.nan))
 
 
-def _sting(draws: Draws, done: Impacts) -> Array:
+def _sting(draws: Draws, impacts: Impacts) -> Array:
     """Return the vibration at the hands in m/s of every hit; see `position_scan.sting`."""
     omega = draws.bats.angular_frequency
-    amplitude = done.velocity**2 + (omega[:, None, :] * done.displacement) ** 2
+    amplitude = impacts.velocity**2 + (omega[:, None, :] * impacts.displacement) ** 2
     places = np.broadcast_to(np.array(draws.conditions.hands.places), (len(draws), 2))
     shapes = draws.bats.shapes_at(np.ascontiguousarray(places)) ** 2
     weights = velocity_weight(omega / (2 * np.pi)) ** 2 * shapes.mean(axis=1)
@@ -240,8 +240,8 @@ def _motions(draws: Draws, along: HitsAlong, column: int) -> dict[str, Array]:
     families = (
         ("translation", "rotation", *["bending"] * bending, *["hoop"] * (each.shape[1] - 2 - bending))
         if bats.whole is None
-        else tuple("translation" if i == 0 else "rotation" if one == "rigid" else one
-                   for i, one in enumerate(bats.whole.families))
+        else tuple("translation" if i == 0 else "rotation" if family == "rigid" else family
+                   for i, family in enumerate(bats.whole.families))
     )  # fmt: skip
     return {
         kind: each[:, [index for index, family in enumerate(families) if family == kind]].sum(axis=1) for kind in KINDS

@@ -63,16 +63,17 @@ NO_DOUBT = ImplementDoubt((), np.zeros((0, 0)), ())
 """An implement that is just as described."""
 
 
-def doubt_of(one: Implement, known: Known | None = None) -> ImplementDoubt:
+def doubt_of(tool: Implement, calibration: Known | None = None) -> ImplementDoubt:
     """Return the unknowns of an implement.
 
     Parameters
     ----------
-    known : of the piece that it was made from, as `sweetspot calibrate` left it; None: what the catalogue allows for
-        its kind, after the weight, balance point and moment of inertia in its file.
+    calibration : of the piece that it was made from, as `sweetspot calibrate` left it; None: what the catalogue allows
+        for its kind, after the weight, balance point and moment of inertia in its file.
     """
-    *changed, piece = one.lineage()
-    doubt = doubt_of_piece(piece, *_with_outline(piece, *(expected_deviations(piece) if known is None else known)))
+    *changed, piece = tool.lineage()
+    unknowns, covariance = expected_deviations(piece) if calibration is None else calibration
+    doubt = doubt_of_piece(piece, *_with_outline(piece, unknowns, covariance))
     for each in reversed(changed):
         doubt = _measured_anew(doubt, each)
     return doubt
@@ -87,23 +88,23 @@ def doubt_of_piece(piece: Hashable, unknowns: Sequence[Unknown], covariance: Arr
     return ImplementDoubt(tuple(unknowns), vectors * np.sqrt(np.maximum(values, 0.0)), behind)
 
 
-def _measured_anew(doubt: ImplementDoubt, one: Implement) -> ImplementDoubt:
+def _measured_anew(doubt: ImplementDoubt, tool: Implement) -> ImplementDoubt:
     """Return the doubt of an implement that was changed from one of this doubt, after what was measured on it."""
-    given = _written(one)
+    given = _written(tool)
     if not given or not doubt.unknowns:
         return doubt
-    beam = beam_model(one) if isinstance(one, Bat) else as_described(one)
+    beam = beam_model(tool) if isinstance(tool, Bat) else as_described(tool)
     steps = STEP * np.diag(np.sqrt(np.diag(doubt.covariance)))
 
-    def said(deviations: Array) -> Array:
+    def values(deviations: Array) -> Array:
         return predicted(deviated(beam, doubt.unknowns, deviations), given)
 
     sizes = np.maximum(np.diag(steps), 1e-12)
-    slopes = np.array([(said(step) - said(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]).T
+    slopes = np.array([(values(step) - values(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]).T
     before = slopes @ doubt.factor
     gain = doubt.factor @ np.linalg.pinv(before, rcond=1e-9)
     errors = gain * np.array([each.error for each in given])
-    behind = (*doubt.behind, *((one, each.name) for each in given))
+    behind = (*doubt.behind, *((tool, each.name) for each in given))
     return ImplementDoubt(doubt.unknowns, np.hstack([doubt.factor - gain @ before, errors]), behind)
 
 
@@ -140,15 +141,15 @@ def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
     return unknowns, calibrate(described(bat), unknowns, given).covariance
 
 
-def _written(own: Implement) -> list[Measurement]:
+def _written(tool: Implement) -> list[Measurement]:
     """Return the measurements in a file that were made on the implement itself, not on the one it was changed from.
 
     Of a racket, club or stick the catalogue's own values were not measured.
     """
-    others = () if isinstance(own, Bat) else map(implement, other_files())
-    usual = own.original or next((other for other in others if other.sport == own.sport), None)
+    others = () if isinstance(tool, Bat) else map(implement, other_files())
+    usual = tool.original or next((other for other in others if other.sport == tool.sport), None)
     mass, balance_point, moi, frequency = (
-        None if name in own.fitted or (usual and getattr(own, name) == getattr(usual, name)) else getattr(own, name)
+        None if name in tool.fitted or (usual and getattr(tool, name) == getattr(usual, name)) else getattr(tool, name)
         for name in ("mass", "balance_point", "moi", "frequency")
     )
     given = []
@@ -157,7 +158,7 @@ def _written(own: Implement) -> list[Measurement]:
     if balance_point is not None:
         given.append(Measurement("balance_point", Measured(balance_point, BALANCED)))
     if moi is not None:
-        given.append(Measurement("moi", Measured(moi, HUNG * moi), axis=own.moi_axis))
+        given.append(Measurement("moi", Measured(moi, HUNG * moi), axis=tool.moi_axis))
     if frequency is not None:
         given.append(Measurement("frequency", Measured(frequency, RUNG * frequency), mode=ModeName("bending", 1)))
     return given

@@ -80,4 +80,4 @@ def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[
         if len(sources) == 1:
             shares[sources.pop()] += size**2 / whole
     left = max(1.0 - sum(shares.values()), 0.0)
-    return {**dict(sorted(shares.items(), key=lambda one: -one[1])), TOGETHER: left}
+    return {**dict(sorted(shares.items(), key=lambda share: -share[1])), TOGETHER: left}

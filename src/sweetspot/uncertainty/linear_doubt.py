@@ -54,7 +54,7 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
     whole = sum(variances.values())
     if not whole > 0:
         return None
-    ranked = sorted(variances.items(), key=lambda one: -one[1])
+    ranked = sorted(variances.items(), key=lambda variance: -variance[1])
     return SpeedDoubt(whole**0.5, {name: part / whole for name, part in ranked})
 
 

@@ -87,9 +87,9 @@ class Sources:
         others = tuple(other for other in self.others if other.name not in names)
         return replace(self, others=others)
 
-    def with_source(self, one: Source) -> Sources:
+    def with_source(self, source: Source) -> Sources:
         """Return the sources and one more."""
-        return replace(self, others=(*self.others, one))
+        return replace(self, others=(*self.others, source))
 
     def normal(self, count: int, *, seed: int = 1) -> Array:
         """Return independent standard normal numbers, shape (count, n), spread evenly by Sobol's sequence.
@@ -148,7 +148,7 @@ def sources_of(
     bat: Implement,
     conditions: Conditions,
     *,
-    known: tuple[Sequence[Unknown], Array] | None = None,
+    calibration: tuple[Sequence[Unknown], Array] | None = None,
     bat_speed_error: float = 0.0,
     pitch_speed_error: float = 0.0,
 ) -> Sources:
@@ -157,13 +157,13 @@ def sources_of(
     Parameters
     ----------
     bat, conditions : what hits, and how.
-    known : what is not known of the bat and its covariance, as `sweetspot calibrate` left it; None: what the catalogue
-        allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
+    calibration : the unknowns of the bat and their covariance, as `sweetspot calibrate` left them; None: what the
+        catalogue allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
     bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
     """
-    doubt = doubt_of(bat, known)
+    doubt = doubt_of(bat, calibration)
     of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
-    where = f"{of_kind}, after what its file says was measured" if known is None else "its calibration"
+    where = f"{of_kind}, after what its file says was measured" if calibration is None else "its calibration"
     where = where if doubt.unknowns else "taken as described: how its plies may differ is not modelled"
     return Sources(
         doubt, (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,

@@ -25,4 +25,4 @@ def sources_for(state: BatState, bat: Bat, conditions: Conditions) -> Sources:
     bat, conditions : that they describe.
     """
     deviations = known_deviations(table_of_text(state.bat_toml, "the bat's file")) if state.bat_toml else None
-    return sources_of(bat, conditions, known=deviations)
+    return sources_of(bat, conditions, calibration=deviations)
