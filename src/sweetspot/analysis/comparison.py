@@ -136,7 +136,7 @@ def compare(
 
 
 def _check_alike(bats: Sequence[Implement]) -> None:
-    """Refuse implements of different sports, unless all are round bats, or somebody insists."""
+    """Refuse implements of different sports, unless all are round bats, or ``--force`` is given."""
     strangers = [bat for bat in bats if type(bat) is not type(bats[0]) or bat.sport != bats[0].sport]
     if strangers and not insisted() and not all(isinstance(bat, Bat) for bat in bats):
         first, other = bats[0], strangers[0]

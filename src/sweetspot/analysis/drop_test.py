@@ -163,7 +163,7 @@ def fire(block: Block, *, ball: Ball, speed: float) -> Rebound:
 
 
 def bounce(block: Block, *, ball: Ball, height: float) -> tuple[float, float]:
-    """Return (rebound height in m, the block's share) of `drop` in vacuum, by the compiled solution and nothing else.
+    """Return (rebound height in m, the block's share) of `drop` in vacuum, by the compiled solution alone.
 
     The height is nan where the ball does not come off in one clean contact.
 

@@ -47,7 +47,7 @@ class Changed:
 
     @classmethod
     def of(cls, bat: Implement, *, law: SwingLaw) -> Changed | None:
-        """Return a bat beside what it was by its own description; None: nothing was changed of it."""
+        """Return a bat paired with its unchanged original, by its own description; None: it was not changed."""
         if not is_changed(bat):
             return None
         before = before_changes(bat)

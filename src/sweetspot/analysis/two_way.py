@@ -31,7 +31,7 @@ VARIATIONS: tuple[Variation, ...] = get_args(Variation)
 USUAL_DIAMETER, USUAL_DEPTH, USUAL_PLUG = 1 * INCH, 10 * INCH, 1 * INCH
 """m; the hole of the published corked-bat tests, used for what is not varied [nathan_corknote]."""
 PLACES = 61
-"""On the barrel, where the best hit is looked for."""
+"""On the barrel, in the search for the best hit."""
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ NEARLY = 3e-8
 
 
 class ContactLaw(Protocol):
-    """Anything that turns compression into force; collisions ask nothing else of a ball.
+    """Force law of a ball as a function of its compression, all that collisions need of it.
 
     ``compression`` is the present one in m, ``rate`` its speed in m/s, negative when the ball springs back, and
     ``turned_at`` the compression from which it springs back, None while it is pressed further than ever before.

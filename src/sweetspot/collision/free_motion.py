@@ -63,7 +63,7 @@ def dashpot_factors(modes: Modes, step: float) -> Array:
 
 
 def moved(modes: Modes, displacement: Array, velocity: Array, time: Array | float) -> tuple[Array, Array]:
-    """Return modal displacements and velocities of bats that nothing touches, ``time`` s later or, below zero, earlier.
+    """Return modal displacements and velocities of free bats, ``time`` s later or, below zero, earlier.
 
     Dashpots act for half the time before the free motion and half after it, as between two kicks.
 

@@ -21,7 +21,7 @@ def held_modes(modes: Modes, hands: Hands) -> Modes:
     leaving out that coupling would let hands reach the ball before any wave could.
 
     The hands move with the undisturbed swing, so springs and dampers act on the disturbance by the ball only.
-    A hand without mass does nothing.
+    A hand without mass has no effect.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """A weight met by a size: which walls, caps, knobs or blades give an implement the weight that it has or shall have.
 
 Metal has one density. Where the drawing of a hollow bat does not weigh what the scale says (`weight_matched`), the wall
-of the handle, the knob, the end cap or all walls were drawn wrong; which one is a choice, and is said (`Bat.remark`).
+of the handle, the knob, the end cap or all walls were drawn wrong; which one is a reported choice (`Bat.remark`).
 A bat that shall weigh otherwise (`weighing`) gets another end cap, or other walls.
 """
 
@@ -89,7 +89,7 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
     Raises
     ------
     InputError
-        when nothing asked for can meet the mass.
+        when no requested change gives the mass.
     """
     if bat.shell is None or bat.mass is None:
         return bat
@@ -200,7 +200,7 @@ def _mass_of(bat: Bat) -> float:
 
 
 def _made_with(bat: Bat, shell: Shell, name: str = "") -> Bat:
-    """Return a bat made with another shell: what was measured on the original tells its density, and nothing else."""
+    """Return a bat made with another shell: measurements on the original fix its density alone."""
     return bat.replaced(
         name=name or bat.name, shell=shell, mass=None, balance_point=None, moi=None, original=bat.as_measured(),
         remark="",

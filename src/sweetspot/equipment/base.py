@@ -1,4 +1,4 @@
-"""The base of every thing: frozen, validated at construction, all values in SI."""
+"""Base of all equipment: frozen, validated at construction, all values in SI."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ UNSEEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 JOINERS = "\u200c\u200d"
 """Format characters that some scripts are written with."""
 Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_readable)]
-"""What people call a thing: it is printed, written into tables and drawn."""
+"""Display name: it is printed, written into tables and drawn."""
 MACHINERY = {name for name in (*dir(BaseModel), *vars(BaseModel)) if name not in dir(object)}
-"""Names that checked things have from pydantic; they work, and are not ours to explain."""
+"""Names inherited from pydantic; they work, and are not documented here."""
 MOST_FAULTS, LONGEST_INPUT = 5, 80
 """Faults reported together, and letters of the input that a message repeats."""
 UNIT_OF = {
@@ -128,7 +128,7 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
 
 @cache
 def _is_number(kind: type[Validated], name: str) -> bool:
-    """Return whether a field of a thing holds one number, or may hold none."""
+    """Return whether a field holds one number, or may hold none."""
     field = kind.model_fields.get(name)
     return field is not None and _types_of(field.annotation) <= {float, NoneType}
 

@@ -94,7 +94,7 @@ class DropRule(Validated):
 
 
 class Terms(Validated):
-    """What people of a sport call things; the defaults are baseball's.
+    """Vocabulary of a sport; the defaults are baseball's.
 
     Parameters
     ----------

@@ -2,7 +2,7 @@
 
 What acts on a ball in flight: weight, drag against its way through the air, and the lift of its spin.
 
-Only spin across the path lifts; the part along the path (gyro spin) does nothing but tire.
+Only spin across the path lifts; the part along the path (gyro spin) only decays.
 """
 
 from __future__ import annotations

@@ -195,7 +195,7 @@ class Wind(Validated):
         return 0.0 if height < self.calm_below else self.open_strength(height)
 
     def open_strength(self, height: float) -> float:
-        """Return the same as `strength` where nothing shelters the field."""
+        """Return the same as `strength` for an unsheltered field."""
         return float((max(height, 0.0) / self.reference_height) ** self.exponent)
 
     def at(self, height: float) -> Array:

@@ -2,7 +2,7 @@
 
 Two balls hit alike do not fly alike. Balls differ in drag, spin about the usual line, and no park's weather is known to
 the breeze. One scatter of the drag coefficient stands for all of it, as wide as the scatter of tracked carries
-(`tools/fit_aerodynamics.py` prints it), so a ball that would clear a fence by nothing has a chance of about one half:
+(`tools/fit_aerodynamics.py` prints it), so a ball that would barely clear a fence has a chance of about one half:
 a little less in the open, a little more under a roof (`CarryScatter`).
 """
 

@@ -1,1 +1,1 @@
-"""Numbers that know nothing of bats: quadrature, interpolation, eigenvalues, vectorised functions, threads."""
+"""Numerical methods independent of bats: quadrature, interpolation, eigenvalues, vectorised functions, threads."""

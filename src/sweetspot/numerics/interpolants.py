@@ -57,7 +57,7 @@ def top(values: Array) -> tuple[int, float, float]:
 def tops(values: Array) -> tuple[Array, Array]:
     """Return (place, height) of the top of every row of evenly sampled values, shape (rows, n); see `top`.
 
-    Places are counted in steps from the first value; a row of nothing but nan has neither.
+    Places are counted in steps from the first value; a row of nan alone has neither.
 
     >>> place, height = tops(np.array([[0.0, 3.0, 2.0, 0.0], [5.0, 4.0, 3.0, 2.0]]))
     >>> place.tolist(), height.tolist()

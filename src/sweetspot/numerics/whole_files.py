@@ -40,7 +40,7 @@ def file_digest(path: Path) -> str:
 locks: Any
 try:
     locks = import_module("fcntl")
-except ImportError:  # Windows removes no file that somebody has open, which is as good as a lock
+except ImportError:  # Windows removes no file that a process has open, which is as good as a lock
     locks = None
 
 

@@ -1,4 +1,4 @@
-"""What keeps a value that shots gave from being a pass: a maximum that nothing shows to be one, a hit that cannot be.
+"""Reasons against a pass by measured shots: a maximum that is not bracketed, an impossible hit.
 
 A limit holds for the greatest value along the bat, so a pass takes lower places on both sides of the best one; a fail
 takes one place beyond the limit.
@@ -33,7 +33,7 @@ class Place:
 
 
 def rows_doubt(used: int, unused: Sequence[BadRow]) -> str:
-    """Return why a file is no test of a bat, too many of whose rows are no shots; "": it is one.
+    """Return the reason why a file is no test of a bat: too many of its rows are no shots; "": it is a test.
 
     Parameters
     ----------

@@ -23,7 +23,7 @@ from sweetspot.units import INCH, OUNCE
 Construction = Literal["any", "wood", "not wood", "not one piece of wood", "composite", "cricket bat"]
 Reading = Literal["primary", "secondary", "recalled"]
 SLACK = 1e-6
-"""Part of a limit that a value may lie beyond it and still keep it: rounding of units, nothing else."""
+"""Relative tolerance of a limit, for rounding of units alone."""
 WEIGHING = 0.005
 """The same for the drop, in ounces: half of a hundredth, to which bats are weighed."""
 

@@ -77,7 +77,7 @@ class Shot:
 
 @dataclass(frozen=True)
 class Shots:
-    """A file of shots: those that can be used, those that cannot, and columns that mean nothing here."""
+    """A file of shots: usable shots, unusable ones, and unknown columns."""
 
     shots: tuple[Shot, ...]
     bad_rows: tuple[BadRow, ...]

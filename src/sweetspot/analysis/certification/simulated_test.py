@@ -168,7 +168,7 @@ class Certification(ShownInNotebooks):
         return self._spreads(((self.fast, self.slow), *self.other_walls)) if self.other_walls else {}
 
     def findings(self) -> dict[str, Finding]:
-        """Return the measures as rules take them; a best place at an end of the scan decides nothing."""
+        """Return the measures in the form that rules take; a best place at an end of the scan is inconclusive."""
         doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond" if self.fast.at_edge else ""
         unknown = ["the size of the ball's patch"]
         unknown += ["a moment of inertia that was not measured"] if self.other_mois else []

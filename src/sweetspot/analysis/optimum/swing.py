@@ -91,7 +91,7 @@ def best_swing(
 ) -> BestSwing:
     """Return the offset, attack angle and place on the barrel that send a pitch farthest [sawicki2003].
 
-    The bat turns as fast whatever the angle: the batter pays nothing for swinging up.
+    The bat turns as fast at every angle: swinging up costs no speed.
 
     Parameters
     ----------

@@ -276,7 +276,7 @@ KINDS: dict[str, tuple[type[FileTable], Callable[[Any], Implement]]] = {
     "golf-club": (GolfClubFile, _golf_club),
     "table-tennis-racket": (TableTennisRacketFile, _table_tennis_racket),
 }
-"""What a file's ``kind`` says it is: the table it is read as, and what makes the thing of it."""
+"""By a file's ``kind``: the table it is read as, and the constructor of the implement."""
 MANY_MISSING = 3
 EXAMPLES = {"racket": "tennis-racket", "golf-club": "golf-driver"}
 """Entry of the catalogue to begin with, where it has not the name of its kind."""

@@ -1,4 +1,4 @@
-"""Files of bats, rackets, clubs and sticks, whole or like others, as the things that they describe."""
+"""Files of bats, rackets, clubs and sticks, whole or like others, as the implements that they describe."""
 
 from __future__ import annotations
 
