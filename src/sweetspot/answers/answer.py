@@ -1,4 +1,4 @@
-"""What every answer can do, and what the intervals of its numbers come from."""
+"""The methods of every answer, and the sources of the intervals of its numbers."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ Progress = Callable[[str], AbstractContextManager[Callable[..., None] | None]]
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """What the intervals of an answer are, and what that of its main number comes from.
+    """The intervals of an answer, and the sources of that of its main number.
 
     Parameters
     ----------
     interval_level : probability that the true value lies inside an interval.
-    draws : how many answers to what may be meant the intervals come from.
-    of : the number whose variance is taken apart.
+    draws : number of sampled answers from which the intervals come.
+    of : the number whose variance is decomposed.
     shares : part of that variance that each source causes, the greatest first.
     sources : what the distribution of each source rests on.
     """

@@ -56,7 +56,7 @@ def season(
     folder: Path | str | None = None,
     air: FieldAir = GAMES_AIR,
 ) -> SeasonAnswer:
-    """Tell every ball in play of tables: where on the bat it was hit, how far it carries, who did what.
+    """Analyze every ball in play of tables: its place on the bat, its carry, and the results of each batter.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def fit_player(
     others: Sequence[str] = (),
     air: FieldAir = USUAL_AIR,
 ) -> FitPlayerAnswer:
-    """Learn a player's bat speed and scatter from measured swings, and say which bat and contact point serve.
+    """Fit a player's bat speed and scatter to measured swings, and advise a bat and a contact point.
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ def calibrate(
     pivot: ExactPlace | None = None,
     tones: Mapping[str, float | Measured] | None = None,
 ) -> CalibrateAnswer:
-    """Fit a bat to what was measured on it, and say how sure each value is.
+    """Fit a bat to its measurements, with the uncertainty of each value.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""One bat as it is: what scale, string, taps and shots say of it together, and how sure each value is."""
+"""One calibrated bat: its parameters fitted to scale, string, taps and shots together, with their uncertainty."""
 
 from __future__ import annotations
 

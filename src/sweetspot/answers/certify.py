@@ -303,7 +303,7 @@ def passing_walls(bat: Bat, leagues: Sequence[League], *, ball: Ball) -> tuple[W
 
 
 def _with_chances(answer: CertifyAnswer, chances: Sequence[float | None]) -> CertifyAnswer:
-    """Return an answer whose checks say how probable it is that they are kept; None where that cannot be said."""
+    """Return an answer whose checks have the probability that they are kept; None where it cannot be computed."""
     checks = tuple(
         replace(each, passes_probability=chance) for each, chance in zip(answer.checks, chances, strict=True)
     )

@@ -145,7 +145,7 @@ class BatGain:
 
 @dataclass(frozen=True)
 class ComparisonUncertainty(Uncertainty):
-    """What the intervals of a comparison are, and how sure each bat's gain over the first is."""
+    """The intervals of a comparison, and the probability of each bat's gain over the first."""
 
     gains: tuple[BatGain, ...]
 
@@ -296,7 +296,7 @@ def _columns_of(bat: DrawnBat, *, first: bool) -> Columns:
 
 
 def _uncertainty(answer: CompareAnswer, found: DrawnComparison) -> ComparisonUncertainty:
-    """Return how sure the gains are, and what the change of the last one, or else the exit speed, comes from."""
+    """Return the probabilities of the gains, and the sources of the last bat's change, or else of the exit speed."""
     last = len(found.bats) - 1
     main = "change" if last else "exit_speed"
     labels = names_of_bats(answer.comparison)

@@ -204,7 +204,7 @@ class SeasonAnswer(Answer):
     temporary: Annotated[object, INTERNAL] = None
 
     def __repr__(self) -> str:
-        """Return how much was read."""
+        """Return the amount of data read."""
         return f"<SeasonAnswer of {self.league.balls} balls in play, {len(self.tables)} tables>"
 
     def balls(self) -> pl.LazyFrame:

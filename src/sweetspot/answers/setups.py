@@ -68,7 +68,7 @@ class SwungWith:
 
     @classmethod
     def of(cls, changed: Changed, conditions: Conditions, *, same_speed: bool) -> SwungWith:
-        """Return how a changed bat is swung under these conditions."""
+        """Return the swing of a changed bat under these conditions."""
         speed = conditions.swing.bat_speed
         before = speed if same_speed else changed.speed_before(conditions)
         return cls("speed" if same_speed else "effort", speed, before, changed, conditions)

@@ -112,7 +112,7 @@ class FitTeamAnswer(Answer):
     ----------
     batters : the one with the most to gain from less scatter first.
     league : how the batters differ, by parameter, and how many they are; None: too few to say.
-    left_out : batters of whom nothing can be said, and why.
+    left_out : batters who cannot be fitted, and why.
     """
 
     question: Annotated[FitPlayerQuestion, INTERNAL]

@@ -1,4 +1,4 @@
-"""An implement that the ball outweighs: what can be said of it without a hit."""
+"""An implement that the ball outweighs: its properties without a hit."""
 
 from __future__ import annotations
 

@@ -240,7 +240,7 @@ def check(value: float, what: str, given: object, *, quantity: str = "", sport: 
 
 
 def check_possible(value: float, what: str, quantity: str) -> None:
-    """Refuse a value (SI) that is impossible, whoever insists: what models do that are asked from Python."""
+    """Refuse a value (SI) that is impossible, also where unusual ones are insisted on: the check of Python models."""
     record = bounds(quantity)
     if record.verdict(value) == "impossible":
         raise InputError(record.objection(value, what, f"{record.in_unit(value):.4g} {record.unit}"))

@@ -1,4 +1,4 @@
-"""What the columns of a table mean, whoever wrote it: a measuring system, a laboratory, or anybody with a spreadsheet.
+"""The meanings of a table's columns, whether written by a measuring system, a laboratory or a person's spreadsheet.
 
 The names are data, `headings.toml`. A system's own headings are in that system's units; any other measurement has its
 unit in the heading (``exit_speed_mph``, ``Exit Velocity [km/h]``), or a person says it for a column or a whole file.

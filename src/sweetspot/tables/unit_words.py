@@ -40,7 +40,7 @@ UNITS: Mapping[str, Mapping[str, float]] = {
 FAHRENHEIT_ZERO = -160 / 9
 """degC at 0 degF."""
 PLACES = ("place", "station")
-"""Kinds that count from an end of an implement; a station counts from the knob where nothing else is said."""
+"""Kinds that count from an end of an implement; a station counts from the knob where nothing else is given."""
 UNMEASURED = ("count", "text")
 """Kinds without a unit."""
 ONLY_UNIT = {"time": "s", "angle": "deg", "frequency": "hz"}

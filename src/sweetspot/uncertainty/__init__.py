@@ -1,1 +1,1 @@
-"""Answers for many bats, balls and swings that may be meant: how sure each number is, and what its doubt comes from."""
+"""Answers for sampled bats, balls and swings: the uncertainty of each number, and its sources."""

@@ -1,4 +1,4 @@
-"""The simulated bat test with many bats that may be meant: how sure BBCOR, BPF and the rest are.
+"""The simulated bat test with sampled bats: the uncertainty of BBCOR, BPF and the other measures.
 
 A laboratory normalises its shots to one ball, so how lively and how heavy the ball is does not count here. How hard it
 is, and through how large a patch it presses, does.

@@ -1,4 +1,4 @@
-"""What is not known of an implement, by the independent numbers behind it: what was changed shares those of its parent.
+"""The unknowns of an implement, by the independent numbers behind it: a changed one shares those of its parent.
 
 A bat and the same bat with tape on it are one piece of wood. Whatever that is, it is in both, and most of it cancels
 where they are compared. So what is not known is that of the piece at the beginning, after what was measured on it. What

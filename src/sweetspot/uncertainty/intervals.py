@@ -24,7 +24,7 @@ TOGETHER = "together"
 
 @dataclass(frozen=True)
 class Reach:
-    """How far an interval goes below and above its number, SI; shapes () or (n,) as the number's own."""
+    """The widths of an interval below and above its number, SI; shapes () or (n,) as the number's own."""
 
     below: Array
     above: Array

@@ -38,7 +38,7 @@ class SpeedDoubt:
 
 
 def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt | None:
-    """Return how sure the best hit's exit speed is; None where it has none, or nothing is known of its doubt.
+    """Return the uncertainty of the best hit's exit speed; None without a best hit, or without effect of any source.
 
     The place stays that of the bat as described.
     """

@@ -1,4 +1,4 @@
-"""What an answer does not know exactly: bat, ball, the ball's patch, swing and pitch, each with its distribution."""
+"""The unknowns of an answer: bat, ball, the ball's patch, swing and pitch, each with its distribution."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Sources:
-    """Everything that an answer does not know exactly.
+    """All unknowns of an answer.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def sources_of_ball(ball: Ball) -> tuple[Source, ...]:
 
 
 def patch_sources(bat: Implement) -> tuple[Source, ...]:
-    """Return how large the patch is through which a ball presses a round bat: its logarithm, even between limits."""
+    """Return the size of the patch through which a ball presses a round bat: its logarithm, even between limits."""
     if not isinstance(bat, Bat):
         return ()
     low, high = (math.log(limit) for limit in PATCH_SPREAD)

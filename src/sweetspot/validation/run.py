@@ -48,7 +48,7 @@ def results(folder: Path = CASES) -> tuple[Result, ...]:
 
 
 def passed(verdicts: Iterable[Result]) -> bool:
-    """Return whether nothing missed but as explained."""
+    """Return whether all rows are within tolerance, but for explained misses."""
     return all(result.passed for result in verdicts)
 
 

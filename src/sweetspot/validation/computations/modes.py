@@ -118,7 +118,7 @@ def metal_place(*, metal: str, wood: str) -> float:
 
 
 def hoop_place(*, bat: str) -> float:
-    """Return how much nearer the tip than the place of the greatest exit speed the lowest hoop mode swings most."""
+    """Return the distance from the greatest exit speed's place to the lowest hoop mode's maximum, towards the tip."""
     analysis = shared.standard(bat)
     lowest = analysis.modes.of_family("hoop")[0]
     places = analysis.scan.position
@@ -127,7 +127,7 @@ def hoop_place(*, bat: str) -> float:
 
 
 def gain_inside(*, metal: str, wood: str, inward: float) -> float:
-    """Return how much more a metal bat gains over wood ``inward`` m nearer the hands than at the wood's best place.
+    """Return a metal bat's gain over wood ``inward`` m nearer the hands, less that at the wood's best place.
 
     Places count from the tip; both bats are swung at the same speed.
     """

@@ -81,7 +81,7 @@ def ceiling_ratio(*, bat: str, deflection: float, other_deflection: float) -> fl
 
 
 def edge_slope(*, bat: str) -> float:
-    """Return how the 98th percentile of exit speeds grows with bat speed, deflections within 20 degrees.
+    """Return the growth of the 98th percentile of exit speeds with bat speed, deflections within 20 degrees.
 
     Measured speeds, in groups of 2 mph from 60 to 80 mph, a straight line through the groups.
     """
@@ -187,7 +187,7 @@ class SpinSlopes(NamedTuple):
 
 
 def league_spin_slopes(*, bat: str) -> SpinSlopes:
-    """Return how the spin of a league's fly balls changes with their direction."""
+    """Return the change of spin of a league's fly balls with their direction."""
     fit = _mean_spin(bat)
     return SpinSlopes(float(fit[1, 0]), float(fit[2, 0]), float(fit[2, 1]))
 

@@ -79,7 +79,7 @@ def driven_golf_time(*, mass: float, speed: float) -> float:
 
 
 def swing_law_loss(*, moi: float, other_moi: float, speed: float) -> float:
-    """Return how much slower a head moves with ``other_moi`` than with ``moi`` at ``speed``, by the bats' power law."""
+    """Return the loss of head speed with ``other_moi`` against ``moi`` at ``speed``, by the bats' power law."""
     law = replace(swing_law(), lightest_moi=min(moi, other_moi))
     return speed * (1 - law.speed_ratio(other_moi, reference_moi=moi))
 
@@ -120,7 +120,7 @@ def best_bounce_from_throat(*, implement: str) -> float:
 
 
 def node_from_middle(*, implement: str) -> float:
-    """Return how much nearer the tip than the middle of its face the head's node of an implement's first mode lies."""
+    """Return the distance from the middle of the face to the head's node of the first mode, towards the tip."""
     analysis = _usual(implement)
     assert analysis.bat.outline is not None, "only rackets are asked"
     return analysis.sweet_spots.node_1 - analysis.bat.outline.middle
