@@ -442,7 +442,7 @@ def test_a_best_place_that_rests_on_a_second_push_is_not_crowned_without_a_word(
     """A cone that whips: the ball is pressed three times at its best place without ever being free."""
     found = client.post("/api/v1/explorer", json={"bat_toml": CONE, "impact_from_tip_in": 11.7}).json()
     [_, doubt, _] = found["headline"]["us"]
-    assert "nobody has measured" in doubt and "best place" in doubt
+    assert "has not been measured" in doubt and "best place" in doubt
     [here] = found["hit"]["touched_again"]["us"]
     assert "presses it again" in here
     assert client.post("/api/v1/hit", json={"bat_toml": CONE, "impact_from_tip_in": 11.7}).json()["hit"][

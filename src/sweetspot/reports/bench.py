@@ -25,7 +25,7 @@ def drop_document(answer: DropAnswer) -> Document:
     blocks: list[Block] = [Table("", [Column(""), Column("value", right=True)], _rows(answer))]
     if float(answer.deflection) > float(answer.thickness):
         bent = say(
-            "Beware: the block gives way by {deflection}, more than its thickness: real plates are stiffer then.",
+            "Beware: the block deflects by {deflection}, more than its thickness: real plates are stiffer then.",
             deflection=Slot(answer.deflection, "pressed"),
         )
         blocks.append(Paragraph(bent, "warning"))

@@ -61,7 +61,7 @@ def _face(analysis: Analysis[Implement]) -> Sentence:
     """Return a sentence on what deforms under the ball."""
     if "hoop" in analysis.modes.families:
         return say(
-            "The wall of this hollow bat gives way in hoop modes, felt through a round patch under the ball; the size "
+            "The wall of this hollow bat deflects in hoop modes, felt through a round patch under the ball; the size "
             "of that patch is uncertain and is worth about {change} either way.", change=Slot(PATCH, "speed", 0),
         )  # fmt: skip
     if analysis.bat.face is not None and analysis.bat.face.stiffness is not None:

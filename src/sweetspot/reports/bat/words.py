@@ -152,7 +152,7 @@ def _why_not_the_end(report: ReportAnswer, words: Terms) -> Sentence:
         "less": Slot(there.exit_speed_loss, "speed"),
     }
     return in_words(
-        "Why not at the {tip}? The last place to be hit moves {gain} faster, but there the {implement} gives way by "
+        "Why not at the {tip}? The last place to be hit moves {gain} faster, but there the {implement} recoils by "
         f"turning: the {{ball}} meets only {{there}} instead of {{here}}. {rigid}A real one also bends and keeps that "
         "energy as vibration: {real}, {less} less than at its best.", words, **slots,
     )  # fmt: skip
@@ -199,7 +199,7 @@ def _wall(report: ReportAnswer) -> Sentence:
         return Sentence(())
     share = report.best_hit.energy_share.hoop
     return say(
-        "It is hollow: its wall gives way and springs back, and rings at {frequency} (lowest hoop mode). Of the energy "
+        "It is hollow: its wall deflects and springs back, and rings at {frequency} (lowest hoop mode). Of the energy "
         "of its best hit {left} stay in the wall's ringing.",
         frequency=Slot(report.lowest_hoop, "frequency"),
         left=Slot(share, "share", 1) if float(share) >= LEAST_SHARE else "less than 0.1 %",
@@ -298,7 +298,7 @@ def why_here(
     if abs(place - best) < NEAR:
         this = "This is" if in_the_middle else "For a {ball} met in the middle this is"
         return in_words(
-            this + " the best place along the {implement}: further out it moves faster but gives way more and bends "
+            this + " the best place along the {implement}: further out it moves faster but recoils more and bends "
             "more, further in it moves slower. The {ball} meets {mass} of {whole}.", words,
             mass=weight(here), whole=weight(body.mass),
         )  # fmt: skip

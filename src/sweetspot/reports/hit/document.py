@@ -195,12 +195,12 @@ def _two_columns(rows: Sequence[tuple[Cell, Cell]], title: str | Sentence = "") 
 
 
 AGAIN = (
-    "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then nobody "
-    "has measured: it is taken as new{otherwise}."
+    "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then has "
+    "not been measured: it is taken as new{otherwise}."
 )
 PRESSED_AGAIN = (
     "{where} {implement} catches up with a {ball} that is nearly gone and presses it again. How far a {ball} has "
-    "recovered by then nobody has measured"
+    "recovered by then has not been measured"
 )
 
 

@@ -53,7 +53,7 @@ def _end(analysis: Analysis[Bat], _: Choices, rows: list[Row]) -> Told:
     scan = analysis.scan
     words = say(
         "The ball does shift, by {travel}, but it is hit best {place} from the tip: S is far too short to explain it. "
-        "The conclusion is right for another reason. At the tip even a rigid bat gives way by turning ({rigid}), and "
+        "The conclusion is right for another reason. At the tip even a rigid bat recoils by turning ({rigid}), and "
         "the real one also bends and keeps that energy ({end}); at its best place it gives {best}.",
         travel=Slot(travel, "length"),
         place=_from_tip(analysis, analysis.sweet_spots.max_exit_speed),
