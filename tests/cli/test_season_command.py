@@ -79,7 +79,7 @@ def test_few_balls_with_bat_speed_are_told_as_few(tmp_path: Path, capsys: pytest
     assert run(table, "--out", tmp_path / "out") == 0
     out = capsys.readouterr().out
     words = " ".join(out.split())
-    assert "Squared up" in words and "Too few balls have a bat speed" in words and "nothing is told" not in words
+    assert "Squared up" in words and "Too few balls have a bat speed" in words and "nothing is reported" not in words
     assert "No batter has 5 balls in play" in words and "expected home runs per" not in out.split("Reliability")[0]
     capsys.readouterr()
     assert run(table, "--format", "json") == 0

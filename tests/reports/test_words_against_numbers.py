@@ -105,8 +105,8 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
 
 
 @pytest.mark.parametrize(("ends", "said", "corked"), [
-    ((-1.7, -0.04), "the sign is not sure.", "cannot be told"), ((-1.7, -0.06), "a loss.", "the ball leaves slower"),
-    ((0.04, 1.7), "the sign is not sure.", "cannot be told"), ((0.06, 1.7), "a gain.", "Here it does"),
+    ((-1.7, -0.04), "the sign is not sure.", "cannot be decided"), ((-1.7, -0.06), "a loss.", "the ball leaves slower"),
+    ((0.04, 1.7), "the sign is not sure.", "cannot be decided"), ((0.06, 1.7), "a gain.", "Here it does"),
 ])  # fmt: skip
 def test_an_interval_that_is_told_to_end_at_nothing_leaves_the_sign_open(
     ends: tuple[float, float], said: str, corked: str
