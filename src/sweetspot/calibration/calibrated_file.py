@@ -55,7 +55,7 @@ def properties(posterior: BatPosterior) -> dict[str, CalibratedValue]:
 
 
 def fitted_names(posterior: BatPosterior) -> tuple[str, ...]:
-    """Return which of a written weight, balance point and moment of inertia no measurement tells by itself."""
+    """Return those of a written weight, balance point and moment of inertia that no measurement gives by itself."""
     kinds = {measurement.kind for measurement in posterior.measurements}
     return tuple(name for name, measuring in MEASURING.items() if not kinds & set(measuring))
 

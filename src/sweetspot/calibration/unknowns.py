@@ -255,7 +255,7 @@ def _changed(bat: Bat, by: dict[str, float]) -> Bat:
 
 
 def _thickest(bat: Bat) -> float:
-    """Return how many times as thick all walls of a hollow bat can be, a little room left for its diameters."""
+    """Return the greatest factor of all wall thicknesses of a hollow bat, with a little room left for its diameters."""
     assert bat.shell is not None
     places = np.array(bat.breakpoints())
     walls, outside = bat.wall_at(places), bat.diameter_at(places) / 2

@@ -247,7 +247,7 @@ class Batter:
 
 
 def usual_places(batter: Batter) -> IntArray:
-    """Return which of `FROM_TIP` lie evenly among all but the rarest of a batter's contacts, shape (places,)."""
+    """Return indices of `FROM_TIP` that are evenly spaced over all but a batter's rarest contacts, shape (places,)."""
     before = np.cumsum(batter.weight) - batter.weight
     inside = np.flatnonzero((before + batter.weight > RARE) & (before < 1 - RARE))
     return np.asarray(inside[np.unique(np.linspace(0, len(inside) - 1, USUAL_PLACES).round().astype(int))])

@@ -271,7 +271,7 @@ def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
 
 
 def _on_face(bench: Bench) -> NDArray[np.bool_]:
-    """Return which of `FROM_TIP` lie on the face; all do on a round bat."""
+    """Return a mask of the places `FROM_TIP` that lie on the face; all do on a round bat."""
     present = bench.space.present
     face, places = present.outline, present.length - FROM_TIP
     if face is None:

@@ -230,7 +230,7 @@ def designed(
 
 
 def best_of(fronts: Sequence[Front], want: str) -> int:
-    """Return which of several fronts has the best bat in a want."""
+    """Return the index of the front with the best bat in a want."""
     return int(np.argmax([best_value(front, want) * MEASURES[want].better for front in fronts]))
 
 

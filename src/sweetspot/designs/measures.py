@@ -210,7 +210,7 @@ class Bench:
         return speed_ratios(law, moi, self.moi_now, exponent)
 
     def turning_speed(self, bats: ReducedBats) -> Array:
-        """Return how fast the batter turns bats, rad/s of shape (n,)."""
+        """Return the angular speed at which the batter turns bats, rad/s, shape (n,)."""
         arm = self.space.present.length - self.batter.speed_from_tip - self.conditions.swing.pivot
         return self.speed_ratio(bats) * self.batter.bat_speed / arm
 

@@ -101,7 +101,7 @@ class Expectation:
     def _scattered(
         self, table: ContactTable, change: Change, position: Array | None, offset: Array | None
     ) -> Scattered:
-        """Return how the swings of every draw scatter."""
+        """Return the scatter of the swings of every draw."""
         value = {name: self.draws[:, index] for index, name in enumerate(NAMES)}
         ratio = self.bat_speed(table) / value["bat_speed"]
         return Scattered(

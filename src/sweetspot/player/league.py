@@ -52,7 +52,7 @@ class SwingEvidence:
 
 
 def population_of(fits: Sequence[PlayerPosterior]) -> Population | None:
-    """Return how the players of a league differ, None of fewer than five with weighted draws.
+    """Return the distribution of a league's players, None of fewer than five with weighted draws.
 
     The spread holds what is not known of the league's mean as well.
 

@@ -79,7 +79,7 @@ class SwingTable(ABC):
 
     @abstractmethod
     def width(self, columns: Headings) -> int:
-        """Return how many cells a whole row has."""
+        """Return the number of cells of a whole row."""
 
     @abstractmethod
     def rows(self, columns: Headings, batter: str | None = None) -> Lines:
@@ -105,7 +105,7 @@ class TextTable(SwingTable):
         return columns
 
     def width(self, columns: Headings) -> int:  # noqa: ARG002 - all columns are there
-        """Return how many cells a whole row has."""
+        """Return the number of cells of a whole row."""
         return len(self.headings)
 
     def rows(self, columns: Headings, batter: str | None = None) -> Lines:
@@ -154,7 +154,7 @@ class ScannedTable(SwingTable):
         return replace(columns, columns=moved)
 
     def width(self, columns: Headings) -> int:
-        """Return how many cells a whole row has."""
+        """Return the number of cells of a whole row."""
         return len(columns.columns)
 
     def rows(self, columns: Headings, batter: str | None = None) -> Lines:

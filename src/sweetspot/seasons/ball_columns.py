@@ -199,7 +199,7 @@ def _clubs_at_home(rows: pl.DataFrame) -> pl.Series:
 
 
 def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
-    """Return which of the setting's bats each ball was hit with, -1 where not known; the table's word goes first."""
+    """Return the index of each ball's bat in the setting, -1 where not known; the table's column takes precedence."""
     number = {name: index for index, name in enumerate(setting.bat_names)}
     usual = number.get(setting.bats.get("", ""), -1)
     chosen = np.full(len(rows), usual, np.int64)

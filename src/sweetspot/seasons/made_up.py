@@ -163,7 +163,7 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
 
 
 def _more_of_players(how: MadeSeason, seed: int) -> tuple[Array, Array]:
-    """Return by how much more than usual players scatter over and under balls, and hit harder than this bat does."""
+    """Return the factors of each player's scatter of offsets over the usual, and of exit speeds over this bat's."""
     rng = np.random.default_rng([seed, how.players])
     offsets = rng.normal(0, 1, how.players)
     return np.exp(how.offset_between * offsets), 1 + how.level_between * rng.normal(0, 1, how.players)
@@ -195,7 +195,7 @@ def _struck(
 def _flown(
     velocity: Array, spin: Array, how: MadeSeason, elevation: Array, rng: np.random.Generator
 ) -> tuple[NDArray[np.bool_], Array, Array, Array]:
-    """Return which balls came down, bearings, carries with what single flights scatter by, and angles of the fall."""
+    """Return a mask of balls that landed, bearings, carries with the scatter of single flights, and descent angles."""
     law = aerodynamics()
     names = [name for name in type(law).model_fields if name.startswith("drag")]
     changed = law.replaced(**{name: getattr(law, name) * how.drag for name in names})
@@ -212,7 +212,7 @@ def _flown(
 def _out_of_park(
     parks: Sequence[Park], club: NDArray[np.int64], bearing: Array, carry: Array, fall: Array
 ) -> NDArray[np.bool_]:
-    """Return which balls clear the fence of their park, each of `CLUBS` by its number.
+    """Return a mask of balls that clear the fence of their park, each of `CLUBS` by its number.
 
     Parameters
     ----------

@@ -175,7 +175,7 @@ def copying(path: Path, staging: Path, *, instead: str = "or give Parquet, which
 
 
 def rows_together(width: int, *, most: int) -> int:
-    """Return how many rows of a table are worked on together: fewer of wide ones, so that memory holds them.
+    """Return the number of rows of a table that are processed together: fewer of wide ones, so that memory holds them.
 
     Parameters
     ----------

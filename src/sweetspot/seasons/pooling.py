@@ -210,7 +210,7 @@ class Spread:
 
 
 def spread_of(counts: Array, means: Array, squares: Array) -> Spread:
-    """Return how balls and groups scatter, by the moments of a one-way analysis of variance.
+    """Return the scatter of balls and groups, by the moments of a one-way analysis of variance.
 
     Parameters
     ----------

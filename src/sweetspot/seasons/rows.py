@@ -153,7 +153,7 @@ def by_number(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Ser
 
 
 def coded(column: pl.Series) -> tuple[pl.Series, pl.Series]:
-    """Return which of its values stands in each row of a column of texts, and the values; in one pass over the rows."""
+    """Return the index of the value in each row of a column of texts, and the values; in one pass over the rows."""
     categories = pl.Categories.random()
     coded = column.cast(pl.Categorical(categories))
     return coded.to_physical(), categories.to_series()

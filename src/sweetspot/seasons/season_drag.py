@@ -91,7 +91,7 @@ def _drag(rows: pl.DataFrame, month: str) -> DragOfMonth:
 
 
 def home_runs_with(counted: pl.LazyFrame, drag: DragOfMonth) -> Interval | None:
-    """Return how many home runs the balls would be if all flew with a drag over the law's; 90 % by its error.
+    """Return the number of home runs if all balls flew with a drag over the law's; 90 % by its error.
 
     A chance is that of a normal scatter of drag, sigma wide in that park, so drag that is f times the law's makes c
     into Phi(Phi^-1(c) - (f - 1) / sigma).

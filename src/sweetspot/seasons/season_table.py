@@ -119,7 +119,7 @@ def season_setting(
     system: System = "us",
     threads: int | None = None,
 ) -> SeasonSetting:
-    """Return how tables are to be read.
+    """Return the setting with which tables are read.
 
     Parameters
     ----------

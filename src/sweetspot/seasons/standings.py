@@ -341,7 +341,7 @@ def bat_gains(season: Season) -> list[OtherBatGain]:
 
 
 def _mean(parts: Sequence[pl.LazyFrame], value: pl.Expr) -> tuple[int, float]:
-    """Return how often there is a value, and its mean, 0 of none; added up part by part, always in the same order."""
+    """Return the number of values, and their mean, 0 of none; added up part by part, always in the same order."""
     count, total = 0, 0.0
     for part in parts:
         values = part.select(value.drop_nulls()).collect().to_series().to_numpy()

@@ -142,7 +142,7 @@ class TrackingBias:
 
 
 def tracking_bias(survey: Survey) -> TrackingBias | None:
-    """Return how the mean exit speed changes when untracked balls count as tracked ones that ended alike.
+    """Return the change of the mean exit speed when untracked balls count as tracked ones that ended alike.
 
     Alike are event, kind of hit and how far out a ball was fielded; where none came down there, the first two.
     None where no table has endings, or every ball was tracked.

@@ -82,7 +82,7 @@ def unusual(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> Iterator[
 
 
 def _as_if_in(column: TableColumn, value: float, usual: PlausibleRange) -> str:
-    """Return in which unit the same numbers would be usual, in words."""
+    """Return in words the unit in which the same numbers would be usual."""
     if column.kind == "pressure":
         return ": is it reduced to sea level, as weather reports give it?"
     for unit, _ in _usual_readings(column, value, usual):

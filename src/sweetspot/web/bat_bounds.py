@@ -21,7 +21,7 @@ STEP = 0.05
 
 
 HOLES = ("bore", "hole")
-"""What a workshop drills, and what a question about drilling does."""
+"""Names of holes: the bore of a workshop, and the hole of a question about drilling."""
 
 
 def bounds(state: BatState, bat: Bat) -> dict[str, Range]:
@@ -43,7 +43,7 @@ def bounds(state: BatState, bat: Bat) -> dict[str, Range]:
 
 
 def _hole(bat: Bat, name: str, *, width: float, depth: float) -> dict[str, Range]:
-    """Return how wide a hole so deep may be, and how deep one so wide, in."""
+    """Return the greatest diameter of a hole of this depth, and the greatest depth at this diameter, in."""
     edges = np.asarray(bat.breakpoints())
     widths = bat.diameter_at(edges) / INCH
     end = bat.length - depth * INCH

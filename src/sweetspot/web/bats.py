@@ -31,7 +31,7 @@ from sweetspot.web.errors import FieldError, about
 from sweetspot.web.states import BatState, PlacedState, SwungState
 
 NOTHING = "nothing"
-"""What an empty hole is filled with."""
+"""Filling of an empty hole."""
 KEPT = 256
 """Bats kept with their modes; a hollow one takes about 100 kB."""
 KEPT_ANALYSES = 64

@@ -77,7 +77,7 @@ def _other_lists(api: APIRouter) -> None:
 
     @api.get("/quantities", tags=["catalogue"])
     def quantities() -> dict[str, Any]:
-        """Return how numbers are shown: scales and endings of names in both systems, labels and colours."""
+        """Return the display of numbers: scales and endings of names in both systems, labels and colours."""
         return quantity_data()
 
     @api.get("/pitches", tags=["catalogue"])

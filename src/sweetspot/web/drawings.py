@@ -75,7 +75,7 @@ class DrawnWeight:
 
 @dataclass(frozen=True, kw_only=True)
 class BatShape:
-    """What a drawing of a bat to scale needs; ``wall`` is of a hollow bat, where its outline has its places."""
+    """The data of a bat's drawing to scale; ``wall`` is of a hollow bat, at the places of its outline."""
 
     outline: DrawnOutline
     stations: tuple[Station, ...]

@@ -27,7 +27,7 @@ class FieldError(InputError):
 
 @contextmanager
 def about(field: str) -> Iterator[None]:
-    """Say of every input error raised inside that it concerns ``field``, unless it says so itself."""
+    """Assign every input error raised inside to ``field``, unless it names one itself."""
     try:
         yield
     except FieldError:

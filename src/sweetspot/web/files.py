@@ -1,4 +1,4 @@
-"""What the server hands out: everything is read when it starts, so no path of a request ever reaches the disk."""
+"""The files that the server hands out: all are read when it starts, so no path of a request ever reaches the disk."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How sure a view's numbers are: its answer as a document with an interval beside each number, and what they come from.
+"""The uncertainty of a view's numbers: its answer as a document with an interval beside each number, and the sources.
 
 Speeds, places and weather are taken as the controls say; bat, ball and drag are drawn.
 """

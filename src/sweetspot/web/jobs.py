@@ -104,7 +104,7 @@ class Job:
             self._process.terminate()
 
     def told(self, look: Look) -> dict[str, Any]:
-        """Return how it stands, and what was found since it was last looked at."""
+        """Return its status, and the results since the last request."""
         self._looked = time.monotonic()
         new = self._count > look.seen
         return {"status": self.status, "count": self._count, "found": self._found if new else None,
@@ -163,7 +163,7 @@ class Jobs:
         return key
 
     def look(self, key: str, look: Look) -> dict[str, Any]:
-        """Return how a job stands; stop it, or go on with it."""
+        """Return the status of a job; stop it, or resume it."""
         with self._lock:
             job = self._jobs.get(key)
             if job is None:
@@ -193,7 +193,7 @@ def job_routes(api: APIRouter, jobs: Jobs) -> None:
 
     @api.post("/jobs/{key}", tags=["long work"])
     def look(key: str, look: Look) -> dict[str, Any]:
-        """Return how a piece of long work stands: running, done, stopped or failed, and what is new."""
+        """Return the status of a job: running, done, stopped or failed, and its new results."""
         return jobs.look(key, look)
 
 

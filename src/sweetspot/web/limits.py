@@ -13,7 +13,7 @@ LARGEST_BODY = 64 * 1024
 LARGEST_PIECE = 4 * 1024 * 1024
 """Bytes of one piece of a file that is handed in; see `web.uploads`."""
 PIECES = "/api/v1/uploads/"
-"""Where pieces of files go; everything else is a message."""
+"""Path of the pieces of files; everything else is a message."""
 LONGEST_QUERY = 32 * 1024
 MOST_SOCKETS = 200
 
@@ -134,7 +134,7 @@ class Guard:
 
 
 def _most(scope: Scope) -> int:
-    """Return how many bytes a request may have."""
+    """Return the limit of a request's size in bytes."""
     return LARGEST_PIECE if str(scope.get("path", "")).startswith(PIECES) else LARGEST_BODY
 
 

@@ -36,7 +36,7 @@ def bat_source(state: BatState) -> str:
 
 
 def is_catalogued(state: BatState) -> bool:
-    """Say whether a state's bat is one of the catalogue as it is."""
+    """Return whether a state's bat is an unchanged one of the catalogue."""
     changes = {name: getattr(state, name) for name in BatState.model_fields if name != "bat"}
     shapes = ("bore_depth_in", "bore_fill", "cup_depth_in", "weight_from_tip_in")  # of changes that are not made
     made = {name for name in changes if name not in shapes and changes[name] != getattr(_FIRST, name)}

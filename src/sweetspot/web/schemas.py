@@ -1,4 +1,4 @@
-"""What the API says besides answers."""
+"""Models of the API besides answers."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pydantic.json_schema import models_json_schema
 
 
 class Fault(BaseModel):
-    """What is wrong: the control it concerns, empty for the whole message, and a sentence."""
+    """A fault: the control that it concerns, empty for the whole message, and a sentence."""
 
     field: str
     message: str
@@ -63,7 +63,7 @@ class Tool(Choice):
 
 
 class Meaning(BaseModel):
-    """What a word means: the names under which it stands, the explanation in either system, and who says so."""
+    """The meaning of a word: the names under which it is listed, the explanation in either system, and its source."""
 
     names: list[str]
     words: dict[Literal["us", "si"], str]
@@ -90,7 +90,7 @@ REFUSALS = {
     421: "The server is not called that.",
     422: "A control has a value that does not work.",
 }
-"""What every route may answer with a `Refusal`, and why."""
+"""The status codes with which every route may answer a `Refusal`, and why."""
 UNFINISHED: dict[int | str, dict[str, Any]] = {
     503: {
         "model": Unfinished,

@@ -106,7 +106,7 @@ class HitState(PlacedState):
 
 
 class HeldState(ViewState):
-    """Who holds the bat."""
+    """The hands that hold the bat."""
 
     held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
 

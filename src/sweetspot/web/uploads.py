@@ -39,7 +39,7 @@ GONE = "that file is not here any more; hand it in again"
 
 
 class NewFile(BaseModel):
-    """What is about to come."""
+    """The announcement of a file."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

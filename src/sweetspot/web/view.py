@@ -1,4 +1,4 @@
-"""What a view of the page is to the server."""
+"""A view of the page as the server sees it."""
 
 from __future__ import annotations
 

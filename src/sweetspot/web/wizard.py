@@ -53,7 +53,7 @@ LENGTHS = (0.78, 1.12)
 
 
 class Usual(BaseModel):
-    """What an answer usually is, and how far it may go."""
+    """The usual value of an answer, and its bounds."""
 
     value: float | str | None = None
     least: float | None = None
@@ -79,7 +79,7 @@ class WizardQuestion(Usual):
 
 
 class Pattern(BaseModel):
-    """What an own implement may be like, and what is asked of it then."""
+    """A pattern for an own implement, and the questions that follow."""
 
     key: str
     name: str

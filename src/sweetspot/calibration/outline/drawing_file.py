@@ -240,7 +240,7 @@ def _drawn(path: Path) -> tuple[list[Array], float | None]:
 
 
 def _pieces(things: Iterable[Any], blocks: Any, counts: dict[str, int]) -> int:
-    """Return how many things are drawn, those of blocks as often as they are inserted, before any is."""
+    """Return the number of drawn entities, those of blocks as often as they are inserted, before any is drawn."""
     count = 0
     for thing in things:
         name = thing.dxf.get("name", "") if thing.dxftype() == "INSERT" else ""

@@ -95,7 +95,7 @@ class ComparedCurvesInFull(ComparedCurves):
 
 @dataclass(frozen=True)
 class WallInBestHit:
-    """What a hollow bat's wall does in its best hit."""
+    """The wall of a hollow bat in its best hit."""
 
     thickness: Length
     hoop_frequency: Frequency
@@ -153,7 +153,7 @@ class SureComparison:
 
 @dataclass(frozen=True)
 class CertifiedBat:
-    """What the league's simulated test measures of a bat, and the rules held against it."""
+    """The results of a bat in the league's simulated test, and the verdict by every rule."""
 
     label: str
     bbcor: float

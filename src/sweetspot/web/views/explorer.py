@@ -55,7 +55,7 @@ class ExplorerState(HitState):
 
 @dataclass(frozen=True)
 class SpeedParts:
-    """What the exit speed here owes to what, against the best place; see `SpeedDifference`."""
+    """The parts of the difference in exit speed from the best place; see `SpeedDifference`."""
 
     motion: float
     giving: float
@@ -124,7 +124,7 @@ class SpeedSpan:
 
 @dataclass(frozen=True)
 class ReportWords:
-    """What the report says, and what misses cost by two laws of the ball."""
+    """The report's answer, and the cost of misses by two laws of the ball."""
 
     sentences: Sentences
     other_law: tuple[SpeedSpan, ...]

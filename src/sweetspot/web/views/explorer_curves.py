@@ -1,4 +1,4 @@
-"""What the explorer shows of hits all along a bat: met in the middle, or so far off the bat's axis."""
+"""Curves of the explorer for hits all along a bat: met in the middle, or at an offset from the bat's axis."""
 
 from __future__ import annotations
 
@@ -189,7 +189,7 @@ def _scanned(state: HitState, setup: Met, middle: Scan) -> tuple[Scan, Array | N
 
 
 def beside(scanned: Scan, place: float) -> slice:
-    """Return which hits of a scan are the neighbours of a place in m from the knob end."""
+    """Return the slice of a scan's hits that are the neighbours of a place in m from the knob end."""
     beyond = int(np.searchsorted(scanned.position, place))
     return slice(max(0, beyond - 1), beyond + 1)
 

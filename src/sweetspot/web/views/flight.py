@@ -86,7 +86,7 @@ class ToTheGround:
 
 @dataclass(frozen=True)
 class DrawnPath(FlightPath):
-    """Where the ball is, and how far over the ground from home plate."""
+    """The ball's path, and its distance over the ground from home plate."""
 
     distance: Annotated[Array, DISTANCE]
 
@@ -226,7 +226,7 @@ def fences(state: FlightState) -> Fences:
 
 
 class _Start(NamedTuple):
-    """How the ball leaves, into what, and where; the motion is None where the bat misses it."""
+    """The ball's launch, the conditions, and the place; the motion is None where the bat misses it."""
 
     park: Park
     conditions: FlightConditions

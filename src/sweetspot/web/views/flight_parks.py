@@ -1,4 +1,4 @@
-"""What one batted ball does in every park, and balls hit harder and higher in the chosen one."""
+"""The outcome of one batted ball in every park, and of balls hit harder and higher in the chosen one."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from sweetspot.units.dimensions import ANGLE, DISTANCE, SPEED
 FENCE_POINTS = 91
 FENCE_STEP = DEGREE / 4
 FENCE_DIRECTIONS = np.linspace(-FOUL_LINE, FOUL_LINE, 361)
-"""Where a path is held against the fences, every `FENCE_STEP` from foul line to foul line."""
+"""Directions in which a path is compared with the fences, every `FENCE_STEP` from foul line to foul line."""
 SPEEDS = np.arange(50.0, 121.0, 3.0) * MPH
 ANGLES = np.arange(-5.0, 66.0, 3.0) * DEGREE
 """Exit speeds and launch angles of the map."""

@@ -1,4 +1,4 @@
-"""What the flight view asks: how the ball leaves, from numbers or from a swing; the park, the air and the wind."""
+"""The state of the flight view: the ball's launch, from numbers or from a swing; the park, the air and the wind."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sweetspot.web.states import HitState, Name, within
 
 
 class FlightState(HitState):
-    """How the ball leaves, from numbers or from a swing; the park, the air and the wind."""
+    """The ball's launch, from numbers or from a swing; the park, the air and the wind."""
 
     offset_in: Annotated[float, within("offset", "in", least=-2.5, most=2.5)] = Field(
         0.75, description="ball's centre above the bat's axis at impact"

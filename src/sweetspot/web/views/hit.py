@@ -86,7 +86,7 @@ class HitFilm:
 
 @dataclass(frozen=True)
 class HandMotion:
-    """How the place of the top hand moves, and when the wave gets there; None: it does not."""
+    """The motion of the top hand's place, and the arrival of the wave there; None: it does not arrive."""
 
     displacement: Annotated[Array, LENGTH]
     velocity: Annotated[Array, SPEED]
@@ -96,7 +96,7 @@ class HandMotion:
 
 @dataclass(frozen=True)
 class WallMotion:
-    """How far each harmonic dents a hollow barrel's wall under the ball: inwards by dent_n(t) cos(n theta)."""
+    """The dent of a hollow barrel's wall under the ball by harmonics: inwards by dent_n(t) cos(n theta)."""
 
     harmonics: tuple[int, ...]
     dent: Annotated[tuple[Array, ...], LENGTH]

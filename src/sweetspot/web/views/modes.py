@@ -49,7 +49,7 @@ class ModesState(SwungState, HeldState):
 
 @dataclass(frozen=True)
 class Tapped:
-    """What the tap leaves in a motion: part of the vibration's energy, None of what is none, and speed at the hand."""
+    """The tap's share in a motion: part of the vibration's energy, None of rigid motions, and speed at the hand."""
 
     energy_share: Ratio | None
     hand_speed_m_s_per_n_s: float
@@ -90,7 +90,7 @@ class BarrelNodes:
 
 @dataclass(frozen=True)
 class BatTap:
-    """Where the bat is tapped, from the knob end, and for how long."""
+    """The place of the tap, from the knob end, and its duration."""
 
     position: Length
     duration: Time
@@ -155,7 +155,7 @@ def answer(state: ModesState) -> ModesAnswer:
 
 
 def _shown(motions: tuple[BatMotion, ...], state: ModesState) -> int:
-    """Return which motion is asked about, or the one like it on another bat."""
+    """Return the index of the chosen motion, or of the one like it on another bat."""
     alike = [index for index, motion in enumerate(motions) if motion.family == state.family]
     if alike:
         return alike[min(state.number, len(alike)) - 1]
@@ -163,7 +163,7 @@ def _shown(motions: tuple[BatMotion, ...], state: ModesState) -> int:
 
 
 class _BatMotions(NamedTuple):
-    """What does not depend on the tap; the motions have no tap yet."""
+    """The part of an answer that does not depend on the tap; the motions have no tap yet."""
 
     modes: Modes
     listed: list[int]

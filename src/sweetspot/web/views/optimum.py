@@ -90,7 +90,7 @@ def answer(state: OptimumState) -> LaunchAnswer:
 
 
 def swing(state: OptimumState) -> ReadDocument:
-    """Return how to swing at a pitch so that it carries farthest, as a document."""
+    """Return the swing at a pitch for the longest carry, as a document."""
     state = swung(state)
     reduced_bat = reduced(state, ball_of(state))
     conditions, through = conditions_of(state, reduced_bat.bat), _through(state)

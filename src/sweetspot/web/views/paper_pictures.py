@@ -113,7 +113,7 @@ class SpringPair:
 
 @dataclass(frozen=True, kw_only=True)
 class WallsOfBats:
-    """What aluminium bats with other walls give in the full model."""
+    """Results of the full model for aluminium bats with other walls."""
 
     thickness: Annotated[Array, LENGTH]
     share: Array

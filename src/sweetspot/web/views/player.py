@@ -50,7 +50,7 @@ LONGEST_TABLE = 40_000
 LARGEST_FILE = 10_000_000
 """Bytes of a file of swings that is handed in."""
 BY_FORCE = re.compile(", or add --force [a-z ]+")
-"""What the command line can do besides."""
+"""Further options of the command line."""
 NEW_LINE = "\n"
 MORE = "more than fit here; hand in the rows of one batter, or take the command fit-player"
 EXAMPLE_ROWS = 60

@@ -190,7 +190,7 @@ def begun(state: SeasonState) -> tuple[Handed, Path, str, Any, str]:
 
 @contextmanager
 def renamed(field: str) -> Iterator[None]:
-    """Say of a file that has gone that it belongs to a control."""
+    """Assign the error of a missing file to a control."""
     try:
         yield
     except FieldError:

@@ -33,7 +33,7 @@ MADE_UP = (16, 90)
 """Players of a made-up season, and balls of each."""
 
 Handed = tuple[tuple[Path, str], ...]
-"""Where each file lies, and what it was called."""
+"""The path of each file, and its original name."""
 
 
 @dataclass(frozen=True)

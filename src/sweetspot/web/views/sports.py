@@ -43,7 +43,7 @@ FILE = "mine.toml"
 
 
 class SportsState(ViewState):
-    """What one hits with, how fast, and where the ball meets it; empty: as is usual in its sport."""
+    """The implement, its speed, and the place of the ball; empty: as is usual in its sport."""
 
     implement: Name = Field(
         "tennis-racket", description="name in the catalogue; not looked at when implement_toml is given"
@@ -131,7 +131,7 @@ class SportsFace:
 
 @dataclass(frozen=True)
 class SportsWords:
-    """Where it hits best and why."""
+    """The place of the best hits and the reasons."""
 
     sentences: Sentences
 

@@ -181,7 +181,7 @@ def _flanks(
 
 
 def _blur(moved: list[Array]) -> float:
-    """Return how blurred edges are by what `LEVELS` lie apart in them, over `SHARP`; a shadow blurs but one."""
+    """Return the blur of edges from the distance of `LEVELS` in them, over `SHARP`; a shadow blurs only one."""
     return min(float(np.median(side)) for side in moved) / APART / SHARP
 
 

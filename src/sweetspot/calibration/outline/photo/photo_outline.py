@@ -264,7 +264,7 @@ def _notes(excess: float, away: float | None, hooked: float) -> Iterator[str]:
 
 
 def _hooked(from_tip: Array, width: Array) -> float:
-    """Return by how many m a tape that is hooked over the tip begins farther in than the bat: round tips lose it.
+    """Return the distance in m by which a tape hooked over the tip begins farther in than the bat: round tips lose it.
 
     Parameters
     ----------
@@ -275,7 +275,7 @@ def _hooked(from_tip: Array, width: Array) -> float:
 
 
 def _excess(picture: Photograph, edges: Edges, scale: float, away: float) -> tuple[float, float]:
-    """Return by how many m each end seems farther out than it is: its near rim hides the rest of it."""
+    """Return the distance in m by which each end seems farther out than it is: its near rim hides the rest of it."""
     along = (edges.end - edges.start) / edges.length
     middle = np.array([picture.shape[1] / 2, picture.shape[0] / 2])
     foot = float((middle - edges.start) @ along)  # the axis point below the camera
