@@ -178,7 +178,7 @@ def named_bar(bar: Bar, tones: Sequence[Tone]) -> tuple[NamedTone, ...]:
         twist=bar.twist_tones,
         farthest=(math.log(slowest / SPEED), math.log(fastest / SPEED)),
     )
-    first = named(tones, families, doubt=0.0)  # what is told is E, which another name of a twist does not change
+    first = named(tones, families, doubt=0.0)  # the result is E, which another name of a twist does not change
     usual = dict(zip(families[0].names, families[0].frequency, strict=True))
     scales = [math.log(named.tone.frequency.value / usual[named.name]) for named in first if named.name in usual]
     if not scales:

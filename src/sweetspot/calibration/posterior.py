@@ -119,7 +119,7 @@ def residuals(x: Array, *, beam: BeamModel, unknowns: Sequence[Unknown], measure
     spreads = np.array([unknown.spread for unknown in unknowns])
     values = np.array([measurement.value.value for measurement in measurements])
     errors = np.array([measurement.error for measurement in measurements])
-    predictions = _said(beam, unknowns, x * spreads, measurements)
+    predictions = _predictions(beam, unknowns, x * spreads, measurements)
     return np.concatenate([(predictions - values) / errors, x])
 
 
@@ -174,7 +174,7 @@ def _once(misses: Callable[[Array], Array]) -> Callable[[Array], Array]:
     return remembered
 
 
-def _said(
+def _predictions(
     beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
 ) -> Array:
     """Return the values that the bat and ball with these deviations predict for measurements, SI."""
@@ -237,7 +237,7 @@ def calibrate(
         measurements=tuple(measurements),
         deviations=most_likely * spreads,
         covariance=np.asarray(covariance * np.outer(spreads, spreads), dtype=np.float64),
-        predictions=_said(beam, unknowns, most_likely * spreads, measurements),
+        predictions=_predictions(beam, unknowns, most_likely * spreads, measurements),
         pulls=pulls,
         gains=spreads[:, None] * (covariance @ slopes.T),
     )

@@ -52,7 +52,7 @@ def modes_to_name(implement: Implement) -> Modes:
 
 
 def usual_band(modes: Modes | None) -> FrequencyBand:
-    """Return the frequencies that are looked at unless somebody says: those of bats, and lower for a golf club."""
+    """Return the frequencies that are looked at by default: those of bats, and lower ones for a golf club."""
     bending = [] if modes is None else modes.of_family("bending")
     if modes is None or not bending:
         return BAT_BAND

@@ -62,7 +62,7 @@ def _hum(samples: Array, rate: float, size: int) -> Array:
     count = int(QUIET * len(parts))
     if count < FEWEST:
         return hum
-    for _ in range(ROUNDS):  # where it rings is told better without the hum
+    for _ in range(ROUNDS):  # its ringing is found better without the hum
         left = parts - hum[:whole].reshape(-1, size)
         quiet = np.sort(np.argsort(np.mean(left**2, axis=1))[:count])
         hum = _steady_hum(parts[quiet], quiet * size, rate, len(samples))

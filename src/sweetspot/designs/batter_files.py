@@ -172,7 +172,7 @@ def _learned(numbers: dict[str, Any], start: str = "value") -> float:
     for key, value in numbers.items():
         if key.startswith(start):
             return float(value)
-    if start in ENDS:  # a value that is told without an interval
+    if start in ENDS:  # a value reported without an interval
         return _learned(numbers)
     raise KeyError("a parameter without a value")
 

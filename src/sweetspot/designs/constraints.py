@@ -234,7 +234,7 @@ def kept_limits(
     Parameters
     ----------
     keep : some of `KEPT`, which stay as the present bat has them.
-    bands : other limits that somebody gave.
+    bands : other limits, given by the user.
     league : whose rules are kept; None: no league's.
     handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
     now : the present bat, measured on this bench; None: it is measured here.

@@ -87,7 +87,7 @@ def _run_there(plan: Plan, progress: Progress | None, scheduler: str) -> None:
         raise InputError(f"--scheduler was given as {scheduler}, and none answers there: {error}") from None
     logger = logging.getLogger("distributed.client")
     level = logger.level
-    logger.setLevel(logging.CRITICAL)  # a lost scheduler is told below
+    logger.setLevel(logging.CRITICAL)  # a lost scheduler is reported below
     try:
         with client:
             _run(plan, client, progress)

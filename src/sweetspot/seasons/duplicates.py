@@ -77,7 +77,7 @@ def pitch_keys(
         asked = headings.only("exit_speed", *measured)
         rows = rows_of(part([column.heading for column in asked.columns.values()]), asked)
         parts = [pl.col(name).cast(pl.String).fill_null("") for name in measured]
-        enough = pl.sum_horizontal(pl.col(_told(measured)).is_not_null()) >= ENOUGH
+        enough = pl.sum_horizontal(pl.col(_measured_names(measured)).is_not_null()) >= ENOUGH
         dated = pl.any_horizontal(pl.col([name for name in WHEN if name in measured]).is_not_null())
         alike = rows.select(key=pl.concat_str(parts, separator="|").hash(seed=1), known=enough & dated)
         key = np.where(numbered, key, alike["key"].to_numpy())
@@ -94,10 +94,10 @@ def _measured(headings: Headings) -> tuple[str, ...]:
     when, who = ([name for name in names if headings.has(name)] for names in (WHEN, WHO))
     measured = [name for name in MEASURED if headings.has(name)]
     agreeing = (*when, *who[:1], *(name for name in ("pitcher",) if headings.has(name)), *measured)
-    return agreeing if when and len(_told(agreeing)) >= ENOUGH else ()
+    return agreeing if when and len(_measured_names(agreeing)) >= ENOUGH else ()
 
 
-def _told(names: Sequence[str]) -> list[str]:
+def _measured_names(names: Sequence[str]) -> list[str]:
     """Return those of some quantities of which `ENOUGH` must be known: what was measured, and who batted."""
     return [name for name in names if name in MEASURED or name in WHO]
 
@@ -169,11 +169,11 @@ def _keys(
             continue
         reader = TableReader([table], part_rows=PART)
 
-        def told(start: int, telling: Headings = telling, reader: TableReader = reader) -> Keys:
+        def keys_from(start: int, telling: Headings = telling, reader: TableReader = reader) -> Keys:
             return pitch_keys(lambda names: reader.part(0, start, PART, headings=names), telling)
 
         starts = range(0, table.rows, PART)
-        for start, (key, keyed) in zip(starts, in_order(told, starts), strict=True):
+        for start, (key, keyed) in zip(starts, in_order(keys_from, starts), strict=True):
             yield number, start, key, keyed if passes == 1 else keyed & (key % np.uint64(passes) == turn)
 
 

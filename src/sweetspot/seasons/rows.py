@@ -102,7 +102,7 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
     ).with_columns(*(text.column.alias(name) for name, text in words.items()))
     lost = [name for name in selected.columns if name.startswith("lost ")]
     selected, beyond = _possible(selected)
-    read_out = {name: words[of].turned(change) for name, (of, change) in _said(headings).items()}
+    read_out = {name: words[of].turned(change) for name, (of, change) in _conversions(headings).items()}
     return (
         selected.with_row_index("row", offset=first)
         .with_columns(
@@ -250,7 +250,7 @@ def _bare(text: pl.Expr, column: TableColumn) -> pl.Expr:
     text = text.str.replace("\u2212", "-", literal=True)
     text = pl.when(text.str.contains(POINTED)).then(text.str.replace_all(".", "", literal=True)).otherwise(text)
     text = pl.when(text.str.contains(THOUSANDS)).then(text.str.replace_all(",", "", literal=True)).otherwise(text)
-    if column.kind == "spin":  # nobody counts 2.345 turns a minute
+    if column.kind == "spin":  # no device reports 2.345 turns a minute
         text = text.str.replace(r"^(\d{1,3})[.,](\d{3})$", "$1$2")
     return text.str.replace(r"^(-?\d+),(\d+)$", "$1.$2")
 
@@ -261,7 +261,7 @@ def _lost(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
     return (written & _as_float(kinds, column).is_null()).cast(pl.Int32)
 
 
-def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]]:
+def _conversions(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]]:
     """Return the quantities that are read out of texts, each with the conversion of its text."""
     conversions: dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]] = {}
     if headings.has("bats"):

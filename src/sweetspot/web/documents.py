@@ -36,7 +36,7 @@ class ReadDocument:
     html: dict[System, str]
 
 
-def told(document: Document, *, mark: str = "") -> ReadDocument:
+def page_document(document: Document, *, mark: str = "") -> ReadDocument:
     """Return a document as the page shows it.
 
     Parameters

@@ -103,7 +103,7 @@ class Job:
         if self._process is not None:
             self._process.terminate()
 
-    def told(self, look: Look) -> dict[str, Any]:
+    def status_since(self, look: Look) -> dict[str, Any]:
         """Return its status, and the results since the last request."""
         self._looked = time.monotonic()
         new = self._count > look.seen
@@ -173,7 +173,7 @@ class Jobs:
             elif look.go_on and job.status != "running":
                 self._check_room(job.client)
                 job.start()
-            return job.told(look)
+            return job.status_since(look)
 
     def close(self) -> None:
         """Stop everything."""

@@ -31,10 +31,10 @@ def in_one_system(words: str) -> dict[System, str]:
     >>> in_one_system("a density of 301 kg/m^3 (18.8 lb/ft^3)")["si"]
     'a density of 301 kg/m³'
     """
-    return {system: BOTH.sub(partial(_told, reader=reader), words) for system, reader in SYSTEMS.items()}
+    return {system: BOTH.sub(partial(_in_system, reader=reader), words) for system, reader in SYSTEMS.items()}
 
 
-def _told(found: re.Match[str], reader: Reader) -> str:
+def _in_system(found: re.Match[str], reader: Reader) -> str:
     unit = found["metric"] or found["customary"]
     value = float(found["number"]) * SIZES[unit.replace(" ", "*")]
     digits = WALL_DIGITS if unit == "mm" else None

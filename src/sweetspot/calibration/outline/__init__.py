@@ -1,1 +1,1 @@
-"""A bat's outline as somebody measured or drew it: a table of stations, a drawing, a photograph."""
+"""A bat's outline, measured or drawn: a table of stations, a drawing, a photograph."""

@@ -41,7 +41,7 @@ MOST_FAULTS = 5
 """Lines whose fault a message names."""
 WIDE, EVEN = 3.05 * INCH, 1e-5
 """m between stations from which on the shape between is reported as unknown (a straight line over 3 in misses 2.6 mm
-of the catalogue's bats, a torpedo's barrel), unless both are as thick: a cylinder that somebody drew."""
+of the catalogue's bats, a torpedo's barrel), unless both are as thick: a drawn cylinder."""
 OFF_LINE, NEIGHBOURS = 3e-3, 1.1 * INCH
 """m that a diameter may be off the line between its neighbours, where these are no farther away: an inch apart, the
 catalogue's bats reach 1.8 mm."""
@@ -156,7 +156,7 @@ def _check_like_a_bat(
     thin = min([size for place, size in stations if 0.05 * reach < place < 0.95 * reach], default=thick)  # round ends
     if insisted() or _like_a_bat(reach, thin, thick):
         return
-    long, wide = reach / where.factor, across.heading  # nan where nobody says the unit
+    long, wide = reach / where.factor, across.heading  # nan without a unit
     meant, in_both = [], []
     for unit, size in METRES.items():
         if _like_a_bat(long * size, thin, thick):

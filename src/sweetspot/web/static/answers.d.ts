@@ -75,7 +75,7 @@ export interface BallLeaving {
   height_m: number; height_low_m?: number; height_high_m?: number;
 }
 
-/** A ball's size, and what its controls stand at where nobody has moved them. */
+/** A ball's size, and the values of its controls while they have not been moved. */
 export interface BallPicture {
   radius_m: number; radius_low_m?: number; radius_high_m?: number;
   mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
@@ -147,7 +147,7 @@ export interface BatPicture {
   swung: Record<"si" | "us", string> | null;
 }
 
-/** What a drawing of a bat to scale needs; ``wall`` is of a hollow bat, where its outline has its places. */
+/** The data of a bat's drawing to scale; ``wall`` is of a hollow bat, at the places of its outline. */
 export interface BatShape {
   outline: DrawnOutline;
   stations: Station[];
@@ -177,7 +177,7 @@ export interface BatState {
   choke_up_in: number;
 }
 
-/** Where the bat is tapped, from the knob end, and for how long. */
+/** The place of the tap, from the knob end, and its duration. */
 export interface BatTap {
   position_m: number; position_low_m?: number; position_high_m?: number;
   duration_s: number; duration_low_s?: number; duration_high_s?: number;
@@ -191,7 +191,7 @@ export interface CarryMap {
   chance: number[][];
 }
 
-/** What the league's simulated test measures of a bat, and the rules held against it. */
+/** The results of a bat in the league's simulated test, and the verdict by every rule. */
 export interface CertifiedBat {
   label: string;
   bbcor: number;
@@ -417,7 +417,7 @@ export interface DrawnPark {
   height_m: number[];
 }
 
-/** Where the ball is, and how far over the ground from home plate. */
+/** The ball's path, and its distance over the ground from home plate. */
 export interface DrawnPath {
   time_s: number[];
   right_m: number[];
@@ -617,7 +617,7 @@ export interface FlightEnd {
   clearance_m: number | null; clearance_low_m?: number; clearance_high_m?: number;
 }
 
-/** How the ball leaves, from numbers or from a swing; the park, the air and the wind. */
+/** The ball's launch, from numbers or from a swing; the park, the air and the wind. */
 export interface FlightState {
   bat: string;
   bat_toml: string | null;
@@ -691,7 +691,7 @@ export interface FlownBall {
   leaves: Record<"us" | "si", string[]>;
 }
 
-/** How the place of the top hand moves, and when the wave gets there; None: it does not. */
+/** The motion of the top hand's place, and the arrival of the wave there; None: it does not arrive. */
 export interface HandMotion {
   displacement_m: number[];
   velocity_m_s: number[];
@@ -1041,7 +1041,7 @@ export interface ReadSeason {
   same_bat: boolean;
 }
 
-/** What the report says, and what misses cost by two laws of the ball. */
+/** The report's answer, and the cost of misses by two laws of the ball. */
 export interface ReportWords {
   sentences: Record<"us" | "si", string[]>;
   other_law: SpeedSpan[];
@@ -1145,13 +1145,13 @@ export interface SeasonState {
   fence: string | null;
 }
 
-/** What is told of the whole season, and its players; nothing where none was read. */
+/** The summary of the whole season, and its players; nothing where none was read. */
 export interface SeasonWords {
   html?: Record<"si" | "us", string>;
   players?: ListedPlayer[];
 }
 
-/** What the exit speed here owes to what, against the best place; see `SpeedDifference`. */
+/** The parts of the difference in exit speed from the best place; see `SpeedDifference`. */
 export interface SpeedParts {
   motion: number;
   giving: number;
@@ -1211,7 +1211,7 @@ export interface SportsHit {
   sting_m_s: number;
 }
 
-/** What one hits with, how fast, and where the ball meets it; empty: as is usual in its sport. */
+/** The implement, its speed, and the place of the ball; empty: as is usual in its sport. */
 export interface SportsState {
   implement: string;
   implement_toml: string | null;
@@ -1221,7 +1221,7 @@ export interface SportsState {
   aside_in: number;
 }
 
-/** Where it hits best and why. */
+/** The place of the best hits and the reasons. */
 export interface SportsWords {
   sentences: Record<"us" | "si", string[]>;
 }
@@ -1289,7 +1289,7 @@ export interface SwungAt {
   collision_efficiency: number; collision_efficiency_low?: number; collision_efficiency_high?: number;
 }
 
-/** What the tap leaves in a motion: part of the vibration's energy, None of what is none, and speed at the hand. */
+/** The tap's share in a motion: part of the vibration's energy, None of rigid motions, and speed at the hand. */
 export interface Tapped {
   energy_share: number | null; energy_share_low?: number; energy_share_high?: number;
   hand_speed_m_s_per_n_s: number;
@@ -1338,7 +1338,7 @@ export interface ToolFacts {
   made_of: string;
 }
 
-/** What a bat is usually met with: what the controls stand at that nobody has moved. */
+/** The usual hit of a bat: the values of controls that have not been moved. */
 export interface UsualHit {
   pitch_speed_mph: number;
   bat_speed_mph: number;
@@ -1357,7 +1357,7 @@ export interface VerdictPicture {
   sweet_spots: SweetSpotPlaces;
 }
 
-/** What a hollow bat's wall does in its best hit. */
+/** The wall of a hollow bat in its best hit. */
 export interface WallInBestHit {
   thickness_m: number; thickness_low_m?: number; thickness_high_m?: number;
   hoop_frequency_hz: number; hoop_frequency_low_hz?: number; hoop_frequency_high_hz?: number;
@@ -1365,7 +1365,7 @@ export interface WallInBestHit {
   restitution: number; restitution_low?: number; restitution_high?: number;
 }
 
-/** How far each harmonic dents a hollow barrel's wall under the ball: inwards by dent_n(t) cos(n theta). */
+/** The dent of a hollow barrel's wall under the ball by harmonics: inwards by dent_n(t) cos(n theta). */
 export interface WallMotion {
   harmonics: number[];
   dent_m: number[][];
@@ -1373,7 +1373,7 @@ export interface WallMotion {
   wall_m: number; wall_low_m?: number; wall_high_m?: number;
 }
 
-/** What aluminium bats with other walls give in the full model. */
+/** Results of the full model for aluminium bats with other walls. */
 export interface WallsOfBats {
   thickness_m: number[];
   share: number[];

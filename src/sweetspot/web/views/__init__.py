@@ -10,7 +10,7 @@ How to write one, say ``modes``:
   bat)`` gives pitch, swing, hands and ball. A control that does not work raises `FieldError(field, message)`, or wraps
   what fails in ``with about(field):``. An answer should take a few ms: 50 browsers may be dragging at once. What takes
   longer is an aside: ``View(..., asides={"fit": fit})``, asked for by ``app.aside`` once the controls rest. A document
-  of `report` becomes one by `web.documents.told`, and ``static/controls/document.js`` shows it. Lines to copy:
+  of `report` becomes one by `web.documents.page_document`; ``static/controls/document.js`` shows it. Lines to copy:
   ``recipe``.
 * add it to `VIEWS` below; the routes ``/modes``, ``POST /api/v1/modes`` and the socket then exist.
 * ``web/static/views/modes.js``: see the notes at the top of ``web/static/shell/main.js``.

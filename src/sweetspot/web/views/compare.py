@@ -44,7 +44,7 @@ from sweetspot.uncertainty.sources import Sources
 from sweetspot.units.dimensions import SPEED
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
-from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, BatShape, ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
@@ -174,7 +174,7 @@ def answer(state: CompareState) -> ComparisonPicture:
     """Return curves and changes, in numbers and words; how sure they are comes apart, see `intervals`."""
     state = swung(state)
     ball = ball_of(state)
-    _leagues(state)  # a wrong name is told at once, though the rules come apart
+    _leagues(state)  # a wrong name is refused at once, though the rules come later
     reductions, comparison = _compared(state, ball)
     plain = compare_of(comparison)
     words = changes(plain) or [ALONE]
@@ -252,7 +252,7 @@ def sure(state: CompareState) -> ReadDocument:
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
     answer = compare_of(comparison, _sources(state, comparison), drawn=True, draws=PAGE_DRAWS)
-    return told(compare_document(answer, corking=state.what_if == "cork"))
+    return page_document(compare_document(answer, corking=state.what_if == "cork"))
 
 
 def rules_sure(state: CompareState) -> ReadDocument:
@@ -272,7 +272,7 @@ def rules_sure(state: CompareState) -> ReadDocument:
         sources = sources_for(controls, bat, conditions)
         question = CertifyQuestion(bat, leagues, test.ball, sources=sources, draws=PAGE_DRAWS)
         tested = certificate_of(question, body=reduction.body, test=test)
-        for system, page in told(certificate_document(tested), mark=f"-{place}").html.items():
+        for system, page in page_document(certificate_document(tested), mark=f"-{place}").html.items():
             pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
     return ReadDocument("", pages)
 

@@ -24,7 +24,7 @@ def search(state: DesignState, *, after: Any, say: Say) -> dict[str, Any]:
     if after is not None and after[0] >= question.generations:  # asked to go on beyond its end
         question = replace(question, generations=min(2000, after[0] + state.generations))
 
-    def told(generation: int, front: Front) -> dict[str, Any]:
+    def progress_at(generation: int, front: Front) -> dict[str, Any]:
         return {
             "key": task.key,
             "generation": generation,
@@ -47,10 +47,10 @@ def search(state: DesignState, *, after: Any, say: Say) -> dict[str, Any]:
     )
 
     def grown(generation: int, front: Front) -> None:
-        say(told(generation, front), (generation, front.population) if generation else None)
+        say(progress_at(generation, front), (generation, front.population) if generation else None)
 
     front = designed(task.bench, question, after=after, progress=grown)
-    return told(front.generation, front)
+    return progress_at(front.generation, front)
 
 
 def _front(bench: Bench, front: Front) -> list[dict[str, Any]]:

@@ -27,7 +27,7 @@ from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import place_of
-from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.publications import Publication, published
 from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, swing_options
@@ -211,7 +211,7 @@ def sure(state: ExplorerState) -> ReadDocument:
     setup = along(state)
     analysis = analyse_reduced(setup.reduced, setup.conditions)
     sources = sources_for(state, setup.reduced.bat, analysis.conditions)
-    return told(report_document(report_of(analysis, sources, drawn=True, draws=PAGE_DRAWS)))
+    return page_document(report_document(report_of(analysis, sources, drawn=True, draws=PAGE_DRAWS)))
 
 
 def recipe(state: ExplorerState) -> dict[str, str]:

@@ -39,7 +39,7 @@ from sweetspot.reports.page_words import (
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
 from sweetspot.units.dimensions import DENSITY, DISTANCE
 from sweetspot.web.bats import ball_of, conditions_of, described, place_of, reduced, swung, usual
-from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
@@ -212,12 +212,12 @@ def sure(state: FlightState) -> ReadDocument:
     flying = start.conditions
     if state.start == "ball":
         question = FlightQuestion(start.motion, flying, flight_sources(flying.aerodynamics), PAGE_DRAWS)
-        return told(flight_document(flight_answer(question)))
+        return page_document(flight_document(flight_answer(question)))
     free_bat, conditions, path, pitch, contact = _met(state, ball_of(state))
     sources = play_sources(sources_for(state, free_bat.bat, conditions), flying.aerodynamics)
     model = free_bat.held(conditions.hands)
     asked = PlayQuestion(model, conditions, flying, path, pitch, contact, sources=sources, draws=PAGE_DRAWS)
-    return told(play_document(play_answer(asked)))
+    return page_document(play_document(play_answer(asked)))
 
 
 def fences(state: FlightState) -> Fences:

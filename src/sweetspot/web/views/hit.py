@@ -29,7 +29,7 @@ from sweetspot.reports.page_words import wave_words
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units.dimensions import ANGLE, ENERGY, FORCE, LENGTH, SPEED, TIME
 from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
-from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.recipes import Ask, bat_source, bat_text, conditions_lines, modes_line, swing_options
 from sweetspot.web.states import HeldState, PlacedState
@@ -173,7 +173,7 @@ def sure(state: HitFilmState) -> ReadDocument:
     reduced_bat, conditions, place = _asked(state)
     sources = sources_for(state, reduced_bat.bat, conditions)
     question = HitQuestion(reduced_bat.bat, conditions, place, sources=sources, draws=PAGE_DRAWS)
-    return told(hit_document(hit_answer(question)))
+    return page_document(hit_document(hit_answer(question)))
 
 
 def _asked(state: HitFilmState) -> tuple[ReducedBat[Bat], Conditions, float]:

@@ -21,7 +21,7 @@ from sweetspot.reports.optimum.document import optimum_document
 from sweetspot.reports.page_words import carries_farthest
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
-from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, told
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import Ask, bat_source, bat_text, number, stroke_options
@@ -101,7 +101,7 @@ def swing(state: OptimumState) -> ReadDocument:
     launch = LaunchSearch(through, (state.exit_speed_mph * MPH,), state.backspin_rpm * RPM)
     with about("tilt_deg"):
         found = optimum_answer(OptimumQuestion(reduced_bat.bat, search, launch))
-    return told(optimum_document(found))
+    return page_document(optimum_document(found))
 
 
 def parks(state: OptimumState) -> ReadDocument:
@@ -111,7 +111,7 @@ def parks(state: OptimumState) -> ReadDocument:
     outdoors = FlightConditions(ball=catalog.ball(name), aerodynamics=catalog.aerodynamics_of_ball(name), air=Air())
     there = tuple((park, catalog.conditions_in(park, outdoors)) for park in parks_of(bat))
     question = OptimumQuestion(bat, park=ParkSearch(there, state.backspin_rpm * RPM))
-    return told(optimum_document(optimum_answer(question)))
+    return page_document(optimum_document(optimum_answer(question)))
 
 
 def _through(state: OptimumState) -> FlightConditions:

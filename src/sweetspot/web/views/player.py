@@ -36,7 +36,7 @@ from sweetspot.reports.quantities import SYSTEMS
 from sweetspot.units import MPH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described, listed_bat
-from sweetspot.web.documents import ReadDocument, told
+from sweetspot.web.documents import ReadDocument, page_document
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.one_system import in_one_system
@@ -121,7 +121,7 @@ def fit(state: PlayerState) -> ReadDocument:
 @lru_cache(maxsize=16)
 def _fitted(state: PlayerState) -> ReadDocument:
     swings = _swings(state)
-    return told(player_document(player_answer(swings, player_advice(swings.question, learned(state)))))
+    return page_document(player_document(player_answer(swings, player_advice(swings.question, learned(state)))))
 
 
 @lru_cache(maxsize=16)

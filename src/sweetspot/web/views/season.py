@@ -25,7 +25,7 @@ from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, System
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import PARK, described
-from sweetspot.web.documents import ReadDocument, told
+from sweetspot.web.documents import ReadDocument, page_document
 from sweetspot.web.drawings import BatShape, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
@@ -235,7 +235,7 @@ def player(state: SeasonState) -> ReadDocument | None:
     if folder is None or state.batter is None:
         return None
     with about("batter"):
-        return told(player_page(_answer(folder).player(state.batter)))
+        return page_document(player_page(_answer(folder).player(state.batter)))
 
 
 def contacts(state: SeasonState) -> dict[str, float]:

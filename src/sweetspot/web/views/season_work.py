@@ -15,7 +15,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.whole_files import written_whole
 from sweetspot.units.dimensions import System
-from sweetspot.web.documents import told
+from sweetspot.web.documents import page_document
 from sweetspot.web.jobs import Say
 from sweetspot.web.uploads import TAKEN_AWAY
 
@@ -176,7 +176,7 @@ def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     answer.season.ledger().sink_parquet(tables / "ledger.parquet")
     summary = SeasonSummary(
         bat=described,
-        html=told(season_document(answer)).html,
+        html=page_document(season_document(answer)).html,
         players=tuple(players_of(answer)),
         choices=choices_of(answer.counted),
         rows=sum(table.rows for table in answer.tables),
