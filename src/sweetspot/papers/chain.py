@@ -297,8 +297,8 @@ def _verdict(analysis: Analysis, _choices: Choices) -> Iterator[Row]:
     yield Row(
         "-", "best point, distance from the end", "mm", "between the end and S", None, 1e3 * from_tip,
         Words(
-            "Not at the end, as the paper says, but for other reasons: out there the bat is light (its rotation gives "
-            "way) and its bending takes energy that comes back too late."
+            "Not at the end, as the paper says, but for other reasons: out there the bat is light (it recoils by "
+            "turning) and its bending takes energy that comes back too late."
             + (" The sweet zone is {} wide." if width else ""),
             *width,
         ),
