@@ -63,6 +63,10 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
         "compare r161-ash --what-if cork --bore-depth 8in",
         lambda: door.compare_corked(R161, bore_depth="8in"),
     ),
+    (
+        "design mlb-a --contact 8in --population 8 --generations 2 --want exit-speed",
+        lambda: door.design("mlb-a", contact="8in", population=8, generations=2, want=["exit_speed"]),
+    ),
     ("certify r161-ash --league mlb", lambda: door.certify(R161, league="mlb")),
     (
         "optimum --show launch --exit-speed 95mph --backspin 2000rpm",
@@ -108,7 +112,7 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
     ),
     ("season balls.csv --try mlb-a", lambda: door.season("balls.csv", others=["mlb-a"])),
 ]
-IN_WORDS = {"verdict", "findings", "answers"}
+IN_WORDS = {"verdict", "findings", "answers", "words"}
 """What a command adds to an answer: sentences."""
 
 

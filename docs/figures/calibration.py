@@ -45,13 +45,13 @@ def worth_figure() -> Figure:
             for old, value in zip(new, values, strict=True)
         ]
         covariance = np.diag([unknown.spread**2 for unknown in unknowns])
-        described = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
+        bat_so_far = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
         if so_far:
             posterior = calibrate(beam, unknowns, so_far)
-            covariance, described = posterior.covariance, calibrated_bat(posterior, None)
+            covariance, bat_so_far = posterior.covariance, calibrated_bat(posterior, None)
         # with the unknowns that the outline leaves open
-        open_yet = sources_of(described, conditions, calibration=(unknowns, covariance))
-        question = HitQuestion(described, conditions, place, sources=replace(open_yet, others=()), draws=256)
+        open_yet = sources_of(bat_so_far, conditions, calibration=(unknowns, covariance))
+        question = HitQuestion(bat_so_far, conditions, place, sources=replace(open_yet, others=()), draws=256)
         sure = hit_answer(question).exit_speed
         assert isinstance(sure, Interval)
         speed.append((sure.high - sure.low) / 2 / MPH)

@@ -15,6 +15,7 @@ from .analysis.full_play import plays as plays
 from .answers.calibrate import CalibrateAnswer as CalibrateAnswer
 from .answers.certify import CertifyAnswer as CertifyAnswer
 from .answers.compare import CompareAnswer as CompareAnswer
+from .answers.design import DesignAnswer as DesignAnswer
 from .answers.drop import DropAnswer as DropAnswer
 from .answers.fly import FlyAnswer as FlyAnswer
 from .answers.hit import HitAnswer as HitAnswer
@@ -93,6 +94,7 @@ __all__ = [
     "CompareAnswer",
     "Conditions",
     "Contact",
+    "DesignAnswer",
     "DropAnswer",
     "FitPlayerAnswer",
     "Flight",
@@ -137,6 +139,7 @@ __all__ = [
     "certify",
     "compare",
     "compare_corked",
+    "design",
     "drop",
     "effective_mass",
     "fit_player",
@@ -226,6 +229,41 @@ def compare_corked(
     ball_temperature: Amount | None = None,
     same_speed: bool = False,
 ) -> CompareAnswer: ...
+def design(
+    implement: Tool,
+    *,
+    want: Sequence[str] = ...,
+    keep: Sequence[str] = ...,
+    woods: Sequence[str] = ...,
+    league: str | None = None,
+    deepest_cup: Amount = 0.0254,
+    handle: Amount | None = None,
+    pick: int = 1,
+    seed: int = 1,
+    population: int = 48,
+    generations: int = 30,
+    resume: Path | None = None,
+    contact: Amount | None = None,
+    contact_spread: Amount | None = None,
+    contacts: Path | str | None = None,
+    batter: str | None = None,
+    player: Path | str | None = None,
+    doubt: Amount = 0.0127,
+    offset: Amount | None = None,
+    offset_spread: Amount | None = None,
+    swing_law: str | None = None,
+    exponent: float | None = None,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> DesignAnswer: ...
 def drop(
     *,
     uncertainty: bool = False,

@@ -32,7 +32,18 @@ WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b|tuple\[float")
 """The same of numbers that may have an error, or be a place from the tip."""
 SETUPS = {
     *("HitSetup", "PathSetup", "PitchSetup", "ContactSetup", "Weather", "FieldAir", "LaunchSetup"),
-    *("BlockSetup", "FallSetup", "CorkSetup", "SearchSetup", "SentSetup", "Choices", "GoalSetup"),
+    *(
+        "BlockSetup",
+        "FallSetup",
+        "CorkSetup",
+        "SearchSetup",
+        "SentSetup",
+        "Choices",
+        "GoalSetup",
+        "BatterSetup",
+        "LimitSetup",
+        "FrontSetup",
+    ),
 }
 """Annotations of parameters whose fields are parameters of the public function."""
 BAT = "a bat or another implement, its name in the catalogue (`sweetspot bats` lists them) or its file"

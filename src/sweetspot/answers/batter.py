@@ -38,9 +38,9 @@ class BatterSetup:
 
     contact: float | None = None
     contact_spread: float | None = None
-    contacts: Path | None = None
+    contacts: Path | str | None = None
     batter: str | None = None
-    player: Path | None = None
+    player: Path | str | None = None
     doubt: float = 0.5 * INCH
     offset: float | None = None
     offset_spread: float | None = None
@@ -64,7 +64,7 @@ class BatterSetup:
         if implement.outline is not None:
             usual |= _on_a_face(implement, conditions)
         if self.player is not None:
-            usual |= fitted_player(self.player)
+            usual |= fitted_player(Path(self.player))
         spread = usual["offset_spread"] if self.offset_spread is None else self.offset_spread
         if not 0 < spread < WIDEST_SPREAD:
             raise InputError(
@@ -86,14 +86,15 @@ class BatterSetup:
         )
 
     def _contacts(self, usual: dict[str, float]) -> ContactPlaces:
-        if self.contacts is not None and self.contacts.is_dir():
+        table = None if self.contacts is None else Path(self.contacts)
+        if table is not None and table.is_dir():
             if self.batter is None:
                 raise InputError(
-                    f"{self.contacts} is a season's folder; name the batter by --batter, a number of its players.csv"
+                    f"{table} is a season's folder; name the batter by --batter, a number of its players.csv"
                 )
-            return contacts_at(contact_places(self.contacts, self.batter))
-        if self.contacts is not None:
-            return contacts_of_file(self.contacts, batter=self.batter)
+            return contacts_at(contact_places(table, self.batter))
+        if table is not None:
+            return contacts_of_file(table, batter=self.batter)
         mean = usual["position"] if self.contact is None else self.contact
         scatter = usual["position_spread"] if self.contact_spread is None else self.contact_spread
         if not usual.get("balls"):
