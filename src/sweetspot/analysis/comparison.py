@@ -142,7 +142,7 @@ def _check_alike(bats: Sequence[Implement]) -> None:
         first, other = bats[0], strangers[0]
         raise InputError(
             f"{first.name} is of {first.sport} and {other.name} of {other.sport}; both would be hit by the ball of the "
-            "first. Compare implements of one sport, or add --force if it is meant"
+            "first. Compare implements of one sport, or add --force if it is intended"
         )
 
 

@@ -60,7 +60,7 @@ def leagues_and_ball(name: str, ball_name: str | None = None) -> tuple[list[Leag
     if wanted != played and not insisted():
         raise InputError(
             f"ball was given as {ball_name}, a ball of {wanted}; {chosen.key} tests bats with a ball of {played}. "
-            "Leave it out, or add --force if it is meant"
+            "Leave it out, or add --force if it is intended"
         )
     return [chosen], ball(ball_name or chosen.ball)
 

@@ -244,7 +244,7 @@ def check_on_face(bat: Implement, position: float, what: str = "position") -> No
         raise InputError(
             f"{what} is {format_length(position)} from the {bat.grip_end}, off the face of {bat.name}, which reaches "
             f"from {format_length(face.start)} to {format_length(face.end)}; the ball meets grip or frame there. Give "
-            "a place on the face, or add --force if it is meant"
+            "a place on the face, or add --force if it is intended"
         )
 
 

@@ -120,18 +120,18 @@ def check_speeds(swings: Sequence[PlayerSwing], path: Path) -> None:
     if len(angles) >= FEWEST and 0 < max(angles) < LEVEL and not insisted():
         raise InputError(
             f"{path}: no ball left at more than {math.degrees(max(angles)):.2f} degrees up or down; are the launch "
-            "angles in radians? Write _rad behind the heading, or add --force if it is meant"
+            "angles in radians? Write _rad behind the heading, or add --force if it is intended"
         )
     if len(swings) >= FEWEST and len({replace(swing, row=0) for swing in swings}) == 1 and not insisted():
         raise InputError(
             f"{path}: all {len(swings)} swings are the same to the last digit; is one row copied? Give each swing "
-            "as it was measured, or add --force if it is meant"
+            "as it was measured, or add --force if it is intended"
         )
     if len(middle) == len(NEEDED) and not insisted() and middle["bat_speed"] > SWAPPED * middle["exit_speed"]:
         bat, ball = (f"{middle[quantity] / MPH:.1f} mph" for quantity in NEEDED)
         raise InputError(
             f"{path}: the bat is faster ({bat} in the median) than the ball leaves ({ball}); are the columns of bat "
-            "speed and exit speed swapped? Mend the headings, or add --force if it is meant"
+            "speed and exit speed swapped? Mend the headings, or add --force if it is intended"
         )
 
 

@@ -177,7 +177,7 @@ def _check_like_a_bat(
         raise InputError(
             f"{path} shows something {format_length(reach)} long and {format_length(thin)} to {format_length(thick)} "
             f"thick, as no bat is. It would be one with {', or with '.join(meant)}: mend the headings, or add --force "
-            "if it is meant"
+            "if it is intended"
         )
 
 
@@ -209,7 +209,7 @@ def _check_end(stations: Sequence[tuple[float, float]], where: TableColumn, path
     raise InputError(
         f"{path} has its thicker half where {where.heading} is {'large' if where.from_tip else 'small'}, though it "
         f"counts from the {ends[0]}. Where it counts from the {ends[1]}, call the column so, as in in_from_{ends[1]}; "
-        "or add --force if it is meant"
+        "or add --force if it is intended"
     )
 
 
