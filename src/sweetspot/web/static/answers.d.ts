@@ -262,7 +262,7 @@ export interface ComparisonPicture {
   assumptions: Record<"us" | "si", string[]>;
 }
 
-/** What the intervals of a comparison are, and how sure each bat's gain over the first is. */
+/** The intervals of a comparison, and the probability of each bat's gain over the first. */
 export interface ComparisonUncertainty {
   interval_level: number;
   draws: number;
@@ -1295,7 +1295,7 @@ export interface Tapped {
   hand_speed_m_s_per_n_s: number;
 }
 
-/** What people of a sport call things; the defaults are baseball's. */
+/** Vocabulary of a sport; the defaults are baseball's. */
 export interface Terms {
   implement: string;
   tip: string;
