@@ -162,6 +162,7 @@ def heading_parsers() -> set[str]:
         path.relative_to(PACKAGE).as_posix()
         for path, node in nodes()
         if isinstance(node, ast.Dict)
+        and not any(isinstance(value, ast.Tuple) for value in node.values)
         and len({key.value for key in node.keys if isinstance(key, ast.Constant)} & UNITS) > 1
         and texts(PACKAGE)[path].count("heading") > 2
     }

@@ -12,14 +12,14 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.equipment.bat import Bat
 from sweetspot.papers.chain import paper_rows
 from sweetspot.papers.choices import Choices
-from sweetspot.papers.formulas import Row
+from sweetspot.papers.formulas import PaperRow
 
 
 @dataclass(frozen=True, kw_only=True)
 class PaperAnswer(Answer):
     """The paper's statements about one bat, in the paper's order; numbers are in the unit of their row."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[PaperRow, ...]
     swung_with: SwungWith | None = None
     analysis: Annotated[Analysis[Bat], INTERNAL]
 

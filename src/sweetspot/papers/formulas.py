@@ -25,7 +25,7 @@ Value = float | str | None
 
 
 @dataclass(frozen=True)
-class Row:
+class PaperRow:
     """One statement: the paper's number or claim, its formula evaluated here, the full model's answer."""
 
     equation: str

@@ -24,16 +24,16 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.sport import DropRule, Sport
 from sweetspot.papers import formulas as paper
-from sweetspot.papers.formulas import Row
+from sweetspot.papers.formulas import PaperRow
 
 
-def sport_rows(sport: Sport) -> list[Row]:
+def sport_rows(sport: Sport) -> list[PaperRow]:
     """Return the formulas of percussion centre, energy return and drop test for a sport, in the paper's order.
 
     The implement is the sport's first in the catalogue, under its usual stroke.
     """
     ball = catalog.ball(sport.balls[0])
-    rows: list[Row] = []
+    rows: list[PaperRow] = []
     if implements := sport_implements(sport.key):
         tool = catalog.implement(implements[0])
         analysis = analyse(tool, standard_conditions(tool).replaced(ball=ball))
@@ -65,24 +65,24 @@ def wall_speed(analysis: Analysis[Implement]) -> float:
     return analysis.best.closing_speed / math.sqrt(1 + recoil)
 
 
-def _percussion(analysis: Analysis[Implement]) -> Iterator[Row]:
+def _percussion(analysis: Analysis[Implement]) -> Iterator[PaperRow]:
     """Yield equations 9 and 11: the centre of percussion and the hand."""
     bat, body, hands = analysis.bat, analysis.body, analysis.conditions.hands.position
     rod = paper.rod(bat.length, body.mass)
-    yield Row(
+    yield PaperRow(
         "11", f"b = J_D / (m l): centre of percussion of {bat.name}", "cm", None,
         100 * centre_of_percussion(rod, pivot=0.0), 100 * centre_of_percussion(body, pivot=hands),
         "From the butt. Computed: a uniform rod of this length held at its end. Full model: this mass, balance and "
         f"swing weight, held {100 * hands:.0f} cm from the butt. Same formula, other coefficients: exact for both.",
     )  # fmt: skip
-    yield Row(
+    yield PaperRow(
         "9", "hand force over blow, hit at the far end", "ratio", None,
         paper.hand_force_ratio(rod, bat.length, hands=0.0), hand_impulse_ratio(body, bat.length, hands=hands),
         "Negative: the hand is jerked forwards.",
     )  # fmt: skip
 
 
-def _energy(analysis: Analysis[Implement]) -> Iterator[Row]:
+def _energy(analysis: Analysis[Implement]) -> Iterator[PaperRow]:
     """Yield the two-spring formula with the sport's ball and face."""
     ball, best, face = analysis.conditions.ball, analysis.best, analysis.bat.face
     share, speed = face_share(analysis), wall_speed(analysis)
@@ -91,11 +91,11 @@ def _energy(analysis: Analysis[Implement]) -> Iterator[Row]:
     returned = paper.energy_returned(bat_restitution=face_restitution, ball_restitution=ball_restitution, share=share)
     recoil = ball.mass / effective_mass(analysis.body, best.position)
     measured = best.collision_efficiency * (1 + recoil) + recoil
-    yield Row(
+    yield PaperRow(
         "z", "share of the stored energy that the face takes", "ratio", None, share, None,
         f"At the best place, pressed slowly; a ball on a rigid wall at {speed:.1f} m/s would store as much.",
     )  # fmt: skip
-    yield Row(
+    yield PaperRow(
         "W", "W = k_bat^2 z + k_ball^2 (1 - z): energy returned over energy stored", "ratio", None, returned,
         measured**2,
         f"k_bat = {face_restitution:.3f} (face alone), k_ball = {ball_restitution:.3f} (at the speed of its share); "
@@ -130,13 +130,13 @@ def _block(rule: DropRule) -> Block:
     )
 
 
-def _drops(sport: Sport, ball: Ball) -> Iterator[Row]:
+def _drops(sport: Sport, ball: Ball) -> Iterator[PaperRow]:
     """Yield the drop tests of the sport's rule book."""
     for rule in sport.drops:
         block = _block(rule)
         limit = paper.drop_test(ball, height=rule.drop_height, material=block.material)
         real = drop(block, ball=ball, height=rule.drop_height, air_density=ROOM_AIR)
-        yield Row(
+        yield PaperRow(
             "Fig. 6", f"{rule.name}: rebound from {100 * rule.drop_height:.4g} cm", "cm", rule.printed,
             100 * limit.rebound, 100 * real.rebound,
             f"The claim is the rule's. The formula leaves the air out, the full model does not: e = "

@@ -15,7 +15,7 @@ from sweetspot.flight.air import VACUUM, Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import fly
-from sweetspot.papers.formulas import Row
+from sweetspot.papers.formulas import PaperRow
 from sweetspot.papers.metal_wall import METAL_BAT
 from sweetspot.papers.words import Number, Words, metres, miles_per_hour
 from sweetspot.units import MPH
@@ -28,16 +28,16 @@ STILL = 5e-3
 """m by which a best place may move and still be called the same: a player scatters by ten times as much."""
 
 
-def hole_lightens(analysis: Analysis[Implement], other: Analysis[Implement]) -> Row:
+def hole_lightens(analysis: Analysis[Implement], other: Analysis[Implement]) -> PaperRow:
     """Return the claim that a bat weighs less when it is hollowed, as the other one is."""
     lost = analysis.body.mass - other.body.mass
-    return Row(
+    return PaperRow(
         "13", "mass of the bat, corked less plain", "g", "less", None, -1e3 * lost,
         "Right, and this, not a softer barrel, is what the hole does to a hit.",
     )  # fmt: skip
 
 
-def metal_is_swung_faster(analysis: Analysis[Implement]) -> Row:
+def metal_is_swung_faster(analysis: Analysis[Implement]) -> PaperRow:
     """Return the claim that a metal bat, being lighter, is swung faster with the same effort."""
     metal, bat = catalog.bat(METAL_BAT), analysis.bat
     body = rigid_body(beam_model(metal))
@@ -45,7 +45,7 @@ def metal_is_swung_faster(analysis: Analysis[Implement]) -> Row:
     speed = analysis.conditions.swing.bat_speed
     faster, low, high = (speed * (each - 1) for each in (ratio.value, ratio.low, ratio.high))
     right = "Right in kind" if low > 0 else "Not so for this bat" if high < 0 else "Not decided here"
-    return Row(
+    return PaperRow(
         "W", "bat speed with the same effort, metal less this bat", "mph", "more", None, faster / MPH,
         Words(
             f"{right}: {{}} to {{}} by the law of {catalog.swing_law().name}. Not the mass counts but how far from "
@@ -56,7 +56,7 @@ def metal_is_swung_faster(analysis: Analysis[Implement]) -> Row:
     )  # fmt: skip
 
 
-def carries(analysis: Analysis[Implement], *, speeds: Sequence[float]) -> Iterator[Row]:
+def carries(analysis: Analysis[Implement], *, speeds: Sequence[float]) -> Iterator[PaperRow]:
     """Yield the carries of the balls of the formula for W, without air, as in the paper, and with air.
 
     Parameters
@@ -71,11 +71,11 @@ def carries(analysis: Analysis[Implement], *, speeds: Sequence[float]) -> Iterat
         return fly(hit.motion, FlightConditions(ball=ball, aerodynamics=law, air=air)).carry
 
     bare, real = ([carry(speed, air) for speed in speeds] for air in (VACUUM, Air()))
-    yield Row(
+    yield PaperRow(
         "W", f"carry of that ball off wood, {math.degrees(LAUNCH_ANGLE):.0f}° up", "m", None, bare[0], real[0],
         "Computed: without air, which the paper leaves out. Full model: with it, at sea level.",
     )  # fmt: skip
-    yield Row(
+    yield PaperRow(
         "W", "carry of that ball off metal", "m", "further", bare[1], real[1],
         Words(
             "Right. That leaving out the air hardly matters is not: it takes "
@@ -85,16 +85,16 @@ def carries(analysis: Analysis[Implement], *, speeds: Sequence[float]) -> Iterat
     )  # fmt: skip
 
 
-def livelier_ball(analysis: Analysis[Implement]) -> Iterator[Row]:
+def livelier_ball(analysis: Analysis[Implement]) -> Iterator[PaperRow]:
     """Yield the cited claims on restitution: it does not move the best point and changes the speed a lot."""
     conditions = analysis.conditions
     ball = conditions.ball.with_restitution(conditions.ball.restitution.reference + LIVELIER)
     other = analyse(analysis.bat, conditions.replaced(ball=ball))
     moved = other.sweet_spots.max_exit_speed - analysis.sweet_spots.max_exit_speed
     gained = exit_speed_of(other.best, conditions) - exit_speed_of(analysis.best, conditions)
-    yield Row(
+    yield PaperRow(
         "cited", f"best point moves towards the end, restitution of the ball + {LIVELIER:g}", "mm", "not at all", None,
         1e3 * moved, "Right." if abs(moved) < STILL else "Not quite: a livelier ball is best met further out.",
     )  # fmt: skip
     what = f"exit speed gains, restitution of the ball + {LIVELIER:g}"
-    yield Row("cited", what, "mph", "much", None, gained / MPH, "Right.")
+    yield PaperRow("cited", what, "mph", "much", None, gained / MPH, "Right.")

@@ -343,7 +343,7 @@ WORDS = {
     "pitch_speed": (
         "Pitch speed",
         "only bat speed can be learned",
-        "good for a machine or a tee; check that it is meant",
+        "good for a machine or a tee; check that it is intended",
     ),
     "launch_angle": (
         "Launch angle",

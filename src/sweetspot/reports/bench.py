@@ -8,7 +8,7 @@ from sweetspot import validation
 from sweetspot.answers.drop import DropAnswer
 from sweetspot.answers.paper import PaperAnswer
 from sweetspot.answers.pendulum import PendulumAnswer
-from sweetspot.papers.formulas import Row, Value
+from sweetspot.papers.formulas import PaperRow, Value
 from sweetspot.reports.document import Block, Cell, Column, Document, Marked, Paragraph, Table
 from sweetspot.reports.json_shapes import as_columns
 from sweetspot.reports.quantities import SI
@@ -134,13 +134,13 @@ def paper_document(answer: PaperAnswer) -> Document:
     )
 
 
-def paper_table(rows: Sequence[Row], title: str = "") -> Table:
+def paper_table(rows: Sequence[PaperRow], title: str = "") -> Table:
     """Return the paper's chain, each statement with its comment below it; units are those of the paper."""
     columns = [Column(name) for name in ("eq.", "statement", "paper", "computed", "full model", "unit")]
     return Table(title, columns, [_cells(row) for row in rows], name="paper")
 
 
-def _cells(row: Row) -> list[Cell]:
+def _cells(row: PaperRow) -> list[Cell]:
     numbers = [_shown(value) for value in (row.paper, row.computed, row.full_model)]
     return [row.equation, f"{row.quantity}\n{row.comment}\n", *numbers, row.unit]
 

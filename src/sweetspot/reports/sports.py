@@ -8,7 +8,7 @@ from typing import Any
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
-from sweetspot.papers.formulas import Row
+from sweetspot.papers.formulas import PaperRow
 from sweetspot.reports.bench import paper_table
 from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.reports.json_shapes import as_columns
@@ -36,7 +36,7 @@ def sports_document() -> Document:
     )  # fmt: skip
 
 
-def sport_document(described: Sport, rows: Sequence[Row]) -> Document:
+def sport_document(described: Sport, rows: Sequence[PaperRow]) -> Document:
     """Return everything about one sport; its numbers are shown as their sources write them.
 
     Parameters

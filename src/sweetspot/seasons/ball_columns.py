@@ -82,7 +82,7 @@ def columns_of_other(name: str) -> tuple[OutputColumn, ...]:
     return tuple(OutputColumn(stem + side, "speed", meaning, "bats") for side in SIDES)
 
 
-class Words(NamedTuple):
+class Categories(NamedTuple):
     """A column of few words: which of them stands in each row.
 
     Parameters
@@ -95,7 +95,7 @@ class Words(NamedTuple):
     number: NDArray[np.int64]
 
 
-def as_series(column: OutputColumn, values: Array | Words, system: System) -> pl.Series:
+def as_series(column: OutputColumn, values: Array | Categories, system: System) -> pl.Series:
     """Return values in SI as a column in a system's unit; what is not finite is missing.
 
     Parameters
@@ -104,7 +104,7 @@ def as_series(column: OutputColumn, values: Array | Words, system: System) -> pl
     values : in SI; 1 and 0 for yes and no; words where the column's kind is text.
     """
     heading = column.heading(system)
-    if isinstance(values, Words):
+    if isinstance(values, Categories):
         return pl.Series(heading, values.words, dtype=pl.String).gather(values.number)
     if column.kind == "yes":
         return pl.Series(heading, values, nan_to_null=True).cast(pl.Boolean)
@@ -231,28 +231,28 @@ def answer_headings(setting: SeasonSetting) -> list[str]:
     return [column.heading(setting.system) for column in columns]
 
 
-def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
+def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Categories]]:
     flown, balls = answers.flight, answers.balls
     here = np.isfinite(flown.launch_direction)
     outcome = np.select([np.isnan(balls.launch_angle), ~np.isfinite(flown.carry), ~here], [1, 2, 3], 0)
-    values: dict[str, Array | Words] = {
-        "flight_outcome": Words(FLIGHT_OUTCOMES, outcome), "launch_direction": flown.launch_direction,
+    values: dict[str, Array | Categories] = {
+        "flight_outcome": Categories(FLIGHT_OUTCOMES, outcome), "launch_direction": flown.launch_direction,
         "carry": flown.carry, "carry_spread": flown.carry_spread, "hang_time": flown.hang_time,
         "apex": flown.apex_height, "landing_angle": flown.landing_angle,
         "carry_above": answers.carry_above, "home_run_here": flown.home_run_here,
         "home_runs_in_30": flown.home_runs, "home_run_parks": flown.home_run_parks,
-        "home_run_kind": Words(HOME_RUN_KINDS, answers.home_run_kind),
+        "home_run_kind": Categories(HOME_RUN_KINDS, answers.home_run_kind),
     }  # fmt: skip
     yield from ((column, values[column.name]) for column in FLIGHT)
 
 
-def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Words]]:
+def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Categories]]:
     contact, balls = answers.contact, answers.balls
     assert contact is not None
     counted, rows = measures(balls, contact), contact.results
     names = (*setting.bat_names, UNKNOWN_BAT)
-    values: dict[str, Array | Words] = {
-        "bat": Words(names, answers.bat_of % len(names)), "contact_outcome": Words(OUTCOMES, contact.outcome),
+    values: dict[str, Array | Categories] = {
+        "bat": Categories(names, answers.bat_of % len(names)), "contact_outcome": Categories(OUTCOMES, contact.outcome),
         "pitch_at_plate": balls.plate_speed, "ceiling": contact.ceiling, "above_ceiling": contact.above_chance,
         "above_improbable": contact.above_improbable, "league_ceiling": contact.league_ceiling,
         "offset": rows[:, kernel.OFFSET], "offset_spread": rows[:, kernel.OFFSET_SPREAD],
@@ -268,6 +268,6 @@ def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputC
     yield from ((column, values[column.name]) for column in CONTACT)
 
 
-def _others(contact: Contacts) -> Iterator[tuple[OutputColumn, Array | Words]]:
+def _others(contact: Contacts) -> Iterator[tuple[OutputColumn, Array | Categories]]:
     for name, three in contact.others.items():
         yield from zip(columns_of_other(name), three, strict=True)

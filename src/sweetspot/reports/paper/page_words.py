@@ -10,7 +10,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.papers import formulas
 from sweetspot.papers.choices import Choices
-from sweetspot.papers.formulas import Row
+from sweetspot.papers.formulas import PaperRow
 from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.units import MPH
 
@@ -28,7 +28,7 @@ Told = tuple[list[Sentence], list[Sentence]]
 """Sentences, and formulas with the numbers of now."""
 
 
-def paper_words(question: str, analysis: Analysis[Bat], choices: Choices, rows: list[Row]) -> Told:
+def paper_words(question: str, analysis: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> Told:
     """Return the full model's answer to a question, and the question's formulas with its numbers.
 
     Parameters
@@ -38,7 +38,7 @@ def paper_words(question: str, analysis: Analysis[Bat], choices: Choices, rows: 
     return QUESTIONS[question](analysis, choices, rows)
 
 
-def _numbers(rows: list[Row], equation: str, column: str = "full_model") -> list[float]:
+def _numbers(rows: list[PaperRow], equation: str, column: str = "full_model") -> list[float]:
     """Return a column of the rows of an equation; nan where there is no number."""
     values = [getattr(row, column) for row in rows if row.equation == equation]
     return [value if isinstance(value, float) else math.nan for value in values]
@@ -48,7 +48,7 @@ def _from_tip(analysis: Analysis[Bat], place: float) -> Slot:
     return Slot(analysis.bat.length - place, "place")
 
 
-def _end(analysis: Analysis[Bat], _: Choices, rows: list[Row]) -> Told:
+def _end(analysis: Analysis[Bat], _: Choices, rows: list[PaperRow]) -> Told:
     elastic, travel = (_numbers(rows, "S", column)[-1] * 1e-3 for column in ("computed", "full_model"))
     scan = analysis.scan
     words = say(
@@ -82,7 +82,7 @@ def percussion_places(analysis: Analysis[Bat], choices: Choices) -> tuple[RigidB
     )
 
 
-def _percussion(analysis: Analysis[Bat], choices: Choices, __: list[Row]) -> Told:
+def _percussion(analysis: Analysis[Bat], choices: Choices, __: list[PaperRow]) -> Told:
     length, best = analysis.bat.length, analysis.sweet_spots.max_exit_speed
     _body, rod, bat, moved, _place = percussion_places(analysis, choices)
 
@@ -109,7 +109,7 @@ def _percussion(analysis: Analysis[Bat], choices: Choices, __: list[Row]) -> Tol
     ]
 
 
-def _corking(_: Analysis[Bat], __: Choices, rows: list[Row]) -> Told:
+def _corking(_: Analysis[Bat], __: Choices, rows: list[PaperRow]) -> Told:
     before, after = _numbers(rows, "13")[-2:]  # of the plain bat, then of the corked one
     long, longer, fast, faster = _numbers(rows, "14")[-4:]
     change = (faster - fast) * MPH
@@ -133,7 +133,7 @@ def _corking(_: Analysis[Bat], __: Choices, rows: list[Row]) -> Told:
     ]
 
 
-def _drop(analysis: Analysis[Bat], choices: Choices, rows: list[Row]) -> Told:
+def _drop(analysis: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> Told:
     heights = [row.full_model if isinstance(row.full_model, float) else None for row in rows[:2]]
     wood, metal = (NO_HEIGHT if height is None else Slot(height, "place") for height in heights)
     thick = choices.block_support == "floor" or choices.block_thickness > THICK
@@ -150,7 +150,7 @@ def _drop(analysis: Analysis[Bat], choices: Choices, rows: list[Row]) -> Told:
     return [words, say(why)], [say("E_wood = {wood} , E_metal = {metal}", wood=lost[0], metal=lost[1])]
 
 
-def _energy(_: Analysis[Bat], choices: Choices, rows: list[Row]) -> Told:
+def _energy(_: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> Told:
     (wood, metal), (wood_model, metal_model) = _numbers(rows, "W", "computed")[:2], _numbers(rows, "W")[:2]
     words = say(
         "The formula is exact for two springs in series: e = √W is {wood} for wood and {metal} for metal here. The "
@@ -172,7 +172,7 @@ def _energy(_: Analysis[Bat], choices: Choices, rows: list[Row]) -> Told:
     return [words], [say(line) for line in lines]
 
 
-def _verdict(analysis: Analysis[Bat], _: Choices, __: list[Row]) -> Told:
+def _verdict(analysis: Analysis[Bat], _: Choices, __: list[PaperRow]) -> Told:
     spots = analysis.sweet_spots
     words = say(
         "{name} hits fastest {place} from the tip",

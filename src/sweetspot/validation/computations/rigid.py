@@ -43,7 +43,7 @@ def listed_efficiency(*, length: float, from_tip: float, ball_mass: float, resti
     return collision_efficiency(restitution, recoil=ball_mass / mass)
 
 
-class BestHit(NamedTuple):
+class RigidBest(NamedTuple):
     """The place of the greatest exit speed, and that speed."""
 
     from_tip: float
@@ -59,7 +59,7 @@ def rigid_best(
     bat_speed: float,
     measured_at: float,
     **line: float,
-) -> BestHit:
+) -> RigidBest:
     """Return the best hit of a rigid bat that turns about its knob end, with the same restitution everywhere."""
     from scipy.optimize import minimize_scalar
 
@@ -70,7 +70,7 @@ def rigid_best(
         return exit_speed(efficiency, ball_speed=ball_speed, bat_speed=bat_speed * place / measured_at)
 
     best = minimize_scalar(lambda place: -speed(place), bounds=(body.balance_point, length), method="bounded")
-    return BestHit(length - float(best.x), speed(float(best.x)))
+    return RigidBest(length - float(best.x), speed(float(best.x)))
 
 
 def catalogue_moi(*, bat: str, axis: float) -> float:

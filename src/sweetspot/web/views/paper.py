@@ -14,7 +14,7 @@ from sweetspot.answers.conditions import HitConditions, hit_conditions
 from sweetspot.dynamics.block import Support
 from sweetspot.papers.chain import PARTS
 from sweetspot.papers.choices import RATIOS, Choices
-from sweetspot.papers.formulas import Row
+from sweetspot.papers.formulas import PaperRow
 from sweetspot.papers.words import Number, Words
 from sweetspot.reports.paper.page_words import paper_words
 from sweetspot.reports.quantities import SYSTEMS, Reader, System
@@ -69,7 +69,7 @@ class StatementWords:
 
 
 @dataclass(frozen=True)
-class Statement(Row):
+class Statement(PaperRow):
     """One statement of the paper, with its words for readers of either system."""
 
     words: Mapping[System, StatementWords]
@@ -115,7 +115,7 @@ def answer(state: PaperState) -> PaperPicture:
     )
 
 
-def _words(row: Row) -> dict[System, StatementWords]:
+def _words(row: PaperRow) -> dict[System, StatementWords]:
     return {
         system: StatementWords(_read(row.quantity, reader), _read(row.comment, reader))
         for system, reader in SYSTEMS.items()

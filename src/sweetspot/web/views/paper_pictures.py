@@ -21,7 +21,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.papers import formulas
 from sweetspot.papers.choices import Choices, can_be_drilled, corked_analysis
-from sweetspot.papers.formulas import Row
+from sweetspot.papers.formulas import PaperRow
 from sweetspot.papers.metal_wall import metal_wall_point
 from sweetspot.reports.paper.page_words import percussion_places
 from sweetspot.units.dimensions import FORCE, LENGTH, SPEED, TIME
@@ -144,13 +144,13 @@ def _along(analysis: Analysis[Bat]) -> dict[str, Any]:
     }
 
 
-def _end(analysis: Analysis[Bat], _: Choices, rows: list[Row]) -> EndPicture:
+def _end(analysis: Analysis[Bat], _: Choices, rows: list[PaperRow]) -> EndPicture:
     elastic = [row for row in rows if row.equation == "S"][-1]
     assert isinstance(elastic.computed, float) and isinstance(elastic.full_model, float)
     return EndPicture(**_along(analysis), elastic_travel=elastic.computed / 1e3, travel=elastic.full_model / 1e3)
 
 
-def _percussion(analysis: Analysis[Bat], choices: Choices, _: list[Row]) -> PercussionPicture:
+def _percussion(analysis: Analysis[Bat], choices: Choices, _: list[PaperRow]) -> PercussionPicture:
     bat, body, hands = analysis.bat, analysis.body, analysis.conditions.hands.position
     rod, of_rod, of_bat, of_moved, moved = percussion_places(analysis, choices)
     places = np.linspace(0, bat.length, PLACES)
@@ -166,7 +166,7 @@ def _percussion(analysis: Analysis[Bat], choices: Choices, _: list[Row]) -> Perc
     )
 
 
-def _corking(analysis: Analysis[Bat], choices: Choices, _: list[Row]) -> CorkingPicture:
+def _corking(analysis: Analysis[Bat], choices: Choices, _: list[PaperRow]) -> CorkingPicture:
     if not can_be_drilled(analysis.bat):
         raise FieldError(
             "bat", f"{analysis.bat.name} is hollow, drilled already or without an outline; choose a solid wood bat"
@@ -185,7 +185,7 @@ def _corking(analysis: Analysis[Bat], choices: Choices, _: list[Row]) -> Corking
     )
 
 
-def _drop(analysis: Analysis[Bat], choices: Choices, rows: list[Row]) -> DropPicture:
+def _drop(analysis: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> DropPicture:
     ball, support = analysis.conditions.ball, choices.block_support
     wood, metal = (
         DroppedOn(_height(row.full_model), _height(row.computed) or 0.0, _rebounds(key, support, ball))
@@ -212,7 +212,7 @@ def _rebounds(material: str, support: Support, ball: Ball) -> tuple[float, ...]:
     return tuple(bounce(block, ball=ball, height=1.0)[0] for block in blocks)
 
 
-def _energy(_: Analysis[Bat], choices: Choices, __: list[Row]) -> EnergyPicture:
+def _energy(_: Analysis[Bat], choices: Choices, __: list[PaperRow]) -> EnergyPicture:
     shares = np.linspace(0, 0.3, 61)
 
     def returned(restitution: float) -> Array:
@@ -236,11 +236,11 @@ def _energy(_: Analysis[Bat], choices: Choices, __: list[Row]) -> EnergyPicture:
     )
 
 
-def _verdict(analysis: Analysis[Bat], _: Choices, __: list[Row]) -> VerdictPicture:
+def _verdict(analysis: Analysis[Bat], _: Choices, __: list[PaperRow]) -> VerdictPicture:
     return VerdictPicture(**_along(analysis))
 
 
-PICTURES: dict[str, Callable[[Analysis[Bat], Choices, list[Row]], Any]] = {
+PICTURES: dict[str, Callable[[Analysis[Bat], Choices, list[PaperRow]], Any]] = {
     "end": _end,
     "percussion": _percussion,
     "corking": _corking,
