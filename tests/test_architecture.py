@@ -74,8 +74,8 @@ def sources() -> dict[Path, str]:
 
 
 parsed = cache(ast.parse)
-MODULE_NAME = re.compile(rf"{ROOT.name}(\.\w+)+")
-"""A string that is the name of a module of the package: somebody is going to load it."""
+MODULE_NAME = re.compile(rf"({ROOT.name}(?:\.\w+)+)(?::\w+)?")
+"""A string that is the name of a module of the package, or of what it holds: somebody is going to load it."""
 
 
 def dotted(path: Path) -> tuple[str, ...]:
@@ -97,8 +97,9 @@ def imports(source: str, folder: tuple[str, ...] = ()) -> Iterator[tuple[str, ..
             base = home[: len(home) + 1 - node.level] if node.level else []
             stem = [*base, *(node.module or "").split(".")] if node.module else base
             yield from ((*stem, alias.name) for alias in node.names)
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and MODULE_NAME.fullmatch(node.value):
-            yield tuple(node.value.split("."))
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            if named := MODULE_NAME.fullmatch(node.value):
+                yield tuple(named[1].split("."))
         elif isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] in {"import_module", "__import__"}:
             match node.args:
                 case [ast.Constant(value=str(name)), *_] if not name.startswith("."):
@@ -268,6 +269,7 @@ def test_the_house_has_few_rooms() -> None:
         ("def f():\n    import_module('sweetspot.reports.notebook').html_of(3)", "numerics", ["reports"]),
         ("later = 'sweetspot.reports.notebook'\ndef f():\n    return load(later)", "numerics", ["reports"]),
         ("importlib.import_module(f'sweetspot.{name}')", "cli", ["a module that only a run can name"]),
+        ("later = 'sweetspot.reports.notebook:html_of'", "numerics", ["reports"]),
         ("if TYPE_CHECKING:\n    from sweetspot.reports.document import Document", "numerics", ["reports"]),
         ("import_module('fcntl')", "numerics", []),
     ],

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import ast
+import subprocess
+import sys
+from pkgutil import resolve_name
+
 import pytest
 
 from sweetspot import catalog
@@ -17,10 +22,11 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.flight.kernel import flights
 from sweetspot.motion.ball_motion import batted_ball
-from sweetspot.reports.notebook import document_of
+from sweetspot.reports.notebook import MAKERS, document_of
 from sweetspot.reports.quantities import SYSTEMS
 from sweetspot.units import FOOT
 from tests.reports.pictures.labels import check_labels
+from tools import house
 
 
 def test_a_comparison_is_shown_as_its_report() -> None:
@@ -79,3 +85,20 @@ def test_answers_without_numbers_say_so(analysis: Analysis, baseball: Ball) -> N
     for answer in (none, missed, analysis.modes.selected([0, 1])):
         with pytest.raises(InputError, match="has no picture"):
             answer.plot()
+
+
+def test_every_kind_of_answer_and_what_makes_its_document_are_there() -> None:
+    classes = {node.name for _, node in house.nodes() if isinstance(node, ast.ClassDef)}
+    assert set(MAKERS) <= classes
+    assert all(callable(resolve_name(maker)) for maker in MAKERS.values())
+
+
+def test_showing_one_answer_loads_no_document_of_another() -> None:
+    program = (
+        "import sys, sweetspot\n"
+        "str(sweetspot.hit('r161-ash', at='6in-from-tip'))\n"
+        "others = ('sweetspot.reports.season', 'sweetspot.reports.player', 'polars')\n"
+        "print([name for name in sys.modules if name.startswith(others)])\n"
+    )
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert ended.stdout.strip() == "[]"
