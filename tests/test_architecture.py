@@ -315,7 +315,7 @@ def test_each_package_keeps_to_its_budget() -> None:
 SEVERAL_MEANINGS: dict[str, int] = {}
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {
-    "answers": 8, "calibration": 5, "catalog": 44, "cli": 3, "designs": 1, "equipment": 8, "flight": 1, "reports": 29,
+    "answers": 8, "calibration": 5, "catalog": 44, "cli": 3, "designs": 1, "equipment": 8, "flight": 1, "reports": 27,
     "seasons": 1, "validation": 6, "web": 51,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""

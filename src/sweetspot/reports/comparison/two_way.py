@@ -8,10 +8,11 @@ from typing import Any
 
 from sweetspot.analysis.two_way import Cell as CellOfTable
 from sweetspot.analysis.two_way import TableCell, TwoWay
+from sweetspot.answers.records import plain_data
 from sweetspot.reports.document import Bullets, Cell, Column, Document, Paragraph, Table
 from sweetspot.reports.grid.document import grid_document
 from sweetspot.reports.grid.grid import Grid, varied
-from sweetspot.reports.json_shapes import as_columns, cleaned
+from sweetspot.reports.json_shapes import as_columns
 from sweetspot.reports.quantities import QUANTITIES, key
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 
@@ -59,13 +60,17 @@ def _every_answer(table: TwoWay) -> Table:
 
 def _json(table: TwoWay) -> dict[str, Any]:
     """Return both axes, every answer as a list of rows (None where a cell failed), and why cells failed."""
-    return cleaned(
-        {
-            "rows": {key(table.rows.variation): list(table.rows.values)},
-            "columns": table.columns and {key(table.columns.variation): list(table.columns.values)},
-            "answers": {key(name): table.values(name) for name in TableCell.__dataclass_fields__},
-            "failures": [{"row": cell.row, "column": cell.column, "reason": cell.reason} for cell in table.failures],
-        }
+    return dict(
+        plain_data(
+            {
+                "rows": {key(table.rows.variation): list(table.rows.values)},
+                "columns": table.columns and {key(table.columns.variation): list(table.columns.values)},
+                "answers": {key(name): table.values(name) for name in TableCell.__dataclass_fields__},
+                "failures": [
+                    {"row": cell.row, "column": cell.column, "reason": cell.reason} for cell in table.failures
+                ],
+            }
+        )
     )
 
 

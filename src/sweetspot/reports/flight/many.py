@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from sweetspot.answers.records import plain_data
 from sweetspot.flight.kernel import Flights
 from sweetspot.flight.sweep import FlightTable, cells_of
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.document import Document, Paragraph, Picture
 from sweetspot.reports.grid.document import grid_document
 from sweetspot.reports.grid.grid import Grid
-from sweetspot.reports.json_shapes import cleaned
 from sweetspot.reports.quantities import Reader, key
 from sweetspot.reports.sentences import Sentence, Slot, Span, say
 from sweetspot.units import grouped
@@ -29,7 +29,7 @@ def flights_document(flown: Flights) -> Document:
         "flights", partial(_drawn, flown), label="Where the balls come down, from above, and how far they carry.",
         caption="A dot for each ball that came down.",
     )  # fmt: skip
-    lists = cleaned({name: values.tolist() for name, values in columns.items()})
+    lists = plain_data({name: values.tolist() for name, values in columns.items()})
     return Document(
         name="flights", title="", kind="Flights", blocks=[Paragraph(_words(flown)), picture], data=lists, rows=lists,
         drawing=picture if flown.landed.any() else None,
@@ -81,12 +81,14 @@ def sweep_document(table: FlightTable, answer: str) -> Document:
 
 
 def _json(table: FlightTable) -> dict[str, Any]:
-    return cleaned(
-        {
-            "rows": {key(table.rows[0]): list(table.rows[1])},
-            "columns": {} if table.columns is None else {key(table.columns[0]): list(table.columns[1])},
-            "answers": {key(name): table.values(values) for name, values in answers(table).items()},
-        }
+    return dict(
+        plain_data(
+            {
+                "rows": {key(table.rows[0]): list(table.rows[1])},
+                "columns": {} if table.columns is None else {key(table.columns[0]): list(table.columns[1])},
+                "answers": {key(name): table.values(values) for name, values in answers(table).items()},
+            }
+        )
     )
 
 
@@ -94,4 +96,4 @@ def _rows(table: FlightTable) -> dict[str, list[Any]]:
     """Return one row per cell, as columns."""
     cells = cells_of(table.rows, table.columns)
     sides = {key(name): [dict(cell)[name] for cell in cells] for name, _ in cells[0]}
-    return cleaned(sides | {key(name): values for name, values in answers(table).items()})
+    return dict(plain_data(sides | {key(name): values for name, values in answers(table).items()}))

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from sweetspot.answers.records import plain_data
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.reports.document import Document, Paragraph, Picture
-from sweetspot.reports.json_shapes import cleaned
 from sweetspot.reports.quantities import Reader, key
 from sweetspot.reports.sentences import Sentence, Slot, Span, say
 from sweetspot.units import grouped
@@ -27,7 +27,7 @@ def impacts_document(hits: Impacts | Strikes) -> Document:
         "hits", partial(_drawn, hits), label="Collision efficiency, contact time and peak force of every hit.",
         caption="In the order in which they were asked for.",
     )  # fmt: skip
-    lists = cleaned(columns)
+    lists = plain_data(columns)
     valid = bool(np.isfinite(hits.collision_efficiency).any())
     return Document(
         name="hits", title="", kind="Hits", blocks=[Paragraph(_words(hits)), *([picture] if valid else [])], data=lists,

@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
+from sweetspot.answers.records import plain_data
 from sweetspot.dynamics.modes import Modes
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.reports.json_shapes import as_columns, cleaned
+from sweetspot.reports.json_shapes import as_columns
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import Slot, UnitName, joined, say
 
@@ -41,9 +42,14 @@ def modes_document(modes: Modes) -> Document:
     if not bends:
         blocks.append(Paragraph("None of these bends the bat along its length: there is nothing to draw.", "note"))
     return Document(
-        name="modes", title="Modes", kind="Modes", blocks=blocks, data=cleaned({"modes": data}), rows=as_columns(data),
+        name="modes",
+        title="Modes",
+        kind="Modes",
+        blocks=blocks,
+        data=plain_data({"modes": data}),
+        rows=as_columns(data),
         drawing=picture if bends else None,
-    )  # fmt: skip
+    )
 
 
 def _drawn(modes: Modes, reading: Reader) -> Any:

@@ -8,9 +8,9 @@ from typing import Any
 
 import polars as pl
 
+from sweetspot.answers.records import plain_data
 from sweetspot.answers.season import SeasonAnswer, SeasonPlayer
 from sweetspot.reports.document import Bullets, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.reports.json_shapes import cleaned
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.season.document import few_of_a_kind
 from sweetspot.reports.sentences import Slot, joined, say
@@ -52,7 +52,7 @@ def player_page(player: SeasonPlayer) -> Document:
         kind="Season of a player",
         blocks=[Paragraph(headline), _measures(row), *rare, drawing, *_bats(row), Bullets(cannot)],
         drawing=drawing,
-        data=cleaned(data),
+        data=plain_data(data),
         rows={key: [value] for key, value in data.items()},
     )
 
