@@ -27,8 +27,8 @@ from sweetspot.validation.computations.collision import rigid_wall
 from sweetspot.validation.computations.flight import best_swing_at, pitch_flight
 from sweetspot.validation.computations.space import league_sidespin
 from sweetspot.web.answers import TIME_LIMIT
+from sweetspot.web.controls import LONGEST_TOML, MOST_STATIONS
 from sweetspot.web.limits import LARGEST_BODY, MOST_SOCKETS
-from sweetspot.web.states import LONGEST_TOML, MOST_STATIONS
 
 
 def facts() -> dict[str, str]:

@@ -135,7 +135,7 @@ ADDITIONS = {
     "a view of the page": Addition(
         {"web/views/shrug.py":
          '"""A view that only says how heavy the bat is."""\n\n'
-         "from sweetspot.web.bats import described\nfrom sweetspot.web.states import BatState\n"
+         "from sweetspot.web.bats import described\nfrom sweetspot.web.controls import BatState\n"
          "from sweetspot.web.view import View\n\n\n"
          "def answer(state: BatState) -> dict[str, float]:\n    return {'mass_kg': described(state).mass}\n\n\n"
          'VIEW = View("shrug", "Shrug", BatState, answer)\n',

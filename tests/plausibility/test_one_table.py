@@ -19,7 +19,7 @@ from sweetspot.plausibility.table import MAX_SPEED, SPEEDS, TABLE
 from sweetspot.player.player_swing import PlayerSwing, fault_of
 from sweetspot.seasons.rows import POSSIBLE, _near
 from sweetspot.units import MPH
-from sweetspot.web.states import SwingState, ViewState
+from sweetspot.web.controls import SwingState, ViewState
 from sweetspot.web.views.flight_state import FlightState
 from sweetspot.web.views.optimum import OptimumState
 from sweetspot.web.views.player import PlayerState

@@ -13,8 +13,8 @@ from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
+from sweetspot.web.controls import CARRIED
 from sweetspot.web.first_answers import first_questions, keep, kept_answer
-from sweetspot.web.states import CARRIED
 from sweetspot.web.views import VIEWS
 
 Answered = Callable[..., int]

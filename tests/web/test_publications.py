@@ -8,8 +8,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sweetspot.units import INCH
+from sweetspot.web.controls import BatState
 from sweetspot.web.publications import published
-from sweetspot.web.states import BatState
 
 
 def test_places_and_values_come_with_their_source() -> None:

@@ -16,9 +16,9 @@ from websockets.exceptions import ConnectionClosed, InvalidHandshake, InvalidSta
 from websockets.sync.client import ClientConnection, connect
 
 from sweetspot.web import answers, socket
+from sweetspot.web.controls import ViewState
 from sweetspot.web.errors import FieldError
 from sweetspot.web.limits import LARGEST_BODY
-from sweetspot.web.states import ViewState
 from sweetspot.web.view import View
 from sweetspot.web.views import VIEWS
 

@@ -11,7 +11,7 @@ import pytest
 
 from sweetspot.units import INCH
 from sweetspot.web.bats import bat_from_text, described
-from sweetspot.web.states import BatState
+from sweetspot.web.controls import BatState
 
 URL = "/api/v1/design"
 

@@ -16,9 +16,9 @@ from pydantic import ValidationError
 
 from sweetspot.answers.records import plain_data
 from sweetspot.web.catalogue import load_lists
+from sweetspot.web.controls import ViewState
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.first_answers import kept_answer, work_out
-from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
 
 TIME_LIMIT = 10.0

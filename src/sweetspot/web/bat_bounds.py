@@ -13,7 +13,7 @@ from sweetspot.dynamics.weight_match import weights
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, OUNCE
 from sweetspot.web.bats import KEPT, plain
-from sweetspot.web.states import BatState, SwungState
+from sweetspot.web.controls import BatState, SwungState
 
 Range = tuple[float, float]
 STEP = 0.05

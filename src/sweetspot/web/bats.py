@@ -27,8 +27,8 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import SPEED_FROM_TIP, Conditions, Hands, Pitch, Swing
 from sweetspot.units import INCH, MPH, OUNCE
+from sweetspot.web.controls import BatState, PlacedState, SwungState
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.states import BatState, PlacedState, SwungState
 
 NOTHING = "nothing"
 """Filling of an empty hole."""

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from sweetspot import __version__
 from sweetspot.reports.quantity_table import quantity_data
-from sweetspot.web.states import CARRIED
+from sweetspot.web.controls import CARRIED
 from sweetspot.web.views import VIEWS
 
 FOLDER = Path(__file__).with_name("static")

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from sweetspot.numerics.kernel_cache import PACKAGE, kernel_folder, turn_at
 from sweetspot.numerics.whole_files import written_whole
-from sweetspot.web.states import ViewState
+from sweetspot.web.controls import ViewState
 from sweetspot.web.views import VIEWS
 
 Answer = Callable[..., bytes]

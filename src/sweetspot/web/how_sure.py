@@ -10,7 +10,7 @@ from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions
 from sweetspot.uncertainty.sources import Sources, sources_of
-from sweetspot.web.states import BatState
+from sweetspot.web.controls import BatState
 
 PAGE_DRAWS = 256
 """Draws of what is not known, a quarter of the command's: an interval's ends are then known to a tenth of it."""

@@ -10,8 +10,8 @@ from sweetspot.references import cite, reference
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH
 from sweetspot.validation.cases import Case, Row, sources
+from sweetspot.web.controls import BatState
 from sweetspot.web.recipes import is_catalogued
-from sweetspot.web.states import BatState
 
 UNITS = {"in": INCH, "cm": 0.01}
 PLACES = {

@@ -15,7 +15,7 @@ from sweetspot.analysis.same_effort import Changed, is_changed
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.units import MPH
 from sweetspot.web.bats import changed_bat, conditions_of, described, swung, usual
-from sweetspot.web.states import BatState, SwungState
+from sweetspot.web.controls import BatState, SwungState
 
 BAT_FILE = "bat.toml"
 ENOUGH = 12

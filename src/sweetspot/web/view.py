@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from sweetspot.web.controls import ViewState
 from sweetspot.web.jobs import LongWork
-from sweetspot.web.states import ViewState
 
 
 @dataclass(frozen=True)

@@ -44,12 +44,12 @@ from sweetspot.uncertainty.sources import Sources
 from sweetspot.units.dimensions import SPEED
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
+from sweetspot.web.controls import BatState, Name, SwungState
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, BatShape, ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 from sweetspot.web.recipes import Ask, bat_source, bat_text, is_catalogued, lines_of, number, swing_options
-from sweetspot.web.states import BatState, Name, SwungState
 from sweetspot.web.view import View
 
 ALL = "all"

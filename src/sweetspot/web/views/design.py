@@ -42,12 +42,12 @@ from sweetspot.reports.design.words import (
 from sweetspot.reports.quantities import SCALES, SYSTEMS
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, described, reduced
+from sweetspot.web.controls import BatState
 from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import ENOUGH, as_text, bat_name, swing_options
-from sweetspot.web.states import BatState
 from sweetspot.web.view import View
 from sweetspot.web.views.design_search import search
 from sweetspot.web.views.design_state import (

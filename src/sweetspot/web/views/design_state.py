@@ -25,8 +25,8 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH, MPH
 from sweetspot.web.bats import conditions_of, described
+from sweetspot.web.controls import Name, SwungState
 from sweetspot.web.errors import about
-from sweetspot.web.states import Name, SwungState
 
 LONGEST_TABLE = 40_000
 """Letters of a table of swings, or of an answer of fit-player."""

@@ -27,11 +27,11 @@ from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import place_of
+from sweetspot.web.controls import HitState
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.publications import Publication, published
 from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, swing_options
-from sweetspot.web.states import HitState
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import (
     CurvesOfHits,

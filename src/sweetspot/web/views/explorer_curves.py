@@ -30,8 +30,8 @@ from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import ANGLE, IMPULSE, LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.controls import HitState
 from sweetspot.web.documents import Sentences, in_both_systems
-from sweetspot.web.states import HitState
 
 KEPT = 128
 MIDDLE = {"impact_from_tip_in": 6.0, "offset_in": 0.0}

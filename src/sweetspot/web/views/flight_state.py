@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from sweetspot.web.states import HitState, Name, within
+from sweetspot.web.controls import HitState, Name, within
 
 
 class FlightState(HitState):

@@ -29,10 +29,10 @@ from sweetspot.reports.page_words import wave_words
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units.dimensions import ANGLE, ENERGY, FORCE, LENGTH, SPEED, TIME
 from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
+from sweetspot.web.controls import HeldState, PlacedState
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.recipes import Ask, bat_source, bat_text, conditions_lines, modes_line, swing_options
-from sweetspot.web.states import HeldState, PlacedState
 from sweetspot.web.view import View
 
 PLACES = 61

@@ -22,11 +22,11 @@ from sweetspot.reports.page_words import motion_words
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.controls import HeldState, SwungState
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import Ask, bat_source, bat_text, conditions_lines, modes_line, swing_options
-from sweetspot.web.states import HeldState, SwungState
 from sweetspot.web.view import View
 
 PLACES = 101

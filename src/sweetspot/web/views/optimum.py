@@ -21,11 +21,11 @@ from sweetspot.reports.optimum.document import optimum_document
 from sweetspot.reports.page_words import carries_farthest
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
+from sweetspot.web.controls import Name, SwungState, within
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import Ask, bat_source, bat_text, number, stroke_options
-from sweetspot.web.states import Name, SwungState, within
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import CarryMap, carries, parks_of
 

@@ -17,8 +17,8 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.implement import Implement
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.bats import described, implement_of
+from sweetspot.web.controls import BatState, Name, Toml
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.states import BatState, Name, Toml
 from sweetspot.web.uploads import UploadKey
 
 FARTHEST_PIVOT = 0.9

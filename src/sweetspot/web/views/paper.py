@@ -21,11 +21,11 @@ from sweetspot.reports.quantities import SYSTEMS, Reader, System
 from sweetspot.reports.sentences import Slot
 from sweetspot.units import INCH
 from sweetspot.web.bats import analysed
+from sweetspot.web.controls import Name, SwungState
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, number, swing_options
-from sweetspot.web.states import Name, SwungState
 from sweetspot.web.view import View
 from sweetspot.web.views.paper_pictures import (
     PICTURES,

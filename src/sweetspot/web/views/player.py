@@ -36,12 +36,12 @@ from sweetspot.reports.quantities import SYSTEMS
 from sweetspot.units import MPH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described, listed_bat
+from sweetspot.web.controls import BatState, within
 from sweetspot.web.documents import ReadDocument, page_document
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.one_system import in_one_system
 from sweetspot.web.recipes import bat_name, bat_text, option
-from sweetspot.web.states import BatState, within
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
 

@@ -25,12 +25,12 @@ from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, System
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import PARK, described
+from sweetspot.web.controls import BatState, Name
 from sweetspot.web.documents import ReadDocument, page_document
 from sweetspot.web.drawings import BatShape, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import bat_name, bat_text, option
-from sweetspot.web.states import BatState, Name
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
 from sweetspot.web.views.design_state import batter_controls

@@ -32,10 +32,10 @@ from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH, MPH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import implement_of
+from sweetspot.web.controls import Name, Toml, ViewState, within
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import Ask, lines_of, number
-from sweetspot.web.states import Name, Toml, ViewState, within
 from sweetspot.web.view import View
 
 ALONG, ACROSS = 48, 30

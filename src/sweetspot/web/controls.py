@@ -1,4 +1,4 @@
-"""The states of every view: the bat, and the hit. Each field is one control, its bounds are the control's.
+"""Controls that several views have: bat, swing and hit. A field is one control, with its bounds.
 
 Units stand in the names, and they are those a page's address shows (mph, in, oz, degF); answers are SI. The page
 shows both in either system.
