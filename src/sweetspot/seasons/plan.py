@@ -9,6 +9,7 @@ byte is done again.
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 import os
 from collections.abc import Callable, Iterator
