@@ -131,13 +131,8 @@ def hit_at(
 ) -> Impact:
     """Return the hit at one place under these conditions.
 
-    Parameters
-    ----------
-    position : m from the knob end.
-    modes : of the bat: ``modes`` of an `Analysis`.
-    conditions : pitch, swing and ball.
-    lateral : m across the face from the bat's line.
-    law : another contact law than the ball's own.
+    ``position``: m from the knob end. ``modes``: those of an `Analysis`. ``lateral``: m across the face from the line.
+    ``law``: another contact law than the ball's own.
 
     >>> from sweetspot import standard_analysis
     >>> from sweetspot.analysis.bat_analysis import exit_speed_of, hit_at
@@ -152,11 +147,6 @@ def hit_at(
 
 def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     """Return the exit speed in m/s of a hit: q v_ball + (1 + q) v_bat.
-
-    Parameters
-    ----------
-    impact : as `hit` or `hit_at` give it.
-    conditions : the pitch and the swing that it was hit with.
 
     >>> from sweetspot import standard_analysis
     >>> from sweetspot.analysis.bat_analysis import exit_speed_of
@@ -264,9 +254,7 @@ def viscous_scan(analysis: Analysis[Implement], *, reach: float) -> ViscousScan:
 
     Its damper is chosen for the speed on a wall at which as much energy would be stored, v / sqrt(1 + r).
 
-    Parameters
-    ----------
-    reach : m to either side of our best place, beyond which another `BEYOND` is tried.
+    ``reach``: m to either side of our best place, beyond which another `BEYOND` is tried.
     """
     best, given = analysis.sweet_spots.max_exit_speed, analysis.conditions
     low = max(float(analysis.scan.position[0]), best - reach - BEYOND)

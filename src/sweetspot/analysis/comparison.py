@@ -49,8 +49,6 @@ class Compared(Generic[Tool_co]):
 
     Parameters
     ----------
-    label : what to call it beside the others.
-    analysis : everything about it at the most likely bat speed.
     collision_efficiency, bbcor : the greatest on the barrel, at the closing speed of this swing.
     bat_speed : m/s where the swing is measured, equally far from the tip for all bats.
     exit_speed : m/s, the greatest along the bat.
@@ -80,10 +78,7 @@ class Comparison(ShownInNotebooks, Generic[Tool_co]):
 
     The intervals hold the spread of the law's exponent and nothing else.
 
-    Parameters
-    ----------
-    compared : every bat with its analysis, bat speed, exit speed and change, the reference first.
-    law : by which bats are swung with the same effort.
+    ``compared``: every bat with its analysis, bat speed, exit speed and change, the reference first.
     """
 
     compared: tuple[Compared[Tool_co], ...]
@@ -195,10 +190,7 @@ def swung_conditions(
 ) -> Conditions:
     """Return the conditions of another bat in the same player's hands.
 
-    Parameters
-    ----------
-    reference, conditions : the bat that the swing is known with, and that swing.
-    ratio : of the angular speeds; None: the same bat speed where it is measured.
+    ``ratio``: of the angular speeds; None: the same bat speed where it is measured.
     """
     moved = bat.choke - reference.choke
     swing, hands = conditions.swing, conditions.hands
@@ -241,10 +233,7 @@ class _Barrel:
     The best place moves by millimetres with the swing, so hits at `NEARBY` places on either side suffice; where the top
     is not inside them, or the curve has other tops nearly as high, the whole barrel is hit.
 
-    Parameters
-    ----------
-    positions : m from the knob end, increasing.
-    exit_speed : m/s, there with the swing of the scan.
+    ``positions``: m from the knob end, increasing. ``exit_speed``: m/s, there with the swing of the scan.
     """
 
     modes: Modes
@@ -281,10 +270,6 @@ def _break_even_speed(barrel: _Barrel, *, swung: Sequence[Conditions], exits: In
     """Return the bat speed in m/s, where the swing measures it, that gives this greatest exit speed.
 
     It is nan when no bat speed that a swing may have does.
-
-    Parameters
-    ----------
-    swung, exits : the most likely, slowest and fastest swing and their greatest exit speeds, where the search begins.
     """
 
     def excess(bat_speed: float) -> float:

@@ -55,7 +55,6 @@ class Rebound:
 
     Parameters
     ----------
-    block, ball : the colliding bodies.
     fall_speed : m/s, with which the ball meets the block.
     compliance : m/N, static compliance of the face, translation left out.
     share : part of the energy at greatest compression that the block would hold, pressed slowly (the paper's z).
@@ -166,11 +165,6 @@ def bounce(block: Block, *, ball: Ball, height: float) -> tuple[float, float]:
     """Return (rebound height in m, the block's share) of `drop` in vacuum, by the compiled solution alone.
 
     The height is nan where the ball does not come off in one clean contact.
-
-    Raises
-    ------
-    InputError
-        when the height is not a number above zero.
     """
     if not (math.isfinite(height) and height > 0):
         raise InputError(f"height is {height:g} m; allowed is a number above zero, for example 1 m")
@@ -197,10 +191,7 @@ def static_share(ball: Ball, *, speed: float, compliance: float) -> float:
     z = E_s / (E_s + E_b), E_s = C F^2 / 2 and E_b = m v^2 / 2 = k U^(n+1) / (n+1), F = k U^n; the same number as
     `sweetspot.papers.formulas.block_share` for a deep block and a ball with n = 3/2.
 
-    Parameters
-    ----------
-    speed : m/s, of the ball on the wall.
-    compliance : C in m/N, >= 0.
+    ``speed``: m/s, of the ball on the wall. ``compliance``: C in m/N, >= 0.
 
     >>> from sweetspot.equipment.ball import RestitutionLaw
     >>> law = RestitutionLaw(reference=0.5, reference_speed=25.0)

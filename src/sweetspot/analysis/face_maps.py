@@ -28,7 +28,6 @@ class FaceMap:
 
     Parameters
     ----------
-    outline : of the face.
     position, lateral : m from the butt end and m across from the line, shapes (columns,) and (rows,), increasing.
     collision_efficiency : q, shape (rows, columns).
     exit_speed : m/s at the struck place, shape (rows, columns).
@@ -62,15 +61,7 @@ def face_map(
     speed is the ball's along the path of the struck place; hits beside the line also turn the face, which sends the
     ball off at an angle: that is left out.
 
-    Parameters
-    ----------
-    reduced : the implement with its free modes.
-    columns, rows : places along and across, in the middle of equal strips of the outline, >= 2.
-
-    Raises
-    ------
-    InputError
-        for a round bat, which has no face, and for less than two columns or rows.
+    ``columns``, ``rows``: places along and across, in the middle of equal strips of the outline, >= 2.
     """
     outline = reduced.bat.outline
     if outline is None or reduced.bat.face is None:

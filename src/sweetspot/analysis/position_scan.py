@@ -55,12 +55,7 @@ ABOVE_HANDS = 0.05
 class EnergyShares(NamedTuple):
     """Shares of the incoming energy of many hits, each of the shape of the hits; nan where none ended.
 
-    Parameters
-    ----------
-    ball : of the ball leaving.
-    translation, rotation : bat pushed back and bat turned.
-    bending, hoop, face : left vibrating.
-    heat : lost in the ball, and the little that the bat's damping takes during contact.
+    ``heat``: lost in the ball, and the little that the bat's damping takes during contact.
     """
 
     ball: Array
@@ -111,9 +106,7 @@ def scan(
 ) -> Scan:
     """Return hits all along a bat.
 
-    Parameters
-    ----------
-    positions : m from the knob end; None: evenly from just above the top hand to the tip, or along the face.
+    ``positions``: m from the knob end; None: evenly from just above the top hand to the tip, or along the face.
     """
     if positions is None:
         outline = bat.outline
@@ -153,9 +146,7 @@ def scan(
 def energy_shares(impacts: Impacts, *, modes: Modes, ball: Ball, closing_speed: ArrayLike) -> EnergyShares:
     """Return the shares of the incoming energy m v^2 / 2 of many hits; they sum to one.
 
-    Parameters
-    ----------
-    closing_speed : m/s along the line of centres, one or one for each hit.
+    ``closing_speed``: m/s along the line of centres, one or one for each hit.
     """
     incoming = ball.mass * np.asarray(closing_speed, float) ** 2 / 2
     incoming = np.where(incoming > 0, incoming, np.nan)
@@ -173,9 +164,7 @@ def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -
     Each mode rings on with amplitude V_i = sqrt(q'^2 + omega^2 q^2) from release, so the handle at h moves with
     s_i(h) V_i, of which hands feel the part w(f_i) (`velocity_weight`); modes of different frequency add as squares.
 
-    Parameters
-    ----------
-    displacement, velocity : modal motion at release, shape (hits, n).
+    ``displacement``, ``velocity``: modal motion at release, shape (hits, n).
     """
     felt = velocity_weight(modes.frequency) ** 2
     amplitude = velocity**2 + (modes.angular_frequency * displacement) ** 2

@@ -32,11 +32,8 @@ def _piece(bat: Implement) -> Implement:
 class Changed:
     """A changed bat beside the bat that it was.
 
-    Parameters
-    ----------
-    bat, body : as it is swung now.
-    before, body_before : the bat that the player's speed is known with.
-    law : how bat speed depends on the bat's moment of inertia.
+    ``before``, ``body_before``: the bat that the player's speed is known with. ``law``: how bat speed depends on the
+    bat's moment of inertia.
     """
 
     bat: Implement
@@ -61,9 +58,7 @@ class Changed:
     def with_same_effort(self, conditions: Conditions) -> Conditions:
         """Return the conditions of the same player's swing of the changed bat.
 
-        Parameters
-        ----------
-        conditions : with the pivot and hands of the changed bat's grip, and the bat speed of the bat as it was.
+        ``conditions``: with the pivot and hands of the changed bat's grip, and the bat speed of the bat as it was.
         """
         swing, grip = conditions.swing, self.bat.choke - self.before.choke
         gripped = swing.replaced(pivot=swing.pivot - grip)

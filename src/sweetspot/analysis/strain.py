@@ -60,12 +60,6 @@ def damage(impact: Impact, *, beam: BeamModel, modes: Modes) -> Damage:
     curvature c_i = s_i'' + omega_i^2 mu s_i / (kappa G A) of each mode. The second part takes out the sliding of
     sections that is shear and not bending (exact where the section does not change).
 
-    Parameters
-    ----------
-    impact : from `sweetspot.collision.coupled.hit` with the same modes.
-    beam : the bat.
-    modes : as the collision saw them, free or gripped.
-
     Notes
     -----
     The strain of the swing itself is left out. With twice as many modes the handle's strain changes by under 1 %.
@@ -112,10 +106,6 @@ def wall_strain(impact: Impact, *, bat: Bat, modes: Modes, motion: Array) -> flo
     A ring bent by w = sum W_n cos(n theta) without stretching: strain = h / (2 R^2) |sum (n^2 - 1) W_n| under the
     ball, h the wall's thickness and R the radius of its middle. Walls that slide on each other bend each by itself.
 
-    Parameters
-    ----------
-    motion : from `modal_history`.
-
     Notes
     -----
     W_n is the mean over the ball's patch, so this is a low estimate of the strain in the middle of a dent.
@@ -131,9 +121,7 @@ def wall_strain(impact: Impact, *, bat: Bat, modes: Modes, motion: Array) -> flo
 def wall_curving(bat: Bat, position: Array) -> Array:
     """Return h / (2 R^2) in 1/m of a hollow barrel's outer wall: strain per bending (n^2 - 1) W_n, see `wall_strain`.
 
-    Parameters
-    ----------
-    position : m from the knob end, shape (n,).
+    ``position``: m from the knob end, shape (n,).
     """
     assert bat.shell is not None
     thickness = np.asarray(bat.wall_at(position), float)
@@ -147,10 +135,6 @@ def linear_limit(material: Material, *, across: bool = False) -> float | None:
     """Return strength over modulus, the strain at which a linear material reaches its strength; None if not known.
 
     Wood bends beyond it before it breaks: slow tests of maple give 0.009 here, `PUBLISHED_FAILURE_STRAIN` is 0.02.
-
-    Parameters
-    ----------
-    across : take the modulus around the barrel.
 
     >>> from sweetspot.equipment.material import Material
     >>> metal = Material(name="m", density=2820, longitudinal_modulus=70e9, poisson_ratio=0.33, strength=350e6)

@@ -94,9 +94,7 @@ def held_exit_speed(scan: Scan) -> Array:
 def held_speeds(speed: Array, *, step: float) -> Array:
     """Return speeds in m/s of one bat or many, shape (..., positions), without peaks too narrow to hit.
 
-    Parameters
-    ----------
-    step : m between positions.
+    ``step``: m between positions.
     """
     window = max(3, 2 * round(NARROWEST / step / 2) + 1)
     speeds = np.where(np.isnan(speed), -np.inf, speed)
@@ -128,10 +126,8 @@ def min_sting(scan: Scan, *, body: RigidBody) -> float:
 def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING) -> tuple[float, float] | None:
     """Return the stretch around the best point that loses little speed and stings little, or None.
 
-    Parameters
-    ----------
-    loss : m/s that the exit speed may lie below its best.
-    sting : part of the scan's mean sting that must not be reached.
+    ``loss``: m/s that the exit speed may lie below its best. ``sting``: part of the scan's mean sting that must not be
+    reached.
     """
     return _zone(scan, held_exit_speed(scan), loss, sting)
 

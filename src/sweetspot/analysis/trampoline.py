@@ -56,9 +56,7 @@ def wall_stiffness_at(modes: Modes, position: float, *, closing_speed: float | N
 
     The sum is over hoop modes, C is the instantaneous compliance. Infinite for a bat without hoop modes.
 
-    Parameters
-    ----------
-    closing_speed : m/s of the hit whose patch pushes; None: as at game speed.
+    ``closing_speed``: m/s of the hit whose patch pushes; None: as at game speed.
     """
     hoop = modes.of_family("hoop")
     if not hoop:
@@ -70,9 +68,7 @@ def wall_stiffness_at(modes: Modes, position: float, *, closing_speed: float | N
 def wall_share(ball: Ball, *, modes: Modes, position: float, compression: float) -> float:
     """Return z = k_b / (k_b + k_w), the wall's share of the energy under a slow push [paper2014].
 
-    Parameters
-    ----------
-    compression : m, of the ball; k_b is its force over it.
+    ``compression``: m, of the ball; k_b is its force over it.
     """
     ball_stiffness = loading_force(ball, compression) / compression
     return ball_stiffness / (ball_stiffness + wall_stiffness_at(modes, position))

@@ -52,12 +52,7 @@ class Axis:
 class TableCell:
     """The results of one cell: the best hit on the barrel and the bat's own numbers, SI.
 
-    Parameters
-    ----------
-    exit_speed, collision_efficiency, bbcor : the greatest on the barrel under this swing.
-    bat_speed : where the swing is measured.
-    moi : about 6 in from the knob.
-    frequency : of bending mode 1.
+    ``moi``: about 6 in from the knob. ``frequency``: of bending mode 1.
     """
 
     exit_speed: float
@@ -94,9 +89,7 @@ class TwoWay:
     def values(self, answer: str) -> Array:
         """Return one answer of every cell, nan where a cell failed, shape (rows, columns).
 
-        Parameters
-        ----------
-        answer : name of a field of `TableCell`.
+        ``answer``: name of a field of `TableCell`.
         """
         if answer not in TableCell.__dataclass_fields__:
             raise InputError(f"{answer!r} is no answer; allowed is one of {', '.join(TableCell.__dataclass_fields__)}")
@@ -158,9 +151,7 @@ def varied(bat: Bat, settings: Mapping[Variation, float], *, fill: Material) -> 
     The weight is that of the bat before it is cupped or drilled. A solid bat takes it by lighter or heavier wood, a
     hollow one by a weight in its end cap. A hole of depth or width 0 is no hole, a cup of depth 0 no cup.
 
-    Parameters
-    ----------
-    settings : kg, m and ratios by what is varied.
+    ``settings``: kg, m and ratios by what is varied.
     """
     changed = bat
     if "wall_factor" in settings:

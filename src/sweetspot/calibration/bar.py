@@ -151,10 +151,7 @@ class Bar:
 def frequency_factor(mode: int, *, slenderness: float, modulus_ratio: float) -> float:
     """Return 1 + r (F1 + s (E/G) F2), the factor by which shear and rotation make E larger than by Euler's beam.
 
-    Parameters
-    ----------
-    mode : 0, 1, ...
-    slenderness : t / L.
+    ``mode``: 0, 1, ... ``slenderness``: t / L.
 
     >>> round(frequency_factor(0, slenderness=0.05, modulus_ratio=2.0), 4)  # ASTM E1876: 1 + 6.585 x 0.05^2
     1.0165
@@ -199,11 +196,8 @@ STEP = 0.1
 class BarModulus:
     """Elastic constants of a bar.
 
-    Parameters
-    ----------
-    modulus : Young's modulus E along the bar.
-    modulus_ratio : E / G; hardly known from the first tone of a thin bar.
-    budget : part of the variance of E that each source causes, adding up to 1.
+    ``modulus``: Young's modulus E along the bar. ``modulus_ratio``: E / G; hardly known from the first tone of a thin
+    bar. ``budget``: part of the variance of E that each source causes, adding up to 1.
     """
 
     density: Annotated[Measured, DENSITY]
@@ -213,13 +207,7 @@ class BarModulus:
 
 
 def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
-    """Return E of a bar from its bending tones, with the error that sizes, weight and tones leave.
-
-    Raises
-    ------
-    InputError
-        when no tone is a bending mode.
-    """
+    """Return E of a bar from its bending tones, with the error that sizes, weight and tones leave."""
     heard = [
         (named.name.harmonic - 1, named.tone.frequency)
         for named in tones
@@ -274,9 +262,7 @@ def moduli_along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Meas
 def _log_moduli(given: Array, heard: Sequence[tuple[int, Measured]], ratio_error: float) -> Array:
     """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order.
 
-    Parameters
-    ----------
-    ratio_error : one sigma of the expected ln E/G.
+    ``ratio_error``: one sigma of the expected ln E/G.
     """
     from scipy.optimize import least_squares
 

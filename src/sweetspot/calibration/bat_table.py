@@ -64,11 +64,7 @@ def at_usual_moisture(measurement: Measurement, moisture: Measured) -> Measureme
     Wood that dries gets lighter and stiffer: m ~ 1 + u, and E falls by about 1.5 % for each per cent of moisture
     (assumed, between those of ash and maple in [usda_wood_handbook]). What goes as m^p E^r is moved by
     p d ln m + r d ln E: weight and moment of inertia with p = 1, frequencies with f ~ sqrt(E / m). A balance point and
-    a period hardly change.
-
-    Parameters
-    ----------
-    moisture : mass of water over that of the dry wood.
+    a period hardly change. The moisture is the mass of water over that of the dry wood.
     """
     of_mass, of_modulus = POWERS.get(measurement.kind, (0.0, 0.0))
     heavier = math.log((1 + moisture.value) / (1 + USUAL_MOISTURE))
@@ -97,16 +93,8 @@ def read_bats(
 ) -> dict[str, list[Measurement]]:
     """Return the measurements of each bat of a CSV file, by name.
 
-    Parameters
-    ----------
-    axis : m from the knob end, of its moments of inertia and pendulums.
-    sport : whose swing weight a column of that name without a unit holds, as D2.
-    given : what a person says of the columns.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, has no such columns, two bats of one name, or a cell that is no number.
+    ``axis``: m from the knob end, of its moments of inertia and pendulums. ``sport``: whose swing weight a column of
+    that name without a unit holds, as D2.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice=f"give a CSV file with the columns {HINT}")
 
@@ -206,12 +194,7 @@ def _values(texts: Mapping[str, str], headings: Headings, what: str) -> dict[str
 
 
 def _measurements(values: Mapping[str, Measured], usual: Measured | None, axis: float) -> list[Measurement]:
-    """Return the measurements of one bat, at 12 % of moisture where its moisture is known.
-
-    Parameters
-    ----------
-    usual : moisture of a bat that has none of its own.
-    """
+    """Return the measurements of one bat, at 12 % of moisture where its moisture is known."""
     moisture = values.get("moisture", usual)
     measurements = []
     for quantity, value in values.items():
@@ -237,16 +220,7 @@ def read_folder(
 ) -> dict[str, list[Measurement]]:
     """Return the measurements of each bat of a folder, by name; the bat of a bat file is called like the file.
 
-    Parameters
-    ----------
-    model : that all are like.
-    axis : m from the knob end, of the tables' moments of inertia and pendulums.
-    given : what a person says of the tables' columns.
-
-    Raises
-    ------
-    InputError
-        when there is none, two have one name, or files cannot be read: each is named.
+    ``axis``: m from the knob end, of the tables' moments of inertia and pendulums.
     """
     files = sorted(path for path in folder.iterdir() if path.suffix.lower() in (*TABLES, BAT_FILE))
     if not files:
@@ -274,17 +248,7 @@ def read_folder(
 
 
 def measured_of(path: Path, model: Implement) -> list[Measurement]:
-    """Return the measurements of the bat in a file written by `sweetspot calibrate`, without its shots.
-
-    Parameters
-    ----------
-    model : that it must be as long as.
-
-    Raises
-    ------
-    InputError
-        where it wrote none, or not what was measured, or the bat is another one.
-    """
+    """Return the measurements of the bat in a file written by `sweetspot calibrate`, without its shots."""
     implement = load_implement(str(path))
     if implement.sport != model.sport or abs(implement.length / model.length - 1) > SAME_LENGTH:
         raise InputError(

@@ -118,13 +118,7 @@ SOURCE = "own_measurement"
 
 
 def calibrated_bat(posterior: BatPosterior, damping: Measured | None) -> Bat:
-    """Return the most likely bat: its outline, material, weight, balance and moment of inertia are the fitted ones.
-
-    Raises
-    ------
-    InputError
-        where its density would have to change along it more than any bat's does.
-    """
+    """Return the most likely bat: its outline, material, weight, balance and moment of inertia are the fitted ones."""
     bat, gradient = posterior.beam.bat, posterior.beam.density_gradient
     assert isinstance(bat, Bat)  # only bats are calibrated
     if abs(gradient) > GRADIENT_LIMIT:

@@ -31,7 +31,6 @@ class Tone:
     frequency : Hz.
     damping_ratio : fraction of critical; the errors of both hold the repeatability.
     level : loudness over the loudest tone's, 0 to 1.
-    taps : number of taps in which it was heard.
     distinct : whether it stands out of what a room may add, in at least half of them; see `stands_out`.
     """
 
@@ -63,13 +62,7 @@ class _Heard(NamedTuple):
 
 
 def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
-    """Return the tones that the good taps agree on, lowest first, each averaged by inverse variance.
-
-    Raises
-    ------
-    InputError
-        when no tap is good; the message says what is wrong with each.
-    """
+    """Return the tones that the good taps agree on, lowest first, each averaged by inverse variance."""
     used = [(tap.fit, tap.heard_to or math.inf) for tap in taps if tap.good and tap.fit is not None]
     if not used:
         faults = "; ".join(f"{tap.recording} at {tap.start:.2f} s {tap.fault}" for tap in taps)

@@ -46,13 +46,7 @@ HANDLE = 0.4
 
 @dataclass(frozen=True)
 class Meant:
-    """The probable intended meaning of a measurement.
-
-    Parameters
-    ----------
-    measurement : as it was meant.
-    words : how, in words after "as"; "": about another axis.
-    """
+    """The probable intended meaning of a measurement (``words``: how, in words after "as"; "": about another axis)."""
 
     measurement: Measurement
     words: str = ""
@@ -76,13 +70,7 @@ def suspects(posterior: BatPosterior) -> dict[str, BatPosterior]:
 
 
 def meant(suspect: Measurement, others: BatPosterior) -> list[Meant]:
-    """Return the readings of a measurement that agree with all the others, the nearest first.
-
-    Parameters
-    ----------
-    suspect : it contradicts them as it was given.
-    others : what is known of the bat without it.
-    """
+    """Return the readings of a measurement that agree with all the others, the nearest first."""
     slips = list(_slips(suspect, others))
     if not slips:
         return []

@@ -38,11 +38,7 @@ ELEMENTS = 8
 class Shooting:
     """The conditions of a shot at a bat.
 
-    Parameters
-    ----------
-    position : m from the knob end.
-    closing_speed : m/s of ball and bat together.
-    ball : that was shot.
+    ``position``: m from the knob end. ``closing_speed``: m/s of ball and bat together.
     """
 
     position: float
@@ -54,13 +50,7 @@ class Shooting:
 class Measurement:
     """One measured value.
 
-    Parameters
-    ----------
-    kind : what was measured.
-    value : SI.
-    axis : m from the knob end, of a moment of inertia or a pendulum's period.
-    mode : of a frequency.
-    shooting : of a collision efficiency.
+    ``value``: SI. ``axis``: m from the knob end, of a moment of inertia or a pendulum's period.
     """
 
     kind: MeasuredKind
@@ -114,14 +104,7 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
 def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
     """Return the values that a beam model predicts for measurements, SI, shape (n,).
 
-    Parameters
-    ----------
-    livelier : logarithm of the shot balls' restitution over that of their law.
-
-    Raises
-    ------
-    InputError
-        for a frequency without the name of its mode.
+    ``livelier``: logarithm of the shot balls' restitution over that of their law.
     """
     body = rigid_body(beam) if any(measurement.kind in OF_BODY for measurement in measurements) else None
     scaled_to = None if beam.bat.added else beam.bat.frequency

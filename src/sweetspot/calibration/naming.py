@@ -57,9 +57,7 @@ ANY_SPREAD, ANY_RATIO_SPREAD = 0.25, 0.09
 class ModeName:
     """Family and number of a mode; a bar bends sideways and twists too.
 
-    Parameters
-    ----------
-    order : among the modes of this family and number, lowest first: a barrel has several hoop modes of one n.
+    ``order``: among the modes of this family and number, lowest first: a barrel has several hoop modes of one n.
     """
 
     family: Family | Literal["sideways", "torsion"]
@@ -102,12 +100,8 @@ class ModeFamily:
 class NamedTone:
     """A tone and the mode that makes it, if any is known.
 
-    Parameters
-    ----------
-    tone : as measured.
-    name : None where no mode explains it.
-    expected : Hz, of the mode as described; None where there is none.
-    rivals : modes that explain it about as well; none where one does best.
+    ``name``: None where no mode explains it. ``expected``: Hz, of the mode as described; None where there is none.
+    ``rivals``: modes that explain it about as well; none where one does best.
     """
 
     tone: Tone
@@ -141,10 +135,8 @@ def uniform_bar(
 
     A tap across the thickness need not move those that bend it sideways, which share E, and those that twist it.
 
-    Parameters
-    ----------
-    tones, sideways, twist : Hz, were it of a usual material.
-    farthest : logarithms between which sound's speed along it lies, over that of the usual material.
+    ``tones``, ``sideways``, ``twist``: Hz, were it of a usual material. ``farthest``: logarithms between which sound's
+    speed along it lies, over that of the usual material.
     """
     across = [ModeName("bending", number + 1) for number in range(len(tones))]
     beside = [ModeName("sideways", number + 1) for number in range(len(sideways))]
@@ -174,9 +166,7 @@ def named(tones: Sequence[Tone], families: Sequence[ModeFamily], *, doubt: float
     A tone that another assignment, less than ``doubt`` worse, gives to another mode has no name. Where even the best
     leaves more than 1 a tone unexplained, the modes are not those described, and ``doubt`` grows with it.
 
-    Parameters
-    ----------
-    doubt : in units of chi squared; 0 names every tone by the best assignment.
+    ``doubt``: in units of chi squared; 0 names every tone by the best assignment.
     """
     doubt *= max(1.0, misfit(tones, families))
     near = _assignments(tones, frozenset(range(len(tones))), tuple(families), 0.0, doubt)

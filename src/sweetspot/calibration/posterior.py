@@ -48,10 +48,6 @@ class BatPosterior:
 
     Parameters
     ----------
-    prior : the bat as described.
-    beam : the most likely bat.
-    unknowns : what was looked for.
-    measurements : what was measured.
     deviations : of the most likely bat from the description, shape (n,).
     covariance : of the deviations, shape (n, n).
     predictions : what the most likely bat says to the measurements, SI.
@@ -112,9 +108,7 @@ def residuals(x: Array, *, beam: BeamModel, unknowns: Sequence[Unknown], measure
 
     Minus half the sum of their squares is the logarithm of the posterior.
 
-    Parameters
-    ----------
-    x : deviations in their spreads, shape (n,).
+    ``x``: deviations in their spreads, shape (n,).
     """
     spreads = np.array([unknown.spread for unknown in unknowns])
     values = np.array([measurement.value.value for measurement in measurements])
@@ -187,17 +181,7 @@ def calibrate(
 ) -> BatPosterior:
     """Return the most likely bat for measurements on it.
 
-    Parameters
-    ----------
-    beam : the bat as described, without what was measured.
-    unknowns : what may deviate from it.
-    measurements : at least one.
-    agreeing : whether a bat that contradicts them is of no use, and the search ends once it is clear that all do.
-
-    Raises
-    ------
-    InputError
-        when nothing was measured, or no bat comes near the measurements.
+    ``agreeing``: whether a bat that contradicts them is of no use, and the search ends once it is clear that all do.
     """
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
@@ -251,10 +235,8 @@ def _least_squares(at_all: Callable[[Array], Array], count: int, *, agreeing: bo
     unusual, and scipy looks within bounds. To it a bat that cannot be, or cannot hang, is infinitely far off: it takes
     shorter steps.
 
-    Parameters
-    ----------
-    at_all : from many places, shape (n, count), to the misses at each.
-    agreeing : whether to give up, by an `InputError`, where no place is without a contradiction.
+    ``at_all``: from many places, shape (n, count), to the misses at each. ``agreeing``: whether to give up, by an
+    `InputError`, where no place is without a contradiction.
     """
     steps = np.vstack([np.zeros(count), STEP * np.eye(count)])
 
@@ -300,10 +282,7 @@ def _hopeless(with_slopes: Callable[[Array], tuple[Array, Array]], off: Array, s
     spreads from the description. There the misses are taken as straight lines, from a better place each time. It is
     clear where these promise less than a half off the sum of squares, and leave more than three sigma everywhere make.
 
-    Parameters
-    ----------
-    with_slopes : from a place to the misses and their slopes.
-    off, slopes : both at the description.
+    ``with_slopes``: from a place to the misses and their slopes.
     """
     from scipy.optimize import lsq_linear
 

@@ -71,12 +71,8 @@ BAT_BAND = FrequencyBand(60.0, 5000.0)
 class Recording:
     """A sound with one channel.
 
-    Parameters
-    ----------
-    name : of the file.
-    samples : full scale is -1 to 1.
-    rate : samples per s.
-    lossy : whether its format leaves out what is hard to hear.
+    ``samples``: full scale is -1 to 1. ``rate``: samples per s. ``lossy``: whether its format leaves out what is hard
+    to hear.
     """
 
     name: str
@@ -94,15 +90,6 @@ def read_recording(path: Path, *, most: int = MOST_SAMPLES) -> Recording:
     """Return a sound file (WAV, FLAC, OGG, MP3, AIFF, a phone's M4A, AAC, 3GP, a browser's WebM).
 
     Of several channels it is the loudest.
-
-    Parameters
-    ----------
-    most : samples of all channels together.
-
-    Raises
-    ------
-    InputError
-        when the file is missing, is no sound, is empty or too long, or when what its header says cannot be.
     """
     check_ordinary(path, most=LARGEST, advice="record WAV, FLAC, OGG, MP3 or M4A, and cut out the taps")
     channels, rate, lossy = (_of_phone if path.suffix.lower() in OF_PHONES else _of_sound_file)(path, most)
@@ -257,12 +244,8 @@ def tap_sound(modes: Modes, *, position: float, listened: float, duration: float
               rate: float = RATE) -> Array:  # fmt: skip
     """Return the sound of one tap from its beginning on, in any unit, shape (n,).
 
-    Parameters
-    ----------
-    modes : of the free implement.
-    position, listened : m from the knob end, where it is tapped and where the microphone is.
-    duration : of the contact, s.
-    seconds, rate : length of the sound and samples per s.
+    ``position``, ``listened``: m from the knob end, where it is tapped and where the microphone is. ``duration``: of
+    the contact, s. ``seconds``, ``rate``: length of the sound and samples per s.
     """
     ringing = [index for index, family in enumerate(modes.families) if family != "rigid"]
     time = np.arange(round(seconds * rate)) / rate
@@ -282,13 +265,8 @@ def synthesised(
 ) -> Recording:  # fmt: skip
     """Return a recording of several taps of different strength in white noise.
 
-    Parameters
-    ----------
-    position, listened : m from the knob end, where it is tapped and where the microphone is.
-    taps : number of taps.
-    apart : s from tap to tap.
-    noise : rms over the loudest sample.
-    seed : of noise and strengths.
+    ``position``, ``listened``: m from the knob end, where it is tapped and where the microphone is. ``apart``: s from
+    tap to tap. ``noise``: rms over the loudest sample.
     """
     generator = np.random.default_rng(seed)
     tap = tap_sound(modes, position=position, listened=listened, seconds=apart)

@@ -20,14 +20,7 @@ def check_same_model(
 ) -> None:
     """Refuse measurements that no bat of a model comes near: in another unit, or in another column.
 
-    Parameters
-    ----------
-    axis : m from the knob end, of moments of inertia and pendulums.
-
-    Raises
-    ------
-    InputError
-        with the bat, what was given, and what the model has.
+    ``axis``: m from the knob end, of moments of inertia and pendulums.
     """
     beam = beam_model(model)
     body, modes = rigid_body(beam), bending_modes(beam)

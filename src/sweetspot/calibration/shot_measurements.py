@@ -32,13 +32,7 @@ MEASURED_BALLS = 0.01
 
 
 def of_shots(shots: Sequence[Shot], ball: Ball) -> list[Measurement]:
-    """Return the mean q of the shots at each place, with the error of the mean.
-
-    Parameters
-    ----------
-    shots : in any order.
-    ball : their kind; restitution and mass of measured balls replace its own.
-    """
+    """Return the mean q of the shots at each place, with the error of the mean."""
     groups: list[list[Shot]] = []
     for shot in sorted(shots, key=lambda entry: entry.position):
         if groups and shot.position - groups[-1][0].position <= ONE_PLACE:

@@ -79,12 +79,7 @@ class Sinusoid:
 class Fit:
     """The decomposition of a window of sound into damped sinusoids.
 
-    Parameters
-    ----------
-    sinusoids : lowest frequency first.
-    misfit : rms of what is left over rms of the sound, of the part in which it rings.
-    samples, fitted : the window, and the sum of its sinusoids.
-    rate : samples per s.
+    ``misfit``: rms of what is left over rms of the sound, of the part in which it rings. ``rate``: samples per s.
     """
 
     sinusoids: tuple[Sinusoid, ...]
@@ -97,12 +92,7 @@ class Fit:
 def fit_sinusoids(samples: Array, rate: float, *, band: FrequencyBand, most: int = MOST) -> Fit:
     """Take a window of sound apart into damped sinusoids.
 
-    Parameters
-    ----------
-    samples : from shortly after the blow on, shape (n,).
-    rate : samples per s.
-    band : where to look.
-    most : sinusoids at most.
+    ``samples``: from shortly after the blow on, shape (n,). ``rate``: samples per s.
     """
     time = np.arange(len(samples)) / rate
     parameters = np.zeros((0, 4))
@@ -283,11 +273,6 @@ def stands_out(sinusoid: Sinusoid, tones: Sequence[Sinusoid], *, least: float = 
 
     A room only gives back what the body rang into it, spread over its own many tones that die away sooner. So the
     body's tone has most of the energy around it. Of a mode in two planes the fainter does not stand out either.
-
-    Parameters
-    ----------
-    tones : all of the same tap.
-    least : of the greatest energy, that it holds.
     """
     energy_of_it, energies = sinusoid.energy(math.inf), [other.energy(math.inf) for other in tones]
     near = (
@@ -305,10 +290,6 @@ def in_their_room(tones: tuple[Sinusoid, ...]) -> tuple[Sinusoid, ...]:
 
     sigma^2 = sum E_j (f_j - f)^2 / sum E_j over the tones within `NEAR`, E = a^2 / (zeta f) the energy of each. Where
     less than `IN_A_ROOM` of the tones have neighbours nothing is left open.
-
-    Parameters
-    ----------
-    tones : of one tap.
     """
     if len(tones) < 2:
         return tones

@@ -52,14 +52,7 @@ class EfficiencyResponse:
 def response_of_efficiency(
     beam: BeamModel, conditions: Conditions, *, unknowns: Sequence[Unknown], positions: Array
 ) -> EfficiencyResponse:
-    """Return the quantities along a bat on which q depends.
-
-    Parameters
-    ----------
-    beam : its beam, as it was described.
-    conditions : of the hits.
-    positions : m from the knob end, shape (m,).
-    """
+    """Return the quantities along a bat on which q depends (``positions``: m from the knob end, shape (m,))."""
     count = len(unknowns)
     ball = {name: size / REACH for name, size in ball_spreads(conditions.ball).items()}
     spreads = np.array([*(unknown.spread for unknown in unknowns), *ball.values()])
@@ -89,7 +82,6 @@ class SpeedResponse:
     Parameters
     ----------
     efficiency : of q: the unknowns of the bat, then those of the ball.
-    conditions : of the hits with the bat as described.
     law : of bat speed against moment of inertia; None: all bats are swung as fast.
     moi : of the bat as described, about the law's axis, kg m^2.
     slopes : derivative of ln moi by every unknown of the bat, shape (n,).
@@ -117,12 +109,8 @@ def response_of_speed(
 ) -> SpeedResponse:
     """Return the quantities along a bat on which exit speeds depend.
 
-    Parameters
-    ----------
-    beam : its beam, as it was described.
-    conditions : of the hits with it.
-    positions : m from the knob end, shape (m,).
-    law : of bat speed against moment of inertia; None: all are swung as fast.
+    ``positions``: m from the knob end, shape (m,). ``law``: of bat speed against moment of inertia; None: all are swung
+    as fast.
     """
     wanted = [Measurement("moi", Measured(1, 1), axis=0.0 if law is None else law.axis)]
 

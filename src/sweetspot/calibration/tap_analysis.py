@@ -107,9 +107,6 @@ class TapTest:
 
     Parameters
     ----------
-    recordings : as read.
-    taps : good and bad, in the order of the recordings.
-    tones : of the good taps together, lowest first.
     expected : the families of modes that a bat's names were chosen from; of a bar as its tones made it.
     bar : elastic constants, where it was a bar that was tapped.
     moduli_along : tones of a plate, and E in Pa were each the first that bends it along; None: it was no plate.
@@ -178,20 +175,9 @@ def tap_test(
 ) -> TapTest:
     """Find the taps, average the good ones and name their tones.
 
-    Parameters
-    ----------
-    recordings : of one implement.
-    modes : of the free implement as described, for the names; None: of bats in general, or of the bar.
-    positions : m from the knob end, where it was tapped; none: not known.
-    bar : what was tapped, when it is a uniform bar.
-    band : frequencies looked at.
-    held : damping ratio from which on the implement counts as held.
-    taps : of all recordings, good and bad, where they were found already; ``band`` and ``held`` then say nothing.
-
-    Raises
-    ------
-    InputError
-        when no tap can be used.
+    ``modes``: of the free implement as described, for the names; None: of bats in general, or of the bar.
+    ``positions``: m from the knob end, where it was tapped; none: not known. ``held``: damping ratio from which on the
+    implement counts as held. ``taps``: of all recordings, good and bad, where they were found already.
     """
     if bar is not None and modes is not None:
         raise InputError("give either a bar or a bat, and only one of them")
@@ -242,12 +228,7 @@ FILLED = 4
 
 
 def waveform(recording: Recording, *, points: int = POINTS) -> tuple[Array, Array, Array]:
-    """Return times in s with the least and the greatest sample around each, full scale 1.
-
-    Parameters
-    ----------
-    points : at most.
-    """
+    """Return times in s with the least and the greatest sample around each, full scale 1."""
     size = max(1, -(-len(recording.samples) // points))
     pieces = recording.samples[: len(recording.samples) // size * size].reshape(-1, size)
     return np.arange(len(pieces)) * size / recording.rate, pieces.min(axis=1), pieces.max(axis=1)

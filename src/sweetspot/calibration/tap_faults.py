@@ -67,12 +67,7 @@ HEARD = 0.1
 def fault_of_sound(raw: Array, whole: Array, struck: Array, rate: float, *, step: float, lasts: float) -> str | None:
     """Return the fault of a tap that shows before anything is fitted; None if there is none.
 
-    Parameters
-    ----------
-    raw, whole : its samples as recorded and in the band.
-    struck : s at which blows fall into it.
-    step : the finest of its samples.
-    lasts : s until the next tap or the end.
+    ``struck``: s at which blows fall into it. ``lasts``: s until the next tap or the end.
     """
     high = float(np.abs(raw).max(initial=0.0))
     if high < FEWEST_STEPS * step:
@@ -101,10 +96,8 @@ def _does_not_die_away(whole: Array, struck: Array, rate: float) -> str | None:
 def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
     """Return the fault of a tap that shows in the damped sinusoids fitted to it; None if there is none.
 
-    Parameters
-    ----------
-    background : mean square of the recording where it is quiet.
-    held : damping ratio of the lowest loud tone from which on the implement counts as held.
+    ``background``: mean square of the recording where it is quiet. ``held``: damping ratio of the lowest loud tone from
+    which on the implement counts as held.
     """
     if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
         share = 100 * min(fit.misfit, 1)
@@ -137,12 +130,7 @@ def _no_free_body(fit: Fit, background: float) -> str | None:
 
 
 def louder_later(samples: Array, rate: float) -> float:
-    """Return the increase of a sound's level in dB over its first `ONE_BLOW` s, over as long a time each.
-
-    Parameters
-    ----------
-    samples : from the blow on, longer than twice `ONE_BLOW`.
-    """
+    """Return the increase of a sound's level in dB over its first `ONE_BLOW` s, over as long a time each."""
     size = int(ONE_BLOW * rate)
     energy = np.concatenate([[0.0], np.cumsum(samples**2)])
     power = energy[size:] - energy[:-size] + 1e-30
@@ -152,9 +140,7 @@ def louder_later(samples: Array, rate: float) -> float:
 def driven_part(fit: Fit, background: float) -> float:
     """Return the rms of what is neither a damped sinusoid nor the background over that of the sound, while it is loud.
 
-    Parameters
-    ----------
-    background : mean square of the sound where it is quiet.
+    ``background``: mean square of the sound where it is quiet.
     """
     energy = np.cumsum(fit.samples**2)
     loud = int(np.searchsorted(energy, LOUD_PART * energy[-1]))
@@ -204,9 +190,7 @@ def blows(samples: Array, rate: float, *, finest_step: float = 0.0) -> Array:
     A blow stands out of the 40 ms around it and of what rounding makes, and counts when it is no less than a tenth of
     the greatest.
 
-    Parameters
-    ----------
-    finest_step : of the recording; in 8 bit the end of a ring is nothing but single steps, of rms 1 / sqrt(12) each.
+    ``finest_step``: of the recording; in 8 bit the end of a ring is nothing but single steps, of rms 1 / sqrt(12) each.
     """
     import scipy.linalg
     import scipy.ndimage

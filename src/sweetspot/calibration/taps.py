@@ -72,10 +72,7 @@ def _hum(samples: Array, rate: float, size: int) -> Array:
 def _steady_hum(parts: Array, starts: NDArray[np.intp], rate: float, count: int) -> Array:
     """Return the steady part of a block's quiet parts, continued through all its samples, shape (count,).
 
-    Parameters
-    ----------
-    parts : quiet sound, shape (n, size).
-    starts : samples before each, shape (n,).
+    ``parts``: quiet sound, shape (n, size). ``starts``: samples before each, shape (n,).
     """
     hum, time = np.zeros(count), np.arange(count) / rate
     frequencies, _ = max((_steady(parts, starts / rate, rate, base) for base in MAINS), key=lambda entry: entry[1])
@@ -92,11 +89,7 @@ def _steady_hum(parts: Array, starts: NDArray[np.intp], rate: float, count: int)
 def _steady(parts: Array, starts: Array, rate: float, base: float) -> tuple[Array, float]:
     """Return the frequencies of the mains' multiples that keep their size over all parts, and their power.
 
-    Parameters
-    ----------
-    parts : quiet sound, shape (n, size).
-    starts : when each begins, s, shape (n,).
-    base : Hz of the mains.
+    ``parts``: quiet sound, shape (n, size). ``starts``: when each begins, s, shape (n,). ``base``: Hz of the mains.
     """
     number = np.arange(1, int(min(HIGHEST_HUM, 0.45 * rate) / base) + 1)
     time = np.arange(parts.shape[1]) / rate
@@ -111,12 +104,7 @@ def _steady(parts: Array, starts: Array, rate: float, base: float) -> tuple[Arra
 
 
 def risen(fit: Fit, earlier: Array) -> Fit:
-    """Return a fit without the tones that were there before anything was tapped: of a fan, a motor, rushing air.
-
-    Parameters
-    ----------
-    earlier : the sound before the first tap of the recording; too little of it says nothing.
-    """
+    """Return a fit without the tones that were there before anything was tapped: of a fan, a motor, rushing air."""
     import scipy.signal
 
     quiet = earlier[-round(LONGEST_BEFORE * fit.rate) :]
@@ -166,7 +154,6 @@ class Tap:
 
     Parameters
     ----------
-    recording : its name.
     start : s from the beginning of the recording.
     fault : why it is not used; None: it is.
     fit : of its ringing; None where it was rejected before.
@@ -188,10 +175,7 @@ class Tap:
 def find_taps(recording: Recording, *, band: FrequencyBand, held: float = HELD) -> tuple[Tap, ...]:
     """Return all taps of a recording, good and bad.
 
-    Parameters
-    ----------
-    band : frequencies looked at.
-    held : damping ratio of the lowest tone from which on the implement counts as held.
+    ``held``: damping ratio of the lowest tone from which on the implement counts as held.
     """
     clear = hum_taken_out(recording)
     sound = in_band(clear, band)
@@ -273,9 +257,7 @@ def _tap(
 ) -> Tap:
     """Return the sound that begins at the first of two times in s, and is heard to the second.
 
-    Parameters
-    ----------
-    quiet : s from the beginning of the recording in which nothing was tapped; may be negative.
+    ``quiet``: s from the beginning of the recording in which nothing was tapped; may be negative.
     """
     start, end = span
     background = float(10 ** (_levels(sound)[1] / 10))

@@ -42,13 +42,7 @@ OF_CLUB = {"end_mass": 0.06, "knob_mass": 0.3, "first_frequency": 0.2}
 
 
 def implement_spreads(implement: Implement) -> dict[str, float]:
-    """Return the unknowns of an implement that is not a bat, and one sigma of the logarithm of each.
-
-    Raises
-    ------
-    InputError
-        for a kind that is known by its plies.
-    """
+    """Return the unknowns of an implement that is not a bat, and one sigma of the logarithm of each."""
     if not isinstance(implement, (Racket, CricketBat, HockeyStick, GolfClub)):
         raise InputError(
             f"{implement.name} is known by its plies and rubbers; calibrate knows bats, rackets, cricket bats, hockey "
@@ -135,10 +129,7 @@ ROOM = 0.98
 class Unknown:
     """One thing that is not known exactly.
 
-    Parameters
-    ----------
-    name : which.
-    spread : one sigma before the measurements; of a logarithm, but for the density gradient.
+    ``spread``: one sigma before the measurements; of a logarithm, but for the density gradient.
     """
 
     name: UnknownName
@@ -162,14 +153,7 @@ def described(bat: Implement) -> BeamModel:
 def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[Unknown, ...]:
     """Return the unknowns of a bat of this kind.
 
-    Parameters
-    ----------
-    diameter_spread : one sigma of the diameters as a part of them, of handle and barrel each.
-
-    Raises
-    ------
-    InputError
-        for a wall that is laid up of plies, whose moduli no file of one bat could hold; for a table-tennis racket.
+    ``diameter_spread``: one sigma of the diameters as a part of them, of handle and barrel each.
     """
     if not isinstance(bat, Bat):
         return tuple(Unknown(name, size) for name, size in implement_spreads(bat).items())  # type: ignore[arg-type]

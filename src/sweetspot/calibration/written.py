@@ -55,16 +55,9 @@ POINTS = re.compile(r"\s*[A-Za-z]\d(?:\.(\d+))?\s*")
 def of_swing_weight(text: str, sport: str, *, mass: Measured | None, what: str = "swing weight") -> Measurement:
     """Return the moment of inertia that a swing weight is, or the balance point that a first moment tells of a weight.
 
-    Parameters
-    ----------
-    text : a letter with points, ``D2`` or ``D2.5±0.2``, in a sport that has them; else a quantity with its unit.
-    sport : name in the catalogue.
-    mass : kg, weighed; needed where the sport's swing weight is a first moment, M = m (x - axis).
-
-    Raises
-    ------
-    InputError
-        for a text that is none, or a first moment without a weight.
+    ``text``: a letter with points, ``D2`` or ``D2.5±0.2``, in a sport that has them; else a quantity with its unit.
+    ``sport``: name in the catalogue. ``mass``: kg, weighed; needed where the sport's swing weight is a first moment, M
+    = m (x - axis).
 
     >>> found = of_swing_weight("D2", "golf", mass=Measured(0.310, 0.0005))  # (217 in oz / 10.93 oz + 14 in) = 33.84 in
     >>> found.name, round(found.value.value, 4), round(found.value.error, 4)

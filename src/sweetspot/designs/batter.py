@@ -69,9 +69,7 @@ class ContactPlaces:
     def doubt_of(self, curve: Array) -> float:
         """Return the standard deviation of a curve's mean over the contacts, from not knowing the contacts better.
 
-        Parameters
-        ----------
-        curve : anything at `FROM_TIP`, shape (places,).
+        ``curve``: anything at `FROM_TIP`, shape (places,).
         """
         means = self.possible @ curve
         return float(np.sqrt(self.likely @ (means - self.likely @ means) ** 2))
@@ -84,13 +82,7 @@ def usual_batter() -> dict[str, float]:
 
 
 def normal_contact(mean: float, spread: float) -> Array:
-    """Return the parts of contacts at `FROM_TIP` of a batter who meets the ball at ``mean`` m, give or take ``spread``.
-
-    Raises
-    ------
-    InputError
-        when mean or spread are none that a batter has.
-    """
+    """Return parts of contacts at `FROM_TIP` of a batter who meets the ball ``mean`` ± ``spread`` m from the tip."""
     if not 0 < mean < FARTHEST:
         raise InputError(
             f"contact is {format_length(mean)} from the tip; allowed is more than 0 and less than "
@@ -121,16 +113,8 @@ def known_contact(mean: float, spread: float) -> ContactPlaces:
 def fitted_contact(mean: tuple[float, float], spread: tuple[float, float], *, balls: float) -> ContactPlaces:
     """Return the contacts of a batter whose mean and scatter were fitted, each with its doubt.
 
-    Parameters
-    ----------
-    mean : m from the tip, and its standard deviation in m.
-    spread : standard deviation of places in m, and the standard deviation of its logarithm.
-    balls : from how many.
-
-    Raises
-    ------
-    InputError
-        when mean or spread are none that a batter has.
+    ``mean``: m from the tip, and its standard deviation in m. ``spread``: standard deviation of places in m, and the
+    standard deviation of its logarithm.
     """
     normal_contact(mean[0], spread[0])
     means = mean[0] + mean[1] * MEANS
@@ -146,16 +130,8 @@ def contacts_at(place: Array, share: Array | None = None) -> ContactPlaces:
     normal, the logarithm of the scatter is (`player_priors.toml`). The scatter's posterior is summed on a grid; the
     mean's is normal for each. A table's own shape counts by its balls beside `SHAPE_BALLS` of the normal curves.
 
-    Parameters
-    ----------
-    place : m from the tip, shape (n,).
-    share : how much each counts, shape (n,): whole numbers count balls, others are shares of as many balls as
-        (sum share)^2 / sum share^2; None: one ball each.
-
-    Raises
-    ------
-    InputError
-        when none lies on a bat, or one counts less than nothing.
+    ``place``: m from the tip, shape (n,). ``share``: how much each counts, shape (n,): whole numbers count balls,
+    others are shares of as many balls as (sum share)^2 / sum share^2; None: one ball each.
     """
     share = np.ones(len(place)) if share is None else share
     usable = (place >= 0) & (place <= LAST)

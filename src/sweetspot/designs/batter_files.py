@@ -43,15 +43,7 @@ def contacts_of_file(path: Path, *, batter: str | None = None) -> ContactPlaces:
     The column may also be called ``from tip (cm)`` and the like; without a unit in its heading every value needs one.
     Lines without a place are left out, as in the table of a season whose balls were not all met by a barrel.
 
-    Parameters
-    ----------
-    batter : whose lines count, by a column ``batter``; None: all lines, which have to be one batter's.
-
-    Raises
-    ------
-    InputError
-        when the file has no such column, several batters and none was named, no contact in it, or a value that is no
-        place on a bat.
+    ``batter``: whose lines count, by a column ``batter``; None: all lines, which have to be one batter's.
     """
     text = read_text(path, most=MOST_BYTES, advice="a contact table is a few lines of CSV")
     rows = list(table_rows(text, path, is_heading=lambda cells: any(_head(cell) in PLACE_HEADS for cell in cells)))
@@ -136,11 +128,6 @@ def fitted_player(path: Path) -> dict[str, float]:
     With them come ``position_doubt`` in m and ``position_spread_doubt`` (of the logarithm), each one standard
     deviation by the file's intervals, whose level it names, and ``balls``: how many swings were used; 0 where the file
     does not say.
-
-    Raises
-    ------
-    InputError
-        when the file is no such answer.
     """
     text = read_text(path, most=MOST_BYTES, advice=ADVICE)
     try:

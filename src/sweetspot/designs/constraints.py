@@ -50,11 +50,8 @@ KEPT = ("mass", "moi", "balance_point", "handle", "density")
 class Limit:
     """A measure with its ends.
 
-    Parameters
-    ----------
-    measure : key of `MEASURES`.
-    least, most : SI; None: none on that side.
-    why : who wants it: the batter, a league, the lathe.
+    ``measure``: key of `MEASURES`. ``least``, ``most``: SI; None: none on that side. ``why``: who wants it: the batter,
+    a league, the lathe.
     """
 
     measure: str
@@ -100,12 +97,7 @@ def lathe_limits() -> tuple[Limit, ...]:
 
 
 def band(measure: str, value: float, *, part: float, why: str = "kept as it is") -> Limit:
-    """Return a limit around a value.
-
-    Parameters
-    ----------
-    part : half of the band's width as a part of the value.
-    """
+    """Return a limit around a value (``part``: half of the band's width as a part of the value)."""
     return Limit(measure, value * (1 - part), value * (1 + part), why)
 
 
@@ -116,13 +108,7 @@ def drawn_values(bench: Bench, numbers: Array) -> dict[str, Array]:
 
 
 def check_limits(bench: Bench, limits: Sequence[Limit]) -> Array:
-    """Return numbers of a bat that keeps every limit that a drawing decides, shape (variables,).
-
-    Raises
-    ------
-    InputError
-        when there is none: with the limit, or the two limits, that quarrel, and by how much they miss each other.
-    """
+    """Return numbers of a bat that keeps every limit that a drawing decides, shape (variables,)."""
     drawn = [limit for limit in limits if not MEASURES[limit.measure].needs_hits and limit.measure not in IN_PLAY]
     closest, miss = _nearest(bench, drawn)
     if miss <= INSIDE:
@@ -231,13 +217,9 @@ def kept_limits(
 ) -> tuple[Limit, ...]:
     """Return the limits of a question about the bats of a bench.
 
-    Parameters
-    ----------
-    keep : some of `KEPT`, which stay as the present bat has them.
-    bands : other limits, given by the user.
-    league : whose rules are kept; None: no league's.
-    handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
-    now : the present bat, measured on this bench; None: it is measured here.
+    ``league``: whose rules are kept; None: no league's. ``handle``: smallest diameter of the grip, m; None: the present
+    one's, so that the bat breaks no sooner. ``now``: the present bat, measured on this bench; None: it is measured
+    here.
     """
     present = bench.space.present
     values = (now or present_measured(bench)).values
@@ -264,11 +246,8 @@ def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int
     Every round goes to the nearest ends of the limits' bands by the smallest change, counted in parts of the ranges,
     that the slopes ask for (Newton's method with the least norm); numbers that meet the end of their range stay there.
 
-    Parameters
-    ----------
-    numbers : of the bat as it was pulled, shape (variables,).
-    limits : that a drawing decides, such as bands of mass and moment of inertia.
-    pulled : the number that a hand holds, which changes last; None: none is held.
+    ``numbers``: of the bat as it was pulled, shape (variables,). ``pulled``: the number that a hand holds, which
+    changes last; None: none is held.
 
     Returns
     -------
@@ -329,11 +308,8 @@ def _least_step(parts: Array, slopes: Array, miss: Array, ready: Array) -> Array
 def findings_of(bat: Implement, measured: MeasuredDesigns, *, like: Implement, ball: Ball) -> dict[str, Finding]:
     """Return the findings to which rules apply: the drawing's own values, and BBCOR and BPF where it was fired at.
 
-    Parameters
-    ----------
-    measured : the bat, one row.
-    like : whose test says how much the ball's patch and the moment of inertia leave open of BBCOR and BPF: the bat
-        itself, or one like it where there is no time for three tests of each.
+    ``like``: whose test says how much the ball's patch and the moment of inertia leave open of BBCOR and BPF: the bat
+    itself, or one like it where there is no time for three tests of each.
     """
     if not isinstance(bat, Bat):
         return {name: Finding(size) for name, size in sizes_of(bat).items()}

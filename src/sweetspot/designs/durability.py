@@ -43,12 +43,8 @@ PUSHES = 48
 class Breaking:
     """What a batter's usual contacts are held against.
 
-    Parameters
-    ----------
-    usual : which of `FROM_TIP` are looked at.
-    position : m from the knob end, along the handle half, shape (points,).
-    borne : strain that the material there bears, shape (points,).
-    wall_borne : the same of a hollow barrel's wall; None: nothing there can be dented.
+    ``position``: m from the knob end, along the handle half, shape (points,). ``borne``: strain that the material there
+    bears, shape (points,). ``wall_borne``: the same of a hollow barrel's wall; None: nothing there can be dented.
     """
 
     usual: IntArray
@@ -62,22 +58,12 @@ def borne_strain(material: Material, *, across: bool = False) -> float | None:
 
     Wood bends beyond its linear limit: maple bats break at 0.0208 to 0.0234 [umass2022, appendix A], and the smaller is
     taken for every wood (assumed). Others bear their strength over their modulus.
-
-    Parameters
-    ----------
-    across : around the barrel.
     """
     return PUBLISHED_FAILURE_STRAIN[0] if material.family == "wood" else linear_limit(material, across=across)
 
 
 def breaking_of(bat: Bat, batter: Batter) -> Breaking:
-    """Return the strain limits for bats like this one.
-
-    Raises
-    ------
-    InputError
-        when the strength of its material is not known.
-    """
+    """Return the strain limits for bats like this one."""
     position = np.linspace(0.0, HANDLE_PART * bat.length, POINTS + 1)[1:]
     materials = [material_at(bat, place) for place in position.tolist()]
     unknown = [material.name for material in (bat.material, *materials) if borne_strain(material) is None]
@@ -96,11 +82,8 @@ def breaking_of(bat: Bat, batter: Batter) -> Breaking:
 class BatterHits:
     """Hits of many bats at all of `FROM_TIP`.
 
-    Parameters
-    ----------
-    impacts : with every bat's motion at release.
-    position, closing_speed : m from the knob end and m/s, shape (bats, places).
-    ball_mass : kg.
+    ``impacts``: with every bat's motion at release. ``position``, ``closing_speed``: m from the knob end and m/s, shape
+    (bats, places). ``ball_mass``: kg.
     """
 
     impacts: Impacts
@@ -174,10 +157,8 @@ def _handle_strain(
 def _wall_bending(wall: Modes, shapes: Array, force: Array, push: Array) -> Array:
     """Return the greatest |sum (n^2 - 1) W_n| in m of hoop modes under pushes of a half sine, shape (places,).
 
-    Parameters
-    ----------
-    shapes : of all modes where they are pushed, shape (places, modes).
-    force, push : greatest force in N and impulse in N s, shape (places,).
+    ``shapes``: of all modes where they are pushed, shape (places, modes). ``force``, ``push``: greatest force in N and
+    impulse in N s, shape (places,).
     """
     hoop = wall.of_family("hoop")
     shape, omega = shapes[:, hoop, None], wall.angular_frequency[None, hoop, None]

@@ -73,7 +73,6 @@ class Gain:
     by_weight : the part of ``wood`` that is left when the wood is chosen by weight.
     shipment : standard deviation between two of a dozen as is reported, m/s; 0: nothing is.
     sample : standard deviation of ``expected`` in m/s from how few balls tell of the contacts; 0: none do.
-    balls : how many do.
     curve : change of the exit speed at `FROM_TIP`, m/s.
     noise : standard deviation of that change from two pieces of wood, m/s, shape of ``curve``.
     time : s by which the time to contact grows.
@@ -180,10 +179,7 @@ def _reduced(present: Implement, ball: Ball) -> tuple[BeamRow, ReducedBats]:
 def gain_of(bench: Bench, numbers: Array, design: MeasuredDesigns, now: MeasuredDesigns) -> Gain:
     """Return the gain of a design over the present bat, with its uncertainty.
 
-    Parameters
-    ----------
-    numbers : of the design, shape (variables,).
-    design, now : both measured, one row each.
+    ``numbers``: of the design, shape (variables,). ``design``, ``now``: both measured, one row each.
     """
     weight, sample = bench.batter.weight, bench.batter.sample
     apart = design.worth[0] - now.worth[0]
@@ -305,11 +301,8 @@ def _with_exponent(law: SwingLaw, exponent: float) -> SwingLaw:
 class HandleBending:
     """The greatest bending strain of a bat's handle over a batter's contacts; see `sweetspot.analysis.strain`.
 
-    Parameters
-    ----------
-    strain : without a unit (0.01 is 1 %).
-    from_tip : where that ball was met, m from the tip.
-    limit : strength over modulus of the handle's material; None when its strength is not known.
+    ``strain``: without a unit (0.01 is 1 %). ``from_tip``: where that ball was met, m from the tip. ``limit``: strength
+    over modulus of the handle's material; None when its strength is not known.
     """
 
     strain: float

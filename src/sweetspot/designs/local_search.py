@@ -35,10 +35,8 @@ def polished(
 
     It is never worse than the one that was given: it keeps every limit if that one did, or comes nearer to them.
 
-    Parameters
-    ----------
-    numbers : of a bat that keeps every limit that a drawing decides, shape (variables,).
-    looks : how many bats are tried with their slopes at most; None, or more than `LOOKS`: so many.
+    ``numbers``: of a bat that keeps every limit that a drawing decides, shape (variables,). ``looks``: how many bats
+    are tried with their slopes at most; None, or more than `LOOKS`: so many.
     """
     from scipy.optimize import minimize
 
@@ -108,10 +106,7 @@ def _ranks(rows: Array, sign: int) -> Array:
 def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) -> Array:
     """Return the slope of a measure by every variable, SI, shape (variables,), from bats on either side.
 
-    Parameters
-    ----------
-    measure : key of `MEASURES`.
-    step : part of a variable's range.
+    ``measure``: key of `MEASURES`. ``step``: part of a variable's range.
     """
     if measure not in MEASURES:
         raise InputError(f"{measure!r} is no measure; allowed are {', '.join(MEASURES)}")
@@ -157,14 +152,7 @@ def starts_of(bench: Bench, question: DesignSearch, *, progress: Callable[[int, 
 
     No seed changes them, so that fronts of different seeds have them in common.
 
-    Parameters
-    ----------
-    progress : called after each with 0 generations done and the front of those that were found.
-
-    Raises
-    ------
-    InputError
-        when limits quarrel; see `check_limits`.
+    ``progress``: called after each with 0 generations done and the front of those that were found.
     """
     first = check_limits(bench, question.limits)
     starts = [first]
@@ -184,12 +172,7 @@ def starts_of(bench: Bench, question: DesignSearch, *, progress: Callable[[int, 
 
 
 def _between(bench: Bench, question: DesignSearch, ends: tuple[Array, Array], other: str) -> Iterator[Array]:
-    """Yield bats best in the first want of those that reach a part of the way in another, one after the other.
-
-    Parameters
-    ----------
-    ends : the best in the first want, and the best in the other.
-    """
+    """Yield bats best in the first want of those that reach a part of the way in another, one after the other."""
     measured = bench.measured(np.array(ends)).values[other]
     if (measured[1] - measured[0]) * MEASURES[other].better < MEASURES[other].grain:
         return
@@ -214,10 +197,8 @@ def designed(
 ) -> Front:
     """Return the front of a question, its best in the first want polished.
 
-    Parameters
-    ----------
-    after : a search to go on from; see `search`.
-    progress : called with the generations done, 0 while first bats are looked for, and the front so far.
+    ``after``: a search to go on from; see `search`. ``progress``: called with the generations done, 0 while first bats
+    are looked for, and the front so far.
     """
     starts = (
         np.zeros((0, len(bench.space.variables)))

@@ -41,13 +41,8 @@ SWING_TIME = 0.15
 class Measure:
     """Something measured on a bat.
 
-    Parameters
-    ----------
-    label : for people.
-    scale : how it is shown.
-    better : 1: more is better; -1: less is; 0: neither.
-    grain : SI; differences below it do not matter to anybody, and limits are kept to it.
-    needs_hits : whether it takes a collision, not only a drawing.
+    ``better``: 1: more is better; -1: less is; 0: neither. ``grain``: SI; differences below it do not matter to
+    anybody, and limits are kept to it. ``needs_hits``: whether it takes a collision, not only a drawing.
     """
 
     label: str
@@ -93,11 +88,8 @@ MEASURES: Mapping[str, Measure] = {
 class MeasuredDesigns:
     """Many bats, measured.
 
-    Parameters
-    ----------
-    values : by measure, shape (n,).
-    curve : exit speed in m/s at `FROM_TIP` for a ball met in the middle, shape (n, places).
-    worth : the same with this batter's scatter above and below the axis, shape (n, places).
+    ``values``: by measure, shape (n,). ``curve``: exit speed in m/s at `FROM_TIP` for a ball met in the middle, shape
+    (n, places). ``worth``: the same with this batter's scatter above and below the axis, shape (n, places).
     """
 
     values: Mapping[str, Array]
@@ -114,9 +106,6 @@ class Bench:
 
     Parameters
     ----------
-    space : the bats that can be.
-    batter : whom they are for.
-    conditions : of a hit with the present bat.
     moi_now : kg m^2 of the present bat about the swing law's axis.
     sine, retained : sine of the line of centres' angle, and the part of the exit speed that is left.
     step : s of time in a hit.
@@ -157,11 +146,8 @@ class Bench:
     ) -> MeasuredDesigns:
         """Return everything about bats that are reduced already.
 
-        Parameters
-        ----------
-        widths : their diameters at `FROM_TIP`, m, shape (n, places).
-        shapes : what their outlines say.
-        handles : of the same bats; None: durability is left out.
+        ``widths``: their diameters at `FROM_TIP`, m, shape (n, places). ``handles``: of the same bats; None: durability
+        is left out.
         """
         ball, pitch = self.conditions.ball, self.batter.pitch_speed
         bending, pivot = bats.bending, self.conditions.swing.pivot
@@ -255,15 +241,7 @@ def speed_ratios(law: SwingLaw, moi: Array, reference: float, exponent: float | 
 def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: bool = False) -> Bench:
     """Return the bench on which the bats of a space are measured for a batter.
 
-    Parameters
-    ----------
-    conditions : of a hit with the present bat.
-    durable : whether every bat's durability is measured: a quarter of the time more.
-
-    Raises
-    ------
-    InputError
-        when the present bat is no heavier than the ball, or how much its material bears is not known.
+    ``durable``: whether every bat's durability is measured: a quarter of the time more.
     """
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body

@@ -24,12 +24,8 @@ NEAR_START = 0.25
 class DesignSearch:
     """What is looked for.
 
-    Parameters
-    ----------
-    wants : keys of `MEASURES` that are to be better, one to three.
-    limits : that every bat keeps.
-    seed : of the random numbers.
-    population, generations : bats of a generation, and how many follow each other.
+    ``wants``: keys of `MEASURES` that are to be better, one to three. ``population``, ``generations``: bats of a
+    generation, and how many follow each other.
     """
 
     wants: tuple[str, ...]
@@ -58,12 +54,8 @@ class DesignSearch:
 class Front:
     """Bats none of which is better in everything, the best in the first want first.
 
-    Parameters
-    ----------
-    numbers : of every bat, shape (n, variables).
-    measured : what they are and do.
-    generation : how many generations were looked at.
-    population : numbers of the whole last generation, to go on from.
+    ``numbers``: of every bat, shape (n, variables). ``generation``: how many generations were looked at.
+    ``population``: numbers of the whole last generation, to go on from.
     """
 
     numbers: Array
@@ -88,16 +80,9 @@ def search(
     Every generation has random numbers of its own, from the seed and its number, so that a search that was stopped
     goes on as if it had not been. Ctrl-C ends it with the front that it has.
 
-    Parameters
-    ----------
-    starts : numbers of bats that keep the limits, from which it begins, shape (bats, variables); see `check_limits`.
-    after : generations already done, and the last one's numbers.
-    progress : called with the number of generations done and the front so far.
-
-    Raises
-    ------
-    InputError
-        when no bat that keeps every limit was found.
+    ``starts``: numbers of bats that keep the limits, from which it begins, shape (bats, variables); see `check_limits`.
+    ``after``: generations already done, and the last one's numbers. ``progress``: called with the number of generations
+    done and the front so far.
     """
     variables = bench.space.variables
     low, high = (np.array([getattr(variable, end) for variable in variables]) for end in ("low", "high"))
@@ -161,13 +146,7 @@ def saved(bench: Bench, question: DesignSearch, front: Front) -> str:
 
 
 def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array]:
-    """Return generations done and the last one's numbers from a saved search.
-
-    Raises
-    ------
-    InputError
-        when it is no saved search, or one of another question.
-    """
+    """Return generations done and the last one's numbers from a saved search."""
     try:
         state: Any = json.loads(text)
         same = state["question"] == fingerprint(bench, question)

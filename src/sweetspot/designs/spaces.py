@@ -33,13 +33,7 @@ HEAD_REACH = 0.15
 
 
 def racket_space(racket: Racket) -> ImplementSpace:
-    """Return the space of rackets like one: mass and swing weight, which lead tape changes.
-
-    Raises
-    ------
-    InputError
-        when mass or swing weight were not measured.
-    """
+    """Return the space of rackets like one: mass and swing weight, which lead tape changes."""
     if racket.mass is None or racket.moi is None:
         raise InputError(f"{racket.name} has no measured mass and swing weight; give both")
     variables = tuple(
@@ -57,11 +51,6 @@ def cricket_space(bat: CricketBat) -> ImplementSpace:
     """Return the space of cricket bats like one, of the same willow: where the blade swells, and its sizes.
 
     Length, handle and splice stay. The swell is the station of the thickest spine; it moves between its neighbours.
-
-    Raises
-    ------
-    InputError
-        when the blade has no station between shoulders and toe that could be moved.
     """
     inner = range(1, len(bat.spine) - 1)
     if not inner:
@@ -158,14 +147,7 @@ WALLS = ("metal", "laminate")
 def hollow_space(bat: Bat, *, material: Material | None = None) -> ImplementSpace:
     """Return the space of hollow bats like one: four thicknesses of the wall along the barrel, and the end cap.
 
-    Parameters
-    ----------
-    material : of the wall; None: as it is. A laminate of plies keeps to its own.
-
-    Raises
-    ------
-    InputError
-        when the bat has no wall, or none is made of that material.
+    ``material``: of the wall; None: as it is. A laminate of plies keeps to its own.
     """
     shell, built = bat.shell, bat.material if material is None else material
     if shell is None:
@@ -211,16 +193,8 @@ def space_of(
 ) -> Space:
     """Return the design space of a present bat: outlines of wood, walls of a hollow one, a few numbers of others.
 
-    Parameters
-    ----------
-    deepest_cup : m, of a turned bat; 0: no cup.
-    material : of a bat's wood or wall; None: the present one's.
-    ranges : least and most of what else may change of a turned bat, m; see `turned_space`.
-
-    Raises
-    ------
-    InputError
-        for an implement of which nothing is known that a designer could change, or not what was asked.
+    ``deepest_cup``: m, of a turned bat; 0: no cup. ``material``: of a bat's wood or wall; None: the present one's.
+    ``ranges``: least and most of what else may change of a turned bat, m; see `turned_space`.
     """
     if ranges and not (isinstance(bat, Bat) and bat.shell is None):
         raise InputError(

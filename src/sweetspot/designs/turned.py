@@ -62,10 +62,8 @@ def stations(diameters: Array, *, knob: Array, length: Array) -> tuple[Array, Ar
     Between the handles the diameter follows piecewise cubics that never overshoot (Fritsch and Carlson's), so a curve
     swells or thins only where its handles do. Knob and rounded end have the shapes of ordinary turned bats, scaled.
 
-    Parameters
-    ----------
-    diameters : at `HANDLES`, m, shape (n, 11).
-    knob, length : diameter of the knob and length of the bat, m, shape (n,).
+    ``diameters``: at `HANDLES`, m, shape (n, 11). ``knob``, ``length``: diameter of the knob and length of the bat, m,
+    shape (n,).
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -103,11 +101,8 @@ def diameters_of(position: Array, diameter: Array, length: float) -> Array:
 class TurnedSpace:
     """Turned wood bats: diameters at eleven handles, the cup's depth, the density of the wood, and what else is asked.
 
-    Parameters
-    ----------
-    present : the batter's bat; its length, knob and width of cup are kept where they are no variables.
-    variables : what may be changed; see `turned_space`.
-    material : the wood of every bat.
+    ``present``: the batter's bat; its length, knob and width of cup are kept where they are no variables.
+    ``variables``: what may be changed; see `turned_space`.
     """
 
     present: Bat
@@ -127,9 +122,7 @@ class TurnedSpace:
     def outlines(self, numbers: Array, *, stiffness: Array | float = 1.0) -> SolidBats:
         """Return the outlines of many rows of numbers, side by side.
 
-        Parameters
-        ----------
-        stiffness : moduli over the species' own, one for all or shape (n,).
+        ``stiffness``: moduli over the species' own, one for all or shape (n,).
         """
         numbers = np.asarray(numbers, float)
         diameters, depth, density = self.parts(numbers)
@@ -226,18 +219,8 @@ def turned_space(
 ) -> TurnedSpace:
     """Return the space of turned bats around a batter's present one.
 
-    Parameters
-    ----------
-    bat : of solid wood.
-    deepest_cup : m; 0: no cup.
-    wood : of the bats that can be; None: the present one's.
-    ranges : least and most in m of some of `MORE`, which stay as they are otherwise.
-
-    Raises
-    ------
-    InputError
-        when the bat is hollow, drilled, or given by its mass per length, the material is no wood, or a range holds
-        what no bat has.
+    ``deepest_cup``: m; 0: no cup. ``wood``: of the bats that can be; None: the present one's. ``ranges``: least and
+    most in m of some of `MORE`, which stay as they are otherwise.
     """
     wood = bat.material if wood is None else wood
     if bat.shell is not None or bat.bores or bat.profile is None or bat.material.family != "wood":

@@ -30,10 +30,8 @@ class Variable:
     Parameters
     ----------
     name : for programs: letters, digits and underscores.
-    label : for people.
     scale : how it is shown: length, ratio, mass, ...
     low, high : its range, SI.
-    start : of the present bat.
     from_tip : m; where on the bat it is; None: nowhere.
     """
 
@@ -88,11 +86,7 @@ class Space(Protocol):
 class ImplementSpace:
     """Hollow bats, rackets, clubs, cricket bats: a few numbers of their own, set by functions.
 
-    Parameters
-    ----------
-    present : the implement as it is.
-    variables : what may be changed.
-    change : makes an implement of the present one and the numbers, shape (variables,).
+    ``change``: makes an implement of the present one and the numbers, shape (variables,).
     """
 
     present: Implement

@@ -40,7 +40,6 @@ class DrawnBats:
 
     Parameters
     ----------
-    bending : mass properties and bending modes.
     surfaces : of the bat as described, then of every unknown one standard deviation up and down.
     deviations : of every bat in those standard deviations, shape (bats, unknowns).
     whole : of a bat of which nothing is unknown, and of any other implement, all motions as described; None: they are
@@ -138,10 +137,8 @@ class DrawnBats:
     def followed(self, values: Sequence[Array]) -> Array:
         """Return values of every bat: of the described one, with slope and bend of each deviation.
 
-        Parameters
-        ----------
-        values : of the bat as described, then of every unknown one standard deviation up and down: of one bat, shape
-            (n,), or of every bat, shape (bats, ...).
+        ``values``: of the bat as described, then of every unknown one standard deviation up and down: of one bat, shape
+        (n,), or of every bat, shape (bats, ...).
         """
         centre = values[0]
         moved = np.broadcast_to(centre, (len(self), *centre.shape)) if centre.ndim == 1 else centre
@@ -165,13 +162,8 @@ def drawn_bats(
 ) -> DrawnBats:
     """Return bats that deviate from a description.
 
-    Parameters
-    ----------
-    beam : the bat as described.
-    deviations : of every bat, shape (bats, unknowns).
-    spreads : one standard deviation of each, shape (unknowns,).
-    ball : whose patch presses the surface.
-    threads : workers; None: one per core.
+    ``deviations``: of every bat, shape (bats, unknowns). ``spreads``: one standard deviation of each, shape
+    (unknowns,). ``threads``: workers; None: one per core.
     """
     law, sizes = patch_law(ball), np.maximum(spreads, 1e-12)
     if not unknowns:

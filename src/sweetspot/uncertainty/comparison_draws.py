@@ -56,10 +56,8 @@ class DrawnBat:
 class DrawnComparison:
     """What draws answer to a comparison.
 
-    Parameters
-    ----------
-    normal : standard normal numbers behind every draw, shape (draws, n); the first row is 0.
-    names : of the source of each, shape (n,).
+    ``normal``: standard normal numbers behind every draw, shape (draws, n); the first row is 0. ``names``: of the
+    source of each, shape (n,).
     """
 
     normal: Array
@@ -76,11 +74,8 @@ def drawn_comparison(
 ) -> DrawnComparison:
     """Return the answers of draws to a comparison.
 
-    Parameters
-    ----------
-    sources : of every bat; those that are not a bat's are taken from the first.
-    normal : standard normal numbers to draw by, shape (count, n) with a column for each of `drawn_names`; None: Sobol's
-        sequence.
+    ``sources``: of every bat; those that are not a bat's are taken from the first. ``normal``: standard normal numbers
+    to draw by, shape (count, n) with a column for each of `drawn_names`; None: Sobol's sequence.
     """
     first, law = sources[0], comparison.law
     behind = {number: column for column, number in enumerate(_behind(comparison, sources))}
@@ -112,9 +107,7 @@ def _drawn_bat(
 ) -> DrawnBat:
     """Return the sampled answers for one bat.
 
-    Parameters
-    ----------
-    reference, first : the bat that it is compared with, and its draws; None: it is that bat.
+    ``reference``, ``first``: the bat that it is compared with, and its draws; None: it is that bat.
     """
     scan, length = compared.analysis.scan, compared.analysis.bat.length
     barrel = scan.position[scan.position > compared.analysis.body.balance_point]

@@ -31,14 +31,9 @@ SLOWEST = 0.1
 class Draws:
     """What may be meant: the first is everything as described.
 
-    Parameters
-    ----------
-    sources : what is drawn.
-    normal : standard normal numbers behind every draw, shape (draws, n); the first row is 0.
-    beam, conditions : as described.
-    bats, balls : drawn.
-    patch : factor on the radius of the patch beside that of each ball, shape (draws,).
-    bat_speed, pitch_speed : m/s, where the swing is measured and of the ball, shape (draws,).
+    ``normal``: standard normal numbers behind every draw, shape (draws, n); the first row is 0. ``patch``: factor on
+    the radius of the patch beside that of each ball, shape (draws,). ``bat_speed``, ``pitch_speed``: m/s, where the
+    swing is measured and of the ball, shape (draws,).
     """
 
     sources: Sources
@@ -71,9 +66,7 @@ class Draws:
     def struck(self, position: Array, closing_speed: Array, *, keep_motion: bool = False) -> Impacts:
         """Return hits, every array shaped (draws, places).
 
-        Parameters
-        ----------
-        position, closing_speed : m from the knob end and m/s, broadcast together to (draws, places).
+        ``position``, ``closing_speed``: m from the knob end and m/s, broadcast together to (draws, places).
         """
         shape = np.broadcast_shapes(position.shape, closing_speed.shape, (len(self), 1))
         places, speeds = (np.ascontiguousarray(np.broadcast_to(values, shape)) for values in (position, closing_speed))
@@ -101,11 +94,7 @@ def draws_of(
 ) -> Draws:
     """Return draws of what is not known, after one of everything as described.
 
-    Parameters
-    ----------
-    beam, conditions : as described.
-    count : a power of two.
-    normal : standard normal numbers to draw by, shape (count, n); None: Sobol's sequence.
+    ``count``: a power of two. ``normal``: standard normal numbers to draw by, shape (count, n); None: Sobol's sequence.
     """
     drawn = sources.normal(count, seed=seed) if normal is None else normal
     normal = np.concatenate([np.zeros((1, len(sources.names))), drawn])
@@ -209,12 +198,6 @@ def drawn_ledger(
 
     Motion at release is each draw's own. What the implement's damping takes during contact, a thousandth, goes as its
     vibration; the rest is heat in the ball, which makes the sum right.
-
-    Parameters
-    ----------
-    along : hits with their motion at release.
-    column : of the place.
-    impact : the hit as described, from whose parts the draws' are counted.
     """
     closing = along.closing_speed[:, column]
     incoming = draws.ball_mass * closing**2 / 2

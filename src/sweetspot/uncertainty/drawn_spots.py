@@ -26,10 +26,7 @@ NEWTON_STEPS, FARTHEST = 3, 0.02
 def highest(position: Array, curves: Array) -> Array:
     """Return the position of every curve's maximum, m, shape (draws,).
 
-    Parameters
-    ----------
-    position : m, evenly spaced, shape (positions,).
-    curves : shape (draws, positions).
+    ``position``: m, evenly spaced, shape (positions,). ``curves``: shape (draws, positions).
     """
     place, _ = tops(curves)
     return np.asarray(position[0] + place * (position[1] - position[0]))
@@ -38,10 +35,8 @@ def highest(position: Array, curves: Array) -> Array:
 def zones(position: Array, speed: Array, sting: Array) -> Array:
     """Return both ends of every draw's sweet zone in m, shape (draws, 2); nan where there is none. See `sweet_zone`.
 
-    Parameters
-    ----------
-    position : m, evenly spaced, shape (positions,).
-    speed, sting : exit speed and vibration at the hands in m/s, shape (draws, positions).
+    ``position``: m, evenly spaced, shape (positions,). ``speed``, ``sting``: exit speed and vibration at the hands in
+    m/s, shape (draws, positions).
     """
     step = float(position[1] - position[0])
     held = held_speeds(speed, step=step)
@@ -89,10 +84,7 @@ def missed(position: Array, speed: Array, misses: Sequence[MissCost]) -> list[di
     Which law the ball loses its energy by is not known either: a draw stands anywhere between ours and the other one's
     cost, evenly and whatever else is drawn.
 
-    Parameters
-    ----------
-    position, speed : see `zones`.
-    misses : of the described bat, with the interval that both laws span.
+    ``position``, ``speed``: see `zones`.
     """
     step = float(position[1] - position[0])
     held = held_speeds(speed, step=step)
@@ -139,12 +131,7 @@ def drawn_nodes(draws: Draws, families: Collection[str]) -> list[Array]:
 
 
 def _followed_nodes(bats: DrawnBats, bodies: Sequence[tuple[Modes, Sequence[int]]]) -> list[Array]:
-    """Return the nodes of every mode of the first of some bodies in the draws.
-
-    Parameters
-    ----------
-    bodies : of the bat as described, then of every unknown up and down; each with the order of its modes.
-    """
+    """Return the nodes of every mode of the first of some bodies in the draws."""
     first, order = bodies[0]
     nodes = [first.nodes(index) for index in order]
     ends = np.cumsum([0, *(len(node) for node in nodes)])

@@ -42,9 +42,7 @@ def sources_of_test(sources: Sources) -> Sources:
 class DrawnTest:
     """What draws answer to a simulated test, arrays of shape (draws,); the first draw is the bat as described.
 
-    Parameters
-    ----------
-    best_position, slow_best_position : of the game's closing speed and of 60 mph, m from the knob end.
+    ``best_position``, ``slow_best_position``: of the game's closing speed and of 60 mph, m from the knob end.
     """
 
     draws: Draws
@@ -67,14 +65,7 @@ class DrawnTest:
 def drawn_test(
     beam: BeamModel, conditions: Conditions, sources: Sources, tested: Certification, *, count: int = DRAWS
 ) -> DrawnTest:
-    """Return the answers of draws to a simulated test.
-
-    Parameters
-    ----------
-    conditions : whose ball is fired; its own does not matter otherwise.
-    sources : see `sources_of_test`.
-    tested : the test of the bat as described; draws are counted from its measures.
-    """
+    """Return the answers of draws to a simulated test (``sources``: see `sources_of_test`)."""
     draws = draws_of(beam, conditions, sources, count=count)
     drawn, best, place = _fired(draws, tested.swung.closing_speed)
     _, slow, slow_place = _fired(draws, BPF_SPEED)

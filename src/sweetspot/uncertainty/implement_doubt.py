@@ -42,11 +42,8 @@ Known = tuple[Sequence[Unknown], Array]
 class ImplementDoubt:
     """What is not known of an implement.
 
-    Parameters
-    ----------
-    unknowns : deviations from its description.
-    factor : of the deviations by independent standard normal numbers, shape (unknowns, numbers).
-    behind : whose each of these numbers is; implements that share one are off alike by it.
+    ``factor``: of the deviations by independent standard normal numbers, shape (unknowns, numbers). ``behind``: whose
+    each of these numbers is; implements that share one are off alike by it.
     """
 
     unknowns: tuple[Unknown, ...]
@@ -66,10 +63,8 @@ NO_DOUBT = ImplementDoubt((), np.zeros((0, 0)), ())
 def doubt_of(tool: Implement, calibration: Known | None = None) -> ImplementDoubt:
     """Return the unknowns of an implement.
 
-    Parameters
-    ----------
-    calibration : of the piece that it was made from, as `sweetspot calibrate` left it; None: what the catalogue allows
-        for its kind, after the weight, balance point and moment of inertia in its file.
+    ``calibration``: of the piece that it was made from, as `sweetspot calibrate` left it; None: what the catalogue
+    allows for its kind, after the weight, balance point and moment of inertia in its file.
     """
     *changed, piece = tool.lineage()
     unknowns, covariance = expected_deviations(piece) if calibration is None else calibration

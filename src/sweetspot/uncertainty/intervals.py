@@ -50,11 +50,8 @@ def reach_of_draws(values: Array) -> Reach:
 def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[str, float]:
     """Return which part of the variance of an answer each source causes alone, the greatest first.
 
-    Parameters
-    ----------
-    normal : independent standard normal numbers, shape (draws, n).
-    names : of the source of each.
-    values : the answer to each draw, shape (draws,); those that are not finite are left out.
+    ``normal``: independent standard normal numbers, shape (draws, n). ``values``: the answer to each draw, shape
+    (draws,); those that are not finite are left out.
 
     >>> normal = np.random.default_rng(1).standard_normal((500, 2))
     >>> shares = variance_shares(normal, ("a", "b"), 3 * normal[:, 0] + normal[:, 1])

@@ -27,10 +27,8 @@ from sweetspot.uncertainty.sources import Sources
 class SpeedDoubt:
     """What is not known of an exit speed.
 
-    Parameters
-    ----------
-    error : one standard deviation, m/s.
-    shares : part of the variance that every source adds, by its name, the greatest first.
+    ``error``: one standard deviation, m/s. ``shares``: part of the variance that every source adds, by its name, the
+    greatest first.
     """
 
     error: float
@@ -61,9 +59,7 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
 def linear_comparison(comparison: Comparison[Implement], sources: Sequence[Sources]) -> DrawnComparison:
     """Return the answers to a comparison with one source off at a time; `linear_reach` makes intervals of them.
 
-    Parameters
-    ----------
-    sources : of every bat; see `drawn_comparison`.
+    ``sources``: of every bat; see `drawn_comparison`.
     """
     return drawn_comparison(comparison, sources, normal=_one_by_one(len(drawn_names(comparison, sources))))
 
@@ -76,9 +72,7 @@ def _one_by_one(count: int) -> Array:
 def linear_reach(values: Array) -> Reach:
     """Return the half widths of the interval of an answer that is linear in every source.
 
-    Parameters
-    ----------
-    values : as described, then with every source one standard deviation up, then down, shape (1 + 2 * count, ...).
+    ``values``: as described, then with every source one standard deviation up, then down, shape (1 + 2 * count, ...).
     """
     up, down = np.split(values[1:], 2)
     half = REACH * np.sqrt((((up - down) / 2) ** 2).sum(axis=0))

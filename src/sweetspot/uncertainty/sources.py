@@ -37,11 +37,8 @@ DRAWS = 1024
 class Source:
     """One thing that is not known exactly.
 
-    Parameters
-    ----------
-    name : of what; all unknowns of a bat are together "bat", those of a racket "racket".
-    spread : one standard deviation; of an even distribution, between which its values lie.
-    where : what the distribution rests on, in words.
+    ``name``: of what; all unknowns of a bat are together "bat", those of a racket "racket". ``spread``: one standard
+    deviation; of an even distribution, between which its values lie.
     """
 
     name: str
@@ -53,12 +50,8 @@ class Source:
 class Sources:
     """All unknowns of an answer.
 
-    Parameters
-    ----------
-    doubt : of the bat.
-    others : ball, patch, swing and pitch, independent of each other and of the bat.
-    bat_where : what the bat's doubt rests on, in words.
-    implement : what people call it: a bat, a racket, a club.
+    ``others``: ball, patch, swing and pitch, independent of each other and of the bat. ``bat_where``: what the bat's
+    doubt rests on, in words. ``implement``: what people call it: a bat, a racket, a club.
     """
 
     doubt: ImplementDoubt
@@ -94,18 +87,14 @@ class Sources:
     def normal(self, count: int, *, seed: int = 1) -> Array:
         """Return independent standard normal numbers, shape (count, n), spread evenly by Sobol's sequence.
 
-        Parameters
-        ----------
-        count : a power of two.
+        ``count``: a power of two.
         """
         return even_normal(count, len(self.names), seed=seed)
 
     def deviations(self, normal: Array) -> Array:
         """Return deviations from what was described, of the bat's unknowns and then of the others, shape (count, m).
 
-        Parameters
-        ----------
-        normal : standard normal numbers, shape (count, n), a column for each of `names`.
+        ``normal``: standard normal numbers, shape (count, n), a column for each of `names`.
         """
         import scipy.special
 
@@ -129,9 +118,7 @@ class Sources:
 def even_normal(count: int, columns: int, *, seed: int = 1) -> Array:
     """Return independent standard normal numbers, shape (count, columns), spread evenly by Sobol's sequence.
 
-    Parameters
-    ----------
-    count : a power of two.
+    ``count``: a power of two.
     """
     import scipy.special
     import scipy.stats
@@ -154,12 +141,9 @@ def sources_of(
 ) -> Sources:
     """Return the unknowns of a hit.
 
-    Parameters
-    ----------
-    bat, conditions : what hits, and how.
-    calibration : the unknowns of the bat and their covariance, as `sweetspot calibrate` left them; None: what the
-        catalogue allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
-    bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
+    ``calibration``: the unknowns of the bat and their covariance, as `sweetspot calibrate` left them; None: what the
+    catalogue allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
+    ``bat_speed_error``, ``pitch_speed_error``: one standard deviation in m/s; 0: exactly as given.
     """
     doubt = doubt_of(bat, calibration)
     of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
@@ -210,9 +194,7 @@ def error_by_ball(
 
     Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
 
-    Parameters
-    ----------
-    position : where the ball is met head-on, m from the knob end.
+    ``position``: where the ball is met head-on, m from the knob end.
     """
     place, spreads = np.array([position]), ball_spreads(conditions.ball)
     if not spreads:

@@ -69,14 +69,8 @@ class Row:
 class Case:
     """Everything taken from one source.
 
-    Parameters
-    ----------
-    source : key of the bibliography.
-    title : the case in a few words.
-    measured : what was measured or derived there, and how.
-    axes : how its positions, signs and units map to ours.
-    left_out : what the source also gives and is not compared, each with the reason.
-    rows : what is compared.
+    ``source``: key of the bibliography. ``axes``: how its positions, signs and units map to ours. ``left_out``: what
+    the source also gives and is not compared, each with the reason.
     """
 
     source: str
@@ -88,13 +82,7 @@ class Case:
 
 
 def sources(folder: Path = CASES) -> tuple[Case, ...]:
-    """Return every case, in the order of the source keys.
-
-    Raises
-    ------
-    InputError
-        when a file cannot be a case; the message says which row and what is wrong.
-    """
+    """Return every case, in the order of the source keys."""
     return tuple(load_case(path) for path in sorted(folder.glob("*/case.toml")))
 
 
@@ -206,20 +194,15 @@ class Result:
     Parameters
     ----------
     source : key of the bibliography.
-    name, quantity : which case, and what is compared.
-    printed : the value as the source prints it, text.
     computed : ours, in ``unit``.
     unit : of printed and computed; empty for ratios.
-    tolerance : what is allowed, as text.
-    reason : why just that much.
     kind : identity (exact arithmetic), quantitative, band, or trend (a sign or an order).
     tag : how the printed value was read, see `TAGS`.
     ok : whether ours lies within the tolerance.
-    comment : what else a reader should know.
     evidence : what the row is worth, see `EVIDENCE`.
     expected_miss : why ours differs, where the physics says so; empty otherwise.
-    ours, ours_tolerance : of such a miss: what this version of the model is expected to say, in ``unit``; anything
-        else fails, a hit too.
+    ours, ours_tolerance : of such a miss: what this version of the model is expected to say, in ``unit``; anything else
+        fails, a hit too.
     """
 
     source: str

@@ -76,13 +76,7 @@ def number_words(result: Result) -> str:
 
 
 def markdown(case: Case, verdicts: Sequence[Result]) -> str:
-    """Return one source as a Markdown section: what was measured, the table, reasons, misses, what was left out.
-
-    Parameters
-    ----------
-    case : the source.
-    verdicts : results; those of other sources are passed over.
-    """
+    """Return one source as a Markdown section: what was measured, the table, reasons, misses, what was left out."""
     chosen = [result for result in verdicts if result.source == case.source]
     lines = [f"## {case.title}", "", f"Source: `{case.source}`. {case.measured}", ""]
     lines += [f"Axes and signs: {case.axes}", ""]

@@ -33,13 +33,7 @@ class Place:
 
 
 def rows_doubt(used: int, unused: Sequence[BadRow]) -> str:
-    """Return the reason why a file is no test of a bat: too many of its rows are no shots; "": it is a test.
-
-    Parameters
-    ----------
-    used : how many rows are shots.
-    unused : those that are none.
-    """
+    """Return the reason why a file is no test of a bat: too many of its rows are no shots; "": it is a test."""
     if len(unused) <= MOST_UNUSED * (used + len(unused)):
         return ""
     (commonest, _), *_ = Counter(row.reason for row in unused).most_common(1)
@@ -54,14 +48,8 @@ def pass_doubt(
 ) -> str:
     """Return why a value within a limit is no pass yet, and what to shoot next; "": it is one.
 
-    Parameters
-    ----------
-    places : every place that was hit.
-    best : of them.
-    efficiency : q there.
-    ball_restitution : of the ball on a rigid wall at that speed.
-    softball : whether q may be as small as a heavy ball makes it.
-    length : of the bat, m.
+    ``efficiency``: q there. ``softball``: whether q may be as small as a heavy ball makes it. ``length``: of the bat,
+    m.
     """
     tip = length - best.position
     if best.bbcor < LEAST_OF_BALL * ball_restitution or (efficiency < DEADEST and not softball):

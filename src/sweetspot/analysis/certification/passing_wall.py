@@ -26,13 +26,8 @@ MEASURES = ("bbcor", "bpf")
 class PassingWall:
     """A bat with the thinnest barrel wall that keeps a limit.
 
-    Parameters
-    ----------
-    bat : the bat with that wall.
-    factor : how many times as thick as drawn.
-    thickness : m at the middle of the barrel.
-    mass : kg of the bat then; knob, cap and handle as drawn.
-    limit : of ``measure`` ("bbcor" or "bpf").
+    ``factor``: how many times as thick as drawn. ``thickness``: m at the middle of the barrel. ``mass``: kg of the bat
+    then; knob, cap and handle as drawn.
     """
 
     bat: Bat
@@ -48,15 +43,7 @@ def wall_that_passes(bat: Bat, *, ball: Ball, limit: float, measure: str = "bbco
 
     All of the barrel's wall is scaled alike, sleeve included; the handle's stays.
 
-    Parameters
-    ----------
-    limit : greatest value allowed.
-    measure : "bbcor" (136 mph) or "bpf" (60 mph).
-
-    Raises
-    ------
-    InputError
-        for a solid bat, another measure, or when no wall up to `THICKEST` of the barrel's radius passes.
+    ``measure``: "bbcor" (136 mph) or "bpf" (60 mph).
     """
     from scipy.optimize import brentq
 

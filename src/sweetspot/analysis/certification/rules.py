@@ -82,7 +82,6 @@ class Rule:
     ----------
     quantity : key of `QUANTITIES`.
     least, most : the limits in SI; None: none on that side.
-    construction : the bats that the source states it for.
     undecided : why the rule can never be decided here, though its limit may be known; "": it can.
     doubt_beyond : why a value beyond the limit is not yet a fail; "": it is.
     source, where, year : where the limit was read; ``year`` None where the source gives none.
@@ -114,10 +113,8 @@ class Rule:
 class League:
     """A league's rules for bats.
 
-    Parameters
-    ----------
-    ball : name in the catalogue of the ball that bats are tested with.
-    superseded : since when and by what the rules hold no more; "": they do.
+    ``ball``: name in the catalogue of the ball that bats are tested with. ``superseded``: since when and by what the
+    rules hold no more; "": they do.
     """
 
     key: str
@@ -136,9 +133,7 @@ class Finding:
     value : in SI; None: nothing.
     doubt : why it cannot decide a rule; "": it can.
     doubt_within : why a value within the limits is not yet a pass, though one beyond them is a fail; "": it is.
-    interval : between which the value lies, by ``interval_is``.
     absent : what the bat does not have, so that no rule on it applies; "": it has it.
-    interval_is : what the interval is, in words.
     """
 
     value: float | None
@@ -198,9 +193,7 @@ def check_rules(league: League, *, bat: Implement, findings: Mapping[str, Findin
 def check_rule(rule: Rule, *, bat: Implement, finding: Finding | None) -> Check:
     """Return pass, fail, not decidable or does not apply, with margin and reason.
 
-    Parameters
-    ----------
-    finding : what is known; None: nothing.
+    ``finding``: what is known; None: nothing.
     """
     if not applies(rule, bat):
         return Check(

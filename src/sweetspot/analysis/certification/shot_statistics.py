@@ -82,20 +82,15 @@ class ShotStatistics:
 
     Parameters
     ----------
-    places : every place that was hit, from the knob outwards.
     best_position : m from the knob end: greatest mean BBCOR among places with two hits or more.
-    rows : lines of the file that the means are made of.
     bbcor : normalised where the balls' restitution was measured.
-    raw_bbcor : as measured.
     efficiency : q that goes with `bbcor`.
     bpf : as measured at 60 mph, over each ball's own restitution there; None where the shots do not give it.
-    swung : what the batted-ball speed is worked out for.
     batted_ball_speed : m/s.
     without_outliers : BBCOR without the hits that stand out; None where none does.
     standard_restitution : ball restitution that BBCOR is normalised to; None: not normalised.
     slowest, fastest : closing speeds at the best place, m/s.
     ball_stiffness : mean N/m at the best place, reported and not corrected for; None: not measured.
-    notes : what to keep in mind.
     doubt_within : why a value within a limit is no pass yet, and what to shoot next; "": it is one.
     by_moi : half of the 90 % interval of BBCOR, as a part of it, that a moment of inertia computed from the outline
         leaves open; 0: it was measured.
@@ -177,17 +172,8 @@ def measure(
     was measured, BBCOR is multiplied by standard over measured restitution: ball-bat restitution grows with the
     ball's, as BPF supposes. The exact normalisation of [astm_f2219] was not read.
 
-    Parameters
-    ----------
-    body : the bat's mass, balance and moment of inertia.
-    ball : gives the mass where a shot has none.
-    standard_restitution : to normalise to, in (0, 1]; None: the ball's at 60 mph.
-    unused : rows of the file that are no shots.
-
-    Raises
-    ------
-    InputError
-        when only some shots have a ball_cor, or no place has two shots, so that no uncertainty can be given.
+    ``body``: the bat's mass, balance and moment of inertia. ``standard_restitution``: to normalise to, in (0, 1]; None:
+    the ball's at 60 mph.
     """
     shots = sorted(shots, key=lambda shot: (shot.position, shot.row))
     standard = ball.restitution.at(COR_SPEED) if standard_restitution is None else standard_restitution

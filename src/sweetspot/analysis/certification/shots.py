@@ -46,7 +46,6 @@ class Shot:
 
     Parameters
     ----------
-    row : line of the file.
     ball_speed, rebound_speed : m/s towards the bat and away from it.
     bat_speed : m/s of the bat at the point of impact; 0: at rest.
     position : m from the knob end.
@@ -87,15 +86,7 @@ class Shots:
 def read_shots(path: Path, *, length: float, given: GivenColumns = NOTHING_GIVEN) -> Shots:
     """Return the shots of a CSV file.
 
-    Parameters
-    ----------
-    length : of the bat in m, for positions from the tip and to refuse those off the bat.
-    given : what a person says of the columns.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, a needed column is missing or stands there twice, or no row can be used.
+    ``length``: of the bat in m, for positions from the tip and to refuse those off the bat.
     """
     rows = _rows(path, given)
     if not rows:

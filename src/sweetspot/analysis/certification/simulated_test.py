@@ -44,9 +44,7 @@ BPF_SPEED = 60 * MPH
 class SwungTest:
     """The swing and the pitch that a test stands for: the batted-ball speed is worked out for them.
 
-    Parameters
-    ----------
-    ball_speed, bat_speed : m/s towards each other; the bat's holds 6 in from the tip.
+    ``ball_speed``, ``bat_speed``: m/s towards each other; the bat's holds 6 in from the tip.
     """
 
     ball_speed: float
@@ -83,7 +81,6 @@ class BatTest:
     position : m from the knob end, increasing.
     collision_efficiency, bbcor : q and the ball-bat restitution about the clamp.
     closing_speed : m/s of the ball.
-    ball_restitution : of the ball on a rigid wall at that speed.
     best_position : m from the knob end, where BBCOR is greatest; best_efficiency, best_bbcor : q and BBCOR there.
     at_edge : whether the greatest BBCOR lies at an end of the scan, so that it may be greater beyond.
     """
@@ -303,16 +300,8 @@ def bat_test(
     BBCOR = q (1 + r) + r, r = m z^2 / I, with z from the clamp and I about it. The best place is the top of the
     parabola through the three highest neighbours.
 
-    Parameters
-    ----------
-    closing_speed : m/s, > 0.
-    positions : m from the knob end, increasing, evenly spaced, three or more; None: 2 to 10 in from the tip, every
-        quarter of an inch.
-
-    Raises
-    ------
-    InputError
-        when the bat is too short for the clamp, lighter than the ball, or no hit ended.
+    ``closing_speed``: m/s, > 0. ``positions``: m from the knob end, increasing, evenly spaced, three or more; None: 2
+    to 10 in from the tip, every quarter of an inch.
     """
     length = beam.bat.length
     if length < SHORTEST:

@@ -93,12 +93,8 @@ def best_launch(
 class EasiestHomeRun:
     """The slowest ball that leaves a park.
 
-    Parameters
-    ----------
-    park : which.
-    exit_speed, launch_angle : m/s and rad, the best angle for it.
-    direction : rad from centre field, where the fence asks least.
-    distance, height : m, of the fence there.
+    ``exit_speed``, ``launch_angle``: m/s and rad, the best angle for it. ``direction``: rad from centre field, where
+    the fence asks least. ``distance``, ``height``: m, of the fence there.
     """
 
     park: Park

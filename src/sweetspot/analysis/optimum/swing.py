@@ -43,10 +43,8 @@ SHARP, MOST_STEPS = 1e-3, 400
 class Held(NamedTuple):
     """Variables that are given instead of searched.
 
-    Parameters
-    ----------
-    position : m from the knob end; None: the best place too is searched, 1 to 12 in from the tip.
-    attack_angle : rad; None: searched, -20 to 60 deg.
+    ``position``: m from the knob end; None: the best place too is searched, 1 to 12 in from the tip. ``attack_angle``:
+    rad; None: searched, -20 to 60 deg.
     """
 
     position: float | None = None
@@ -67,7 +65,6 @@ class BestSwing:
     undercut : m by which it lies above the bat's axis straight up, whatever the path.
     position : m from the knob end.
     carry, hang_time : m and s.
-    launched : the ball as it leaves.
     """
 
     attack_angle: float

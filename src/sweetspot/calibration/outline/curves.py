@@ -49,18 +49,9 @@ def outline_of_curves(
 
     Straight lines, frames and what is short are left out. The thicker half is the barrel.
 
-    Parameters
-    ----------
-    curves : polylines in the drawing's units, shape (n, 2) each.
-    what : the drawing's name, for messages.
-    unit : m per unit of the drawing; None: not known.
-    length : m of the bat; None: as drawn.
-    axis : whether y = 0 is the axis of a single flank, as lathes have it.
-
-    Raises
-    ------
-    InputError
-        when no curve looks like a bat, or nothing says how large it is.
+    ``curves``: polylines in the drawing's units, shape (n, 2) each. ``unit``: m per unit of the drawing; None: not
+    known. ``length``: m of the bat; None: as drawn. ``axis``: whether y = 0 is the axis of a single flank, as lathes
+    have it.
     """
     check_drawn(curves, what)
     curves = [curve for curve in curves if np.ptp(curve, axis=0).max() > 0]  # others are points
@@ -89,13 +80,7 @@ def outline_of_curves(
 
 
 def check_drawn(curves: Sequence[Array], what: str) -> None:
-    """Refuse curves that are too many, or whose places are no numbers that one can compute with.
-
-    Raises
-    ------
-    InputError
-        which says of what there is too much.
-    """
+    """Refuse curves that are too many, or whose places are no numbers that one can compute with."""
     if len(curves) > MOST_CURVES or sum(map(len, curves)) > MOST_POINTS:
         raise InputError(
             f"{what} has {len(curves)} curves of {sum(map(len, curves))} points; an outline has no more than "
@@ -251,11 +236,7 @@ def _thickness(
 ) -> Array:
     """Return the diameters between two envelopes, one of which may be the axis, or which may be one flank.
 
-    Parameters
-    ----------
-    lines : straight lines that are drawn beside the flanks.
-    sides : lowest and highest crossing at every place.
-    axis : whether y = 0 is the axis of a single flank.
+    ``axis``: whether y = 0 is the axis of a single flank.
     """
     low, high = sides
     size = float(np.ptp(np.concatenate([low, high])))

@@ -36,13 +36,7 @@ IDENTITY = np.eye(3)
 
 
 def svg_curves(path: Path) -> tuple[list[Array], float | None]:
-    """Return the curves of an SVG file and its unit in m; None where width and height have none.
-
-    Raises
-    ------
-    InputError
-        when the file is no SVG.
-    """
+    """Return the curves of an SVG file and its unit in m; None where width and height have none."""
     content = read_bytes(path, most=LARGEST_SVG, advice="keep only the bat's outline")
     try:
         root = ElementTree.fromstring(content)
@@ -190,13 +184,7 @@ LARGEST_DXF = 4_000_000
 
 
 def dxf_curves(path: Path) -> tuple[list[Array], float | None]:
-    """Return the curves of a DXF file and its unit in m; None where the file names none.
-
-    Raises
-    ------
-    InputError
-        when the file is no DXF, is damaged, or shows more than an outline takes.
-    """
+    """Return the curves of a DXF file and its unit in m; None where the file names none."""
     from ezdxf.lldxf.const import DXFError
 
     check_ordinary(path, most=LARGEST_DXF, advice="keep only the bat's outline")

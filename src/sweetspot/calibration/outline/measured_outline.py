@@ -28,11 +28,8 @@ USUAL_LENGTH = (0.3, 1.3)
 class MeasuredOutline:
     """An outline as it was measured.
 
-    Parameters
-    ----------
-    profile : (position, diameter) stations from 0 to the bat's length, m.
-    assumed : positions in m of the stations that no one measured, at the ends.
-    notes : what the reader of the file should tell about it.
+    ``profile``: (position, diameter) stations from 0 to the bat's length, m. ``assumed``: positions in m of the
+    stations that no one measured, at the ends.
     """
 
     profile: Stations
@@ -43,15 +40,7 @@ class MeasuredOutline:
 def closed(stations: Sequence[tuple[float, float]], length: float, what: str) -> MeasuredOutline:
     """Return the outline with a station at either end; the tip is rounded as turned bats are.
 
-    Parameters
-    ----------
-    stations : (position, diameter) from the knob end on, m.
-    what : where they come from, for messages.
-
-    Raises
-    ------
-    InputError
-        when stations lie off the bat, or end too far from its ends.
+    ``stations``: (position, diameter) from the knob end on, m.
     """
     stations = list(stations)
     if stations[0][0] < 0 or stations[-1][0] > length * (1 + 1e-6):
@@ -85,10 +74,7 @@ def knob_first(place: Array, diameter: Array) -> tuple[Array, Array]:
 def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
     """Return the fewest stations from which no diameter on the way is farther off than ``tolerance`` (Douglas-Peucker).
 
-    Parameters
-    ----------
-    place, diameter : m, shape (n,), places increasing.
-    tolerance : m.
+    ``place``, ``diameter``: m, shape (n,), places increasing. ``tolerance``: m.
     """
     chosen = np.zeros(len(place), bool)
     chosen[[0, -1]] = True

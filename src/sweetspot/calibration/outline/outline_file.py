@@ -32,17 +32,8 @@ def read_outline(
 
     It notes what is unlike bats.
 
-    Parameters
-    ----------
-    length : m of the bat; needed where places count from the tip, and where a drawing has no units.
-    ruler, camera_distance : m, of photographs only; see `sweetspot.calibration.outline.photo.photo_outline.read_photo`.
-
-    given : what a person says of a table's columns.
-
-    Raises
-    ------
-    InputError
-        for another ending, and when the file holds no outline.
+    ``length``: m of the bat; needed where places count from the tip, and where a drawing has no units. ``ruler``,
+    ``camera_distance``: m, of photographs only; see `sweetspot.calibration.outline.photo.photo_outline.read_photo`.
     """
     if path.suffix.lower() in TABLES and ruler is None and camera_distance is None:
         outline = read_stations(path, length=length, given=given)

@@ -64,15 +64,7 @@ def read_stations(path: Path, *, length: float | None = None, given: GivenColumn
     whose size is blank. Where no station is at an end, the tip is rounded as turned bats usually are, and the knob goes
     on as thick as it was.
 
-    Parameters
-    ----------
-    length : m; needed where the places count from the tip, or where the last station is not the tip.
-    given : what a person says of the columns position, diameter, circumference or radius.
-
-    Raises
-    ------
-    InputError
-        when the file has no such columns, values that are no numbers, or stations off the bat.
+    ``length``: m; needed where the places count from the tip, or where the last station is not the tip.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file of a heading and a line for each station")
 

@@ -53,10 +53,7 @@ def _hit(changes: dict[str, Any], law: str = "baseball") -> BattedBall:
 def fly_ball(*, law: str = "baseball", **changes: Any) -> Flight:
     """Return the flight of a fly ball.
 
-    Parameters
-    ----------
-    law : name of the law of drag and lift.
-    changes : fields of `BattedBall` that differ from `USUAL`, SI.
+    ``law``: name of the law of drag and lift. ``changes``: fields of `BattedBall` that differ from `USUAL`, SI.
     """
     return _path(_hit(changes, law), law)
 
@@ -64,10 +61,8 @@ def fly_ball(*, law: str = "baseball", **changes: Any) -> Flight:
 def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -> float:
     """Return the gain of carry of a fly ball by a change.
 
-    Parameters
-    ----------
-    by : change of a field of `BattedBall`: temperature in K, elevation in ft, humidity, pressure in Pa, exit_speed and
-        wind_speed in mph, sidespin and backspin in rpm.
+    ``by``: change of a field of `BattedBall`: temperature in K, elevation in ft, humidity, pressure in Pa, exit_speed
+    and wind_speed in mph, sidespin and backspin in rpm.
     """
     units = {"elevation": FOOT, "exit_speed": MPH, "wind_speed": MPH, "sidespin": RPM, "backspin": RPM}
     before = _hit(changes, law)

@@ -55,8 +55,7 @@ class Edges:
     unsettled : half of what the width changes between the `LEVELS` at which edges are taken, shape (n,).
     scatter : rms of the single edges about the smooth ones.
     bend : rms of the middle about a straight line.
-    length : from end to end.
-    start, end : ends of the axis, (column, row).
+    start, end : of the axis, (column, row).
     """
 
     place: Array
@@ -72,12 +71,9 @@ class Edges:
 def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -> Edges:
     """Return the edges of a bat whose shape is known coarsely.
 
-    Parameters
-    ----------
-    pixels : colours, shape (rows, columns, 3).
-    difference : from the ground without shadows, shape (rows, columns).
-    bat : its coarse shape.
-    shadows : whether there may be any; a ground that a program painted has none.
+    ``pixels``: colours, shape (rows, columns, 3). ``difference``: from the ground without shadows, shape (rows,
+    columns). ``bat``: its coarse shape. ``shadows``: whether there may be any; a ground that a program painted has
+    none.
     """
     start, end = bat.start.astype(float), bat.end.astype(float)
     left = right = unsettled = np.zeros(0)
@@ -209,9 +205,7 @@ def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool, blurre
     With shadows, what the ground would be at the edge is extended from beside it: the shadow at a bat's foot grows
     towards it, and how changes slowly along the bat.
 
-    Parameters
-    ----------
-    blurred : how many times the blur is that of a sharp picture.
+    ``blurred``: how many times the blur is that of a sharp picture.
     """
     import scipy.ndimage
 
@@ -258,9 +252,7 @@ def smooth(edge: Array) -> Array:
     bat and not the steps, a short one follows a knob. At every place the longest is taken that agrees with all shorter
     ones, all around it, as usually along the edge (Lepski's choice).
 
-    Parameters
-    ----------
-    edge : pixels across the axis, shape (n,), one pixel apart.
+    ``edge``: pixels across the axis, shape (n,), one pixel apart.
     """
     import scipy.ndimage
     import scipy.signal

@@ -102,11 +102,6 @@ def difference_from_paint(picture: Photograph) -> Array | None:
     """Return every pixel's difference from a painted ground, from 0 to 1 where a bat is whole, shape (rows, columns).
 
     None where a shadow may lie on the ground.
-
-    Raises
-    ------
-    InputError
-        when much of what lies just within the edges is of the ground's colour.
     """
     import scipy.ndimage
 
@@ -182,11 +177,8 @@ FLANK_ENDS = 0.05
 def shadow_at_a_flank(edges: Edges, tint: Array, shade: Array) -> bool:
     """Return whether what lies just within one of two edges is the ground in a shadow.
 
-    Parameters
-    ----------
-    edges : of what was taken for the bat.
-    tint : logarithm of every pixel's colour over the ground's, without its common part, shape (rows, columns, 3).
-    shade : that common part, shape (rows, columns).
+    ``tint``: logarithm of every pixel's colour over the ground's, without its common part, shape (rows, columns, 3).
+    ``shade``: that common part, shape (rows, columns).
     """
     along = (edges.end - edges.start) / edges.length
     across = np.array([-along[1], along[0]])

@@ -84,16 +84,8 @@ def read_photo(
 ) -> PhotoOutline:
     """Return the outline of a bat on a plain ground, photographed from above.
 
-    Parameters
-    ----------
-    length : m of the bat; or
-    ruler : m of the whole of a straight ruler that lies beside it.
-    camera_distance : m from camera to bat, for what a near camera sees of its ends; None: as its lens tells.
-
-    Raises
-    ------
-    InputError
-        when nothing tells the scale, or the picture shows no bat or no ruler.
+    ``length``: m of the bat; or ``ruler``: m of the whole of a straight ruler that lies beside it. ``camera_distance``:
+    m from camera to bat, for what a near camera sees of its ends; None: as its lens tells.
     """
     if (length is None) == (ruler is None):
         raise InputError(f"{path} needs a scale: give the bat's --length, or the length of a --ruler beside it")
@@ -198,12 +190,8 @@ def _measured(
 ) -> PhotoOutline:  # fmt: skip
     """Return the outline in metres, with the errors of its places and diameters.
 
-    Parameters
-    ----------
-    scale : m of a pixel, with its relative error.
-    length : m of the bat, where it gave the scale.
-    away : m from camera to bat; None: not known.
-    on_ground : whether the scale is that of the ground, on which a ruler lies.
+    ``scale``: m of a pixel, with its relative error. ``length``: m of the bat, where it gave the scale. ``away``: m
+    from camera to bat; None: not known. ``on_ground``: whether the scale is that of the ground, on which a ruler lies.
     """
     excess = np.array(_excess(picture, edges, scale, away or USUAL_DISTANCE))
     if on_ground:  # the bat's axis is nearer to the camera than the ruler
@@ -266,9 +254,7 @@ def _notes(excess: float, away: float | None, hooked: float) -> Iterator[str]:
 def _hooked(from_tip: Array, width: Array) -> float:
     """Return the distance in m by which a tape hooked over the tip begins farther in than the bat: round tips lose it.
 
-    Parameters
-    ----------
-    from_tip, width : m, the tip last.
+    ``from_tip``, ``width``: m, the tip last.
     """
     near = from_tip < 3 * width.max() / 2
     return float(from_tip[near & (width >= width[near].max() - 2 * HOOK)].min())

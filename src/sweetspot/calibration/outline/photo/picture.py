@@ -49,12 +49,9 @@ RANGES = (1.0, 255.0, 65535.0)
 class Photograph:
     """A photograph.
 
-    Parameters
-    ----------
-    name : of the file.
-    pixels : red, green and blue from 0 to 1 as the file has them, shape (rows, columns, 3).
-    opacity : 0 where the ground was taken out, shape (rows, columns); None: nothing was.
-    focal_length : of the lens in pixels; None: not known.
+    ``pixels``: red, green and blue from 0 to 1 as the file has them, shape (rows, columns, 3). ``opacity``: 0 where the
+    ground was taken out, shape (rows, columns); None: nothing was. ``focal_length``: of the lens in pixels; None: not
+    known.
     """
 
     name: str
@@ -102,13 +99,7 @@ class Photograph:
 
 
 def read_picture(path: Path) -> Photograph:
-    """Return a photograph (JPEG, PNG, TIFF, WebP, BMP), turned as the camera was held.
-
-    Raises
-    ------
-    InputError
-        when the file is missing, is no picture, is too large or too small.
-    """
+    """Return a photograph (JPEG, PNG, TIFF, WebP, BMP), turned as the camera was held."""
     from PIL import Image, ImageOps, UnidentifiedImageError
 
     check_ordinary(path, most=LARGEST, advice="give a photograph as a camera writes it")

@@ -42,11 +42,8 @@ INNER = slice(12, 88)
 class Shape:
     """A slender thing in a photograph, in its pixels.
 
-    Parameters
-    ----------
-    start, end : ends of its axis, (column, row).
-    width : along the axis at even distances, shape (101,).
-    wander : how far its middle leaves the straight line, over its greatest width.
+    ``start``, ``end``: of its axis, (column, row). ``width``: along the axis at even distances, shape (101,).
+    ``wander``: how far its middle leaves the straight line, over its greatest width.
     """
 
     start: Array
@@ -170,13 +167,7 @@ def _shape(inside: NDArray[np.bool_], corner: Array, factor: int) -> Shape | Non
 
 
 def find_bat(shapes: list[Shape], name: str) -> Shape:
-    """Return the shape that is a bat: straight, alike on both sides, thick at one end.
-
-    Raises
-    ------
-    InputError
-        when nothing looks like a bat, or two things do.
-    """
+    """Return the shape that is a bat: straight, alike on both sides, thick at one end."""
     bats = [shape for shape in shapes if shape.like_a_bat]
     if not bats:
         raise InputError(
@@ -202,13 +193,7 @@ def _beside(shape: Shape, bat: Shape) -> bool:
 
 
 def find_ruler(shapes: list[Shape], bat: Shape, name: str) -> Shape:
-    """Return the longest even shape beside the bat: the ruler.
-
-    Raises
-    ------
-    InputError
-        when there is none.
-    """
+    """Return the longest even shape beside the bat: the ruler."""
     middle = (bat.start + bat.end) / 2
     rulers = [
         shape
