@@ -9,7 +9,6 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache, partial
-from typing import Any
 
 import pydantic_core
 from pydantic import ValidationError
@@ -103,7 +102,7 @@ def answer_json(name: str, state: ViewState, aside: str = "") -> bytes:
     return pydantic_core.to_json(plain_data(answer), inf_nan_mode="null")
 
 
-def state_of(name: str, table: Any) -> ViewState:
+def state_of(name: str, table: object) -> ViewState:
     """Return a view's checked state; raises `FieldError` that names the control."""
     view = VIEWS.get(name)
     if view is None:
@@ -112,4 +111,4 @@ def state_of(name: str, table: Any) -> ViewState:
         return view.state.model_validate(table)
     except ValidationError as error:
         refusal = fault(error)
-        raise FieldError(refusal["field"], refusal["message"], tuple(refusal.get("more", ()))) from None
+        raise FieldError(refusal.field, refusal.message, refusal.more) from None

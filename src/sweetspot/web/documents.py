@@ -51,10 +51,13 @@ def page_document(document: Document, *, mark: str = "") -> ReadDocument:
 
 def in_both_systems(sentences: Iterable[Sentence]) -> Sentences:
     """Return sentences as readers of either system see them, with minus signs as the page's own numbers have."""
-    every = list(sentences)
-    return {
-        system: [with_minus_signs(sentence.read(reader)) for sentence in every] for system, reader in SYSTEMS.items()
-    }
+    every = [in_either_system(sentence) for sentence in sentences]
+    return {system: [words[system] for words in every] for system in SYSTEMS}
+
+
+def in_either_system(sentence: Sentence) -> dict[System, str]:
+    """Return one sentence as `in_both_systems` does several."""
+    return {system: with_minus_signs(sentence.read(reader)) for system, reader in SYSTEMS.items()}
 
 
 def _without_pictures(blocks: Sequence[Block], mark: str) -> list[Block]:

@@ -24,7 +24,7 @@ from sweetspot.units.dimensions import LENGTH, System
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import UsualHit, changed_bat, conditions_of, swung, usual
 from sweetspot.web.controls import BatState, SwungState
-from sweetspot.web.documents import in_both_systems
+from sweetspot.web.documents import in_either_system
 from sweetspot.web.one_system import in_one_system
 
 POINTS = 120
@@ -134,8 +134,7 @@ def _how_swung(state: SwungState, bat: Bat) -> dict[System, str] | None:
     if changed is None:
         return None
     swung_with = SwungWith.of(changed, conditions_of(state, bat), same_speed=state.same == "speed")
-    words = effort_words(swung_with)
-    return {system: sentence for system, [sentence] in in_both_systems([words]).items()}
+    return in_either_system(effort_words(swung_with))
 
 
 def moi_half(bat: Bat, body: RigidBody) -> float:

@@ -2,25 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
 from fastapi.exceptions import RequestValidationError
-from pydantic import ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sweetspot.errors import InputError, SweetspotError
+from sweetspot.units.dimensions import System
 from sweetspot.web.one_system import in_one_system
 
 MOST_FAULTS = 20
 LONGEST_MESSAGE = 500
-"""Letters of a message; what was given may be long and is cut."""
+"""Letters of a message; longer input is cut."""
+
+
+class Fault(BaseModel):
+    """A fault: the control that it concerns, empty for the whole message, and a sentence."""
+
+    model_config = ConfigDict(frozen=True)
+
+    field: str
+    message: str
+    words: Mapping[System, str] | None = Field(None, description="the message for readers of either system of units")
+    more: tuple[Fault, ...] = Field((), description="what else is wrong, where several controls are")
+    again: bool = Field(False, description="the answer is still being worked out, and there when asked for again")
+
+    def plain(self) -> dict[str, object]:
+        """Return the fields that are not empty."""
+        return self.model_dump(exclude_defaults=True)
+
+
+class Refusal(BaseModel):
+    """The body of every 4xx and 5xx answer."""
+
+    error: Fault
 
 
 class FieldError(InputError):
     """An input error that knows which control it belongs to; an empty field is the whole message."""
 
-    def __init__(self, field: str, message: str, more: tuple[dict[str, Any], ...] = ()) -> None:
+    def __init__(self, field: str, message: str, more: tuple[Fault, ...] = ()) -> None:
         super().__init__(message)
         self.field, self.more = field, more
 
@@ -36,25 +59,16 @@ def about(field: str) -> Iterator[None]:
         raise FieldError(field, str(error)) from None
 
 
-def fault(error: SweetspotError | ValidationError | RequestValidationError) -> dict[str, Any]:
-    """Return {"field", "message"} of an error, short enough to show; where there are several, the rest as "more".
-
-    Where the message tells lengths or weights in both systems, "words" has it for readers of either.
-    """
+def fault(error: SweetspotError | ValidationError | RequestValidationError) -> Fault:
+    """Return what is wrong, short enough to show: the first fault, with the rest as ``more``."""
     if isinstance(error, ValidationError):
-        return _together([_one(problem) for problem in error.errors(include_url=False)])
+        return _together([_of_problem(problem) for problem in error.errors(include_url=False)])
     if isinstance(error, RequestValidationError):  # the first part of a place says that it stood in the body
-        return _together([_one({**problem, "loc": problem["loc"][1:]}) for problem in error.errors()])
-    if isinstance(error, FieldError) and error.more:
-        return _together([_field_fault(error.field, str(error)), *error.more])
-    field = error.field if isinstance(error, FieldError) else ""
-    return _field_fault(field, str(error))
-
-
-def _field_fault(field: str, message: str) -> dict[str, Any]:
-    content = {"field": field, "message": shortened(message)}
-    words = {system: shortened(text) for system, text in in_one_system(message).items()}
-    return content if words["us"] == words["si"] else {**content, "words": words}
+        return _together([_of_problem({**problem, "loc": problem["loc"][1:]}) for problem in error.errors()])
+    field, more = (error.field, error.more) if isinstance(error, FieldError) else ("", ())
+    words = {system: shortened(text) for system, text in in_one_system(str(error)).items()}
+    both = None if words["us"] == words["si"] else words
+    return _together([Fault(field=field, message=shortened(str(error)), words=both), *more])
 
 
 def shortened(message: str) -> str:
@@ -63,19 +77,19 @@ def shortened(message: str) -> str:
     return words if len(words) <= LONGEST_MESSAGE else words[: LONGEST_MESSAGE - 1] + "…"
 
 
-def _together(faults: list[dict[str, Any]]) -> dict[str, Any]:
+def _together(faults: list[Fault]) -> Fault:
     first, *rest = faults[:MOST_FAULTS]
-    return {**first, "more": rest} if rest else first
+    return first.model_copy(update={"more": tuple(rest)})
 
 
-def _one(problem: Any) -> dict[str, Any]:
+def _of_problem(problem: Any) -> Fault:
     place = problem["loc"] if problem["loc"][:1] == ("others",) else problem["loc"][:1]  # whose items have controls
     field = ".".join(str(part) for part in place)
     if problem["type"] == "json_invalid":  # its place is a number of letters, and no control
-        return {"field": "", "message": NO_OBJECT}
+        return Fault(field="", message=NO_OBJECT)
     if problem["type"] in ("model_attributes_type", "model_type", "dict_type", "missing") and not field:
-        return {"field": "", "message": NO_OBJECT}
-    return {"field": field, "message": shortened(_sentence(problem))}
+        return Fault(field="", message=NO_OBJECT)
+    return Fault(field=field, message=shortened(_sentence(problem)))
 
 
 def _sentence(problem: Any) -> str:

@@ -20,6 +20,7 @@ from typing import Any
 from fastapi import APIRouter
 from pydantic import BaseModel, ConfigDict, Field
 
+from sweetspot.answers.records import plain_data
 from sweetspot.errors import InputError, SweetspotError
 from sweetspot.web.errors import fault
 
@@ -37,7 +38,7 @@ NOT_BEGUN = "this machine could not begin another process; end other programs, a
 
 Say = Callable[..., None]
 """say(progress, keep): what the page is shown, and what is needed to go on."""
-Work = Callable[..., dict[str, Any]]
+Work = Callable[..., object]
 """work(*arguments, after, say) gives the result; ``after``: what was kept when it was stopped, None: from the start."""
 
 
@@ -215,18 +216,18 @@ def _run(line: Connection, work: Work, arguments: tuple[Any, ...], after: Any) -
     if hasattr(os, "nice"):
         os.nice(GENTLE)
 
-    def say(progress: dict[str, Any], keep: Any = None) -> None:
-        line.send(("progress", progress, keep))
+    def say(progress: object, keep: Any = None) -> None:
+        line.send(("progress", plain_data(progress), keep))
 
     with suppress(BrokenPipeError):
         try:
             result = work(*arguments, after=after, say=say)
         except SweetspotError as error:
-            line.send(("failed", fault(error), None))
+            line.send(("failed", fault(error).plain(), None))
         except Exception:
             import logging
 
             logging.getLogger("sweetspot.web").exception("long work")
             line.send(("failed", {"field": "", "message": BROKEN}, None))
         else:
-            line.send(("done", result, None))
+            line.send(("done", plain_data(result), None))

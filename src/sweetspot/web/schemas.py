@@ -1,37 +1,10 @@
-"""Models of the API besides answers."""
+"""Models of the catalogue over the API."""
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Literal
 
 from pydantic import BaseModel, Field
-from pydantic.json_schema import models_json_schema
-
-
-class Fault(BaseModel):
-    """A fault: the control that it concerns, empty for the whole message, and a sentence."""
-
-    field: str
-    message: str
-    more: list[dict[str, str]] = Field([], description="what else is wrong, where several controls are")
-
-
-class Refusal(BaseModel):
-    """The body of every 4xx answer."""
-
-    error: Fault
-
-
-class Later(Fault):
-    """Why there is no answer yet."""
-
-    again: bool
-
-
-class Unfinished(BaseModel):
-    """The body of an answer that takes long: it is being worked out, and there when asked for again."""
-
-    error: Later
 
 
 class BatText(BaseModel):
@@ -81,35 +54,3 @@ class BatFacts(BaseModel):
     moi_6in_kg_m2: float
     hollow: bool
     sport: str
-
-
-REFUSALS = {
-    400: "The message is not JSON.",
-    403: "Asked by a page of another server.",
-    413: "The message is too large.",
-    421: "The server is not called that.",
-    422: "A control has a value that does not work.",
-}
-"""The status codes with which every route may answer a `Refusal`, and why."""
-UNFINISHED: dict[int | str, dict[str, Any]] = {
-    503: {
-        "model": Unfinished,
-        "description": "This takes long and is still being worked out: ask again after the seconds of Retry-After.",
-        "headers": {"retry-after": {"description": "s", "schema": {"type": "integer"}}},
-    }
-}
-
-
-def with_refusals(document: dict[str, Any]) -> dict[str, Any]:
-    """Return an OpenAPI document in which every route may refuse; routes that say it themselves each check it anew."""
-    place = "#/components/schemas/{model}"
-    body = {"application/json": {"schema": {"$ref": place.format(model=Refusal.__name__)}}}
-    refusals = {str(code): {"description": words, "content": body} for code, words in REFUSALS.items()}
-    for routes in document["paths"].values():
-        for route in routes.values():
-            route["responses"] |= refusals
-    schemas = document["components"]["schemas"]
-    schemas |= models_json_schema([(Refusal, "serialization")], ref_template=place)[1]["$defs"]
-    for name in ("HTTPValidationError", "ValidationError"):  # what the framework says of 422
-        schemas.pop(name, None)
-    return document

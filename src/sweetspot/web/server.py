@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import AsyncIterator, Callable, Iterable
+from collections.abc import AsyncIterator, Callable, Iterable, Mapping
 from contextlib import asynccontextmanager
 from html import escape
 from typing import Any
@@ -18,11 +18,10 @@ from sweetspot import __version__
 from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import AnswerPool, TooSlowError, answer_json
 from sweetspot.web.catalogue import catalogue_routes
-from sweetspot.web.errors import fault
+from sweetspot.web.errors import Fault, Refusal, fault
 from sweetspot.web.files import File, shell, static_files
 from sweetspot.web.jobs import Jobs, LongWork, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
-from sweetspot.web.schemas import UNFINISHED, with_refusals
 from sweetspot.web.socket import Sockets
 from sweetspot.web.uploads import UPLOADS, upload_routes
 from sweetspot.web.view import View
@@ -38,6 +37,14 @@ ASKED_AGAIN = "no-cache"
 KEPT_FOR = 20
 """s that a browser uses a file of the page again without asking: a view in a second tab asks for one file, not for 90.
 An upgrade takes longer, so that no page of one version gets files of another."""
+REFUSALS = {
+    400: "The message is not JSON.",
+    403: "Asked by a page of another server.",
+    413: "The message is too large.",
+    421: "The server is not called that.",
+    422: "A control has a value that does not work.",
+}
+"""The status codes with which every route may answer a `Refusal`, and why."""
 LAST_WORK = 10.0
 """s that a server which ends waits for what it was still preparing."""
 _BROKEN = "this question breaks the program; the fault is not yours. Please report it with the question"
@@ -47,15 +54,6 @@ _LOST = (
     '<link rel="stylesheet" href="/static/theme.css"><main class="api"><h1>Not here</h1><p>{}.</p>'
     '<p><a href="/">To the laboratory</a></p></main></html>'
 )
-
-
-class _Application(FastAPI):
-    """An application whose description says what every route refuses, written when somebody asks for it."""
-
-    def openapi(self) -> dict[str, Any]:
-        if self.openapi_schema is None:
-            self.openapi_schema = with_refusals(super().openapi())
-        return self.openapi_schema
 
 
 def create_app(*, names: Iterable[str] = ()) -> FastAPI:
@@ -77,7 +75,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
         UPLOADS.close()
         preparing.join(LAST_WORK)  # cut off inside the compiler it would end the process with a fault of its own
 
-    app = _Application(
+    app = FastAPI(
         title="sweetspot",
         version=__version__,
         description="Every view of the page as one request: its controls in, its numbers out, SI with units in names.",
@@ -93,7 +91,10 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     app.add_exception_handler(HTTPException, _refused)
     app.add_exception_handler(SweetspotError, _wrong)
     app.add_exception_handler(Exception, _broken)
-    api = APIRouter(prefix=API)
+    refusal = {"application/json": {"schema": {"$ref": f"#/components/schemas/{Refusal.__name__}"}}}
+    api = APIRouter(
+        prefix=API, responses={code: {"description": words, "content": refusal} for code, words in REFUSALS.items()}
+    )
     catalogue_routes(api)
     for view in VIEWS.values():
         _view_route(api, view, answers)
@@ -118,9 +119,15 @@ def _view_route(api: APIRouter, view: View, answers: AnswerPool) -> None:
 
         endpoint.__annotations__["state"] = view.state
         endpoint.__doc__ = asked.__doc__
-        model = dict[str, Any] | None if aside else dict[str, Any]  # an aside may have nothing to add
+        unfinished = "This takes long and is still being worked out: ask again after the seconds of Retry-After."
+        seconds = {"retry-after": {"description": "s", "schema": {"type": "integer"}}}
         api.post(
-            path, name=name, response_class=JSONResponse, response_model=model, responses=UNFINISHED, tags=["views"]
+            path,
+            name=name,
+            response_class=JSONResponse,
+            response_model=dict[str, object],
+            responses={503: {"model": Refusal, "description": unfinished, "headers": seconds}},
+            tags=["views"],
         )(endpoint)
 
     route(f"/{view.name}", view.title, view.answer, "")
@@ -184,9 +191,13 @@ def _handed(file: File | None, request: Request, cache_control: str = ASKED_AGAI
     return Response(file.content, media_type=file.media_type, headers=headers)
 
 
+def _refusal(error: Fault, code: int, headers: Mapping[str, str] | None = None) -> JSONResponse:
+    return JSONResponse({"error": error.plain()}, code, headers)
+
+
 async def _invalid(_: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, RequestValidationError)
-    return JSONResponse({"error": fault(error)}, 422)
+    return _refusal(fault(error), 422)
 
 
 async def _refused(request: Request, error: Exception) -> Response:
@@ -194,15 +205,15 @@ async def _refused(request: Request, error: Exception) -> Response:
     words = _NO_PAGE.format(request.url.path[:80]) if error.status_code == NOT_FOUND else str(error.detail)
     if error.status_code == NOT_FOUND and "text/html" in request.headers.get("accept", ""):
         return HTMLResponse(_LOST.format(escape(words)), NOT_FOUND)
-    return JSONResponse({"error": {"field": "", "message": words}}, error.status_code, headers=error.headers)
+    return _refusal(Fault(field="", message=words), error.status_code, error.headers)
 
 
 async def _wrong(_: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SweetspotError)
-    if isinstance(error, TooSlowError):  # it is still worked out, and there when asked for again
-        return JSONResponse({"error": {**fault(error), "again": True}}, 503, headers={"retry-after": "1"})
-    return JSONResponse({"error": fault(error)}, 422)
+    if isinstance(error, TooSlowError):
+        return _refusal(fault(error).model_copy(update={"again": True}), 503, {"retry-after": "1"})
+    return _refusal(fault(error), 422)
 
 
 async def _broken(_: Request, error: Exception) -> JSONResponse:  # noqa: ARG001 - the server logs it
-    return JSONResponse({"error": {"field": "", "message": _BROKEN}}, 500)
+    return _refusal(Fault(field="", message=_BROKEN), 500)

@@ -5,14 +5,14 @@ from __future__ import annotations
 import asyncio
 import json
 from contextlib import suppress
-from typing import Any
+from typing import Literal
 
 from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import AnswerPool, TooSlowError, state_of
-from sweetspot.web.errors import FieldError, fault
+from sweetspot.web.errors import Fault, FieldError, fault
 from sweetspot.web.limits import LARGEST_BODY, MOST_SOCKETS
 
 TRY_AGAIN_LATER = 1013
@@ -25,7 +25,17 @@ class SocketQuestion(BaseModel):
 
     id: int = Field(ge=0, le=2**53)
     view: str = Field(max_length=60)
-    state: dict[str, Any]
+    state: dict[str, object]
+
+
+class SocketStatus(BaseModel):
+    """A message to a browser that is no answer: the kernels are still being loaded, or what is wrong."""
+
+    id: int | None
+    view: str = ""
+    status: Literal["", "preparing"] = ""
+    error: Fault | None = None
+    again: bool = Field(False, description="the answer is still being worked out, and there when asked for again")
 
 
 class Sockets:
@@ -77,7 +87,7 @@ class _Conversation:
                 raise FieldError("", f"a message is JSON text of at most {LARGEST_BODY} letters")
             question = SocketQuestion.model_validate_json(text)
         except (SweetspotError, ValidationError) as error:
-            await self._say({"id": _id_in(text), "error": fault(error)})
+            await self._say(SocketStatus(id=_id_in(text), error=fault(error)))
             return
         self._waiting.pop(question.view, None)
         self._waiting[question.view] = question
@@ -93,22 +103,24 @@ class _Conversation:
                 self._arrived.clear()
 
     async def _reply(self, question: SocketQuestion) -> None:
-        head = {"id": question.id, "view": question.view}
+        number, view = question.id, question.view
         if not self._answers.prepared:
-            await self._say({**head, "status": "preparing"})
+            await self._say(SocketStatus(id=number, view=view, status="preparing"))
         try:
-            answer = await self._answers.json(question.view, state_of(question.view, question.state))
+            answer = await self._answers.json(view, state_of(view, question.state))
         except SweetspotError as error:
-            await self._say({**head, "error": fault(error), "again": isinstance(error, TooSlowError)})
+            again = isinstance(error, TooSlowError)
+            await self._say(SocketStatus(id=number, view=view, error=fault(error), again=again))
         except Exception:  # a fault of ours must not end the conversation
-            _log_fault(question.view)
+            _log_fault(view)
             message = "this could not be computed; the fault is the program's. Other settings should work"
-            await self._say({**head, "error": {"field": "", "message": message}})
+            await self._say(SocketStatus(id=number, view=view, error=Fault(field="", message=message)))
         else:
-            await self._socket.send_text(f'{json.dumps(head)[:-1]}, "answer": {answer.decode()}}}')
+            head = json.dumps({"id": number, "view": view})
+            await self._socket.send_text(f'{head[:-1]}, "answer": {answer.decode()}}}')
 
-    async def _say(self, table: dict[str, Any]) -> None:
-        await self._socket.send_text(json.dumps(table))
+    async def _say(self, message: SocketStatus) -> None:
+        await self._socket.send_text(message.model_dump_json(exclude_defaults=True))
 
 
 def _id_in(text: str | None) -> int | None:

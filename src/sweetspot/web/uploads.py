@@ -13,7 +13,7 @@ import threading
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Request
 from fastapi.responses import FileResponse
@@ -45,6 +45,13 @@ class NewFile(BaseModel):
 
     name: Annotated[str, Field(min_length=1, max_length=200)]
     size: int = Field(ge=1, le=LARGEST_FILE, description="bytes")
+
+
+class AnnouncedFile(BaseModel):
+    """The key of a file that was announced, and the most bytes of one piece of it."""
+
+    upload: UploadKey
+    piece: int = LARGEST_PIECE
 
 
 @dataclass
@@ -157,9 +164,9 @@ def upload_routes(api: APIRouter) -> None:
     """Add the routes by which files come."""
 
     @api.post("/uploads", tags=["files"])
-    def begin(new: NewFile) -> dict[str, Any]:
-        """Announce a file; pieces of it follow, each no larger than said here."""
-        return {"upload": UPLOADS.begin(new), "piece": LARGEST_PIECE}
+    def begin(new: NewFile) -> AnnouncedFile:
+        """Announce a file; pieces of it follow."""
+        return AnnouncedFile(upload=UPLOADS.begin(new))
 
     @api.post("/uploads/{key}/{offset}", tags=["files"])
     async def add(key: str, offset: int, request: Request) -> dict[str, int]:
