@@ -28,8 +28,8 @@ from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import Advice, advise
 from sweetspot.player.bat_pairs import BatPair
+from sweetspot.player.bat_response import RATIOS, response_of
 from sweetspot.player.candidate import candidates, lengthened
-from sweetspot.player.contact_tables import RATIOS, contact_table
 from sweetspot.player.expected_gain import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table
 from sweetspot.player.model import player_model
@@ -108,7 +108,7 @@ def test_another_bat_changes_exit_speed_as_compare_says(posterior: PlayerPosteri
     known = certain(posterior, bat_speed=70 * MPH, exponent=law.exponent)
     asked = expectation(known, goal=Goal(), pitch_speed=90 * MPH, carries=None, seed=1)
     heavy = catalog.bat("mlb-a")
-    tables = [posterior.model.bats[0], contact_table(heavy, ball=BALL, axis=law.axis)]
+    tables = [posterior.model.bats[0], response_of(heavy, ball=BALL, axis=law.axis)]
     grid = np.arange(4, 8, 0.1) * INCH
     best = [max(asked.of(table, position=np.full(2, place))[0] for place in grid) for table in tables]
     pair = compare([OWN, heavy], conditions=standard_conditions(OWN), law=catalog.swing_law()).compared
@@ -201,7 +201,7 @@ def test_every_kind_of_bat_can_be_varied(name: str) -> None:
         assert by_key[key].body.mass - mass == pytest.approx(0.0283495, rel=1e-4), key
     assert by_key["end-loaded"].body.moi(0.0) > by_key["knob-loaded"].body.moi(0.0)
     for inches in (-1.0, 0.3, 1.0, 1.7):
-        assert contact_table(lengthened(bat, inches * INCH, mass=mass), ball=BALL, axis=0.0).efficiency[24] > 0
+        assert response_of(lengthened(bat, inches * INCH, mass=mass), ball=BALL, axis=0.0).efficiency[24] > 0
     longer = lengthened(bat, INCH, mass=mass)
     assert longer.length == pytest.approx(bat.length + INCH)
     if bat.shell is None:

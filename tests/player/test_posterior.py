@@ -18,8 +18,8 @@ from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
+from sweetspot.player.bat_response import MISSED, BatResponse, farthest_offset, response_of
 from sweetspot.player.contact_rate import fill_hits, fill_untold, fill_weights
-from sweetspot.player.contact_tables import MISSED, ContactTable, contact_table, farthest_offset
 from sweetspot.player.likelihood import COUNTED, combined, normal, swung
 from sweetspot.player.model import PlayerModel, bats_of, player_model, speed_ratio
 from sweetspot.player.off_centre import (
@@ -44,8 +44,8 @@ TYPICAL = np.array([0.4, 0.3, 0.4, 0.3, -0.3, 0.2, -0.2, 0.1, 0.2, 0.0])
 
 
 @pytest.fixture(scope="module")
-def table() -> ContactTable:
-    return contact_table(OWN, ball=BALL, axis=0.0)
+def table() -> BatResponse:
+    return response_of(OWN, ball=BALL, axis=0.0)
 
 
 def modelled(standard: Array, *, count: int, seed: int, several: bool = False) -> PlayerModel:
@@ -149,7 +149,7 @@ def test_measured_positions_are_used() -> None:
     assert found.learned["position"].width_ratio < 0.3
 
 
-def test_off_centre_hits_lose_speed_and_turn(table: ContactTable) -> None:
+def test_off_centre_hits_lose_speed_and_turn(table: BatResponse) -> None:
     """Published slope, about 26 degrees per inch (launch minus attack angle), and what kept falls to [sure2026]."""
     middle = len(table.offset) // 2
     kept, deflection = (part[0, 0] for part in at_swings(table, np.array([1.2]), np.zeros(1), np.array([6 * INCH])))
@@ -162,10 +162,10 @@ def test_off_centre_hits_lose_speed_and_turn(table: ContactTable) -> None:
     assert farthest_offset(table) > 1.5 * INCH
 
 
-def test_speed_ratio_is_the_swing_law(table: ContactTable) -> None:
+def test_speed_ratio_is_the_swing_law(table: BatResponse) -> None:
     """Exact: omega as the law says, at equal distances from the tip."""
     law = catalog.swing_law()
-    choked = contact_table(OWN.choked_up(INCH), ball=BALL, axis=law.axis, like=table)
+    choked = response_of(OWN.choked_up(INCH), ball=BALL, axis=law.axis, like=table)
     found = speed_ratio(choked, table, law=law, speed_from_tip=6 * INCH, exponent=np.array([0.2, 0.4]))
     for exponent, ratio in zip((0.2, 0.4), found, strict=True):
         turned = law.speed_ratio(choked.moi, reference_moi=table.moi, exponent=exponent)
@@ -290,7 +290,7 @@ def test_a_slow_swing_says_little_of_the_others() -> None:
     assert swung(math.nan, noise, mean, spread, slow) == (0.0, mean, spread**2)
 
 
-def test_a_steeper_swing_turns_the_ball_further(table: ContactTable) -> None:
+def test_a_steeper_swing_turns_the_ball_further(table: BatResponse) -> None:
     """Other code: full collisions; off a tee not at all, for usual speeds by half as much again."""
     middle = table.deflection[:, table.barrel, :, len(table.offset) // 2]
     turning = (middle[3] - middle[1]) / math.radians(20)
@@ -298,7 +298,7 @@ def test_a_steeper_swing_turns_the_ball_further(table: ContactTable) -> None:
     assert 0.45 < turning[3] < 0.65 and np.all(np.diff(turning) > 0)
 
 
-def test_where_little_comes_back_the_ball_is_turned_further_and_keeps_more(table: ContactTable) -> None:
+def test_where_little_comes_back_the_ball_is_turned_further_and_keeps_more(table: BatResponse) -> None:
     """Exact in kind: the part across the line of centres does not hang on what the bat gives back."""
     at = int(np.argmin(np.abs(table.offset - 1.2 * INCH)))
     best, poor = table.barrel, int(np.argmin(np.abs(table.places - 12 * INCH)))
@@ -306,7 +306,7 @@ def test_where_little_comes_back_the_ball_is_turned_further_and_keeps_more(table
     assert table.retained[2, poor, 3, at + 8] > table.retained[2, best, 3, at + 8] + 0.05
 
 
-def test_tables_are_the_full_collision(table: ContactTable) -> None:
+def test_tables_are_the_full_collision(table: BatResponse) -> None:
     """Other code: one oblique hit at a time in space; 0.3 mph and 0.3 degrees between the table's places."""
     attack, place, offset, speed = math.radians(14.0), 8.4 * INCH, -0.9 * INCH, 32.0
     path = SwingPath(attack_angle=attack, tilt=fixed("swing_tilt"))
@@ -333,7 +333,7 @@ def test_tables_are_the_full_collision(table: ContactTable) -> None:
     assert (q * closing + speed * arm) * kept == pytest.approx(float(np.linalg.norm(out)), abs=0.3 * MPH)
 
 
-def test_what_counts_as_a_hit_is_counted(table: ContactTable) -> None:
+def test_what_counts_as_a_hit_is_counted(table: BatResponse) -> None:
     """Other code: made-up balls of a player, of which those that leave within the range are counted."""
     model = modelled(TYPICAL, count=5, seed=6)
     random, many, usual = np.random.default_rng(3), 20_000, priors()["attack_angle"].centre
@@ -370,7 +370,7 @@ def test_offsets_that_nothing_told_cannot_all_be_the_same() -> None:
     assert narrower == pytest.approx(narrow, abs=2.0)
 
 
-def test_what_is_kept_at_an_attack_angle_that_nothing_told(table: ContactTable) -> None:
+def test_what_is_kept_at_an_attack_angle_that_nothing_told(table: BatResponse) -> None:
     """Agreement with 200 attack angles and 9 offsets to the next ones: mean to 0.0004, scatter to 0.0015 of it all."""
     ratio, places, nothing = np.array([1.1]), np.array([0.15]), np.array([np.nan])
     kept, variance = untold_kept([table], np.array([0]), ratio=ratio, attack=nothing, places=places)

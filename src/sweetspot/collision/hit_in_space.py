@@ -207,37 +207,24 @@ def strikes(
     >>> strikes(reduced_bat(bat, ball=ball), ball=ball, swings=swings, pitches=pitch, contact=met).exit_speed.round(1)
     array([41. , 44.3])
     """
-    axes = swings.axes
-    speed, place, above = np.broadcast_arrays(
-        *(np.asarray(values, float).ravel() for values in (swings.bat_speed, contact.position, contact.offset))
+    met = meetings(reduced.bat, ball=ball, swings=swings, pitches=pitches, contact=contact)
+    impacts = hits_with_motion(
+        reduced.modes, ball=ball, position=met.position, closing_speed=met.closing, threads=threads
     )
-    _check_positions(reduced.bat, place)
-    velocity, spin = (
-        np.broadcast_to(np.asarray(values, float), (len(speed), 3)) for values in (pitches.velocity, pitches.spin)
-    )
-    radius = reduced.bat.diameter_at(place) / 2
-    reach = ball.radius + radius
-    missed = np.abs(above) >= reach
-    frame = contact_frame(*axes, lift=np.arcsin(np.clip(above / reach, -1.0, 1.0)))
-    bat_velocity = speed[:, None] * axes.forward
-    closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
-    impacts = hits_with_motion(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
-    frame = ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame))
-    turning = np.divide(speed, place - swings.pivot, out=np.zeros(len(speed)), where=place > swings.pivot)
     left = _leaving(
-        frame,
+        met.frame,
         reduced,
         ball=ball,
-        pitch=BallMotions(velocity=velocity, spin=spin),
-        surface_velocity=bat_velocity + turning_surface(frame, axes, angular_speed=turning, radius=radius),
-        place=(place, radius),
-        closing=closing,
+        pitch=met.pitches,
+        surface_velocity=met.surface_velocity,
+        place=(met.position, met.radius),
+        closing=met.closing,
         normal=impacts,
         friction=friction,
     )
     return Strikes(
-        outcome=np.where(missed, int(Outcome.MISS), impacts.outcome),
-        closing_speed=np.where(missed, np.nan, closing),
+        outcome=np.where(met.missed, int(Outcome.MISS), impacts.outcome),
+        closing_speed=np.where(met.missed, np.nan, met.closing),
         collision_efficiency=impacts.collision_efficiency,
         contact_time=impacts.contact_time,
         peak_force=impacts.peak_force,
@@ -247,6 +234,47 @@ def strikes(
         velocity=left.velocity,
         spin=left.spin,
     )
+
+
+class Meetings(NamedTuple):
+    """Bats and balls as they meet; of what is missed the closing speed is 0.
+
+    Parameters
+    ----------
+    position, radius : m from the knob end, and of the bat there, shape (n,).
+    closing : m/s along the line of centres.
+    surface_velocity : m/s of the bat where it is touched, shape (n, 3).
+    """
+
+    position: Array
+    radius: Array
+    closing: Array
+    missed: NDArray[np.bool_]
+    frame: ContactFrame
+    surface_velocity: Array
+    pitches: BallMotions
+
+
+def meetings(bat: Bat, *, ball: Ball, swings: Swings, pitches: BallMotion | BallMotions, contact: Contact) -> Meetings:
+    """Return how bat and ball meet in many hits; a position off the bat is refused."""
+    axes = swings.axes
+    speed, place, above = np.broadcast_arrays(
+        *(np.asarray(values, float).ravel() for values in (swings.bat_speed, contact.position, contact.offset))
+    )
+    _check_positions(bat, place)
+    velocity, spin = (
+        np.broadcast_to(np.asarray(values, float), (len(speed), 3)) for values in (pitches.velocity, pitches.spin)
+    )
+    radius = bat.diameter_at(place) / 2
+    reach = ball.radius + radius
+    missed = np.abs(above) >= reach
+    frame = contact_frame(*axes, lift=np.arcsin(np.clip(above / reach, -1.0, 1.0)))
+    bat_velocity = speed[:, None] * axes.forward
+    closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
+    frame = ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame))
+    turning = np.divide(speed, place - swings.pivot, out=np.zeros(len(speed)), where=place > swings.pivot)
+    surface = bat_velocity + turning_surface(frame, axes, angular_speed=turning, radius=radius)
+    return Meetings(place, radius, closing, missed, frame, surface, BallMotions(velocity=velocity, spin=spin))
 
 
 def _check_positions(bat: Bat, place: Array) -> None:

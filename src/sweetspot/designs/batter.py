@@ -9,10 +9,16 @@ from functools import cache
 import numpy as np
 
 from sweetspot.catalog.records import quantity, read_table
+from sweetspot.collision.contact_table import tabled_bat
+from sweetspot.collision.hit_in_space import Contact
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
+from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_law import SwingLaw
+from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.units import INCH, format_length
+from sweetspot.units import DEGREE, INCH, format_length
 
 FROM_TIP = np.arange(0.25, 13.0, 0.5) * INCH
 """m from the tip where every bat is hit."""
@@ -31,6 +37,15 @@ MEANS, MEAN_SHARES = np.polynomial.hermite_e.hermegauss(7)
 RARE = 0.02
 """Part of the contacts on either side that is left out: the farthest of a scatter would be met once in a career."""
 USUAL_PLACES = 8
+ATTACK, TILT, DESCENT = 9 * DEGREE, 35 * DEGREE, 6 * DEGREE
+"""Usual attack angle and tilt of the swing and descent of the pitch; the part kept hardly depends on them (assumed)."""
+SINES = np.linspace(0.0, 0.97, 33)
+WIDTHS = np.linspace(0.0, 0.15, 301)
+"""m; places thicker than that keep what the thickest keeps. No barrel is; a flat face keeps everything at any width."""
+REACH = 2.0
+"""Standard deviations of the offset that are looked at; contacts farther off are not counted."""
+OFFSETS, OFFSET_SHARES = np.polynomial.legendre.leggauss(24)
+"""Of the mean over offsets on one side of the axis."""
 
 
 @dataclass(frozen=True)
@@ -227,3 +242,52 @@ def usual_places(batter: Batter) -> IntArray:
     before = np.cumsum(batter.weight) - batter.weight
     inside = np.flatnonzero((before + batter.weight > RARE) & (before < 1 - RARE))
     return np.asarray(inside[np.unique(np.linspace(0, len(inside) - 1, USUAL_PLACES).round().astype(int))])
+
+
+def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
+    """Return sines of the line of centres' angle, and the part of the head-on exit speed that is left at each.
+
+    That angle alone counts, sin = offset / (radius of ball + radius of barrel): a barrel that is thinner where the ball
+    is met is a little harder to hit well, and that is all that its width does here.
+
+    Parameters
+    ----------
+    bat : the present one, met at this batter's mean place.
+    """
+    place = bat.length - batter.mean_contact
+    reach = ball.radius + float(bat.diameter_at(place)) / 2
+    both = np.concatenate([SINES, -SINES])
+    pitch = max(batter.pitch_speed, 1e-6) * np.array([0.0, -math.cos(DESCENT), -math.sin(DESCENT)])
+    launched = tabled_bat(bat, ball=ball).launches(
+        swings=Swings(batter.bat_speed, path_axes(ATTACK, 0.0, tilt=TILT, left=False)),
+        pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
+        contact=Contact(place, both * reach),
+    )
+    left = np.nan_to_num(np.linalg.norm(launched.velocity, axis=-1)).reshape(2, len(SINES)).mean(axis=0)
+    return SINES, left / left[0]
+
+
+def retained_at_widths(sine: Array, retained: Array, *, batter: Batter, ball: Ball) -> Array:
+    """Return the part of the exit speed that a batter's scatter about the axis leaves at `WIDTHS`.
+
+    The mean over offsets within `REACH` standard deviations, by quadrature on either side of the axis up to the last
+    sine: what is farther out is a miss. So the mean follows the width without steps.
+
+    Parameters
+    ----------
+    sine, retained : see `off_centre`.
+    """
+    from scipy.interpolate import PchipInterpolator
+
+    part = PchipInterpolator(sine, retained)
+    farthest = sine[-1] * (ball.radius + WIDTHS / 2) if sine[-1] < 1 else np.full(len(WIDTHS), np.inf)
+    ends = batter.offset + batter.offset_spread * np.array([-REACH, REACH])
+    averages = np.zeros(len(WIDTHS))
+    for low, high in ((ends[0], min(0.0, ends[1])), (max(0.0, ends[0]), ends[1])):
+        first, last = np.clip(low, -farthest, farthest), np.clip(high, -farthest, farthest)
+        half = np.maximum(last - first, 0.0) / 2
+        offset = ((first + last) / 2)[:, None] + half[:, None] * OFFSETS
+        density = np.exp(-(((offset - batter.offset) / batter.offset_spread) ** 2) / 2)
+        angle = np.abs(offset) / (ball.radius + WIDTHS / 2)[:, None]
+        averages += half * ((part(angle) * density) @ OFFSET_SHARES)
+    return np.asarray(averages / (batter.offset_spread * math.sqrt(2 * math.pi) * math.erf(REACH / math.sqrt(2))))

@@ -15,9 +15,8 @@ from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.kernel import STEP, struck
 from sweetspot.collision.time_step import contact_step
-from sweetspot.designs.batter import FROM_TIP, Batter
+from sweetspot.designs.batter import FROM_TIP, WIDTHS, Batter, off_centre, retained_at_widths
 from sweetspot.designs.durability import BatterHits, Breaking, Handles, breaking_of, margins
-from sweetspot.designs.off_centre_hits import WIDTHS, off_centre, retained_at_widths
 from sweetspot.designs.variables import Space
 from sweetspot.dynamics.batch.bending import BendingBatch
 from sweetspot.dynamics.batch.reduction import ReducedBats

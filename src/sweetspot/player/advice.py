@@ -16,8 +16,8 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import top
 from sweetspot.numerics.interval import Interval, sure_sign
 from sweetspot.player.bat_pairs import BatPair, compared_pairs, measured_bats
+from sweetspot.player.bat_response import response_of
 from sweetspot.player.candidate import Candidate, candidates
-from sweetspot.player.contact_tables import contact_table
 from sweetspot.player.expected_gain import NO_CHANGE, Change, Expectation, expectation
 from sweetspot.player.goal import Goal, carry_table
 from sweetspot.player.posterior import PlayerPosterior, interval
@@ -193,7 +193,7 @@ def _tried(
     options, by_key, faults = [], {}, []
     for number, candidate in enumerate(bats, start=1):
         try:
-            table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=reference)
+            table = response_of(candidate.bat, ball=model.ball, axis=model.law.axis, like=reference)
         except SweetspotError as error:
             faults.append(f"{candidate.label}: {error}")
             continue

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.contact_tables import MIDDLE, RATIOS, ContactTable, farthest_offset
+from sweetspot.player.bat_response import MIDDLE, RATIOS, BatResponse, farthest_offset
 from sweetspot.player.gain_kernel import CARRY, LINE, SPEED, BatInHand, CarryGrid, Scattered, WantedOfHit, fill_gains
 from sweetspot.player.goal import CarryTable, Goal
 from sweetspot.player.model import PlayerModel, speed_ratio
@@ -59,7 +59,7 @@ class Expectation:
 
     def of(
         self,
-        table: ContactTable,
+        table: BatResponse,
         change: Change = NO_CHANGE,
         *,
         position: Array | None = None,
@@ -87,7 +87,7 @@ class Expectation:
         )
         return gains
 
-    def bat_speed(self, table: ContactTable) -> Array:
+    def bat_speed(self, table: BatResponse) -> Array:
         """Return the player's mean bat speed with a bat for every draw, m/s, where bat speed is measured."""
         ratio = speed_ratio(
             table,
@@ -98,9 +98,7 @@ class Expectation:
         )
         return ratio * self.draws[:, NAMES.index("bat_speed")]
 
-    def _scattered(
-        self, table: ContactTable, change: Change, position: Array | None, offset: Array | None
-    ) -> Scattered:
+    def _scattered(self, table: BatResponse, change: Change, position: Array | None, offset: Array | None) -> Scattered:
         """Return the scatter of the swings of every draw."""
         value = {name: self.draws[:, index] for index, name in enumerate(NAMES)}
         ratio = self.bat_speed(table) / value["bat_speed"]
@@ -117,7 +115,7 @@ class Expectation:
             normal=self.scatter,
         )
 
-    def _in_hand(self, table: ContactTable) -> BatInHand:
+    def _in_hand(self, table: BatResponse) -> BatInHand:
         """Return a bat's tables; what counts as a hit is the own bat's, so that the same swings count for all."""
         reference, arm = self.model.bats[0], table.bat.length - table.bat.choke
         return BatInHand(

@@ -19,7 +19,7 @@ SLOWEST = 1.0
 
 
 class BatInHand(NamedTuple):
-    """A bat's tables as the kernel reads them: `ContactTable`, and where the player's own counts a hit.
+    """A bat's tables as the kernel reads them: `BatResponse`, and where the player's own counts a hit.
 
     Parameters
     ----------

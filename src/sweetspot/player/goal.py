@@ -19,7 +19,7 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import NO_SPEED
-from sweetspot.player.contact_tables import BARREL
+from sweetspot.player.bat_response import BARREL
 from sweetspot.player.gain_kernel import CarryGrid, fill_carries
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.prior import fixed

@@ -16,8 +16,8 @@ from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
+from sweetspot.player.bat_response import BatResponse, response_of
 from sweetspot.player.contact_rate import LikelihoodTable
-from sweetspot.player.contact_tables import ContactTable, contact_table
 from sweetspot.player.likelihood import LANES, log_likelihoods
 from sweetspot.player.off_centre import (
     MEAN_ATTACKS,
@@ -55,7 +55,7 @@ class PlayerModel:
     """
 
     swings: tuple[PlayerSwing, ...]
-    bats: tuple[ContactTable, ...]
+    bats: tuple[BatResponse, ...]
     bat_of: tuple[int, ...]
     ball: Ball
     law: SwingLaw
@@ -107,7 +107,7 @@ class PlayerModel:
         return np.where(np.isnan(logarithms), -np.inf, logarithms)
 
 
-def arm_ratio(table: ContactTable, place: Array, *, speed_from_tip: float) -> Array:
+def arm_ratio(table: BatResponse, place: Array, *, speed_from_tip: float) -> Array:
     """Return bat speed at places over that where it is measured; the bat turns about the bottom of the grip.
 
     Parameters
@@ -120,7 +120,7 @@ def arm_ratio(table: ContactTable, place: Array, *, speed_from_tip: float) -> Ar
 
 
 def speed_ratio(
-    other: ContactTable, reference: ContactTable, *, law: SwingLaw, speed_from_tip: float, exponent: Array
+    other: BatResponse, reference: BatResponse, *, law: SwingLaw, speed_from_tip: float, exponent: Array
 ) -> Array:
     """Return bat speed with another bat over that with the player's own, for many exponents.
 
@@ -167,7 +167,7 @@ def player_model(
         raise InputError("no swing was given; give at least one")
     used = law or swing_law()
     named = {name: other for name, other in (others or {}).items() if any(swing.bat == name for swing in swings)}
-    tables = [contact_table(swung_bat, ball=ball, axis=used.axis) for swung_bat in (bat, *named.values())]
+    tables = [response_of(swung_bat, ball=ball, axis=used.axis) for swung_bat in (bat, *named.values())]
     index = {name: number for number, name in enumerate(named, start=1)}
     bat_of = tuple(index.get(swing.bat, 0) for swing in swings)
     table = _table(swings, tables, bat_of, speed_from_tip)
@@ -230,7 +230,7 @@ def _is_slip(name: str) -> bool:
 
 
 def _table(
-    swings: Sequence[PlayerSwing], tables: Sequence[ContactTable], bat_of: Sequence[int], speed_from_tip: float
+    swings: Sequence[PlayerSwing], tables: Sequence[BatResponse], bat_of: Sequence[int], speed_from_tip: float
 ) -> LikelihoodTable:
     def column(name: str) -> Array:
         return np.array([NAN if getattr(swing, name) is None else getattr(swing, name) for swing in swings], float)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.player.contact_tables import MISSED, RATIOS, STEEPER, ContactTable
+from sweetspot.player.bat_response import MISSED, RATIOS, STEEPER, BatResponse
 from sweetspot.player.prior import fixed, priors
 from sweetspot.units import DEGREE
 
@@ -52,7 +52,7 @@ class OffsetPoints(NamedTuple):
 
 
 def offset_points(
-    tables: Sequence[ContactTable], bat: IntArray, *, ratio: Array, launch: Array, attack: Array, places: Array
+    tables: Sequence[BatResponse], bat: IntArray, *, ratio: Array, launch: Array, attack: Array, places: Array
 ) -> OffsetPoints:
     """Return points and weights for sums over offsets given the launch angles of swings; zeros where none was measured.
 
@@ -74,7 +74,7 @@ def offset_points(
 
 
 def untold_kept(
-    tables: Sequence[ContactTable], bat: IntArray, *, ratio: Array, attack: Array, places: Array
+    tables: Sequence[BatResponse], bat: IntArray, *, ratio: Array, attack: Array, places: Array
 ) -> tuple[Array, Array]:
     """Return the retained part at each `UNTOLD_EVERY` th offset by swings, and its variance, each (n, offsets, places).
 
@@ -116,7 +116,7 @@ def _steeper(attack: Array) -> Array:
     return np.where(np.isnan(attack), 0.0, attack - priors()["attack_angle"].centre)
 
 
-def part_of_hits(table: ContactTable, *, ratio: float) -> Array:
+def part_of_hits(table: BatResponse, *, ratio: float) -> Array:
     """Return the part of the balls met that leaves within `STEEPEST_LAUNCH`, shape (mean attacks, places, offsets).
 
     Parameters
@@ -133,7 +133,7 @@ def part_of_hits(table: ContactTable, *, ratio: float) -> Array:
     return np.tensordot(often / often.sum(axis=1, keepdims=True), inside, axes=1)
 
 
-def at_swings(table: ContactTable, ratio: Array, steeper: Array, places: Array) -> tuple[Array, Array]:
+def at_swings(table: BatResponse, ratio: Array, steeper: Array, places: Array) -> tuple[Array, Array]:
     """Return the part retained and the deflection of swings on the table's offsets, shape (n, places, offsets).
 
     Parameters
@@ -152,7 +152,7 @@ def at_swings(table: ContactTable, ratio: Array, steeper: Array, places: Array) 
     return np.asarray(found[0]), np.asarray(found[1])
 
 
-def deflection_noise(table: ContactTable, ratio: Array) -> Array:
+def deflection_noise(table: BatResponse, ratio: Array) -> Array:
     """Return the standard deviation of launch less attack angle at every offset, rad, shape (n, offsets).
 
     Parameters
@@ -164,7 +164,7 @@ def deflection_noise(table: ContactTable, ratio: Array) -> Array:
     return np.hypot(unsteady, fixed("deflection_noise"))
 
 
-def _points(table: ContactTable, ratio: Array, launch: Array, attack: Array, places: Array) -> OffsetPoints:
+def _points(table: BatResponse, ratio: Array, launch: Array, attack: Array, places: Array) -> OffsetPoints:
     retained, deflection = at_swings(table, ratio, _steeper(attack), places)
     noise = deflection_noise(table, ratio)[:, None]
     away = launch[:, None, None] - (attack[:, None, None] + deflection)

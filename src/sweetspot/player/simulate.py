@@ -12,7 +12,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.contact_tables import ContactTable, contact_table
+from sweetspot.player.bat_response import BatResponse, response_of
 from sweetspot.player.model import arm_ratio, speed_ratio
 from sweetspot.player.off_centre import STEEPEST_LAUNCH, at_swings, deflection_noise
 from sweetspot.player.player_swing import PlayerSwing
@@ -44,7 +44,7 @@ def simulated_swings(
     values = dict(zip(NAMES, (float(value) for value in parameters), strict=True))
     generator = np.random.default_rng(seed)
     law = swing_law()
-    tables = [contact_table(bat, ball=ball, axis=law.axis) for bat in bats]
+    tables = [response_of(bat, ball=ball, axis=law.axis) for bat in bats]
     exponent = np.array([values["exponent"]])
     swings = []
     for row in range(count):
@@ -57,7 +57,7 @@ def simulated_swings(
 
 def _swing(
     values: dict[str, float],
-    table: ContactTable,
+    table: BatResponse,
     ratio: float,
     pitch: float,
     speed_from_tip: float,

@@ -1,10 +1,9 @@
-"""What a bat does with a ball, tabled once so that millions of swings can be read off.
+"""What a bat does with a ball in the terms of a player's swings, worked out of its `ContactTable` once.
 
-Two tables: collision efficiency along the bat at two closing speeds, from the coupled collision; and, for a ball met
-above or below the bat's axis, the part of the exit speed that is left and how far the launch angle leaves the bat's
-path, from the oblique collision in space. The second is made all along the bat: where the bat gives little back, less
-is left of the part along the line of centres and all of the part across it, so the ball is turned further and loses
-less than near the best place.
+Two tables: collision efficiency along the bat at two closing speeds; and, for a ball met above or below the bat's
+axis, the part of the exit speed that is left and how far the launch angle leaves the bat's path. The second is made all
+along the bat: where the bat gives little back, less is left of the part along the line of centres and all of the part
+across it, so the ball is turned further and loses less than near the best place.
 """
 
 from __future__ import annotations
@@ -15,9 +14,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from sweetspot.collision.hit_in_space import Contact, strikes
-from sweetspot.collision.kernel import hits
-from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.collision.contact_table import ContactTable, tabled_bat
+from sweetspot.collision.hit_in_space import Contact
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -54,12 +52,12 @@ MEASURED = 6 * INCH
 SPREADS = ("swing_tilt", "pitch_descent", "pitch_backspin")
 """What differs from swing to swing and is not measured, though it turns the ball."""
 
-KEPT_TABLES = 256
-"""Tables that a process keeps: a league's batters swing the same few bats."""
+BATS = 256
+"""Bats that a process keeps: a league's batters swing the same few bats."""
 
 
 @dataclass(frozen=True, eq=False)
-class ContactTable:
+class BatResponse:
     """One bat's answers; the same object for the same bat, so it is compared and retained by what it is.
 
     Parameters
@@ -102,13 +100,14 @@ class ContactTable:
         return self.retained[MIDDLE, self.barrel], self.deflection[MIDDLE, self.barrel]
 
 
-def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | None = None) -> ContactTable:
+@lru_cache(maxsize=BATS)
+def response_of(bat: Bat, *, ball: Ball, axis: float, like: BatResponse | None = None) -> BatResponse:
     """Return the tables of a bat.
 
     Parameters
     ----------
     axis : where the swing law takes the moment of inertia, m from the bottom of the grip.
-    like : table of another bat whose off-centre hits are taken over, for they hang on the barrel's width alone; None:
+    like : another bat's, whose off-centre hits are taken over, for they hang on the barrel's width alone; None:
         worked out.
 
     Raises
@@ -116,66 +115,50 @@ def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | Non
     InputError
         when the bat is no heavier than the ball, or does not send it back anywhere on the barrel.
     """
-    return _made(bat, ball, axis, like)
-
-
-@lru_cache(maxsize=KEPT_TABLES)
-def _made(bat: Bat, ball: Ball, axis: float, like: ContactTable | None) -> ContactTable:
-    model = reduced_bat(bat, ball=ball)
-    if ball.mass >= model.body.mass:
+    table = tabled_bat(bat, ball=ball)
+    body = table.model.body
+    if ball.mass >= body.mass:
         raise InputError(
-            f"{bat.name} weighs {model.body.mass:.4g} kg and the ball {ball.mass:.4g} kg; allowed is a ball lighter "
+            f"{bat.name} weighs {body.mass:.4g} kg and the ball {ball.mass:.4g} kg; allowed is a ball lighter "
             "than the bat"
         )
     from_tip = np.linspace(0.0, REACH, PLACES)
-    slow, fast = (_efficiency(model, ball, from_tip, speed) for speed in (SLOW, FAST))
+    slow, fast = (_efficiency(table, from_tip, speed) for speed in (SLOW, FAST))
     slope = (fast - slow) / (FAST - SLOW)
+    still = slow - slope * SLOW
     if like is None:
-        q = (slow - slope * SLOW)[::EVERY], slope[::EVERY]
-        offset, retained, deflection, unsteady = _off_centre(model, ball, from_tip[::EVERY], q)
+        off_centre = _off_centre(table, from_tip[::EVERY], (still[::EVERY], slope[::EVERY]))
     else:
-        offset, retained, deflection, unsteady = like.offset, like.retained, like.deflection, like.unsteady
-    return ContactTable(
-        bat=bat,
-        moi=model.body.moi(bat.choke + axis),
-        from_tip=from_tip,
-        efficiency=slow - slope * SLOW,
-        efficiency_slope=slope,
-        offset=offset,
-        retained=retained,
-        deflection=deflection,
-        unsteady=unsteady,
-    )
+        off_centre = like.offset, like.retained, like.deflection, like.unsteady
+    return BatResponse(bat, body.moi(bat.choke + axis), from_tip, still, slope, *off_centre)
 
 
-def _efficiency(model: ReducedBat[Bat], ball: Ball, from_tip: Array, speed: float) -> Array:
-    place = model.bat.length - np.minimum(from_tip, 0.6 * model.bat.length)
-    impacts = hits(model.modes, ball=ball, position=place, closing_speed=speed)
-    found = np.isfinite(impacts.collision_efficiency)
+def _efficiency(table: ContactTable, from_tip: Array, speed: float) -> Array:
+    efficiency = table.efficiency(np.minimum(from_tip, 0.6 * table.bat.length), speed)
+    found = np.isfinite(efficiency)
     if found.sum() < PLACES // 2:
-        raise InputError(f"{model.bat.name} does not send the ball back on most of its barrel; check its wall")
-    return np.interp(from_tip, from_tip[found], impacts.collision_efficiency[found])
+        raise InputError(f"{table.bat.name} does not send the ball back on most of its barrel; check its wall")
+    return np.interp(from_tip, from_tip[found], efficiency[found])
 
 
-def _off_centre(
-    model: ReducedBat[Bat], ball: Ball, places: Array, q: tuple[Array, Array]
-) -> tuple[Array, Array, Array, Array]:
-    """Return offsets, part retained, deflection, and what the deflection scatters by; shapes of `ContactTable`.
+def _off_centre(table: ContactTable, places: Array, q: tuple[Array, Array]) -> tuple[Array, Array, Array, Array]:
+    """Return offsets, part retained, deflection, and what the deflection scatters by; shapes of `BatResponse`.
 
     What is retained is a part of what q, at no closing speed and its change with that, gives a ball met in line with
-    the swing: so hits of the table are those of the collision, whatever their angle.
+    the swing: so hits are those of the collision, whatever their angle.
 
     Parameters
     ----------
     q : at the places, at no closing speed and its change per m/s.
     """
-    reach = ball.radius + float(model.bat.diameter_at(model.bat.length - BARREL)) / 2
+    bat = table.bat
+    reach = table.ball.radius + float(bat.diameter_at(bat.length - BARREL)) / 2
     offset = np.linspace(-FARTHEST * reach, FARTHEST * reach, OFFSETS)
     grid: list[Array] = list(
         np.meshgrid(priors()["attack_angle"].centre + STEEPER, places, RATIOS, offset, indexing="ij")
     )
-    speed, launch = _turned(model, ball, grid)
-    there = BAT_SPEEDS * _arm(model, places)[:, None]
+    speed, launch = _turned(table, grid)
+    there = BAT_SPEEDS * _arm(bat, places)[:, None]
     closing = RATIOS * BAT_SPEEDS + there
     head_on = (q[0][:, None] + q[1][:, None] * closing) * closing + there
     retained = np.clip(speed / np.maximum(head_on, SLOWEST)[..., None], 0.0, MOST_KEPT)
@@ -183,15 +166,13 @@ def _off_centre(
     changes = []
     for name in SPREADS:
         spread = fixed(f"{name}_spread")
-        ends = [_turned(model, ball, middle, {name: fixed(name) + sign * spread})[1] for sign in (-1, 1)]
+        ends = [_turned(table, middle, {name: fixed(name) + sign * spread})[1] for sign in (-1, 1)]
         changes.append(np.where(np.abs(np.array(ends)).max(axis=0) < MISSED, ends[1] - ends[0], 0.0)[0, 0] / 2)
     deflection = np.where(launch < MISSED, launch - grid[0], MISSED)
     return offset, retained, deflection, np.sqrt(np.sum(np.square(changes), axis=0))
 
 
-def _turned(
-    model: ReducedBat[Bat], ball: Ball, grid: list[Array], other: dict[str, float] | None = None
-) -> tuple[Array, Array]:
+def _turned(table: ContactTable, grid: list[Array], other: dict[str, float] | None = None) -> tuple[Array, Array]:
     """Return exit speed and launch angle, `MISSED` without a hit, for attack angles, places, ratios and offsets.
 
     The swing has the usual tilt, the pitch the usual descent and backspin but for what ``other`` says; off a tee
@@ -203,27 +184,24 @@ def _turned(
     lifting = np.array([-usual["pitch_backspin"], 0.0, 0.0])  # of a ball that comes in along -y
     axes = path_axes(attack, 0.0, tilt=steep_enough(usual["swing_tilt"], attack), left=False)
     ahead = np.array([0.0, -math.cos(usual["pitch_descent"]), -math.sin(usual["pitch_descent"])])
-    struck = strikes(
-        model,
-        ball=ball,
-        swings=Swings(bat_speed * _arm(model, place), axes),
+    out = table.launches(
+        swings=Swings(bat_speed * _arm(table.bat, place), axes),
         pitches=BallMotions(velocity=(ratio * bat_speed)[:, None] * ahead, spin=(ratio > 0)[:, None] * lifting),
-        contact=Contact(model.bat.length - place, above),
-    )
-    out = struck.velocity
+        contact=Contact(table.bat.length - place, above),
+    ).velocity
     launch = np.where(out[:, 1] > 0, np.arctan2(out[:, 2], np.hypot(out[:, 0], out[:, 1])), MISSED)
     shape = grid[0].shape
-    return np.nan_to_num(struck.exit_speed).reshape(shape), launch.reshape(shape)
+    return np.nan_to_num(np.linalg.norm(out, axis=-1)).reshape(shape), launch.reshape(shape)
 
 
-def _arm(model: ReducedBat[Bat], place: Array) -> Array:
+def _arm(bat: Bat, place: Array) -> Array:
     """Return bat speed at places, m from the tip, over that where it is measured."""
-    arm = model.bat.length - model.bat.choke
+    arm = bat.length - bat.choke
     return np.asarray((arm - place) / (arm - MEASURED))
 
 
-@lru_cache(maxsize=KEPT_TABLES)
-def farthest_offset(table: ContactTable) -> float:
+@lru_cache(maxsize=BATS)
+def farthest_offset(table: BatResponse) -> float:
     """Return the largest offset in m of a hit that is counted: up to it, every inch turns the ball further.
 
     Beyond it the ball is only grazed.
