@@ -9,6 +9,7 @@ import httpx
 import numpy as np
 import pytest
 
+from sweetspot.designs.gain import GainVerdict
 from sweetspot.units import INCH
 from sweetspot.web.bats import bat_from_text, described
 from sweetspot.web.controls import BatState
@@ -81,7 +82,8 @@ def test_a_rule_that_is_broken_is_a_red_light(client: httpx.Client, pulled: dict
 def test_a_gain_stands_beside_what_wood_differs(client: httpx.Client, pulled: dict[str, Any]) -> None:
     found = asked(client, "/gain", **pulled)
     assert found["expected_m_s"] < found["likely_from_m_s"] < found["half_interval_m_s"] < found["seen_from_m_s"]
-    assert found["words"]["hidden"] in found["sentences"]["us"][1]
+    assert GainVerdict.HIDDEN in found["sentences"]["us"][1]
+    assert found["gained"]["us"][0].endswith(f"(90 %): {GainVerdict.HIDDEN}.")
     high, low = np.array(found["noise_high_m_s"]), np.array(found["noise_low_m_s"])
     assert np.all(high > 0) and np.allclose(high, -low)
     assert found["expected_m_s"] == pytest.approx(measure(asked(client, **pulled), "exit_speed")["change"], abs=1e-6)

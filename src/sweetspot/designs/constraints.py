@@ -42,6 +42,8 @@ WITHIN = 0.01
 """Part of a value by which what is kept may still differ."""
 GRIP_WITHIN = 0.002
 """The same for the grip, which hands know better."""
+AS_IT_IS = "kept as it is"
+"""Why such a limit holds."""
 KEPT = ("mass", "moi", "balance_point", "handle", "density")
 """What can be kept as it is, the last of wood alone; the length always is."""
 
@@ -96,7 +98,7 @@ def lathe_limits() -> tuple[Limit, ...]:
     )
 
 
-def band(measure: str, value: float, *, part: float, why: str = "kept as it is") -> Limit:
+def band(measure: str, value: float, *, part: float, why: str = AS_IT_IS) -> Limit:
     """Return a limit around a value (``part``: half of the band's width as a part of the value)."""
     return Limit(measure, value * (1 - part), value * (1 + part), why)
 

@@ -17,18 +17,7 @@ from sweetspot.designs.pareto import saved
 from sweetspot.designs.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.reports.design.sizes import drawing, sizes_table, tolerance_paragraph
-from sweetspot.reports.design.words import (
-    breaking_words,
-    effort_words,
-    label_of,
-    moved_words,
-    rules_words,
-    tool_of,
-    unbounded_words,
-    wall_words,
-    warning_words,
-    worth_words,
-)
+from sweetspot.reports.design.words import breaking_words, gain_words, label_of, rules_words, tool_of
 from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.reports.quantities import Reader, reader
 from sweetspot.reports.sentences import Slot, Words, read, say
@@ -66,16 +55,7 @@ def design_document(answer: DesignAnswer) -> Document:
     design = answer.designed
     bat, sport_words = design.bat, sport(design.bench.space.present.sport).words
     reading = reader(None, sport_words)
-    words = [
-        *unbounded_words(design),
-        moved_words(design),
-        worth_words(design),
-        warning_words(design),
-        *wall_words(design),
-        effort_words(design),
-        *breaking_words(design),
-        *rules_words(design),
-    ]
+    words = [*gain_words(design), *breaking_words(design), *rules_words(design)]
     picture = Picture(
         "design",
         partial(_drawn, design),

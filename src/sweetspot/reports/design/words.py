@@ -7,14 +7,16 @@ import numpy as np
 from sweetspot.analysis.certification.rules import PERFORMANCE, Verdict, title
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.answers.design_question import Designed
+from sweetspot.answers.implement import MassProperties
 from sweetspot.catalog.sports import sport
 from sweetspot.designs.batter import FROM_TIP
-from sweetspot.designs.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE, GainVerdict
+from sweetspot.designs.constraints import AS_IT_IS, Limit
+from sweetspot.designs.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE, Gain, GainVerdict
 from sweetspot.designs.measures import MEASURES
 from sweetspot.designs.variables import DENSITY_SPREAD, MODULUS_SPREAD
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.reports.certification.limits_shown import unsure_words
-from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.sentences import Sentence, Slot, joined, say, with_doubt
 from sweetspot.units import INCH, grouped
 
 STILL = 0.02 * INCH
@@ -32,6 +34,50 @@ def tool_of(design: Designed) -> str:
 def label_of(design: Designed, measure: str) -> str:
     """Return the name of a measure in the sport of the designed implement."""
     return f"{tool_of(design)} speed" if measure == "bat_speed" else MEASURES[measure].label
+
+
+def gained_words(change: float | None, gain: Gain | None = None) -> Sentence:
+    """Return what a bat gains over a batter's contacts, m/s, with how sure that is; None: it is the present bat."""
+    if change is None:
+        return say("This is the present bat still: pull a round handle, or let the search find better.")
+    doubt = verdict = say("")
+    if gain is not None:
+        doubt = say(", give or take {doubt} (90 %)", doubt=Slot(gain.doubt, "speed_change"))
+        verdict = say(": {verdict}", verdict=gain.verdict.value)
+    return say(
+        "Over these contacts the ball leaves {change}{doubt}{verdict}.",
+        change=_faster(change),
+        doubt=doubt,
+        verdict=verdict,
+    )
+
+
+def weight_words(weights: MassProperties, moi_doubt: float) -> Sentence:
+    """Return what a bat weighs and how it balances; ``moi_doubt`` is the standard deviation of its swing weight."""
+    return say(
+        "{mass}, balance {balance} from the knob, swing weight {moi}.",
+        mass=Slot(weights.mass, "mass"),
+        balance=Slot(weights.balance_point, "place"),
+        moi=with_doubt(float(weights.moi_6in), moi_doubt, "moi"),
+    )
+
+
+def limit_words(limit: Limit, value: float, *, beyond: float | None) -> Sentence:
+    """Return a value beside its limit, by how much it is beyond it, and who wants it, unless it is a lock."""
+    scale = MEASURES[limit.measure].scale
+    ends = {"least": limit.least, "most": limit.most}
+    slots = {name: Slot(end, scale) for name, end in ends.items() if end is not None}
+    ways = {"least": ", at least {least}", "most": ", at most {most}"}
+    words = ", allowed {least} to {most}" if len(slots) == len(ends) else "".join(ways[name] for name in slots)
+    over = "" if beyond is None else say(", beyond by {beyond}", beyond=Slot(beyond, scale))
+    why = "" if limit.why == AS_IT_IS else f" ({limit.why})"
+    return say("{value}" + words + "{over}{why}", value=Slot(value, scale), over=over, why=why, **slots)
+
+
+def gain_words(design: Designed) -> list[Sentence]:
+    """Return what a design moves, what that is worth to this batter, who should not use it, and how it is swung."""
+    words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
+    return [*words, *wall_words(design), effort_words(design)]
 
 
 def moved_words(design: Designed) -> Sentence:

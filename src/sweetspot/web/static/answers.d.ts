@@ -26,7 +26,7 @@ export interface Answers {
   optimum: LaunchAnswer;
   player: Record<string, any>;
   own: Record<string, any>;
-  design: Record<string, any>;
+  design: DesignPicture;
   season: SeasonPicture;
   sports: SportsAnswer;
   paper: PaperPicture;
@@ -42,8 +42,8 @@ export interface Asides {
   optimum: { swing: ReadDocument; parks: ReadDocument; };
   player: { fit: ReadDocument; table: Record<string, string>; };
   own: { tap: Record<string, any>; file: Record<string, string>; };
-  design: { gain: Record<string, any>; files: Record<string, any>; batter: Record<string, any>; };
-  season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: Record<string, number>; };
+  design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
+  season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: BatterControls; };
   sports: { face: SportsFace; sentences: SportsWords; };
   paper: {  };
 }
@@ -58,7 +58,7 @@ export interface Jobs {
   optimum: {  };
   player: {  };
   own: {  };
-  design: { search: Record<string, any>; };
+  design: { search: DesignFront; };
   season: { read: Record<string, string>; };
   sports: {  };
   paper: {  };
@@ -181,6 +181,17 @@ export interface BatState {
 export interface BatTap {
   position_m: number; position_low_m?: number; position_high_m?: number;
   duration_s: number; duration_low_s?: number; duration_high_s?: number;
+}
+
+/** A batter as fields of a state; what is not known is left out. */
+export interface BatterControls {
+  contact_in?: number;
+  contact_spread_in?: number;
+  contact_doubt_in?: number;
+  miss_in?: number;
+  miss_spread_in?: number;
+  bat_speed_mph?: number;
+  pitch_speed_mph?: number;
 }
 
 /** Carry, and chance of a home run, of balls hit harder and higher; rows by launch angle. */
@@ -316,6 +327,58 @@ export interface DecidedRule {
   unit: string;
 }
 
+/** Curves along the bat, knob end first, shape (n,): exit speeds, and how often the ball is met there. */
+export interface DesignCurves {
+  position_m: number[];
+  exit_speed_m_s: number[];
+  present_exit_speed_m_s: number[];
+  difference_m_s: number[];
+  contacts: number[];
+}
+
+/** The bat's file, and its drawings by their endings for readers of either system. */
+export interface DesignFiles {
+  toml: string;
+  us: Record<string, string>;
+  si: Record<string, string>;
+}
+
+/** The front after a generation, and the present bat, whose ``key`` is that of the answer. */
+export interface DesignFront {
+  key: string;
+  generation: number;
+  generations: number;
+  wants: string[];
+  front: FrontBat[];
+  present: Record<string, number>;
+}
+
+/** Whether a limit is kept, with the value and the ends in words. */
+export interface DesignLight {
+  label: string;
+  kept: boolean;
+  words: Record<"si" | "us", string>;
+}
+
+/** The bat that is being shaped beside the present one: sizes, weights, rules, and curves along both. */
+export interface DesignPicture {
+  bat: BatPicture;
+  ball: BallPicture;
+  key: string;
+  own: boolean;
+  left_out: string[];
+  present: BatShape;
+  variables: ShapedNumber[];
+  design: ShapedPicture;
+  measures: MeasureBeside[];
+  locks: DesignLight[];
+  limits: DesignLight[];
+  rules: RuleCheck[];
+  curves: DesignCurves;
+  gained: Record<"us" | "si", string[]>;
+  weighs: Record<"us" | "si", string[]>;
+}
+
 /** The batter's present bat and swing, where the ball is met, the bat that is being shaped, and what must stay. */
 export interface DesignState {
   bat: string;
@@ -361,6 +424,18 @@ export interface DesignState {
   seed: number;
   swings_csv: string | null;
   swings_of: string | null;
+}
+
+/** What the bat gains in this batter's hands beside wood that differs, in words and as a band. */
+export interface DesignWorth {
+  gained: Record<"us" | "si", string[]>;
+  sentences: Record<"us" | "si", string[]>;
+  noise_low_m_s: number[];
+  noise_high_m_s: number[];
+  expected_m_s: number; expected_low_m_s?: number; expected_high_m_s?: number;
+  half_interval_m_s: number; half_interval_low_m_s?: number; half_interval_high_m_s?: number;
+  likely_from_m_s: number; likely_from_low_m_s?: number; likely_from_high_m_s?: number;
+  seen_from_m_s: number; seen_from_low_m_s?: number; seen_from_high_m_s?: number;
 }
 
 /** A hole from the tip, between two places from the knob end; ``fill`` names what it is filled with. */
@@ -691,6 +766,13 @@ export interface FlownBall {
   leaves: Record<"us" | "si", string[]>;
 }
 
+/** One bat of a front: its numbers and measures, SI, and its outline where outlines differ. */
+export interface FrontBat {
+  numbers: number[];
+  values: Record<string, number>;
+  outline?: DrawnOutline;
+}
+
 /** The motion of the top hand's place, and the arrival of the wave there; None: it does not arrive. */
 export interface HandMotion {
   displacement_m: number[];
@@ -788,6 +870,16 @@ export interface ListedPlayer {
   from_best: number | null;
   home_runs: number | null;
   home_runs_expected: number | null;
+}
+
+/** A measure of the bat that is being shaped, beside the present one's; None: that has none. */
+export interface MeasureBeside {
+  name: string;
+  label: string;
+  scale: string;
+  value: number;
+  present: number | null;
+  change: number | null;
 }
 
 /** A swing that misses the ball, or from which it does not come off. */
@@ -1149,6 +1241,38 @@ export interface SeasonState {
 export interface SeasonWords {
   html?: Record<"si" | "us", string>;
   players?: ListedPlayer[];
+}
+
+/** One number of the bat that is being shaped, SI by ``scale``; ``key`` names its control. */
+export interface ShapedNumber {
+  key: string;
+  label: Record<"si" | "us", string>;
+  scale: string;
+  low: number;
+  high: number;
+  value: number;
+}
+
+/** The bat that is being shaped; its stations are the handles that can be pulled. */
+export interface ShapedPicture {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  outline: DrawnOutline;
+  stations: Station[];
+  hollow: boolean;
+  wall_m: number[] | null;
+  bores: DrawnBore[];
+  cup: DrawnCup | null;
+  weights: DrawnWeight[];
+  material: string;
+  remark: Record<"si" | "us", string>;
+  moi_6in_half_kg_m2: number; moi_6in_half_low_kg_m2?: number; moi_6in_half_high_kg_m2?: number;
 }
 
 /** The parts of the difference in exit speed from the best place; see `SpeedDifference`. */

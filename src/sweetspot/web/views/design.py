@@ -4,25 +4,27 @@ from __future__ import annotations
 
 import math
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from shlex import quote
-from typing import Any, TypeVar
+from typing import Annotated, TypeVar
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules
-from sweetspot.answers.certify import rule_check
+from sweetspot.answers.certify import RuleCheck, rule_check
 from sweetspot.answers.design_question import Designed
-from sweetspot.answers.implement import mass_properties
-from sweetspot.answers.records import to_dict
+from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.records import MomentOfInertia, Speed
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.designs.batter import FROM_TIP
 from sweetspot.designs.batter_files import contacts_of_file, fitted_player
-from sweetspot.designs.constraints import Limit, findings_of
-from sweetspot.designs.gain import CLEARLY, LIKELY, GainVerdict, gain_of
+from sweetspot.designs.constraints import AS_IT_IS, Limit, findings_of
+from sweetspot.designs.gain import CLEARLY, LIKELY, gain_of
 from sweetspot.designs.measures import MEASURES, MeasuredDesigns
 from sweetspot.designs.pareto import Front
 from sweetspot.designs.turned import HANDLES, TurnedSpace
+from sweetspot.designs.variables import Variable
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -31,20 +33,24 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
 from sweetspot.reports.design.document import compared
 from sweetspot.reports.design.sizes import drawing, tolerance_words
-from sweetspot.reports.design.words import (
-    effort_words,
-    moved_words,
-    unbounded_words,
-    wall_words,
-    warning_words,
-    worth_words,
-)
+from sweetspot.reports.design.words import gain_words, gained_words, limit_words, weight_words
 from sweetspot.reports.quantities import SCALES, SYSTEMS
+from sweetspot.reports.sentences import Slot, say
 from sweetspot.units import INCH
+from sweetspot.units.dimensions import LENGTH, SPEED, System
 from sweetspot.web.bats import ball_of, described, reduced
 from sweetspot.web.controls import BatState
-from sweetspot.web.documents import in_both_systems
-from sweetspot.web.drawings import ball_picture, bat_picture, moi_half, outline
+from sweetspot.web.documents import Sentences, in_both_systems, in_either_system
+from sweetspot.web.drawings import (
+    BallPicture,
+    BatPicture,
+    BatShape,
+    Station,
+    ball_picture,
+    bat_picture,
+    moi_half,
+    outline,
+)
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import ENOUGH, as_text, bat_name, swing_options
@@ -52,6 +58,7 @@ from sweetspot.web.view import View
 from sweetspot.web.views.design_search import search
 from sweetspot.web.views.design_state import (
     USUAL_LEAGUE,
+    BatterControls,
     DesignState,
     ShapedBat,
     asked,
@@ -71,46 +78,159 @@ CLOSE = 1e-3
 """Grains by which a limit may be missed and still be called kept: rounding on the way to the page and back."""
 
 
-def answer(state: DesignState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class ShapedNumber:
+    """One number of the bat that is being shaped, SI by ``scale``; ``key`` names its control."""
+
+    key: str
+    label: Mapping[System, str]
+    scale: str
+    low: float
+    high: float
+    value: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShapedPicture(BatShape, MassProperties):
+    """The bat that is being shaped; its stations are the handles that can be pulled."""
+
+    moi_6in_half: MomentOfInertia
+
+
+@dataclass(frozen=True)
+class MeasureBeside:
+    """A measure of the bat that is being shaped, beside the present one's; None: that has none."""
+
+    name: str
+    label: str
+    scale: str
+    value: float
+    present: float | None
+    change: float | None
+
+
+@dataclass(frozen=True)
+class DesignLight:
+    """Whether a limit is kept, with the value and the ends in words."""
+
+    label: str
+    kept: bool
+    words: Mapping[System, str]
+
+
+@dataclass(frozen=True)
+class DesignCurves:
+    """Curves along the bat, knob end first, shape (n,): exit speeds, and how often the ball is met there."""
+
+    position: Annotated[Array, LENGTH]
+    exit_speed: Annotated[Array, SPEED]
+    present_exit_speed: Annotated[Array, SPEED]
+    difference: Annotated[Array, SPEED]
+    contacts: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignPicture:
+    """The bat that is being shaped beside the present one: sizes, weights, rules, and curves along both.
+
+    Parameters
+    ----------
+    key : of the present bat.
+    own : whether it is another bat than the present one.
+    left_out : what of the present bat no design has.
+    gained : what it gains, without how sure that is.
+    weighs : its weight, balance and swing weight.
+    """
+
+    bat: BatPicture
+    ball: BallPicture
+    key: str
+    own: bool
+    left_out: tuple[str, ...]
+    present: BatShape
+    variables: tuple[ShapedNumber, ...]
+    design: ShapedPicture
+    measures: tuple[MeasureBeside, ...]
+    locks: tuple[DesignLight, ...]
+    limits: tuple[DesignLight, ...]
+    rules: tuple[RuleCheck, ...]
+    curves: DesignCurves
+    gained: Sentences
+    weighs: Sentences
+
+
+@dataclass(frozen=True)
+class DesignWorth:
+    """What the bat gains in this batter's hands beside wood that differs, in words and as a band.
+
+    Parameters
+    ----------
+    noise_low, noise_high : 90 % band of what two pieces of wood differ by, along the bat.
+    likely_from, seen_from : gains from which one is likely, and clear.
+    """
+
+    gained: Sentences
+    sentences: Sentences
+    noise_low: Annotated[Array, SPEED]
+    noise_high: Annotated[Array, SPEED]
+    expected: Speed
+    half_interval: Speed
+    likely_from: Speed
+    seen_from: Speed
+
+
+@dataclass(frozen=True)
+class DesignFiles:
+    """The bat's file, and its drawings by their endings for readers of either system."""
+
+    toml: str
+    us: Mapping[str, str]
+    si: Mapping[str, str]
+
+
+def answer(state: DesignState) -> DesignPicture:
     """Return the bat that is being shaped beside the present one: sizes, weights, rules, and curves along both."""
     request = asked(state)
-    space = request.bench.space
+    space, now = request.bench.space, request.now
     numbers, shaped = numbers_of(state, request)
     bat, measured = _made(request, numbers, shaped=shaped)
     body = rigid_body(beam_model(bat))
-    return {
-        "bat": bat_picture(state, reduced(state, ball_of(state))),
-        "ball": ball_picture(state, ball_of(state)),
-        "key": request.key,
-        "own": shaped,
-        "left_out": request.left_out,
-        "present": outline(_present(request)),
-        "variables": [
-            {
-                "name": variable.name,
-                "label": variable.label,
-                "ending": SCALES[variable.scale].ending,
-                "scale": variable.scale,
-                "from_tip_m": variable.from_tip,
-                "low": variable.low,
-                "high": variable.high,
-                "present": variable.start,
-                "value": value,
-            }
-            for variable, value in zip(space.variables, numbers.tolist(), strict=True)
-        ],
-        "design": {
-            **to_dict(mass_properties(bat, body)),
-            **to_dict(outline(bat)),
-            "moi_6in_half_kg_m2": moi_half(bat, body),
-            "stations": _handles(request, numbers),
-        },
-        "measures": [_beside(name, measured, request.now) for name in compared(space, measured)],
-        "locks": [_light(limit, measured) for limit in locks_of(state)],
-        "limits": [_light(limit, measured) for limit in limits_of(state) if limit.why != "kept as it is"],
-        "rules": _rules(state, request, bat, measured),
-        "curves": _curves(request, measured),
-    }
+    shape, weights = outline(bat), mass_properties(bat, body)
+    design = ShapedPicture(
+        **vars(replace(shape, stations=_handles(request, numbers))), **vars(weights), moi_6in_half=moi_half(bat, body)
+    )
+    rules = tuple(rule_check(league, check) for league, check in _checks(state, request, bat, measured))
+    leagues = {rule.league_name for rule in rules}  # what their lights show already
+    limits = [limit for limit in limits_of(state) if limit.why != AS_IT_IS]
+    gain = measured.values["exit_speed"][0] - now.values["exit_speed"][0] if shaped else None
+    return DesignPicture(
+        bat=bat_picture(state, reduced(state, ball_of(state))),
+        ball=ball_picture(state, ball_of(state)),
+        key=request.key,
+        own=shaped,
+        left_out=request.left_out,
+        present=outline(_present(request)),
+        variables=tuple(map(_number, space.variables, numbers.tolist())),
+        design=design,
+        measures=tuple(_beside(name, measured, now) for name in compared(space, measured)),
+        locks=tuple(_light(limit, measured) for limit in locks_of(state)),
+        limits=tuple(
+            light for limit in limits if not (light := _light(limit, measured)).kept or limit.why not in leagues
+        ),
+        rules=rules,
+        curves=_curves(request, measured),
+        gained=in_both_systems([gained_words(gain)]),
+        weighs=in_both_systems([weight_words(weights, moi_half(bat, body) / REACH)]),
+    )
+
+
+def _number(variable: Variable, value: float) -> ShapedNumber:
+    label = variable.label[0].upper() + variable.label[1:]
+    words = say(label)
+    if variable.from_tip is not None:
+        words = say("{label} {place} from the tip", label=label, place=Slot(variable.from_tip, "place"))
+    key = f"{variable.name}{SCALES[variable.scale].ending or '_ratio'}"
+    return ShapedNumber(key, in_either_system(words), variable.scale, variable.low, variable.high, value)
 
 
 def _made(request: ShapedBat, numbers: Array, *, shaped: bool) -> tuple[Bat, MeasuredDesigns]:
@@ -130,46 +250,28 @@ def _present(request: ShapedBat) -> Bat:
     return present
 
 
-def _handles(request: ShapedBat, numbers: Array) -> list[dict[str, float]]:
+def _handles(request: ShapedBat, numbers: Array) -> tuple[Station, ...]:
     """Return the handles that can be pulled on the picture, those of an outline; hollow bats have none."""
     space = request.bench.space
     if not isinstance(space, TurnedSpace):
-        return []
-    return [
-        {"position_m": part * space.present.length, "diameter_m": width}
-        for part, width in zip(HANDLES.tolist(), numbers[: len(HANDLES)].tolist(), strict=True)
-    ]
+        return ()
+    places = HANDLES * space.present.length
+    return tuple(map(Station, places.tolist(), numbers[: len(HANDLES)].tolist()))
 
 
-def _beside(name: str, measured: MeasuredDesigns, now: MeasuredDesigns) -> dict[str, Any]:
-    measure = MEASURES[name]
-    value, before = float(measured.values[name][0]), now.values.get(name)
+def _beside(name: str, measured: MeasuredDesigns, now: MeasuredDesigns) -> MeasureBeside:
+    measure, value = MEASURES[name], float(measured.values[name][0])
+    before = now.values.get(name)
     present = None if before is None else float(before[0])
-    return {
-        "name": name,
-        "label": measure.label,
-        "scale": measure.scale,
-        "value": value,
-        "present": present,
-        "change": None if present is None else value - present,
-    }
+    change = None if present is None else value - present
+    return MeasureBeside(name, measure.label, measure.scale, value, present, change)
 
 
-def _light(limit: Limit, measured: MeasuredDesigns) -> dict[str, Any]:
-    """Return whether a limit is kept, by how much it is missed, and its ends."""
+def _light(limit: Limit, measured: MeasuredDesigns) -> DesignLight:
     measure, value = MEASURES[limit.measure], measured.values[limit.measure]
     miss = float(limit.excess(value)[0])
-    return {
-        "measure": limit.measure,
-        "label": measure.label,
-        "scale": measure.scale,
-        "least": limit.least,
-        "most": limit.most,
-        "why": limit.why,
-        "value": float(value[0]),
-        "kept": miss <= CLOSE,
-        "miss": max(0.0, miss) * measure.grain,
-    }
+    words = limit_words(limit, float(value[0]), beyond=miss * measure.grain if miss > CLOSE else None)
+    return DesignLight(measure.label, miss <= CLOSE, in_either_system(words))
 
 
 def _checks(state: DesignState, request: ShapedBat, bat: Bat, measured: MeasuredDesigns) -> list[tuple[League, Check]]:
@@ -180,41 +282,31 @@ def _checks(state: DesignState, request: ShapedBat, bat: Bat, measured: Measured
     return [(league, check) for check in check_rules(league, bat=bat, findings=findings)]
 
 
-def _rules(state: DesignState, request: ShapedBat, bat: Bat, measured: MeasuredDesigns) -> list[dict[str, Any]]:
-    return [to_dict(rule_check(league, check)) for league, check in _checks(state, request, bat, measured)]
-
-
-def _curves(request: ShapedBat, measured: MeasuredDesigns) -> dict[str, Any]:
+def _curves(request: ShapedBat, measured: MeasuredDesigns) -> DesignCurves:
     """Return curves along the bat, knob end first, at places counted from the tip."""
     design, now = measured.curve[0, ::-1], request.now.curve[0, ::-1]
-    return {
-        "position_m": _present(request).length - FROM_TIP[::-1],
-        "exit_speed_m_s": design,
-        "present_exit_speed_m_s": now,
-        "difference_m_s": design - now,
-        "contacts": request.bench.batter.weight[::-1],
-    }
+    place = _present(request).length - FROM_TIP[::-1]
+    return DesignCurves(place, design, now, design - now, request.bench.batter.weight[::-1])
 
 
-def gain(state: DesignState) -> dict[str, Any]:
+def gain(state: DesignState) -> DesignWorth:
     """Return the gain of the bat in this batter's hands beside wood that differs, in words and as a band."""
     request = asked(state)
     design = _designed(state, request)
-    words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
-    words += [*wall_words(design), effort_words(design)]
     tolerance = tolerance_words(design)
-    every = [*words, *([] if tolerance is None else [tolerance])]
-    band = REACH * design.gain.noise[::-1]
-    return {
-        "sentences": in_both_systems(every),
-        "noise_low_m_s": -band,
-        "noise_high_m_s": band,
-        "expected_m_s": design.gain.expected,
-        "half_interval_m_s": design.gain.doubt,
-        "likely_from_m_s": LIKELY * design.gain.spread,
-        "seen_from_m_s": CLEARLY * design.gain.spread,
-        "words": {verdict.name.lower(): verdict.value for verdict in GainVerdict},
-    }
+    words = gain_words(design) + ([] if tolerance is None else [tolerance])
+    own = numbers_of(state, request)[1]
+    gained, band = design.gain, REACH * design.gain.noise[::-1]
+    return DesignWorth(
+        gained=in_both_systems([gained_words(gained.expected if own else None, gained)]),
+        sentences=in_both_systems(words if own else []),
+        noise_low=-band,
+        noise_high=band,
+        expected=gained.expected,
+        half_interval=gained.doubt,
+        likely_from=LIKELY * gained.spread,
+        seen_from=CLEARLY * gained.spread,
+    )
 
 
 def _designed(state: DesignState, request: ShapedBat) -> Designed:
@@ -228,25 +320,23 @@ def _designed(state: DesignState, request: ShapedBat) -> Designed:
     return Designed(bench, question_of(state), front, 0, request.now, gain, bat, checks=checks, bent=None)
 
 
-def files(state: DesignState) -> dict[str, Any]:
+def files(state: DesignState) -> DesignFiles:
     """Return the bat's file and its drawings for the maker, in either system of units."""
     request = asked(state)
     numbers, shaped = numbers_of(state, request)
     bat, _ = _made(request, numbers, shaped=shaped)
     endings = ("svg", "dxf", "csv") if bat.shell is None else ()
-    return {
-        "toml": legible(bat_toml(bat), digits=ENOUGH),
-        **{
-            system: {ending: drawing(bat, ending, reader).decode() for ending in endings}
-            for system, reader in SYSTEMS.items()
-        },
+    drawings = {
+        system: {ending: drawing(bat, ending, reader).decode() for ending in endings}
+        for system, reader in SYSTEMS.items()
     }
+    return DesignFiles(legible(bat_toml(bat), digits=ENOUGH), drawings["us"], drawings["si"])
 
 
-def batter(state: DesignState) -> dict[str, Any]:
-    """Return the batter that swings, contacts or an answer of fit-player tell of: as fields of a state."""
+def batter(state: DesignState) -> BatterControls:
+    """Return the batter in a table of swings or contacts or an answer of fit-player, as fields of a state."""
     if state.swings_csv is None:
-        return {}
+        return BatterControls()
     if state.swings_csv.lstrip().startswith("{"):
         values = _of_file(state.swings_csv, "fit-player.json", fitted_player)
     elif "from_tip" in state.swings_csv.partition("\n")[0].lower():

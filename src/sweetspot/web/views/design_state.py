@@ -15,7 +15,7 @@ from sweetspot.analysis.certification.rules import League
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.designs.batter import Batter, normal_contact
-from sweetspot.designs.constraints import Limit, kept_limits, locked
+from sweetspot.designs.constraints import AS_IT_IS, Limit, kept_limits, locked
 from sweetspot.designs.gain import present_measured
 from sweetspot.designs.measures import Bench, MeasuredDesigns, bench_of
 from sweetspot.designs.pareto import DesignSearch
@@ -174,7 +174,7 @@ def _limits(state: DesignState) -> tuple[Limit, ...]:
 def locks_of(state: DesignState) -> tuple[Limit, ...]:
     """Return the limits that hold while a hand pulls."""
     locks = {measure for field, measure in LOCKS.items() if getattr(state, field)}
-    return tuple(limit for limit in limits_of(state) if limit.measure in locks and limit.why == "kept as it is")
+    return tuple(limit for limit in limits_of(state) if limit.measure in locks and limit.why == AS_IT_IS)
 
 
 def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
@@ -203,15 +203,23 @@ def question_of(state: DesignState) -> DesignSearch:
     return DesignSearch(wants, limits_of(state), seed=state.seed, generations=state.generations)
 
 
-def batter_controls(values: Mapping[str, float]) -> dict[str, float]:
-    """Return the parameters of a batter, m and m/s by the names of a player's parameters, as fields of a state."""
-    scales = {
-        "contact_in": ("position", INCH),
-        "contact_spread_in": ("position_spread", INCH),
-        "contact_doubt_in": ("position_doubt", INCH),
-        "miss_in": ("offset", INCH),
-        "miss_spread_in": ("offset_spread", INCH),
-        "bat_speed_mph": ("bat_speed", MPH),
-        "pitch_speed_mph": ("pitch_speed", MPH),
-    }
-    return {field: round(values[name] / size, 2) for field, (name, size) in scales.items() if name in values}
+@dataclass(frozen=True)
+class BatterControls:
+    """A batter as fields of a state; what is not known is left out."""
+
+    contact_in: float | None = None
+    contact_spread_in: float | None = None
+    contact_doubt_in: float | None = None
+    miss_in: float | None = None
+    miss_spread_in: float | None = None
+    bat_speed_mph: float | None = None
+    pitch_speed_mph: float | None = None
+
+
+def batter_controls(values: Mapping[str, float]) -> BatterControls:
+    """Return a batter's fields from parameters in m and m/s by the names of a player's parameters."""
+    names = ("position", "position_spread", "position_doubt", "offset", "offset_spread", "bat_speed", "pitch_speed")
+    sizes = (INCH, INCH, INCH, INCH, INCH, MPH, MPH)
+    return BatterControls(
+        *(round(values[name] / size, 2) if name in values else None for name, size in zip(names, sizes, strict=True))
+    )

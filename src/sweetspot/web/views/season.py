@@ -33,7 +33,7 @@ from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import bat_name, bat_text, option
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
-from sweetspot.web.views.design_state import batter_controls
+from sweetspot.web.views.design_state import BatterControls, batter_controls
 from sweetspot.web.views.season_work import (
     Handed,
     ListedPlayer,
@@ -238,14 +238,14 @@ def player(state: SeasonState) -> ReadDocument | None:
         return page_document(player_page(_answer(folder).player(state.batter)))
 
 
-def contacts(state: SeasonState) -> dict[str, float]:
+def contacts(state: SeasonState) -> BatterControls:
     """Return the chosen player's contact place and swing speed, as controls of the view Design."""
     from sweetspot.designs.batter import contacts_at
     from sweetspot.seasons.ball_maps import contact_places
 
     folder = _folder(state)
     if folder is None or state.batter is None:
-        return {}
+        return BatterControls()
     with about("batter"):
         contacts = contacts_at(contact_places(folder, state.batter))
     values = {

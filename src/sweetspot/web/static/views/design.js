@@ -6,11 +6,13 @@ import { unchanged } from "../bat/unchanged.js";
 import { Chart } from "../charts/chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls/controls.js";
 import { download } from "../shell/download.js";
-import { Lights, beside, showRules } from "../controls/lights.js";
-import { make, paragraphs, tableOf, tell, withDoubt, write } from "../controls/parts.js";
+import { Lights, showRules } from "../controls/lights.js";
+import { make, paragraphs, tableOf, tell, write } from "../controls/parts.js";
 import { Front, WANTS } from "./design_front.js";
 import { grouped } from "../controls/units.js";
-/** @import { Answer, App, Control, State, Step, View } from "../shell/main.js" */
+/** @import { DesignLight, DesignPicture, ShapedNumber, Station } from "../answers.js" */
+/** @import { Light } from "../controls/lights.js" */
+/** @import { App, Control, State, Step, View } from "../shell/main.js" */
 
 const LONGEST = 40000;
 /** @type {Record<string, number>} */
@@ -26,21 +28,7 @@ const PANELS = [
 ];
 /** @type {Record<string, string>} */
 const CHANGES = { speed: "speed_change", place: "length" }; // how a change is shown where it is shown otherwise
-// One of the bat's numbers as a control calls it, with the ending that tells its unit.
-const key = (/** @type {{ name: string, ending: string }} */ { name, ending }) => `${name}${ending || "_ratio"}`;
-const capital = (/** @type {string} */ words) => words[0].toUpperCase() + words.slice(1);
 const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv", "swings_of"]; // what the gain does not depend on
-
-// What of a gain can be said: seen only where the interval clearly leaves zero out; a loss alike.
-/**
- * @param {number} change
- * @param {{ words: Record<string, string>, seen_from_m_s: number, likely_from_m_s: number }} given
- */
-function verdictOf(change, { words, seen_from_m_s: clearly, likely_from_m_s: likely }) {
-  if (Math.abs(change) > clearly) return change > 0 ? words.seen : words.loss;
-  if (Math.abs(change) > likely) return change > 0 ? words.likely : words.likely_loss;
-  return words.hidden;
-}
 
 /** @type {View<"design">} */
 export const view = {
@@ -53,7 +41,7 @@ export const view = {
   ],
 
   mount(root, app) {
-    Object.assign(this, { app, answer: null, sure: null, base: null, own: [] });
+    Object.assign(this, { app, answer: null, worth: null, noise: null, base: null, own: [] });
     this.bench = new Bench(app, { open: false });
     this.picture = new BatView(app, { onBall() {}, onStations: (stations, { last }) => this.pulled(stations, last), label: "The bat that is shaped" });
     this.picture.drawing = true;
@@ -170,14 +158,14 @@ export const view = {
    */
   pull(index, value, options) {
     if (!this.answer) return;
-    if (this.base?.index !== index) this.base = { index, numbers: this.answer.variables.map((/** @type {Answer} */ one) => one.value) };
-    const numbers = this.base.numbers.map((/** @type {Answer} */ one, /** @type {number} */ i) => (i === index ? value : one));
+    if (this.base?.index !== index) this.base = { index, numbers: this.answer.variables.map(({ value: present }) => present) };
+    const numbers = this.base.numbers.map((/** @type {number} */ number, /** @type {number} */ i) => (i === index ? value : number));
     this.app.setState({ design_si: numbers, design_for: this.answer.key, pulled: index }, options);
     if (options?.commit !== false) this.base = null;
   },
 
   /**
-   * @param {Answer[]} stations
+   * @param {Station[]} stations
    * @param {boolean} last
    */
   pulled(stations, last) {
@@ -192,15 +180,15 @@ export const view = {
   },
 
   // A slider a number, for the keyboard and for what has no handle; made anew where another kind of bat has others.
-  /** @param {Answer[]} variables */
+  /** @param {ShapedNumber[]} variables */
   sliders(variables) {
-    const names = variables.map(({ name, low, high }) => `${name} ${low} ${high}`).join();
+    const names = variables.map(({ key, low, high }) => `${key} ${low} ${high}`).join();
     if (names !== this.made) {
       this.made = names;
       this.own = [];
       const { app } = this;
       const inner = {
-        schema: Object.fromEntries(variables.map((one) => [key(one), { minimum: one.low, maximum: one.high }])),
+        schema: Object.fromEntries(variables.map(({ key, low, high }) => [key, { minimum: low, maximum: high }])),
         get units() { return app.units; },
         commit: (/** @type {Step} */ options) => {
           this.base = null;
@@ -209,13 +197,12 @@ export const view = {
         control: (/** @type {Control} */ control) => this.own.push(control),
         setState: (/** @type {State} */ partial, /** @type {Step} */ options) => {
           const [[name, value]] = Object.entries(partial);
-          this.pull(this.answer.variables.findIndex((/** @type {Answer} */ one) => key(one) === name), value, options);
+          this.pull(this.answer.variables.findIndex(({ key }) => key === name), value, options);
         },
       };
-      this.numbers.replaceChildren(...variables.map((one) => slider(inner, key(one), {
-        label: () => capital(one.from_tip_m === null ? one.label : `${one.label} ${app.text("place", one.from_tip_m)} from the tip`), step: STEPS[one.scale] ?? (one.high - one.low) / 100 })));
+      this.numbers.replaceChildren(...variables.map(({ key, label, scale, low, high }) => slider(inner, key, { label: () => label[app.units], step: STEPS[scale] ?? (high - low) / 100 })));
     }
-    const state = Object.fromEntries(variables.map((one) => [key(one), one.value]));
+    const state = Object.fromEntries(variables.map(({ key, value }) => [key, value]));
     for (const control of this.own) control.sync(state);
   },
 
@@ -224,77 +211,65 @@ export const view = {
     const { app } = this;
     this.bench.update(answer);
     this.sliders(answer.variables);
-    const { design, curves } = answer;
+    const { design } = answer;
     this.picture.draw({ bat: design, ghost: answer.present });
-    this.draw(curves, design);
     this.light(answer);
     this.compare(answer);
-    this.front.draw(answer.key, answer.own ? answer.variables.map((/** @type {Answer} */ { value }) => value) : null);
+    this.front.draw(answer.key, answer.own ? answer.variables.map(({ value }) => value) : null);
     const note = [...answer.left_out, design.stations.length ? "Dashed: the present bat. Pull a round handle." : "Dashed: the present bat. A hollow bat's wall is changed by “The bat's numbers” among the controls."].join(" ");
     write(this.note, note);
-    for (const one of this.drawings) one.hidden = design.hollow;
+    for (const file of this.drawings) file.hidden = design.hollow;
+    this.worth = null; // of the bat before
+    this.draw(answer);
     this.say();
     this.gain.ariaBusy = "true";
     app.aside("gain", ELSEWHERE, 120, (found) => {
-      this.sure = found;
-      this.draw(this.answer.curves, this.answer.design);
+      this.worth = this.noise = found;
+      this.draw(this.answer);
       this.say();
     });
   },
 
-  /**
-   * @param {Answer} curves
-   * @param {Answer} design
-   */
-  draw(curves, design) {
-    const lines = { ...curves, nothing: curves.position_m.map(() => 0), ...(this.sure ?? { noise_low_m_s: [], noise_high_m_s: [] }) };
-    const [least, most] = [curves.position_m[0], design.length_m];
-    this.chart.draw({ x: curves.position_m, lines, range: [least, most] });
+  /** @param {DesignPicture} answer */
+  draw({ curves, design }) {
+    const noise = this.noise ?? { noise_low_m_s: [], noise_high_m_s: [] };
+    const lines = { ...curves, nothing: curves.position_m.map(() => 0), ...noise };
+    this.chart.draw({ x: curves.position_m, lines, range: [curves.position_m[0], design.length_m] });
   },
 
-  /** @param {{ locks: Answer[], rules: Answer[], limits: Answer[] }} given */
+  /** @param {DesignPicture} answer */
   light({ locks, rules, limits }) {
-    const { app } = this;
-    const words = (/** @type {Answer} */ { scale, value, least, most, kept, miss, why }) => `${beside({ value, least, most }, (one) => app.text(scale, one))}${kept ? "" : `, beyond by ${app.text(scale, miss)}`}${why === "kept as it is" ? "" : ` (${why})`}`;
-    const lamp = (/** @type {Answer} */ one) => ({ state: one.kept ? "pass" : "fail", name: one.label, words: words(one) });
+    const lamp = (/** @type {DesignLight} */ { label, kept, words }) => ({ state: /** @type {Light} */ (kept ? "pass" : "fail"), name: label, words: words[this.app.units] });
     this.lights.locks.show(locks.map(lamp));
-    this.lights.limits.show(limits.filter(({ why, kept }) => !kept || !rules.some(({ league_name: name }) => name === why)).map(lamp));
-    showRules(this.lights.rules, rules, app);
+    this.lights.limits.show(limits.map(lamp));
+    showRules(this.lights.rules, rules, this.app);
   },
 
-  /** @param {{ measures: Answer[] }} given */
+  /** @param {DesignPicture} answer */
   compare({ measures }) {
-    const show = (/** @type {string} */ scale, /** @type {number} */ value, sign = false) => {
+    const show = (/** @type {string} */ scale, /** @type {number | null} */ value, sign = false) => {
       const words = this.app.text(sign ? CHANGES[scale] ?? scale : scale, value, scale === "contact" ? 2 : undefined);
-      return sign && value > 0 && Number.parseFloat(words) !== 0 ? `+${words}` : words;
+      return sign && value !== null && value > 0 && Number.parseFloat(words) !== 0 ? `+${words}` : words;
     };
     this.app.afterwards(this.beside, () => this.beside.replaceChildren(tableOf("Beside the present bat", ["Measure", "present", "this bat", "change"],
       measures.map(({ label, scale, present, value, change }) => [label, show(scale, present), show(scale, value), show(scale, change, true)]))));
   },
 
-  // First what is gained over this batter's contacts, and whether anybody could see it.
+  // First what is gained over this batter's contacts and, once that is known, whether anybody could see it.
   say() {
-    const { answer, app, sure } = this;
-    const of = (/** @type {string} */ name) => answer.measures.find((/** @type {Answer} */ one) => one.name === name);
-    const speed = of("exit_speed");
-    const change = `${app.text("speed_change", Math.abs(speed.change))} ${speed.change >= 0 ? "faster" : "slower"}`;
-    const seen = sure ? `: ${verdictOf(speed.change, sure)}` : "";
-    const doubt = sure ? `, give or take ${app.text("speed_change", sure.half_interval_m_s)} (90 %)` : "";
-    const design = answer.design;
-    const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still: pull a round handle, or let the search find better.";
-    const words = `${gained} ` +
-      `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${withDoubt("moi_kg_m2", design.moi_6in_kg_m2, design.moi_6in_half_kg_m2, app)}.`;
+    const { answer, app: { units }, worth } = this;
+    const words = [...(worth ?? answer).gained[units], ...answer.weighs[units]].join(" ");
     tell(this.words, words);
-    app.announce(words);
-    this.picture.label(`The bat that is shaped, its handles, and dashed the present one. ${this.words.textContent} The bat's numbers change it by keyboard.`);
-    this.chart.label(`Exit speed along the bat and what it gains on the present one. ${this.words.textContent}`);
-    if (sure) {
-      paragraphs(this.gain, answer.own ? sure.sentences[app.units] : []); // of the present bat's own smooth copy there is nothing to tell
+    this.app.announce(words);
+    this.picture.label(`The bat that is shaped, its handles, and dashed the present one. ${words} The bat's numbers change it by keyboard.`);
+    this.chart.label(`Exit speed along the bat and what it gains on the present one. ${words}`);
+    if (worth) {
+      paragraphs(this.gain, worth.sentences[units]);
       this.gain.ariaBusy = "false";
     }
   },
 
-  unmount() { Object.assign(this, { answer: null, sure: null, base: null, made: null }); },
+  unmount() { Object.assign(this, { answer: null, worth: null, noise: null, base: null, made: null }); },
   figures() { return [this.picture.figure("bat"), this.chart.figure("curves"), ...(this.front.found ? [this.front.surface.figure("front")] : [])]; },
   table() { return this.app.answer.curves; },
 };

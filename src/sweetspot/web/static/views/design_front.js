@@ -5,7 +5,9 @@ import { longWork } from "../shell/longwork.js";
 import { make, tableOf, write } from "../controls/parts.js";
 import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
 import { fromShown, toShown, unitOf } from "../controls/units.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { DesignFront, FrontBat } from "../answers.js" */
+/** @import { Point } from "../charts/surface.js" */
+/** @import { App, State } from "../shell/main.js" */
 
 const LEFT = 56, RIGHT = 18, TOP = 14, FOOT = 40, TALL = 300, SMALL = 64, THICK = 2.2;
 /** @type {Record<string, [string, string]>} */
@@ -19,7 +21,12 @@ export class Front {
   constructor(app, /** @type {{ onTake: (numbers: number[]) => void, state: () => State }} */ { onTake, state }) {
     this.app = app;
     this.onTake = onTake;
+    /** @type {DesignFront | null} */
     this.found = null;
+    /** @type {string | undefined} */
+    this.key = undefined;
+    /** @type {number[] | null} */
+    this.numbers = null;
     this.work = longWork("design/search");
     this.words = make("p", { className: "note" });
     this.words.setAttribute("role", "status");
@@ -39,10 +46,7 @@ export class Front {
   }
 
   // key: of the bat on the bench; a front of another bat is no longer shown.
-  /**
-   * @param {string} key
-   * @param {number[] | null} numbers
-   */
+  /** @param {string} key @param {number[] | null} numbers */
   draw(key, numbers) {
     this.key = key;
     this.numbers = numbers;
@@ -83,116 +87,97 @@ export class Front {
     if (this.table.open) this.fill();
   }
 
-  axes() {
-    const [x, y = "moi"] = this.found.wants;
-    return [x, y];
-  }
-
-  /** @param {number} width */
-  place(width) {
-    const [x, y] = this.axes();
-    const { front, present } = this.found;
+  // How the plane of the two wants lies on the picture: names, ranges, and from a value to a pixel.
+  /** @param {DesignFront} found @param {number} width */
+  plane({ wants: [x, y = "moi"], front, present }, width) {
     const span = (/** @type {string} */ name) => {
-      const values = front.map((/** @type {Answer} */ { values: own }) => own[name]);
+      const values = front.map((bat) => bat.values[name]);
       if (present[name] !== undefined) values.push(present[name]);
       const [least, most] = [Math.min(...values), Math.max(...values)];
       const room = 0.14 * (most - least) || 0.02 * Math.abs(most) || 1;
       return [least - room, most + room];
     };
     const [[left, right], [low, high]] = [span(x), span(y)];
-    return {
-      x: [left, right], y: [low, high],
-      across: (/** @type {number} */ value) => LEFT + ((value - left) / (right - left)) * (width - LEFT - RIGHT),
-      up: (/** @type {number} */ value) => TALL - FOOT - ((value - low) / (high - low)) * (TALL - FOOT - TOP),
-    };
+    const across = (/** @type {number} */ value) => LEFT + ((value - left) / (right - left)) * (width - LEFT - RIGHT);
+    const up = (/** @type {number} */ value) => TALL - FOOT - ((value - low) / (high - low)) * (TALL - FOOT - TOP);
+    const place = (/** @type {Record<string, number>} */ values) => /** @type {Point} */ ([across(values[x]), up(values[y])]);
+    return { x, y, ranges: { [x]: [left, right], [y]: [low, high] }, across, up, place };
   }
 
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   pick(x, y) {
     if (!this.found) return false;
-    const [one, other] = this.axes();
-    const { across, up } = this.place(this.surface.width);
-    const far = this.found.front.map((/** @type {Answer} */ { values }) => Math.hypot(across(values[one]) - x, 2 * (up(values[other]) - y)));
+    const { place } = this.plane(this.found, this.surface.width);
+    const far = this.found.front.map(({ values }) => Math.hypot(place(values)[0] - x, 2 * (place(values)[1] - y)));
     const nearest = far.indexOf(Math.min(...far));
     if (far[nearest] > 45) return false;
     this.onTake(this.found.front[nearest].numbers);
     return true;
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width */
   paint(context, width) {
     if (!this.found) return;
     const { colors, units } = this.app;
-    const [x, y] = this.axes();
-    const place = this.place(width);
-    Object.assign(context, { font: `11px ${FONT}`, strokeStyle: colors.grid, lineWidth: 1 });
-    for (const [name, range, level] of [[x, place.x, false], [y, place.y, true]]) {
-      const kind = WANTS[name][0];
-      for (const value of ticks(toShown(kind, range[0], units), toShown(kind, range[1], units), level ? 5 : width / 110)) {
-        const at = fromShown(kind, value, units);
-        context.beginPath();
-        context.fillStyle = colors.muted;
-        if (level) {
-          Object.assign(context, { textAlign: "right", textBaseline: "middle" });
-          context.moveTo(LEFT, place.up(at));
-          context.lineTo(width - RIGHT, place.up(at));
-          context.fillText(String(value), LEFT - 6, place.up(at));
-        } else {
-          Object.assign(context, { textAlign: "center", textBaseline: "top" });
-          context.moveTo(place.across(at), TOP);
-          context.lineTo(place.across(at), TALL - FOOT);
-          context.fillText(String(value), place.across(at), TALL - FOOT + 4);
-        }
-        context.stroke();
-      }
+    const { x, y, ranges, across, up, place } = this.plane(this.found, width);
+    Object.assign(context, { font: `11px ${FONT}`, strokeStyle: colors.grid, lineWidth: 1, fillStyle: colors.muted });
+    const marks = (/** @type {string} */ name, /** @type {number} */ count) => {
+      const [[kind], [least, most]] = [WANTS[name], ranges[name]];
+      return ticks(toShown(kind, least, units), toShown(kind, most, units), count).map((value) => /** @type {[string, number]} */ ([String(value), fromShown(kind, value, units)]));
+    };
+    const rule = (/** @type {Point} */ from, /** @type {Point} */ to) => {
+      context.beginPath();
+      context.moveTo(...from);
+      context.lineTo(...to);
+      context.stroke();
+    };
+    Object.assign(context, { textAlign: "right", textBaseline: "middle" });
+    for (const [words, value] of marks(y, 5)) {
+      rule([LEFT, up(value)], [width - RIGHT, up(value)]);
+      context.fillText(words, LEFT - 6, up(value));
     }
-    Object.assign(context, { textAlign: "right", textBaseline: "alphabetic", fillStyle: colors.muted });
+    Object.assign(context, { textAlign: "center", textBaseline: "top" });
+    for (const [words, value] of marks(x, width / 110)) {
+      rule([across(value), TOP], [across(value), TALL - FOOT]);
+      context.fillText(words, across(value), TALL - FOOT + 4);
+    }
+    Object.assign(context, { textAlign: "right", textBaseline: "alphabetic" });
     context.fillText(`${WANTS[x][1]}, ${unitOf(WANTS[x][0], units)} →`, width - RIGHT, TALL - 8);
-    Object.assign(context, { textAlign: "left" });
+    context.textAlign = "left";
     context.fillText(`↑ ${WANTS[y][1]}, ${unitOf(WANTS[y][0], units)}`, LEFT + 4, TOP + 4);
-    this.paintBats(context, place, x, y);
+    this.paintBats(context, this.found.front, place);
     const { present } = this.found;
     if (present[x] === undefined || present[y] === undefined) return;
-    const [px, py] = [place.across(present[x]), place.up(present[y])];
+    const [px, py] = place(present);
+    const side = px > width / 2 ? -8 : 8;
     context.fillStyle = colors.ink;
     context.fillRect(px - 4, py - 4, 8, 8);
-    Object.assign(context, { textAlign: px > width / 2 ? "right" : "left", textBaseline: "middle", font: `12px ${FONT}` });
-    haloText(context, "present bat", px + (px > width / 2 ? -8 : 8), py, colors.ink, colors.panel);
+    Object.assign(context, { textAlign: side < 0 ? "right" : "left", textBaseline: "middle", font: `12px ${FONT}` });
+    haloText(context, "present bat", px + side, py, colors.ink, colors.panel);
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Answer} place
-   * @param {number} x
-   * @param {number} y
-   */
-  paintBats(context, place, x, y) {
+  /** @param {CanvasRenderingContext2D} context @param {FrontBat[]} front @param {(values: Record<string, number>) => Point} place */
+  paintBats(context, front, place) {
     const { colors } = this.app;
-    /** @type {number[][]} */
+    /** @type {Point[]} */
     const drawn = [];
     const chosen = this.chosen();
-    this.found.front.forEach((/** @type {{ values: number[], outline: Answer }} */ { values, outline }, /** @type {number} */ row) => {
-      const [px, py] = [place.across(values[x]), place.up(values[y])];
+    front.forEach(({ values, outline }, row) => {
+      const [px, py] = place(values);
       const hidden = row !== chosen && drawn.some(([a, b]) => Math.abs(a - px) < SMALL * 0.8 && Math.abs(b - py) < 16);
       context.fillStyle = row === chosen ? colors.red : colors.blue;
+      context.beginPath();
       if (hidden || !outline) {
-        context.beginPath();
         context.arc(px, py, row === chosen ? 6 : 3, 0, 2 * Math.PI);
         context.fill();
         return;
       }
       drawn.push([px, py]);
       const { position_m: along, diameter_m: wide } = outline;
-      const scale = SMALL / along.at(-1);
-      context.beginPath();
-      along.forEach((/** @type {number} */ at, /** @type {number} */ i) => context.lineTo(px - SMALL / 2 + at * scale, py - (wide[i] / 2) * scale * THICK));
-      [...along.keys()].reverse().forEach((i) => context.lineTo(px - SMALL / 2 + along[i] * scale, py + (wide[i] / 2) * scale * THICK));
+      const scale = SMALL / along[along.length - 1];
+      const edge = (/** @type {number} */ i, /** @type {number} */ side) => context.lineTo(px - SMALL / 2 + along[i] * scale, py + (side * wide[i] / 2) * scale * THICK);
+      along.forEach((_, i) => edge(i, -1));
+      along.forEach((_, i) => edge(along.length - 1 - i, 1));
       context.closePath();
       context.fill();
       context.strokeStyle = colors.panel;
@@ -202,22 +187,23 @@ export class Front {
 
   // Which bat of the front lies on the bench: none of its numbers is far off.
   chosen() {
-    const { numbers: own } = this;
-    if (!own) return -1;
-    return this.found.front.findIndex((/** @type {{ numbers: number[] }} */ { numbers }) => numbers.every((one, i) => Math.abs(one - own[i]) <= 1e-6 * Math.abs(one) + 1e-12));
+    const present = this.numbers;
+    if (!present || !this.found) return -1;
+    return this.found.front.findIndex(({ numbers }) => numbers.every((number, i) => Math.abs(number - present[i]) <= 1e-6 * Math.abs(number) + 1e-12));
   }
 
   fill() {
     this.table.querySelector(".scroll")?.remove();
     if (!this.table.open || !this.found) return;
-    const names = [...new Set([...this.found.wants, "best_from_tip", "mass", "moi"])];
+    const { wants, front } = this.found;
+    const names = [...new Set([...wants, "best_from_tip", "mass", "moi"])];
     /** @type {typeof WANTS} */
     const heads = { best_from_tip: ["place", "best place from the tip"], mass: ["mass", "weight"], ...WANTS };
     const chosen = this.chosen();
-    const box = tableOf("The front", ["Bat", ...names.map((name) => heads[name][1]), "take it"], this.found.front.map((/** @type {Answer} */ { values }, /** @type {number} */ row) => (
+    const box = tableOf("The front", ["Bat", ...names.map((name) => heads[name][1]), "take it"], front.map(({ values }, row) => (
       [`${row + 1}${row === chosen ? " (taken)" : ""}`, ...names.map((name) => this.app.text(heads[name][0], values[name])), ""])));
     box.querySelectorAll("tbody tr").forEach((row, i) => {
-      const take = button("Take", () => this.onTake(this.found.front[i].numbers));
+      const take = button("Take", () => this.onTake(front[i].numbers));
       take.setAttribute("aria-label", `Take bat ${i + 1}`);
       row.lastElementChild?.replaceChildren(take);
     });
