@@ -23,7 +23,7 @@ from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.reduction import all_modes
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
@@ -65,10 +65,9 @@ def true_speed(beam: BeamModel, conditions: Conditions, law: SwingLaw, *, refere
     ----------
     reference : moment of inertia about the law's axis with which the bat is swung as given, kg m^2.
     """
-    body, places = rigid_body(beam), barrel_places(beam.bat)
-    modes = all_modes(beam, conditions.ball)
-    hit = scan(beam.bat, body=body, modes=modes, conditions=conditions, positions=places)
-    ratio = law.speed_ratio(body.moi(law.axis), reference_moi=reference)
+    reduced, places = ReducedBat.of_beam(beam, conditions.ball), barrel_places(beam.bat)
+    hit = scan(reduced, conditions, places)
+    ratio = law.speed_ratio(reduced.body.moi(law.axis), reference_moi=reference)
     bat = ratio * conditions.swing.angular_speed * (places - conditions.swing.pivot)
     efficiency = hit.collision_efficiency
     return float(np.max(efficiency * conditions.pitch.speed + (1 + efficiency) * bat))

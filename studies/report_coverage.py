@@ -25,8 +25,7 @@ from sweetspot.analysis.position_scan import scan
 from sweetspot.answers.hit import HitAnswer, HitQuestion, hit_answer
 from sweetspot.calibration.unknowns import as_described, deviated
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.dynamics.reduction import all_modes
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -59,9 +58,9 @@ def truths(analysis: Analysis[Implement], sources: Sources, count: int, seed: in
         by = dict(zip(sources.names[of_bat:], row[of_bat:].tolist(), strict=True))
         of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): value for name, value in by.items() if OF_BALL in name}
         ball = conditions.ball.deviated(of_ball)
-        modes, body = all_modes(bat, ball, patch_factor=float(np.exp(by.get(PATCH, 0.0)))), rigid_body(bat)
-        hit = scan(bat.bat, body=body, modes=modes, conditions=conditions.replaced(ball=ball), positions=place)
-        rows.append((hit.exit_speed[0], hit.collision_efficiency[0], hit.bbcor[0], body.moi(STANDARD_AXIS)))
+        reduced = ReducedBat.of_beam(bat, ball, patch_factor=float(np.exp(by.get(PATCH, 0.0))))
+        hit = scan(reduced, conditions.replaced(ball=ball), place)
+        rows.append((hit.exit_speed[0], hit.collision_efficiency[0], hit.bbcor[0], reduced.body.moi(STANDARD_AXIS)))
     return dict(zip(TOLD, np.array(rows).T, strict=True))
 
 

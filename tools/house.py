@@ -192,16 +192,30 @@ def dictionaries_of_a_hit() -> set[str]:
     return found
 
 
-def steps_of_a_bat(words: list[str]) -> int:
-    """Return how many functions of the package are handed the bat while a command answers."""
-    steps = set()
+def steps_of_a_bat(words: list[str]) -> tuple[int, int]:
+    """Return how many functions are handed the bat while a command answers, and how many of these calls climb a layer.
+
+    The bat's own methods and properties are not counted: nobody hands it to itself. A call climbs where the function
+    that takes the bat stands in a higher layer of `LAYERS` in tests/test_architecture.py than the one that calls it.
+    """
+    steps: set[tuple[str, str]] = set()
+    climbs: set[tuple[str, str]] = set()
 
     def look(frame: FrameType, event: str, _: object) -> None:
         code = frame.f_code
-        if event == "call" and code.co_filename.startswith(str(PACKAGE)):
-            given = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-            if any(isinstance(frame.f_locals.get(name), Implement) for name in given):
-                steps.add((code.co_filename, code.co_qualname))
+        if event != "call" or not code.co_filename.startswith(str(PACKAGE)):
+            return
+        handed = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+        if not handed or isinstance(frame.f_locals.get("self"), Implement):
+            return
+        if any(isinstance(frame.f_locals.get(name), Implement) for name in handed):
+            step = (code.co_filename, code.co_qualname)
+            steps.add(step)
+            caller = frame.f_back
+            while caller is not None and not caller.f_code.co_filename.startswith(str(PACKAGE)):
+                caller = caller.f_back
+            if caller is not None and _layer(code.co_filename) < _layer(caller.f_code.co_filename):
+                climbs.add(step)
 
     sys.setprofile(look)
     try:
@@ -211,7 +225,24 @@ def steps_of_a_bat(words: list[str]) -> int:
         pass
     finally:
         sys.setprofile(None)
-    return len(steps)
+    return len(steps), len(climbs)
+
+
+def _layer(path: str) -> int:
+    """Return the place of a file of the package in the list of layers, from the top down."""
+    name = Path(path).relative_to(PACKAGE).with_suffix("").parts[0]
+    return next((rank for rank, layer in enumerate(_layers()) if name in layer), len(_layers()))
+
+
+@cache
+def _layers() -> list[set[str]]:
+    """Return the layers of the package as the test of its imports has them."""
+    tree = parsed((ROOT / "tests" / "test_architecture.py").read_text("utf-8"))
+    listed = (
+        node.value for node in tree.body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "LAYERS"
+    )
+    layers: list[set[str]] = ast.literal_eval(next(listed))
+    return layers
 
 
 def measures() -> Iterator[Measure]:
@@ -237,8 +268,10 @@ def measures() -> Iterator[Measure]:
     yield Measure("tests with asserts under an `if`", len(conditional_asserts()), 0)
     yield Measure(f"bindings named {', '.join(sorted(BANNED))}", sum(banned_bindings().values()), 0)
     yield Measure("words of the house's dialect in its texts", sum(house_words().values()), 0)
-    yield Measure("functions that `report` hands its bat to", steps_of_a_bat(["report", "r161-ash"]))
-    yield Measure("functions that `hit` hands its bat to", steps_of_a_bat(["hit", "r161-ash", "--at", "6in-from-tip"]))
+    for goal, words in ((25, ["report", "r161-ash"]), (12, ["hit", "r161-ash", "--at", "6in-from-tip"])):
+        steps, climbs = steps_of_a_bat(words)
+        yield Measure(f"functions that `{words[0]}` hands its bat to", steps, goal)
+        yield Measure(f"layers that the bat of `{words[0]}` climbs", climbs, 3)
 
 
 def main() -> None:

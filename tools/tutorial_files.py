@@ -23,7 +23,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.cli import main as run
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.reduction import all_modes
+from sweetspot.dynamics.reduction import ReducedBat, all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions
@@ -74,9 +74,7 @@ def dozen() -> str:
 
 def efficiency(beam: BeamModel, conditions: Conditions, places: Array) -> Array:
     """Return q at places in m from the knob end."""
-    modes = all_modes(beam, conditions.ball)
-    hit = scan(beam.bat, body=rigid_body(beam), modes=modes, conditions=conditions, positions=places)
-    return hit.collision_efficiency
+    return scan(ReducedBat.of_beam(beam, conditions.ball), conditions, places).collision_efficiency
 
 
 def swings(seed: int, *, count: int, speed: float) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -63,7 +64,7 @@ def test_a_stiff_wall_is_a_solid_bat(quicker: float) -> None:
     conditions = standard_conditions(bat)
     stiff = with_wall_factor(bat, 1.0)
     result = analyse(stiff, conditions)
-    solid = scan(bat, body=result.body, modes=bending_modes(result.beam), conditions=conditions)
+    solid = scan(replace(result.held, modes=bending_modes(result.beam)), conditions)
     hoop = result.modes.of_family("hoop")
     harder = result.modes.selected(list(range(len(result.modes))))
     scaled = Modes(
@@ -72,7 +73,7 @@ def test_a_stiff_wall_is_a_solid_bat(quicker: float) -> None:
         harder.damping_rate, harder.shapes, harder.rigid_part, harder.dashpots,
         compliances=bending_modes(result.beam).compliances,
     )  # fmt: skip
-    with_stiff_wall = scan(bat, body=result.body, modes=scaled, conditions=conditions)
+    with_stiff_wall = scan(replace(result.held, modes=scaled), conditions)
     assert with_stiff_wall.exit_speed == pytest.approx(solid.exit_speed, rel=0, abs=4 / quicker**2)  # m/s
     assert wall_stiffness_at(bending_modes(result.beam), 0.7) == math.inf
 

@@ -18,7 +18,7 @@ from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.reduction import all_modes
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -57,10 +57,7 @@ def test_the_sum_against_recomputed_bats(response: EfficiencyResponse, beam: Bea
     doubt = np.sqrt(response.spreads**2 @ response.slopes[:, AT] ** 2)
     for off in np.random.default_rng(5).multivariate_normal(np.zeros(len(unknowns)), covariance, size=8):
         other = deviated(beam, unknowns, off)
-        direct = scan(
-            other.bat, body=rigid_body(other), modes=all_modes(other, conditions.ball), conditions=conditions,
-            positions=PLACES,
-        ).collision_efficiency  # fmt: skip
+        direct = scan(ReducedBat.of_beam(other, conditions.ball), conditions, PLACES).collision_efficiency
         every = np.concatenate([off, np.zeros(len(response.spreads) - len(off))])
         assert np.max(np.abs(response.at(every[None])[0] - direct)) < 0.1 * doubt
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, linear_limit, material_at
+from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, linear_limit
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.designs.batter import FROM_TIP
 from sweetspot.designs.constraints import Limit
@@ -34,7 +34,7 @@ def single_hits(bench: Bench) -> float:
     assert isinstance(bat, Bat)
     margins = []
     for _, strains in usual_strains(bench, bat):
-        borne = borne_strain(material_at(bat, strains.handle_position))
+        borne = borne_strain(bat.material_at(strains.handle_position))
         assert borne is not None
         margins.append(borne / strains.handle_strain)
         if strains.wall_strain is not None and strains.wall_limit is not None:

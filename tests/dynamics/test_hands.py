@@ -12,10 +12,9 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.collision.free_motion import modal_propagator_of, moved
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.hands import check_hands, held_modes
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.reduction import all_modes, bending_modes
 from sweetspot.equipment.bat import Bat
-from sweetspot.errors import InputError
 from sweetspot.motion.swing import Hands
 
 
@@ -114,11 +113,6 @@ def test_overdamped_motion_is_exact(r161: Bat) -> None:
     assert damped.damping_ratio.max() > 1 > damped.damping_ratio[2]
     half, full = modal_propagator_of(damped, 1e-5), modal_propagator_of(damped, 2e-5)
     assert half @ half == pytest.approx(full, rel=1e-9, abs=1e-9)
-
-
-def test_hands_off_the_bat_are_refused(r161: Bat) -> None:
-    with pytest.raises(InputError, match=r"hand position is 0.9 m \(35.43 in\)"):
-        check_hands(r161, Hands(position=0.9))
 
 
 def test_springs_of_the_hands_are_in_the_frequencies(r161: Bat) -> None:

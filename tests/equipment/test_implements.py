@@ -22,7 +22,7 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, FaceOutline, StringBed
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
-from sweetspot.equipment.implement import Implement, check_lateral, check_on_face
+from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.mass_fit import maximum_entropy_mass
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.section import of_oval_tube, of_walls
@@ -221,17 +221,17 @@ def test_where_on_a_face_a_ball_can_meet_it(r161: Bat) -> None:
     face = racket.outline
     assert face is not None
     middle = (face.start + face.end) / 2
-    check_on_face(racket, middle)
-    check_on_face(r161, 0.01)  # any place of a round bat
+    racket.check_on_face(middle)
+    r161.check_on_face(0.01)  # any place of a round bat
     for place in (face.start - 0.01, face.end + 0.01):
         with pytest.raises(InputError, match=r"off the face of .*--force"):
-            check_on_face(racket, place, "--at")
-    check_lateral(racket, middle, 0.45 * face.width)
-    check_lateral(r161, 0.7, 0.0)
+            racket.check_on_face(place, "--at")
+    racket.check_lateral(middle, 0.45 * face.width)
+    r161.check_lateral(0.7, 0.0)
     with pytest.raises(InputError, match="is round"):
-        check_lateral(r161, 0.7, 0.01)
+        r161.check_lateral(0.7, 0.01)
     for aside in (-0.51 * face.width, math.nan, math.inf):
         with pytest.raises(InputError, match="beside the line"):
-            check_lateral(racket, middle, aside)
+            racket.check_lateral(middle, aside)
     with pytest.raises(InputError, match="beside the line"):
-        check_lateral(racket, face.end - 0.001, 0.45 * face.width)  # the corner of an oval
+        racket.check_lateral(face.end - 0.001, 0.45 * face.width)  # the corner of an oval

@@ -11,7 +11,6 @@ import pytest
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.ball import Ball, RestitutionLaw, stiffness_from_peak_force
 from sweetspot.equipment.bat import Bat, Bore
-from sweetspot.equipment.implement import check_position
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Hands, Pitch, Swing
@@ -97,10 +96,10 @@ def test_verbs_return_new_bats(ash: Material) -> None:
 
 
 def test_positions_off_the_bat(ash: Material) -> None:
-    check_position(bat(ash), 0.84)
+    bat(ash).check_position(0.84)
     for place in (-0.01, 0.85, math.nan, math.inf):
         with pytest.raises(InputError, match="off the bat"):
-            check_position(bat(ash), place)
+            bat(ash).check_position(place)
 
 
 def test_material() -> None:

@@ -42,7 +42,7 @@ def analysed(request: pytest.FixtureRequest) -> Analysis[Implement]:
 
 @pytest.mark.parametrize("analysed", SHOWN, indirect=True)
 def test_a_report_s_words_are_its_tables(analysed: Analysis[Implement]) -> None:
-    report, spots, terms = reported(analysed), analysed.sweet_spots, words_of(analysed.bat)
+    report, spots, terms = reported(analysed), analysed.sweet_spots, words_of(analysed.bat.sport)
     answer, fastest = joined(answer_words(report)), float(analysed.scan.exit_speed.max())
     text = str(answer)
     assert not any(LEFT_OVER.search(answer.read(reader)) for reader in SYSTEMS.values())

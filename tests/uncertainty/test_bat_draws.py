@@ -14,8 +14,7 @@ from sweetspot.calibration.unknowns import Unknown, deviated, unknowns_of
 from sweetspot.calibration.unknowns import described as described_beam
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.reduction import all_modes
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
 from sweetspot.reports.hit.ledger import ENERGY_NAMES
 from sweetspot.uncertainty.drawn_hits import drawn_ledger, draws_of, hits_along
@@ -58,15 +57,15 @@ def test_draws_against_the_whole_way(name: str, most: float, weighed: bool) -> N
             swing=conditions.swing.replaced(bat_speed=float(draws.bat_speed[row])),
         )  # fmt: skip
         factor = float(draws.patch[row])
-        modes = all_modes(other, ball, patch_factor=factor) if isinstance(bat, Bat) else all_modes(other, ball)
-        exact = scan(other.bat, body=rigid_body(other), modes=modes, conditions=own, positions=places)
+        reduced = ReducedBat.of_beam(other, ball, patch_factor=factor if isinstance(bat, Bat) else 1.0)
+        exact = scan(reduced, own, places)
         assert found.exit_speed[row] == pytest.approx(exact.exit_speed, abs=0.002 if row == 0 else most)
         followed = 1e-4 if weighed else 1e-6  # weight and balance by slope and bend, or each worked out
         assert found.rigid_exit_speed[row] == pytest.approx(exact.rigid_exit_speed, rel=followed)
         assert found.bbcor[row] == pytest.approx(exact.bbcor, abs=most / (30 * MPH))
         assert found.hand_impulse[row] == pytest.approx(exact.hand_impulse, abs=0.02)
         assert found.sting[row] == pytest.approx(exact.sting, rel=0.01, abs=0.02)
-        described.append(hit_at(float(places[2]), modes=modes, conditions=own))
+        described.append(hit_at(float(places[2]), modes=reduced.modes, conditions=own))
     ledger, _ = drawn_ledger(draws, found, 2, described[0])
     for name_of_part in ENERGY_NAMES:
         exact_part, share = (getattr(described[1].energy, name_of_part), 0.01 * described[1].energy.incoming)

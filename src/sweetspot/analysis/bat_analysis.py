@@ -22,7 +22,7 @@ from sweetspot.collision.contact_law import ContactLaw, HuntCrossley
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.hands import check_hands, held_modes
+from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import Given, ReducedBat, Tool_co, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, effective_mass
@@ -68,6 +68,11 @@ class Analysis(ShownInNotebooks, Generic[Tool_co]):
     def reduced(self) -> ReducedBat[Tool_co]:
         """The bat with its beam, body and free modes."""
         return ReducedBat(self.bat, self.beam, self.body, self.free)
+
+    @property
+    def held(self) -> ReducedBat[Tool_co]:
+        """The bat with its beam, body and the modes that the collision saw."""
+        return ReducedBat(self.bat, self.beam, self.body, self.modes)
 
     @cached_property
     def best(self) -> Impact:
@@ -118,12 +123,11 @@ def analyse(bat: Given, conditions: Conditions) -> Analysis[Given]:
 
 def analyse_reduced(reduced: ReducedBat[Given], conditions: Conditions) -> Analysis[Given]:
     """Return the full answer for a bat whose modes are known already; see `analyse`."""
-    bat, body, free = reduced.bat, reduced.body, reduced.modes
-    check_conditions(bat, conditions, body=body)
-    modes = held_modes(free, conditions.hands)
-    along = scan(bat, body=body, modes=modes, conditions=conditions)
-    spots = sweet_spots(along, body=body, modes=free, conditions=conditions)
-    return Analysis(bat, conditions, reduced.beam, body, modes, free, along, spots)
+    check_conditions(reduced, conditions)
+    held = reduced.held(conditions.hands)
+    along = scan(held, conditions)
+    spots = sweet_spots(along, body=reduced.body, modes=reduced.modes, conditions=conditions)
+    return Analysis(reduced.bat, conditions, reduced.beam, reduced.body, held.modes, reduced.modes, along, spots)
 
 
 def hit_at(
@@ -177,7 +181,7 @@ def outweighed(body: RigidBody, ball: Ball) -> bool:
 
 def check_swing(bat: Implement, conditions: Conditions) -> None:
     """Refuse a swing or hands that do not go with the bat."""
-    check_hands(bat, conditions.hands)
+    bat.check_position(conditions.hands.position, "hand position")
     swing = conditions.swing
     if swing.measured_at > bat.length + 1e-9:
         raise InputError(
@@ -196,12 +200,12 @@ def check_swing(bat: Implement, conditions: Conditions) -> None:
         )
 
 
-def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody) -> None:
+def check_conditions(reduced: ReducedBat[Implement], conditions: Conditions) -> None:
     """Refuse conditions that do not go with the bat: hands or swing off it, a ball that outweighs it."""
-    check_swing(bat, conditions)
-    if outweighed(body, conditions.ball):
+    check_swing(reduced.bat, conditions)
+    if outweighed(reduced.body, conditions.ball):
         raise InputError(
-            f"the ball weighs {conditions.ball.mass:.4g} kg and {bat.name} {body.mass:.4g} kg; "
+            f"the ball weighs {conditions.ball.mass:.4g} kg and {reduced.bat.name} {reduced.body.mass:.4g} kg; "
             "allowed is a ball lighter than the bat"
         )
 

@@ -12,7 +12,8 @@ from sweetspot.collision.closed_form import bbcor, exit_speed, rigid_efficiency
 from sweetspot.collision.impact import Impacts, bat_energy
 from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.rigid import RigidBody, hand_impulse_ratio
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.dynamics.rigid import hand_impulse_ratio
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions, Hands
@@ -101,18 +102,18 @@ class Scan:
     energy: EnergyShares
 
 
-def scan(
-    bat: Implement, *, body: RigidBody, modes: Modes, conditions: Conditions, positions: Array | None = None
-) -> Scan:
+def scan(reduced: ReducedBat[Implement], conditions: Conditions, positions: Array | None = None) -> Scan:
     """Return hits all along a bat.
 
-    ``positions``: m from the knob end; None: evenly from just above the top hand to the tip, or along the face.
+    The modes are those of the bat as it is held. ``positions``: m from the knob end; None: evenly from just above the
+    top hand to the tip, or along the face.
     """
+    body, modes = reduced.body, reduced.modes
     if positions is None:
-        outline = bat.outline
+        outline = reduced.bat.outline
         start = max(conditions.hands.position + ABOVE_HANDS, conditions.swing.pivot + ABOVE_HANDS)
         positions = (
-            np.linspace(start, bat.length, POINTS)
+            np.linspace(start, reduced.bat.length, POINTS)
             if outline is None
             else np.linspace(max(start, outline.start), outline.end, POINTS)
         )

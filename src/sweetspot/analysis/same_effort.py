@@ -12,22 +12,6 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw, turned_faster
 
 
-def is_changed(bat: Implement) -> bool:
-    """Return whether a bat is a modified copy of another, or is held further up than at the bottom of its grip."""
-    return _piece(bat) is not bat or bat.choke > 0
-
-
-def before_changes(bat: Implement) -> Implement:
-    """Return a bat as it was before it was changed, held at the bottom of its grip."""
-    return _piece(bat).replaced(choke=0.0)
-
-
-def _piece(bat: Implement) -> Implement:
-    """Return the bat that was changed; what was measured itself, or is of another length, is a bat of its own."""
-    measured = bat.as_measured()
-    return measured if measured.length == bat.length else bat
-
-
 @dataclass(frozen=True)
 class Changed:
     """A changed bat beside the bat that it was.
@@ -43,11 +27,9 @@ class Changed:
     law: SwingLaw
 
     @classmethod
-    def of(cls, bat: Implement, *, law: SwingLaw) -> Changed | None:
-        """Return a bat paired with its unchanged original, by its own description; None: it was not changed."""
-        if not is_changed(bat):
-            return None
-        before = before_changes(bat)
+    def of(cls, bat: Implement, *, law: SwingLaw) -> Changed:
+        """Return a bat paired with what it was before it was changed, by its own description."""
+        before = bat.before_changes()
         return cls(bat, rigid_body(beam_model(bat)), before, rigid_body(beam_model(before)), law)
 
     @property

@@ -72,10 +72,12 @@ def damage(impact: Impact, *, beam: BeamModel, modes: Modes) -> Damage:
     strain = bat.diameter_at(places) / 2 * np.abs(bent).max(axis=0, initial=0.0)
     handle = places <= HANDLE_PART * bat.length
     worst = int(np.argmax(np.where(handle, strain, -1.0)))
-    material = material_at(bat, float(places[worst]))
+    material = bat.material_at(float(places[worst]))
     limit, wall_limit = linear_limit(material), None
-    wall = wall_strain(impact, bat=bat, modes=modes, motion=motion)
-    if wall is not None:
+    wall = None
+    if "hoop" in modes.families and bat.shell is not None:
+        curving = wall_curving(bat, np.array([impact.position]))
+        wall = wall_strain(impact, curving=float(curving[0]), modes=modes, motion=motion)
         wall_limit = linear_limit(bat.material, across=True)
     return Damage(
         position=places,
@@ -100,22 +102,22 @@ def modal_history(impact: Impact, modes: Modes) -> Array:
     return np.concatenate([during.displacement, after.displacement])
 
 
-def wall_strain(impact: Impact, *, bat: Bat, modes: Modes, motion: Array) -> float | None:
-    """Return the greatest bending strain around a hollow barrel's wall where it was hit, or None without hoop modes.
+def wall_strain(impact: Impact, *, curving: float, modes: Modes, motion: Array) -> float:
+    """Return the greatest bending strain around a hollow barrel's wall where it was hit.
 
     A ring bent by w = sum W_n cos(n theta) without stretching: strain = h / (2 R^2) |sum (n^2 - 1) W_n| under the
     ball, h the wall's thickness and R the radius of its middle. Walls that slide on each other bend each by itself.
+
+    ``curving`` is that of the wall there (`wall_curving`), ``motion`` from `modal_history`.
 
     Notes
     -----
     W_n is the mean over the ball's patch, so this is a low estimate of the strain in the middle of a dent.
     """
     hoop = modes.of_family("hoop")
-    if not hoop or bat.shell is None:
-        return None
     harmonics = np.array([modes.harmonics[index] for index in hoop])
     bent = (harmonics**2 - 1) * modes.shape_at(impact.position, closing_speed=impact.closing_speed)[hoop]
-    return float(wall_curving(bat, np.array([impact.position]))[0] * np.abs(motion[:, hoop] @ bent).max(initial=0.0))
+    return float(curving * np.abs(motion[:, hoop] @ bent).max(initial=0.0))
 
 
 def wall_curving(bat: Bat, position: Array) -> Array:
@@ -152,14 +154,6 @@ def _curvature(beam: BeamModel, modes: Modes, places: Array) -> Array:
     at = section(beam, places)
     sliding = (at.mass / at.shear_stiffness)[:, None] * modes.angular_frequency**2 * modes.shape_at(places)
     return np.asarray(modes.shapes(places, 2) + sliding)
-
-
-def material_at(bat: Bat, position: float) -> Material:
-    """Return the material of the bat's body at a place (m from the knob end): a two-piece bat has its own handle."""
-    shell = bat.shell
-    if shell is not None and shell.handle_material is not None and shell.joint is not None and position <= shell.joint:
-        return shell.handle_material
-    return bat.material
 
 
 def _warnings(

@@ -10,9 +10,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from sweetspot import catalog
-from sweetspot.answers.setups import AS_USUAL, CorkSetup, HitSetup, Place, check_beyond_hands, round_bat
+from sweetspot.answers.setups import AS_USUAL, CorkSetup, HitSetup, Place, SwungWith, check_beyond_hands, round_bat
 from sweetspot.catalog.implements import Loaded
-from sweetspot.equipment.implement import check_on_face, check_position
 from sweetspot.errors import InputError
 from sweetspot.papers.choices import Choices
 
@@ -22,7 +21,8 @@ if TYPE_CHECKING:
     from sweetspot.answers.compare import CompareAnswer
     from sweetspot.answers.hit import HitAnswer
     from sweetspot.answers.paper import PaperAnswer
-    from sweetspot.answers.report import ReportAnswer
+    from sweetspot.answers.report import ReportAnswer, ReportQuestion
+    from sweetspot.answers.unhit import UnhitAnswer
 
 
 def report(implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool = False) -> ReportAnswer:
@@ -43,13 +43,33 @@ def report(implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool =
     >>> f"{best.position:.2f} m, {best.exit_speed:.1f} m/s"
     '0.69 m, 46.2 m/s'
     """
-    from sweetspot.analysis.bat_analysis import analyse_reduced
-    from sweetspot.answers.report import report_of
+    from sweetspot.answers.report import report_answer
+
+    question, swung_with = _report_question(implement, setup, drawn=uncertainty)
+    return replace(report_answer(question), swung_with=swung_with)
+
+
+def report_or_tones(
+    implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool = False
+) -> ReportAnswer | UnhitAnswer:
+    """Return the report of an implement, or the tones and nodes of one that its ball outweighs; see `report`."""
+    from sweetspot.analysis.bat_analysis import outweighed
+    from sweetspot.answers.report import report_answer
+    from sweetspot.answers.unhit import unhit_answer
+
+    question, swung_with = _report_question(implement, setup, drawn=uncertainty)
+    if outweighed(question.reduced.body, question.conditions.ball):
+        return unhit_answer(question.reduced, question.conditions)
+    return replace(report_answer(question), swung_with=swung_with)
+
+
+def _report_question(implement: Loaded, setup: HitSetup, *, drawn: bool) -> tuple[ReportQuestion, SwungWith | None]:
+    from sweetspot.answers.report import ReportQuestion
     from sweetspot.dynamics.reduction import reduced_bat
 
     conditions, swung_with = setup.swung(implement.implement)
-    analysis = analyse_reduced(reduced_bat(implement.implement, ball=conditions.ball), conditions)
-    return replace(report_of(analysis, setup.sources(implement, conditions), drawn=uncertainty), swung_with=swung_with)
+    reduced = reduced_bat(implement.implement, ball=conditions.ball)
+    return ReportQuestion(reduced, conditions, setup.sources(implement, conditions), drawn=drawn), swung_with
 
 
 def hit(
@@ -76,8 +96,7 @@ def hit(
     from sweetspot.answers.hit import HitQuestion, hit_answer
 
     conditions, swung_with = setup.swung(implement.implement)
-    check_position(implement.implement, at, "at")
-    check_on_face(implement.implement, at, "at")
+    implement.implement.check_position(at, "at")
     check_beyond_hands(at, conditions.hands.position)
     sources = setup.sources(implement, conditions) if uncertainty else None
     answer = hit_answer(HitQuestion(implement.implement, conditions, at, beside, sources))

@@ -30,7 +30,6 @@ from sweetspot.answers.setups import (
 )
 from sweetspot.catalog.implements import Loaded
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.implement import check_position
 from sweetspot.errors import InputError
 from sweetspot.units import MPH
 
@@ -86,7 +85,7 @@ def play(
         raise InputError("pitch and pitch_speed were both given; give release_speed for a pitch by name")
     conditions, swung_with = setup.swung(described)
     model = reduced_bat(described, ball=conditions.ball).held(conditions.hands)
-    check_conditions(described, conditions, body=model.body)
+    check_conditions(model, conditions)
     check_beyond_hands(contact.position(described), conditions.hands.position)
     ball = setup.ball or catalog.sport(described.sport).balls[0]
     flying = replace(weather.through(ball), ball=conditions.ball)
@@ -210,7 +209,7 @@ def _swing_search(bat: Bat, search: SearchSetup, conditions: Conditions, flying:
     from sweetspot.dynamics.reduction import reduced_bat
 
     if search.at is not None:
-        check_position(bat, search.at, "at")
+        bat.check_position(search.at, "at")
     names = search.pitch or catalog.sport(bat.sport).pitches
     return SwingSearch(
         reduced_bat(bat, ball=conditions.ball).held(conditions.hands),

@@ -15,7 +15,6 @@ from sweetspot.answers.flight_setups import GAMES_AIR, FieldAir
 from sweetspot.answers.setups import AS_USUAL, ExactPlace, HitSetup, Place, Written, round_bat, value_of
 from sweetspot.calibration.measured import Measured
 from sweetspot.catalog.implements import Loaded
-from sweetspot.equipment.implement import check_position
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.goal import Goal, GoalName
@@ -165,7 +164,7 @@ def tap(*recordings: Path | str, implement: Loaded | None = None, at: Place | No
     if at is not None and described is None:
         raise InputError("at was given without implement; say what was tapped")
     if at is not None and described is not None:
-        check_position(described, at, "at")
+        described.check_position(at, "at")
     heard = [read_recording(Path(path)) for path in recordings]
     return tap_answer(TapQuestion(heard, described, [] if at is None else [at]))
 

@@ -26,11 +26,10 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts, Outcome
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.reduction import all_modes
-from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.implement import Implement, check_lateral, check_on_face, check_position
+from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Number
@@ -294,17 +293,16 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         for a place that is not on the implement, or a swing that does not go with it.
     """
     implement, conditions, position = question.implement, question.conditions, question.position
-    beam = beam_model(implement)
-    body = rigid_body(beam)
-    check_conditions(implement, conditions, body=body)
-    check_position(implement, position, "position")
-    check_on_face(implement, position, "position")
-    check_lateral(implement, position, question.lateral)
-    modes = all_modes(beam, conditions.ball)
+    implement.check_position(position, "position")
+    implement.check_on_face(position, "position")
+    implement.check_lateral(position, question.lateral)
+    reduced = reduced_bat(implement, ball=conditions.ball)
+    check_conditions(reduced, conditions)
+    beam, body, modes = reduced.beam, reduced.body, reduced.modes
     impact = hit_at(position, modes=modes, conditions=conditions, lateral=question.lateral)
     error = None
     if question.sources is None:  # which have the ball among them
-        error = error_by_ball(implement, body=body, modes=modes, conditions=conditions, position=position)
+        error = error_by_ball(reduced, conditions, position)
     plain = HitAnswer(
         **_hit_fields(impact, body=body, conditions=conditions),
         question=question,

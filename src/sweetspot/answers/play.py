@@ -118,13 +118,7 @@ def play_answer(question: PlayQuestion) -> PlayAnswer:
         return plain
     plain = _with_ending(plain)
     if sources is None:  # which have the ball among them
-        error = error_by_ball(
-            question.reduced.bat,
-            body=question.reduced.body,
-            modes=question.reduced.modes,
-            conditions=conditions,
-            position=float(plain.position),
-        )
+        error = error_by_ball(question.reduced, conditions, float(plain.position))
         return plain if error is None else replace(plain, exit_speed_half_by_ball=REACH * error)
     drawn = drawn_play(question, sources)
     sampled = uncertainty_of(

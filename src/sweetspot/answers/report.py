@@ -8,7 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse, exit_speed_of, miss_costs
+from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse_reduced, exit_speed_of, miss_costs
 from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.analysis.sweet_spot import SweetSpots
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
@@ -32,6 +32,7 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import effective_mass, moi_doubt
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
@@ -214,7 +215,7 @@ class ReportQuestion:
     drawn : whether every number gets its interval, from ``draws`` draws of the sources; else the best exit speed alone.
     """
 
-    implement: Implement
+    reduced: ReducedBat[Implement]
     conditions: Conditions
     sources: Sources | None = None
     drawn: bool = False
@@ -229,7 +230,7 @@ def report_answer(question: ReportQuestion) -> ReportAnswer:
     InputError
         when the swing or the hands do not go with it, or the ball outweighs it.
     """
-    analysis = analyse(question.implement, question.conditions)
+    analysis = analyse_reduced(question.reduced, question.conditions)
     return report_of(analysis, question.sources, drawn=question.drawn, draws=question.draws)
 
 
@@ -240,8 +241,7 @@ def report_of(
     plain = _described(analysis)
     best, place = plain.best_hit, analysis.sweet_spots.max_exit_speed
     if sources is None:
-        conditions, modes = analysis.conditions, analysis.modes
-        error = error_by_ball(analysis.bat, body=analysis.body, modes=modes, conditions=conditions, position=place)
+        error = error_by_ball(analysis.held, analysis.conditions, place)
         return replace(plain, half_by_ball=None if error is None else REACH * error)
     if not drawn:
         doubt = speed_doubt(analysis, sources)

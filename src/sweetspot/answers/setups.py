@@ -124,15 +124,15 @@ class HitSetup:
 
     def swung(self, implement: Implement) -> tuple[Conditions, SwungWith | None]:
         """Return how an implement alone is swung: one that was changed or is choked up with the effort of before."""
-        changed = Changed.of(implement, law=catalog.swing_law(catalog.sport(implement.sport).swing_law))
         given = self.conditions(implement)
-        if changed is None:
+        if implement.before_changes() is implement:
             if self.same_speed:
                 raise InputError(
                     "same_speed belongs to a bat that was changed or is choked up; give the file of one, or leave it "
                     "out"
                 )
             return given, None
+        changed = Changed.of(implement, law=catalog.swing_law(catalog.sport(implement.sport).swing_law))
         turned = given if self.same_speed else changed.with_same_effort(given)
         return turned, SwungWith.of(changed, turned, same_speed=self.same_speed)
 

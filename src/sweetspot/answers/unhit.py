@@ -5,16 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from sweetspot.analysis.bat_analysis import check_swing, outweighed
+from sweetspot.analysis.bat_analysis import check_swing
 from sweetspot.analysis.sweet_spot import barrel_node
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import INTERNAL, Length
 from sweetspot.answers.report import VibrationMode, vibration_modes
-from sweetspot.answers.setups import HitSetup
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
-from sweetspot.dynamics.rigid import centre_of_percussion, rigid_body
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.dynamics.rigid import centre_of_percussion
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 
@@ -40,14 +38,10 @@ class UnhitAnswer(Answer):
     conditions: Annotated[Conditions, INTERNAL]
 
 
-def unhit_answer(implement: Implement, setup: HitSetup) -> UnhitAnswer | None:
-    """Return the properties of an implement without a hit; None where the ball does not outweigh it."""
-    conditions, _ = setup.swung(implement)
-    body = rigid_body(beam_model(implement))
-    if not outweighed(body, conditions.ball):
-        return None
+def unhit_answer(reduced: ReducedBat[Implement], conditions: Conditions) -> UnhitAnswer:
+    """Return the properties of an implement without a hit."""
+    implement = reduced.bat
     check_swing(implement, conditions)
-    reduced = reduced_bat(implement, ball=conditions.ball)
     places = {
         "node_1": barrel_node(reduced.modes, harmonic=1),
         "node_2": barrel_node(reduced.modes, harmonic=2),

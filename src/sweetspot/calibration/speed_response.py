@@ -18,8 +18,7 @@ from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.reduction import all_modes
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
@@ -61,8 +60,7 @@ def response_of_efficiency(
         other = deviated(beam, unknowns, deviations[:count]) if count else beam
         with_ball = conditions.ball.deviated(dict(zip(ball, deviations[count:].tolist(), strict=True)))
         given = conditions.replaced(ball=with_ball)
-        modes, body = all_modes(other, with_ball), rigid_body(other)
-        return scan(other.bat, body=body, modes=modes, conditions=given, positions=positions).collision_efficiency
+        return scan(ReducedBat.of_beam(other, with_ball), given, positions).collision_efficiency
 
     base = efficiency(np.zeros(len(spreads)))
     moved = [(efficiency(step), efficiency(-step), size) for step, size in zip(np.diag(spreads), spreads, strict=True)]

@@ -71,6 +71,7 @@ def fly(
     """Say how far a hit ball carries. Any one or two options may be ranges (from:to:count); the answer is a table."""
     from sweetspot.answers.ask_flight import fly as asked
     from sweetspot.answers.flight_setups import LaunchSetup
+    from sweetspot.answers.reading import Owner
     from sweetspot.catalog import ball_sport
     from sweetspot.cli.options.weather import setup_of
     from sweetspot.cli.output import present
@@ -92,7 +93,7 @@ def fly(
         refuse_unused(["--cell"], "a table", "give a range, for example --launch-angle 10deg:40deg:7")
     if uncertainty and ranges:
         raise InputError("--uncertainty applies to one flight; leave it out, or leave out the ranges")
-    asked_of = read(LaunchSetup, _without(ranges, launch), sport=game, errors=uncertainty)
+    asked_of = read(LaunchSetup, _without(ranges, launch), of=Owner(sport=game), errors=uncertainty)
     for height in [asked_of.height, *(value for name, values in ranges if name == "height" for value in values)]:
         check(height, "--height", launch.height, quantity="launch_height")
     weather = setup_of(_without(ranges, air))

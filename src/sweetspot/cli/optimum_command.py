@@ -74,6 +74,7 @@ def optimum(
     from sweetspot.answers.ask_flight import Searched
     from sweetspot.answers.ask_flight import optimum as asked
     from sweetspot.answers.flight_setups import SearchSetup, SentSetup
+    from sweetspot.answers.reading import Owner
     from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.options.weather import setup_of
     from sweetspot.cli.output import patience, present
@@ -89,8 +90,8 @@ def optimum(
     with patience():
         answer = asked(
             loaded,
-            search=read(SearchSetup, contact, pitch, implement=implement),
-            sent=read(SentSetup, sent, sport=catalog.ball_sport(ball)),
+            search=read(SearchSetup, contact, pitch, of=Owner(implement.length, implement.sport)),
+            sent=read(SentSetup, sent, of=Owner(sport=catalog.ball_sport(ball))),
             setup=contact.setup(implement, errors=contact.uncertainty),
             weather=setup_of(air),
             show=searched,

@@ -82,6 +82,7 @@ def play(
 ) -> int:
     """Follow one pitch: how the bat meets it, how the ball leaves, how far it flies and whether it is out."""
     from sweetspot.answers.ask_flight import play as asked
+    from sweetspot.answers.reading import Owner
     from sweetspot.answers.setups import ContactSetup, PathSetup
     from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.options.weather import setup_of
@@ -93,7 +94,7 @@ def play(
     with patience():
         answer = asked(
             loaded,
-            contact=read(ContactSetup, meeting, implement=implement),
+            contact=read(ContactSetup, meeting, of=Owner(implement.length, implement.sport)),
             setup=swing.setup(implement, errors=sure),
             path=read(PathSetup, path),
             arrival=_arriving(arrival),

@@ -23,8 +23,7 @@ def report(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
-    from sweetspot.answers.ask_bat import report as asked
-    from sweetspot.answers.unhit import unhit_answer
+    from sweetspot.answers.ask_bat import report_or_tones
     from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import patience, present
 
@@ -35,5 +34,5 @@ def report(
     loaded = loaded_implement(bat)
     setup = swing.setup(loaded.implement)
     with patience():
-        answer = unhit_answer(loaded.implement, setup) or asked(loaded, setup=setup, uncertainty=uncertainty)
+        answer = report_or_tones(loaded, setup=setup, uncertainty=uncertainty)
     return present(answer, output, long=appendix)

@@ -120,12 +120,11 @@ def tap(
 
 def tap_places(described: Implement, texts: list[str], what: str = "--at") -> list[float]:
     """Return the places in m from the knob end that texts of an option name."""
-    from sweetspot.equipment.implement import check_position
     from sweetspot.plausibility import parse_position
 
     places = [parse_position(text, length=described.length, what=what) for text in texts]
     for place in places:
-        check_position(described, place, what)
+        described.check_position(place, what)
     return places
 
 

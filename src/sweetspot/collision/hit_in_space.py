@@ -29,7 +29,6 @@ from sweetspot.collision.oblique_contact import (
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.implement import check_position
 from sweetspot.errors import InputError
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Swing
@@ -141,7 +140,7 @@ def strike(
     (44.7, 0.51)
     """
     position, offset = (float(np.asarray(value)) for value in contact)
-    check_position(reduced.bat, position, "position")
+    reduced.bat.check_position(position, "position")
     radius = float(reduced.bat.diameter_at(np.array(position))) / 2
     reach = ball.radius + radius
     bat_speed = swing.speed_at(position)

@@ -16,7 +16,6 @@ from sweetspot.analysis.strain import (
     HANDLE_PART,
     PUBLISHED_FAILURE_STRAIN,
     linear_limit,
-    material_at,
     wall_curving,
 )
 from sweetspot.collision.impact import Impacts
@@ -65,7 +64,7 @@ def borne_strain(material: Material, *, across: bool = False) -> float | None:
 def breaking_of(bat: Bat, batter: Batter) -> Breaking:
     """Return the strain limits for bats like this one."""
     position = np.linspace(0.0, HANDLE_PART * bat.length, POINTS + 1)[1:]
-    materials = [material_at(bat, place) for place in position.tolist()]
+    materials = [bat.material_at(place) for place in position.tolist()]
     unknown = [material.name for material in (bat.material, *materials) if borne_strain(material) is None]
     if unknown:
         raise InputError(

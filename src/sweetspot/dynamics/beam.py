@@ -88,21 +88,15 @@ def beam_model(bat: Implement) -> BeamModel:
     >>> round(rigid_body(beam_model(bat)).mass, 4), round(bat.mass, 4)  # kg: the line weighs what was measured
     (0.8788, 0.8788)
     """
-    beam = _measured_beam(bat)
+    *changed, piece = bat.lineage()
+    gradient = piece.density_gradient if isinstance(piece, Bat) else 0.0
+    beam = _fitted(BeamModel(piece, 1.0, gradient, piece.lumps()))
+    for copy in reversed(changed):  # each starts from the line of what it was made from
+        beam = replace(beam, bat=copy, point_masses=copy.lumps())
+        if copy.as_measured() is copy:
+            beam = _fitted(beam)
     weights = [Lump(weight.position, weight.mass, roll_moi=weight.mass * weight.lateral**2) for weight in bat.added]
     return replace(beam, point_masses=(*beam.point_masses, *weights)) if weights else beam
-
-
-def _measured_beam(bat: Implement) -> BeamModel:
-    """Return the line of an implement without added weights; one that was changed starts from that of what it was."""
-    if bat.original is None:
-        start = None
-    else:
-        start = replace(_measured_beam(bat.original), bat=bat, point_masses=bat.lumps())
-        if bat.as_measured() is not bat:
-            return start
-    density_range = bat.density_range
-    return BeamModel(bat, 1.0, 0.0, bat.lumps()) if density_range is None else _fitted(bat, density_range, start)
 
 
 def turning_as(beam: BeamModel, moi: float, *, axis: float) -> BeamModel:
@@ -171,11 +165,15 @@ def moments_with_roll(beam: BeamModel) -> tuple[float, float, float, float]:
     return zeroth, first, second, roll
 
 
-def _fitted(bat: Implement, limits: DensityRange, start: BeamModel | None) -> BeamModel:
-    """Fit density factor, gradient and grip to what was measured, from a line's own on; None: from the drawing's."""
-    gradient = bat.density_gradient if isinstance(bat, Bat) else 0.0
-    plain = start or BeamModel(bat, 1.0, gradient, bat.lumps())
-    if bat.mass is None and start is None:
+def _fitted(plain: BeamModel) -> BeamModel:
+    """Fit density factor, gradient and grip of a beam to what was measured on its implement, if anything was."""
+    bat, limits = plain.bat, plain.bat.density_range
+    if limits is None:
+        return plain
+    if bat.calibrated:
+        usual, low, high = limits
+        limits = DensityRange(usual, low / CALIBRATED_BEYOND, high * CALIBRATED_BEYOND)
+    if bat.mass is None and bat.original is None:
         if bat.balance_point is not None or bat.moi is not None:
             raise InputError(f"{bat.name} has a measured balance point or moi but no mass; weigh it and give the mass")
         return plain
@@ -257,7 +255,7 @@ def _check_density(beam: BeamModel, limits: DensityRange) -> None:
     """Refuse a mass that the outline has only at a density that its material cannot have."""
     if _within(beam, limits):
         return
-    others, bat, (usual, low, high) = _mass_of_others(beam), beam.bat, _allowed(beam.bat, limits)
+    others, bat, (usual, low, high) = _mass_of_others(beam), beam.bat, limits
     mass = ((bat.mass or 0.0) - others) / (beam.density_factor * usual)
     raise InputError(
         f"{bat.name} weighs {format_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, limits)}, so that "
@@ -266,21 +264,15 @@ def _check_density(beam: BeamModel, limits: DensityRange) -> None:
     )
 
 
-def _allowed(bat: Implement, limits: DensityRange) -> DensityRange:
-    """Return the densities that an implement's own material can have."""
-    usual, low, high = limits
-    return DensityRange(usual, low / CALIBRATED_BEYOND, high * CALIBRATED_BEYOND) if bat.calibrated else limits
-
-
 def _within(beam: BeamModel, limits: DensityRange) -> bool:
-    usual, low, high = _allowed(beam.bat, limits)
+    usual, low, high = limits
     slack = 1e-9 * usual
     return low - slack <= beam.density_factor * usual <= high + slack
 
 
 def _only_at(beam: BeamModel, limits: DensityRange) -> str:
     """Return at which density alone the material would do, and which it can have."""
-    usual, low, high = _allowed(beam.bat, limits)
+    usual, low, high = limits
     density = beam.density_factor * usual
     at = f"only at a density of {format_density(density)}" if density > 0 else "at no density"
     return f"{at}; {beam.bat.made_of} can be {format_density(low)} to {format_density(high)}"

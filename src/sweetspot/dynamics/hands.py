@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.dynamics.modes import Family, Modes
-from sweetspot.equipment.implement import Implement, check_position
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.eigen import eigenpairs
@@ -61,11 +60,6 @@ def held_modes(modes: Modes, hands: Hands) -> Modes:
         surface=None if modes.surface is None else modes.surface.mixed(vectors[:count]),
         compliances=modes.compliances,
     )
-
-
-def check_hands(bat: Implement, hands: Hands) -> None:
-    """Refuse hands that are not on the handle side of the bat."""
-    check_position(bat, hands.position, "hand position")
 
 
 def _names(modes: Modes, vectors: Array) -> tuple[tuple[Family, ...], tuple[int, ...]]:

@@ -98,6 +98,11 @@ class ReducedBat(Generic[Tool_co]):
     body: RigidBody
     modes: Modes
 
+    @classmethod
+    def of_beam(cls, beam: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> ReducedBat[Implement]:
+        """Return the bat of a beam; see `all_modes`."""
+        return ReducedBat(beam.bat, beam, rigid_body(beam), all_modes(beam, ball, patch_factor=patch_factor))
+
     def held(self, hands: Hands) -> ReducedBat[Tool_co]:
         """Return the same bat in these hands; without mass they leave it free."""
         return replace(self, modes=held_modes(self.modes, hands))

@@ -279,18 +279,8 @@ def moi_doubt(bat: Implement, body: RigidBody, axis: float) -> float:
     moment that was fitted to weight, balance or taps is known no better than by the outline. With a measured balance
     point only the moment about it is in doubt, I(axis) = I_cm + M (axis - balance)^2.
     """
-    if not isinstance(bat, Bat) or is_swung(bat):
+    if not isinstance(bat, Bat) or bat.is_measured("moi"):
         return 0.0
-    if is_balanced(bat) or axis == body.balance_point:
+    if bat.is_measured("balance_point") or axis == body.balance_point:
         return OF_CENTRE * body.moi_cm
     return OF_SWING * body.moi(axis)
-
-
-def is_swung(bat: Bat) -> bool:
-    """Return whether a bat's moment of inertia was measured, on it or on what it was before it was changed."""
-    return any(ancestor.moi is not None and "moi" not in ancestor.fitted for ancestor in bat.lineage())
-
-
-def is_balanced(bat: Bat) -> bool:
-    """Return whether a bat's balance point was measured, on it or on what it was before it was changed."""
-    return any(each.balance_point is not None and "balance_point" not in each.fitted for each in bat.lineage())

@@ -239,6 +239,13 @@ class Bat(OfMaterial):
         """Return the diameter: a round bat looks the same from all sides."""
         return self.diameter_at(position)
 
+    def material_at(self, position: float) -> Material:
+        """Return the material of the bat's body at a position in m: a two-piece bat has its own handle."""
+        shell = self.shell
+        if shell is None or shell.handle_material is None or shell.joint is None or position > shell.joint:
+            return self.material
+        return shell.handle_material
+
     def wall_at(self, position: ArrayLike) -> NDArray[np.float64]:
         """Return the thickness in m of a hollow bat's outer wall at positions in m; a solid bat has its radius."""
         if self.shell is None:

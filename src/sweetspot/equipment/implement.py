@@ -186,6 +186,54 @@ class Implement(ShownInNotebooks, Validated, ABC):
             yield ancestor
             ancestor = ancestor.original
 
+    def before_changes(self) -> Implement:
+        """Return it as it was before it was changed, held at the bottom of its grip; what is as it was, itself.
+
+        What was measured itself, or is of another length, is an implement of its own.
+        """
+        measured = self.as_measured()
+        piece = measured if measured.length == self.length else self
+        return piece.replaced(choke=0.0) if piece.choke else piece
+
+    def is_measured(self, name: Literal["mass", "balance_point", "moi"]) -> bool:
+        """Return whether a value was measured, on it or on what it was before it was changed."""
+        return any(getattr(each, name) is not None and name not in each.fitted for each in self.lineage())
+
+    def check_position(self, position: float, what: str = "position") -> None:
+        """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
+        if not (math.isfinite(position) and 0 <= position <= self.length):
+            raise InputError(
+                f"{what} is {format_length(position)} from the {self.grip_end}, off the bat; "
+                f"{self.name} reaches from 0 to {format_length(self.length)}"
+            )
+
+    def check_on_face(self, position: float, what: str = "position") -> None:
+        """Refuse a position (m) where the ball would meet the grip or the frame; any is allowed on a round bat."""
+        face = self.outline
+        if face is not None and not face.start <= position <= face.end and not insisted():
+            raise InputError(
+                f"{what} is {format_length(position)} from the {self.grip_end}, off the face of {self.name}, which "
+                f"reaches from {format_length(face.start)} to {format_length(face.end)}; the ball meets grip or frame "
+                "there. Give a place on the face, or add --force if it is intended"
+            )
+
+    def check_lateral(self, position: float, lateral: float) -> None:
+        """Refuse a place beside the line that is not on the face: ``lateral`` m across it at ``position`` m."""
+        if lateral == 0:
+            return
+        if self.face is None or self.outline is None:
+            raise InputError(
+                f"{self.name} is round: a hit has no place beside its line. Leave it out, or give an implement with a "
+                "face"
+            )
+        face = self.outline
+        if not (math.isfinite(lateral) and face.holds(position, lateral)):
+            raise InputError(
+                f"the hit is {format_length(abs(lateral))} beside the line at {format_length(position)}, off the face; "
+                f"the face of {self.name} is {format_length(face.width)} wide and reaches from "
+                f"{format_length(face.start)} to {format_length(face.end)}"
+            )
+
     def lumps(self) -> tuple[Lump, ...]:
         """Return the point masses that are not part of the sections."""
         return ()
@@ -226,39 +274,3 @@ class OfMaterial(Implement, ABC):
         """Of its material."""
         light, heavy = self.material.density_range or (self.material.density, self.material.density)
         return DensityRange(self.material.density, light, heavy)
-
-
-def check_position(bat: Implement, position: float, what: str = "position") -> None:
-    """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
-    if not (math.isfinite(position) and 0 <= position <= bat.length):
-        raise InputError(
-            f"{what} is {format_length(position)} from the {bat.grip_end}, off the bat; "
-            f"{bat.name} reaches from 0 to {format_length(bat.length)}"
-        )
-
-
-def check_on_face(bat: Implement, position: float, what: str = "position") -> None:
-    """Refuse a position (m) where the ball would meet the grip or the frame; any is allowed on a round bat."""
-    face = bat.outline
-    if face is not None and not face.start <= position <= face.end and not insisted():
-        raise InputError(
-            f"{what} is {format_length(position)} from the {bat.grip_end}, off the face of {bat.name}, which reaches "
-            f"from {format_length(face.start)} to {format_length(face.end)}; the ball meets grip or frame there. Give "
-            "a place on the face, or add --force if it is intended"
-        )
-
-
-def check_lateral(bat: Implement, position: float, lateral: float) -> None:
-    """Refuse a place beside the line that is not on the face: ``lateral`` m across it at ``position`` m."""
-    if lateral == 0:
-        return
-    if bat.face is None or bat.outline is None:
-        raise InputError(
-            f"{bat.name} is round: a hit has no place beside its line. Leave it out, or give an implement with a face"
-        )
-    if not (math.isfinite(lateral) and bat.outline.holds(position, lateral)):
-        raise InputError(
-            f"the hit is {format_length(abs(lateral))} beside the line at {format_length(position)}, off the face; the "
-            f"face of {bat.name} is {format_length(bat.outline.width)} wide and reaches from "
-            f"{format_length(bat.outline.start)} to {format_length(bat.outline.end)}"
-        )

@@ -15,14 +15,14 @@ LIGHT = 0.02
 """kg below which a mass is shown to a tenth of a gram."""
 
 
-def words_of(implement: Implement) -> Terms:
-    """Return the vocabulary of an implement's sport."""
-    return sport(implement.sport).words
+def words_of(name: str) -> Terms:
+    """Return the vocabulary of a sport."""
+    return sport(name).words
 
 
-def reader_of(implement: Implement) -> Reader:
-    """Return the default reader of an implement: the people of its sport."""
-    return reader(None, words_of(implement))
+def reader_of(name: str) -> Reader:
+    """Return the default reader of a sport: its people."""
+    return reader(None, words_of(name))
 
 
 def in_words(template: str, words: Terms, **slots: Part | float | Sentence) -> Sentence:

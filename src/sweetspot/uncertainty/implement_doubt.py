@@ -22,7 +22,7 @@ from sweetspot.calibration.unknowns import Unknown, as_described, described, dev
 from sweetspot.catalog.bats import other_files
 from sweetspot.catalog.implements import implement
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.rigid import OF_CENTRE, is_balanced, is_swung, moi_doubt, rigid_body
+from sweetspot.dynamics.rigid import OF_CENTRE, moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -109,10 +109,10 @@ def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array
     Nothing but the outline tells the radius of gyration about the balance point, and the balance point itself where
     that was not measured either: then it is off by so much that both together are the doubt of `moi_doubt`.
     """
-    if not isinstance(bat, Bat) or is_swung(bat) or not unknowns:
+    if not isinstance(bat, Bat) or bat.is_measured("moi") or not unknowns:
         return tuple(unknowns), covariance
     more = [Unknown("gyration", OF_CENTRE / 2)]
-    if not is_balanced(bat):
+    if not bat.is_measured("balance_point"):
         body = rigid_body(beam_model(bat))
         rest = moi_doubt(bat, body, STANDARD_AXIS) ** 2 - (OF_CENTRE * body.moi_cm) ** 2
         moved = max(rest, 0.0) ** 0.5 / (2 * body.mass * (body.balance_point - STANDARD_AXIS))  # I_cm + M (x - axis)^2

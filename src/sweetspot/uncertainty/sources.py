@@ -14,9 +14,8 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.sports import sport
-from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import PATCH_SPREAD
-from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -127,6 +126,14 @@ def even_normal(count: int, columns: int, *, seed: int = 1) -> Array:
     return np.asarray(scipy.special.ndtri(np.clip(even, 1e-9, 1 - 1e-9)))
 
 
+PATCH_SOURCES = (
+    Source(
+        PATCH,
+        (math.log(PATCH_SPREAD[0]), math.log(PATCH_SPREAD[1])),
+        "even between the shapes that a pressed ball can take",
+    ),
+)
+"""The size of the patch through which a ball presses a round bat: its logarithm, even between limits."""
 NOTHING = Sources(NO_DOUBT, ())
 """Everything is known."""
 
@@ -149,30 +156,16 @@ def sources_of(
     of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
     where = f"{of_kind}, after what its file says was measured" if calibration is None else "its calibration"
     where = where if doubt.unknowns else "taken as described: how its plies may differ is not modelled"
-    return Sources(
-        doubt, (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,
-        sport(bat.sport).words.implement,
-    )  # fmt: skip
-
-
-def ball_sources(conditions: Conditions) -> tuple[Source, ...]:
-    """Return the unknowns of the ball: the catalogue's spreads are half widths of 90 % intervals."""
-    return sources_of_ball(conditions.ball)
+    patch = PATCH_SOURCES if isinstance(bat, Bat) else ()
+    others = (*sources_of_ball(conditions.ball), *patch, *_speeds(bat_speed_error, pitch_speed_error))
+    return Sources(doubt, others, where, sport(bat.sport).words.implement)
 
 
 def sources_of_ball(ball: Ball) -> tuple[Source, ...]:
-    """Return the unknowns of a ball by itself; see `ball_sources`."""
+    """Return the unknowns of a ball: the catalogue's spreads are half widths of 90 % intervals."""
     where = f"spread of {ball.name} in the catalogue"
     spreads = ball_spreads(ball)
     return tuple(Source(f"{OF_BALL}{name}".replace("_", " "), size / REACH, where) for name, size in spreads.items())
-
-
-def patch_sources(bat: Implement) -> tuple[Source, ...]:
-    """Return the size of the patch through which a ball presses a round bat: its logarithm, even between limits."""
-    if not isinstance(bat, Bat):
-        return ()
-    low, high = (math.log(limit) for limit in PATCH_SPREAD)
-    return (Source(PATCH, (low, high), "even between the shapes that a pressed ball can take"),)
 
 
 def _speeds(bat: float, pitch: float) -> list[Source]:
@@ -183,13 +176,11 @@ def _speeds(bat: float, pitch: float) -> list[Source]:
 def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:
     """Return the best hit's exit speed in m/s with what the ball alone leaves open; None where no spread is known."""
     conditions, place = analysis.conditions, analysis.sweet_spots.max_exit_speed
-    error = error_by_ball(analysis.bat, body=analysis.body, modes=analysis.modes, conditions=conditions, position=place)
+    error = error_by_ball(analysis.held, conditions, place)
     return None if error is None else Measured(exit_speed_of(analysis.best, conditions), error)
 
 
-def error_by_ball(
-    bat: Implement, *, body: RigidBody, modes: Modes, conditions: Conditions, position: float
-) -> float | None:
+def error_by_ball(reduced: ReducedBat[Implement], conditions: Conditions, position: float) -> float | None:
     """Return the standard deviation in m/s that the ball alone leaves to an exit speed; None: no spread is known.
 
     Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
@@ -202,8 +193,7 @@ def error_by_ball(
 
     def speed(name: str, off: float) -> float:
         with_ball = conditions.replaced(ball=conditions.ball.deviated({name: off}))
-        hit = scan(bat, body=body, modes=modes, conditions=with_ball, positions=place)
-        return float(hit.exit_speed[0])
+        return float(scan(reduced, with_ball, place).exit_speed[0])
 
     halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
     return float(np.linalg.norm(halves))

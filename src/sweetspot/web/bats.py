@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
-from sweetspot.analysis.same_effort import Changed, before_changes
+from sweetspot.analysis.same_effort import Changed
 from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text
@@ -109,7 +109,7 @@ def conditions_of(state: SwungState, bat: Bat) -> Conditions:
 
 def changed_bat(state: SwungState) -> Changed | None:
     """Return a state's bat beside the one that its controls and its file changed; None: nothing was changed of it."""
-    bat, held, before = described(state), _changed(_unchoked(state)), before_changes(_listed(state))
+    bat, held, before = described(state), _changed(_unchoked(state)), _listed(state).before_changes()
     if bat.length != before.length:  # another outline of another length is a bat of its own
         before = held
     named = getattr(state, "swing_law", None)

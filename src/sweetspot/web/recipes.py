@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from shlex import quote
 
 from sweetspot import catalog
-from sweetspot.analysis.same_effort import Changed, is_changed
+from sweetspot.analysis.same_effort import Changed
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.units import MPH
 from sweetspot.web.bats import changed_bat, conditions_of, described, swung, usual
@@ -128,9 +128,10 @@ def swing_options(state: SwungState, *, beside: bool = False) -> dict[str, str |
 
 def stroke_options(state: SwungState, *, beside: bool = False) -> dict[str, str | bool | None]:
     """Return the options for swing and ball alone; see `swing_options`."""
-    moved = state.hands_in != SwungState.model_fields["hands_in"].default
+    moved, bat = state.hands_in != SwungState.model_fields["hands_in"].default, described(state)
+    is_changed = bat.before_changes() is not bat  # else it is refused
     return {
-        "same_speed": not beside and state.same == "speed" and is_changed(described(state)),  # else it is refused
+        "same_speed": not beside and state.same == "speed" and is_changed,
         "bat_speed": number(_speed_to_give(state, beside=beside), "mph"),
         "hands": number(state.hands_in + state.choke_up_in, "in") if moved else None,
         "ball": state.ball,

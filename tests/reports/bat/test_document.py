@@ -161,7 +161,7 @@ def test_pictures_take_the_colours_of_the_page(html: str) -> None:
 def test_every_sweet_spot_is_the_analysis_s(read: Page, analysis: Analysis) -> None:
     length, spots = analysis.bat.length, analysis.sweet_spots
     for field, spot in SPOTS.items():
-        place, words = getattr(spots, field), words_of(analysis.bat)
+        place, words = getattr(spots, field), words_of(analysis.bat.sport)
         name = spot.named(words)
         places = [f"{(length - place) / INCH:.1f}", f"{place / INCH:.1f}"]
         assert read.row(name) == [name, *places, spot.explained(words)]

@@ -44,15 +44,15 @@ def test_a_report_picture_of_any_sport(analysed: Analysis[Implement]) -> None:
 
 
 def test_a_report_s_sheet_of_any_sport(analysed: Analysis[Implement]) -> None:
-    figure = sheet_figure(reported(analysed), reader_of(analysed.bat))
+    figure = sheet_figure(reported(analysed), reader_of(analysed.bat.sport))
     check_labels(figure)
     assert figure.get_figheight() < 6.8  # on the sheet it is shown in four fifths of its size and more
 
 
 def test_a_hand_is_one_and_a_shuttle_no_ball(analysed: Analysis[Implement]) -> None:
     """A racket is held in one hand, and what is told of its places names what it hits."""
-    own = words_of(analysed.bat)
-    words = " ".join(one.read(reader_of(analysed.bat)) for one in answer_words(reported(analysed)))
+    own = words_of(analysed.bat.sport)
+    words = " ".join(one.read(reader_of(analysed.bat.sport)) for one in answer_words(reported(analysed)))
     told = " ".join(spot.explained(own) for spot in SPOTS.values())
     assert (" hands " in words, "top hand" in told) == (own.hands == "hands", own.hands == "hands")
     assert (" ball" in words + told) == (own.ball == "ball")

@@ -123,7 +123,7 @@ def test_every_sweet_spot_is_marked_with_its_number(picture: Figure, analysed: A
     words = [text for text, _ in texts(picture)]
     for field, spot in SPOTS.items():
         inches = (analysed.bat.length - getattr(analysed.sweet_spots, field)) / INCH
-        assert spot.labelled(words_of(analysed.bat)) in words
+        assert spot.labelled(words_of(analysed.bat.sport)) in words
         assert f"{inches:.1f}" in words
     marked = [line for line in picture.axes[0].lines if line.get_marker() == "o"]
     drawn = sorted(float(np.asarray(line.get_xdata())[0]) for line in marked)

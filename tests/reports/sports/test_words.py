@@ -24,7 +24,7 @@ OTHERS = [name for name in sport_names() if sport(name).words.incoming != "pitch
 
 
 def told(found: Analysis[Implement]) -> str:
-    return " ".join(paragraph.read(reader_of(found.bat)) for paragraph in answer_words(report_of(found)))
+    return " ".join(paragraph.read(reader_of(found.bat.sport)) for paragraph in answer_words(report_of(found)))
 
 
 @cache
@@ -34,7 +34,9 @@ def usual(name: str) -> Analysis[Implement]:
 
 
 def test_units_and_words() -> None:
-    tennis, golf, bat = (reader_of(catalog.implement(name)) for name in ("tennis-racket", "golf-driver", "slow-pitch"))
+    tennis, golf, bat = (
+        reader_of(catalog.implement(name).sport) for name in ("tennis-racket", "golf-driver", "slow-pitch")
+    )
     assert tennis.shown(30.0, "speed") == "30.0 m/s" and golf.shown(44.704, "speed") == "100.0 mph"
     assert golf.shown(0.0254, "place") == "1.0 in" and golf.shown(0.2, "mass") == "200 g"  # as club makers have it
     assert tennis.shown(0.15, "place") == "15.0 cm" and bat.shown(0.1524, "place") == "6.0 in"

@@ -7,7 +7,7 @@ from dataclasses import fields
 from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
-    from sweetspot.equipment.implement import Implement
+    from sweetspot.answers.reading import Owner
 
 Setup = TypeVar("Setup")
 NO_QUANTITIES: Mapping[str, str] = {}
@@ -25,8 +25,7 @@ def option(name: str) -> str:
 def read(
     setup: type[Setup],
     *options: Any,
-    implement: Implement | None = None,
-    sport: str = "",
+    of: Owner | None = None,
     errors: bool = True,
     quantities: Mapping[str, str] = NO_QUANTITIES,
 ) -> Setup:
@@ -35,7 +34,7 @@ def read(
     Parameters
     ----------
     options : groups with fields of the same names; others have no part in it.
-    implement, sport : on which places lie, and whose bounds hold; "": the implement's.
+    of : on which implement places lie, and whose sport's bounds hold; None: any.
     errors : whether what is written behind ± counts.
     quantities : by field, in the table of bounds, where that is not the field's name.
     """
@@ -50,7 +49,7 @@ def read(
             for each in fields(group)
             if (value := getattr(group, each.name)) != getattr(default, each.name)
         }
-    of = Owner(sport=sport) if implement is None else Owner(implement.length, sport or implement.sport)
+    owner = of or Owner()
     found: dict[str, Any] = {}
     for field in fields(setup):  # type: ignore[arg-type]  # every setup is a dataclass
         name = field.name
@@ -63,7 +62,7 @@ def read(
 
         def number(text: str, name: str = name, annotation: str = str(field.type)) -> Any:
             quantity = quantities.get(name, "")
-            return number_of_text(text, name, annotation, what=option(name), of=of, quantity=quantity, errors=errors)
+            return number_of_text(text, name, annotation, what=option(name), of=owner, quantity=quantity, errors=errors)
 
         found[name] = number(given) if isinstance(given, str) else tuple(map(number, given))
     return setup(**found)

@@ -55,11 +55,13 @@ class StrokeOptions:
 
     def setup(self, implement: Implement, *, errors: bool = True) -> HitSetup:
         """Return the setup that the options describe; ``errors``: whether errors written after ± count."""
+        from sweetspot.answers.reading import Owner
         from sweetspot.answers.setups import HitSetup, value_of
-        from sweetspot.catalog.standard_hit import standard_conditions
+        from sweetspot.catalog.sports import sport
 
-        setup, usual = read(HitSetup, self, implement=implement, errors=errors), standard_conditions(implement)
-        speeds = {"bat_speed": usual.swing.bat_speed, "pitch_speed": usual.pitch.speed}
+        setup = read(HitSetup, self, of=Owner(implement.length, implement.sport), errors=errors)
+        stroke = sport(implement.sport).stroke
+        speeds = {"bat_speed": stroke.swing_speed.value, "pitch_speed": stroke.ball_speed.value}
         for name, speed in speeds.items():
             given = getattr(setup, name)
             if given is not None:

@@ -43,7 +43,7 @@ TRIED = (0.3, 0.55, 0.7, 0.85, 0.97, 0.15, 0.05)
 def exit_speed(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the exit speed along the bat: the reader's unit on the left, another on the right, the rigid bat dashed."""
     analysis = report.analysis
-    scan, words, unit = analysis.scan, words_of(analysis.bat), reading.units["speed"]
+    scan, words, unit = analysis.scan, words_of(analysis.bat.sport), reading.units["speed"]
     speed, rigid = scan.exit_speed / unit.size, scan.rigid_exit_speed / unit.size
     _prepare(
         axes,
@@ -84,7 +84,7 @@ def exit_speed(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
 def efficiency(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
     analysis = report.analysis
-    scan, words = analysis.scan, words_of(analysis.bat)
+    scan, words = analysis.scan, words_of(analysis.bat.sport)
     _prepare(
         axes,
         analysis,
@@ -112,7 +112,7 @@ def efficiency(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
 def hand_impulse(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
     analysis = report.analysis
-    scan, words = analysis.scan, words_of(analysis.bat)
+    scan, words = analysis.scan, words_of(analysis.bat.sport)
     tool = words.implement
     _prepare(
         axes,
@@ -140,7 +140,7 @@ def sting(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
         analysis,
         reading,
         "Sting",
-        f"vibration at the {words_of(analysis.bat).hands} right after the hit, as it is felt",
+        f"vibration at the {words_of(analysis.bat.sport).hands} right after the hit, as it is felt",
     )
     axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
     axes.plot(scan.position, scan.sting, color=PURPLE)
@@ -160,7 +160,7 @@ def mode_shapes(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     marks.set_limits(axes, bat.length)
     hands = analysis.conditions.hands
     held = "held" if any((hands.mass, hands.stiffness, hands.damping)) else "free"
-    tool = words_of(bat).implement
+    tool = words_of(bat.sport).implement
     marks.show_from_tip(axes, bat.length, reading, labels=False)
     heading(axes, "Bending modes", f"how the {held} {tool} rings; a hit at a node does not ring that mode")
     axes.set_yticks([])

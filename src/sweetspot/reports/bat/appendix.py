@@ -29,7 +29,7 @@ PATCH = 2 * MPH
 
 def assumptions_section(analysis: Analysis[Implement]) -> Section:
     """Return the assumptions of the model, the gaps of the sport's description, and the assumed values."""
-    words, records = words_of(analysis.bat), used_records(analysis)
+    words, records = words_of(analysis.bat.sport), used_records(analysis)
     assumed = [
         f"{heading.partition(': ')[2]} {record.name.rpartition('.')[2].replace('_', ' ')}"
         for heading, entries in records.items()
@@ -71,7 +71,7 @@ def _face(analysis: Analysis[Implement]) -> Sentence:
 
 def _grip(analysis: Analysis[Implement]) -> Sentence:
     """Return a sentence on the grip and its small effect on the ball."""
-    hands, words = analysis.conditions.hands, words_of(analysis.bat)
+    hands, words = analysis.conditions.hands, words_of(analysis.bat.sport)
     change = Slot(abs(analysis.grip_effect), "share", 1)
     if any((hands.mass, hands.stiffness, hands.damping)):
         return say("Each hand is a mass on a spring and a damper; typical ones change the exit speed by {change}.",
@@ -169,19 +169,19 @@ def _tells(row: Row) -> bool:
     return number and not row.expected_miss
 
 
-def soft_defaults(implement: Implement, ball: Ball, conditions: Conditions | None = None) -> Sentence:
+def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = None) -> Sentence:
     """Return a sentence on the assumed values of a ball and, with conditions, of the speeds; empty if there are none.
 
     >>> from sweetspot.catalog.balls import ball
     >>> from sweetspot.catalog.bats import bat
     >>> from sweetspot.reports.sport_words import reader_of
     >>> slow = bat("slow-pitch")
-    >>> soft_defaults(slow, ball("softball-12in")).read(reader_of(slow))
+    >>> soft_defaults(slow.sport, ball("softball-12in")).read(reader_of(slow.sport))
     'Assumed, not measured: of the ball, loss of restitution with speed and stiffness.'
-    >>> soft_defaults(bat("r161-ash"), ball("baseball")).parts
+    >>> soft_defaults("baseball", ball("baseball")).parts
     ()
     """
-    stroke = sport(implement.sport).stroke
+    stroke = sport(sport_name).stroke
     used = (
         ((stroke.swing_speed, conditions.swing.bat_speed), (stroke.ball_speed, conditions.pitch.speed))
         if conditions
@@ -194,11 +194,11 @@ def soft_defaults(implement: Implement, ball: Ball, conditions: Conditions | Non
     ]
     if values := assumed_of_ball(ball):
         listed = " and ".join([*filter(None, [", ".join(values[:-1])]), values[-1]])
-        soft.append(in_words("of the {ball}, {listed}", words_of(implement), listed=listed))
+        soft.append(in_words("of the {ball}, {listed}", words_of(sport_name), listed=listed))
     return say("Assumed, not measured: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
 
 
-def soft_note(implement: Implement, ball: Ball) -> list[Block]:
+def soft_note(sport_name: str, ball: Ball) -> list[Block]:
     """Return the assumed values of a ball as a note of a document, or nothing."""
-    words = soft_defaults(implement, ball)
+    words = soft_defaults(sport_name, ball)
     return [Paragraph(words, "note")] if words.parts else []

@@ -57,7 +57,7 @@ def report_document(report: ReportAnswer) -> Document:
         ],
         details=_details(report), appendix=partial(_appendix, report),
         data=data, rows=data["scan"],
-        reader=reader_of(bat), drawing=overview,
+        reader=reader_of(bat.sport), drawing=overview,
     )  # fmt: skip
 
 
@@ -68,9 +68,9 @@ def described_document(bat: Implement) -> Document:
     data = to_dict(mass)
     return Document(
         name="bat", title=bat.name, subtitle=made_of_words(bat),
-        kind=f"{sport(bat.sport).name}: {words_of(bat).implement}",
+        kind=f"{sport(bat.sport).name}: {words_of(bat.sport).implement}",
         blocks=[*_mass(bat, body, mass), *(Paragraph(words) for words in remarks(bat))],
-        data=data, rows={name: [value] for name, value in data.items()}, reader=reader_of(bat),
+        data=data, rows={name: [value] for name, value in data.items()}, reader=reader_of(bat.sport),
     )  # fmt: skip
 
 
@@ -83,7 +83,7 @@ def _sizes(report: ReportAnswer) -> Sentence:
     bat, ball = report.analysis.bat, report.analysis.conditions.ball
     other = "" if ball == standard_conditions(bat).ball else f"; hit by: {ball.name}"
     return in_words(
-        "{length} long, {mass}, {made_of}, balance {balance} from the {butt}{other}", words_of(bat), other=other,
+        "{length} long, {mass}, {made_of}, balance {balance} from the {butt}{other}", words_of(bat.sport), other=other,
         length=Slot(bat.length, "length"), mass=Slot(report.bat.mass, "mass"), made_of=made_of_words(bat),
         balance=Slot(report.bat.balance_point, "place"),
     )  # fmt: skip
@@ -91,7 +91,7 @@ def _sizes(report: ReportAnswer) -> Sentence:
 
 def _cards(report: ReportAnswer) -> Cards:
     """Return the cards with the main numbers."""
-    spots, words = report.sweet_spots, words_of(report.analysis.bat)
+    spots, words = report.sweet_spots, words_of(report.analysis.bat.sport)
     width: Words | Slot = "none" if spots.zone_width is None else Slot(spots.zone_width, "place")
     wide = "{zone}: no stretch is fast and quiet" if spots.zone is None else "wide: the {zone}, fast and quiet"
     cards: list[tuple[Words | Slot, Words]] = [
@@ -116,7 +116,7 @@ def _cards(report: ReportAnswer) -> Cards:
 
 def _overview(report: ReportAnswer) -> Picture:
     bat, spots = report.analysis.bat, report.sweet_spots
-    words = words_of(bat)
+    words = words_of(bat.sport)
     label = in_words(
         "{name} drawn to scale, its sweet spots marked. Below it curves of exit speed, collision efficiency, jolt at "
         "the hand, sting and bending modes along it. {exit_speed} is greatest, {speed}, {place} from the {tip}.", words,
@@ -142,19 +142,20 @@ def _drawn_sheet(report: ReportAnswer, reading: Reader) -> Any:
 def _details(report: ReportAnswer) -> list[Block]:
     """Return the tables, which terminals show too."""
     analysis = report.analysis
-    words = words_of(analysis.bat)
+    words = words_of(analysis.bat.sport)
     caption = in_words(
         "Left: the force between {ball} and {implement}. Right: the same force against the {ball}'s compression; the "
         "area inside the loop is heat. Below: the energy as a laboratory counts it that fires the {ball} at a "
         "{implement} at rest, where a {ball} that flies back slowly has little energy left.", words,
     )  # fmt: skip
     where = in_words("The best hit, {place} from the {tip}", words, place=from_tip(report, analysis.best.position))
-    table = hit_table(report.best_hit, analysis.bat, masses_words(report.bat.mass, report.conditions.ball_mass, words))
+    masses = masses_words(report.bat.mass, report.conditions.ball_mass, words)
+    table = hit_table(report.best_hit, words, masses, rigid=analysis.bat.face is None)
     return [
         Section("sweet-spots", "Every sweet spot", [spots_table(report)]),
         Section("along", f"Along the {words.implement}", [along_table(report), *_touched_again(analysis)]),
         Section("mass", "Weight and balance", _mass(analysis.bat, analysis.body, report.bat, note=True)),
-        Section("modes", "How it rings", [modes_table(analysis.bat, report.modes)]),
+        Section("modes", "How it rings", [modes_table(report.modes, words, analysis.bat.length)]),
         Section("best-hit", where, [table, hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(report)]),
     ]
@@ -165,7 +166,7 @@ def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
     scan, length = analysis.scan, analysis.bat.length
     from_tip = length - scan.position
     in_table = from_tip <= stations(analysis)[-1]
-    doubts = touched_again_between(from_tip[in_table], scan.touches[in_table], words_of(analysis.bat))
+    doubts = touched_again_between(from_tip[in_table], scan.touches[in_table], words_of(analysis.bat.sport))
     return [Paragraph(doubt, "note") for doubt in doubts]
 
 
@@ -186,7 +187,7 @@ def _appendix(report: ReportAnswer) -> list[Block]:
     return [
         *([] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]),
         *([Section("misses", "What a miss costs", [
-            misses_table(report), Paragraph(why_intervals(words_of(analysis.bat), drawn=drawn)),
+            misses_table(report), Paragraph(why_intervals(words_of(analysis.bat.sport), drawn=drawn)),
         ])]
           if report.misses else []),
         assumptions_section(analysis), *published_section(published), constants_section(analysis),
@@ -198,7 +199,7 @@ def _face_picture(analysis: Analysis[Implement]) -> Picture:
     caption = in_words(
         "Hits all over the face, handle to the left: {exit_speed}, efficiency and vibration at the hand. The dot is "
         "the best place. A hit beside the line also turns the face, which sends the {ball} off at an angle: that is "
-        "not in these maps.", words_of(analysis.bat),
+        "not in these maps.", words_of(analysis.bat.sport),
     )  # fmt: skip
     label = f"Three maps of the face of {analysis.bat.name}: exit speed, efficiency and sting."
     return Picture("face", partial(_drawn_face, analysis), label, caption)
@@ -223,13 +224,13 @@ def unhit_document(answer: UnhitAnswer) -> Document:
         kind=f"{sport(bat.sport).name}: without a ball",
         blocks=[Paragraph(_why(answer.reduced, answer.conditions))],
         details=[
-            Section("sweet-spots", "What needs no ball", [places_table(bat, places)]),
+            Section("sweet-spots", "What needs no ball", [places_table(places, words_of(bat.sport), bat.length)]),
             Section("mass", "Weight and balance", [mass_table(bat, answer.reduced.body, answer.bat)]),
-            Section("modes", "How it rings", [modes_table(bat, answer.modes)]),
+            Section("modes", "How it rings", [modes_table(answer.modes, words_of(bat.sport), bat.length)]),
         ],
         data=data,
         rows={name: [mode[name] for mode in data["modes"]] for name in ("family", "harmonic", "frequency_hz")},
-        reader=reader_of(bat),
+        reader=reader_of(bat.sport),
     )
 
 
@@ -238,7 +239,7 @@ def _why(reduced: ReducedBat[Implement], conditions: Conditions) -> Sentence:
     return in_words(
         "No hit is computed: the {ball} weighs {ball_mass} and this {implement} {mass}; a {ball} that is not lighter "
         "sweeps it aside. Its first two tones are {first} and {second}. What else needs no {ball} stands below.",
-        words_of(bat),
+        words_of(bat.sport),
         ball_mass=weight(conditions.ball.mass), mass=weight(reduced.body.mass),
         first=_tone(reduced, 1), second=_tone(reduced, 2),
     )  # fmt: skip

@@ -66,7 +66,7 @@ PANELS = (
 def report_figure(report: ReportAnswer, reading: Reader | None = None) -> Figure:
     """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
     analysis = report.analysis
-    bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat)
+    bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat.sport)
     across = WIDTH - 2 * SIDE
     height = (
         HEADER
@@ -103,7 +103,7 @@ def _header(figure: Figure, report: ReportAnswer, reading: Reader, height: float
     """Write the bat's name, its sizes and the answer."""
     bat, conditions = report.analysis.bat, report.analysis.conditions
     left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
-    words = words_of(bat)
+    words = words_of(bat.sport)
     speed = Slot(report.best_hit.exit_speed, "speed", digits=0).read(reading)
     figure.text(right, 1 - 0.45 / height, speed, size=HUGE, weight="bold", color=RED, ha="right")
     name, size = fitted(bat.name, width=WIDTH - 2 * SIDE - SPEED_ROOM, size=HUGE)
@@ -127,7 +127,9 @@ def _swing_weight(report: ReportAnswer, reading: Reader) -> str:
     bat = report.analysis.bat
     if isinstance(bat, Bat):
         moi = moment(report.bat.moi_6in, float(report.bat.moi_6in_doubt)).read(reading)
-        return f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat).butt}"
+        return (
+            f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat.sport).butt}"
+        )
     convention = swing_weight(bat.sport)
     return f"{convention.name} {convention.text_of(report.analysis.body)}".replace("^2", "²")
 
@@ -157,14 +159,14 @@ def _guides(
 
 def _footer(figure: Figure, analysis: Analysis[Implement], height: float, *, banded: bool) -> None:
     """Write the conditions and the legend of the lines."""
-    words = words_of(analysis.bat)
+    words = words_of(analysis.bat.sport)
     text = f"{what_lines_are(analysis, banded=banded)}\nFree {words.implement}, {analysis.conditions.ball.name}, hit "
     figure.text(SIDE / WIDTH, 0.08 / height, text + "straight on.", color=MUTED, size=SMALL, parse_math=False)
 
 
 def what_lines_are(analysis: Analysis[Implement], *, banded: bool) -> str:
     """Return the legend of the shading, bands and lines of a report's picture."""
-    words = words_of(analysis.bat)
+    words = words_of(analysis.bat.sport)
     shaded = "" if analysis.sweet_spots.zone is None else f"Shaded: {words.zone}.  "
     bands = "Bands: 90 % intervals.  " if banded else ""
     near = "  Panels: the face alone." if marks.is_zoomed(analysis.bat) else ""

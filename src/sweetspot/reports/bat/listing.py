@@ -43,7 +43,7 @@ def catalogue_document() -> Document:
         blocks=[Table("", columns, cells), _others({key for key, _ in bats}), Paragraph(PLUS_MINUS, "note"),
                 Paragraph(_assumed_balances(bats), "note"), Paragraph(HOW_TO_SHOW, "note")],
         data={"bats": rows, "others": _other_rows({key for key, _ in bats})},
-        rows=as_columns(rows), reader=reader_of(bats[0][1]),
+        rows=as_columns(rows), reader=reader_of(bats[0][1].sport),
     )  # fmt: skip
 
 

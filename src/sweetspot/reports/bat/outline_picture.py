@@ -64,7 +64,7 @@ class BatPanel:
 @styled
 def bat_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> Figure:
     """Return the bat alone, to scale, with its sweet spots, the sweet zone, balance point and hands."""
-    panel, reading = bat_panel(analysis.bat), reading or reader_of(analysis.bat)
+    panel, reading = bat_panel(analysis.bat), reading or reader_of(analysis.bat.sport)
     figure = Figure(figsize=(WIDTH, panel.height + FOOT))
     axes = axes_in_inches(figure, left=SIDE, top=0.1, width=WIDTH - 2 * SIDE, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
@@ -195,7 +195,7 @@ CENTIMETRE = 0.01
 @styled
 def face_figure(face_hits: FaceMap, bat: Implement, reading: Reader | None = None) -> Figure:
     """Return three maps side by side, handle to the left: exit speed, efficiency q, vibration at the hands."""
-    reading, outline = reading or reader_of(bat), face_hits.outline
+    reading, outline = reading or reader_of(bat.sport), face_hits.outline
     speed = reading.units["speed"]
     across = (FACE_WIDTH - 2 * FACE_SIDE - 2 * GAP) / 3
     height = min(TALLEST, across * outline.width / (outline.end - outline.start))
@@ -239,7 +239,7 @@ def _map(
     step = _step(long) / CENTIMETRE * place.size
     counts = np.arange(np.ceil((length - outline.end) / step), (length - outline.start) / step + 1e-9)
     axes.set_xticks(length - counts * step, [f"{count * step / place.size:.3g}" for count in counts])
-    axes.set_xlabel(f"{place.name} from the {words_of(bat).tip}", labelpad=1)
+    axes.set_xlabel(f"{place.name} from the {words_of(bat.sport).tip}", labelpad=1)
     sideways = _step(max(outline.width, long / 2))
     places = np.arange(-np.floor(half / sideways), np.floor(half / sideways) + 1) * sideways
     axes.set_yticks(places, [f"{abs(place) / CENTIMETRE:.3g}" for place in places])

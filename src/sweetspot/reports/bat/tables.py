@@ -16,6 +16,7 @@ from sweetspot.dynamics.modes import Family
 from sweetspot.dynamics.rigid import RigidBody, SwingWeight, moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Curve, Interval, Number, interpolated, values_of
@@ -37,8 +38,8 @@ SHOWN_MODES: dict[Family, int] = {"bending": 5, "hoop": 3, "face": 2}
 def spots_table(report: ReportAnswer) -> Table:
     """Return every meaning of "sweet spot" with its place."""
     bat, spots = report.analysis.bat, report.sweet_spots
-    words, ends = words_of(bat), _ends(bat)
-    table = places_table(bat, {field: getattr(spots, field) for field in SPOTS})
+    words = words_of(bat.sport)
+    table = places_table({field: getattr(spots, field) for field in SPOTS}, words, bat.length)
     measure = say(
         "within {loss} of the best, and less than {sting} of the mean sting", loss=Slot(ZONE_LOSS, "speed", round=True),
         sting=Slot(ZONE_STING, "share"),
@@ -49,15 +50,14 @@ def spots_table(report: ReportAnswer) -> Table:
     else:
         inner, outer = spots.zone[0], spots.zone[1]
         reaches = [joined((_from(end, place).bare for place in order), " to ")
-                   for (_, end), order in zip(ends, ((outer, inner), (inner, outer)), strict=True)]  # fmt: skip
+                   for end, order in ((bat.length, (outer, inner)), (0.0, (inner, outer)))]  # fmt: skip
         zone = [Marked(words.zone, "zone"), *reaches, measure]
     return replace(table, rows=[*table.rows, zone])
 
 
-def places_table(bat: Implement, places: Mapping[str, Number]) -> Table:
+def places_table(places: Mapping[str, Number], words: Terms, length: float) -> Table:
     """Return some of the meanings, by field of `SweetSpots`, with their places in m from the butt end."""
-    words = words_of(bat)
-    ends = _ends(bat)
+    ends = [(words.tip, length), (words.butt, 0.0)]
     heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
     rows: list[list[Cell]] = []
     for field, place in places.items():
@@ -71,16 +71,10 @@ def _from(end: float, place: Number) -> Slot:
     return Slot(end - place if end else place, "place")
 
 
-def _ends(bat: Implement) -> list[tuple[str, float]]:
-    """Return both ends from which places are measured."""
-    words = words_of(bat)
-    return [(words.tip, bat.length), (words.butt, 0.0)]
-
-
 def along_table(report: ReportAnswer) -> Table:
     """Return the results of hits at even places from the tip."""
     scan, bat = report.scan, report.analysis.bat
-    words, rigid = words_of(bat), bat.face is None
+    words, rigid = words_of(bat.sport), bat.face is None
     columns = [
         Column(say("{unit} from the {tip}", unit=UnitName("place"), tip=words.tip), right=True),
         Column(words.exit_speed, "speed"), Column("if it were rigid", "speed"), Column("q", "ratio"),
@@ -107,7 +101,7 @@ def stations(analysis: Analysis[Implement]) -> Array:
     """Return the even places of `along_table`, m from the tip."""
     scan, length = analysis.scan, analysis.bat.length
     first, last = length - float(scan.position[-1]), length - float(scan.position[0])
-    steps = STEPS[words_of(analysis.bat).place_unit]
+    steps = STEPS[words_of(analysis.bat.sport).place_unit]
     step = next((step for step in steps if (last - first) / step <= MOST_STATIONS), steps[-1])
     places = step * np.arange(np.ceil(first / step - 1e-9), np.floor(last / step + 1e-9) + 1)
     return np.asarray(places[:MOST_STATIONS])
@@ -115,7 +109,7 @@ def stations(analysis: Analysis[Implement]) -> Array:
 
 def misses_table(report: ReportAnswer) -> Table:
     """Return the loss of exit speed beside the best place, on either side."""
-    words, drawn = words_of(report.analysis.bat), report.uncertainty is not None
+    words, drawn = words_of(report.analysis.bat.sport), report.uncertainty is not None
     off = f"off the {words.implement}"
     rows: list[list[Cell]] = [
         [
@@ -141,7 +135,7 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
     body : of the implement as described.
     mass : its numbers, with the intervals that are known.
     """
-    words = words_of(bat)
+    words = words_of(bat.sport)
     standard = in_words("{axis} from the {butt}", words, axis=Slot(STANDARD_AXIS, "place", round=True))
     axes = (
         (standard, STANDARD_AXIS, mass.moi_6in), (f"{words.butt} end", 0.0, mass.moi_knob),
@@ -172,20 +166,19 @@ def moment(moi: Number, doubt: float) -> Sentence:
 def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> tuple[Cell, Cell]:
     """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
     name = in_words(
-        "{name}, about {axis} from the {butt}", words_of(bat), name=convention.name,
+        "{name}, about {axis} from the {butt}", words_of(bat.sport), name=convention.name,
         axis=Slot(convention.axis, "place"),
     )  # fmt: skip
     return name, convention.text_of(body).replace("^2", "²")
 
 
-def modes_table(bat: Implement, modes: Sequence[VibrationMode]) -> Table:
-    """Return the lowest vibrations with their damping and nodes."""
-    words = words_of(bat)
+def modes_table(modes: Sequence[VibrationMode], words: Terms, length: float) -> Table:
+    """Return the lowest vibrations of an implement of this length (m) with their damping and nodes."""
     rows: list[list[Cell]] = []
     for family, most in SHOWN_MODES.items():
         for mode in [each for each in modes if each.family == family][:most]:
             nodes = [mode.nodes[index] for index in range(len(values_of(mode.nodes)))]
-            places = joined((_from(bat.length, node).bare for node in nodes[::-1]), ", ")
+            places = joined((_from(length, node).bare for node in nodes[::-1]), ", ")
             frequency = Slot(mode.frequency, "frequency", unit=False)
             rows.append([f"{mode.family} {mode.harmonic}", frequency, float(mode.damping_ratio), places])
     columns = [
@@ -197,7 +190,7 @@ def modes_table(bat: Implement, modes: Sequence[VibrationMode]) -> Table:
 
 def conditions_table(report: ReportAnswer) -> Table:
     """Return pitch, swing, hands and ball."""
-    hit, words, hands = report.conditions, words_of(report.analysis.bat), report.analysis.conditions.hands
+    hit, words, hands = report.conditions, words_of(report.analysis.bat.sport), report.analysis.conditions.hands
     bounce = say(
         "{e} at {speed}, {slope} per {step} faster", e=Slot(hit.ball_restitution, "ratio"),
         speed=Slot(hit.ball_restitution_speed, "speed", round=True),

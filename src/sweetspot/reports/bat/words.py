@@ -40,11 +40,11 @@ FOLLOWS = 0.005
 
 def answer_words(report: ReportAnswer) -> list[Sentence]:
     """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so."""
-    analysis, words = report.analysis, words_of(report.analysis.bat)
+    analysis, words = report.analysis, words_of(report.analysis.bat.sport)
     paragraphs = (
         _where(report, words), *best_in_doubt(analysis.best, words), _bounce(report, words),
         _why_not_the_end(report, words), _miss(report, words), _hands(report, words), _wall(report),
-        soft_defaults(analysis.bat, analysis.conditions.ball, analysis.conditions),
+        soft_defaults(analysis.bat.sport, analysis.conditions.ball, analysis.conditions),
     )  # fmt: skip
     return [words for words in paragraphs if words.parts]
 

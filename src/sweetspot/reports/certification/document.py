@@ -60,7 +60,7 @@ def certificate_document(answer: CertifyAnswer) -> Document:
         blocks += _simulated(answer, answer.test)
     if answer.shots is not None:
         blocks += _measured(answer.shots, length=answer.implement.length)
-    blocks += soft_note(answer.implement, answer.fired)
+    blocks += soft_note(answer.implement.sport, answer.fired)
     if answer.checks:
         blocks += [_rules(answer), *_listed(_reasons(answer.checks))]
     picture = Picture(

@@ -168,14 +168,14 @@ def _outlines(axes: Axes, compared: Sequence[Compared[Implement]], length: float
             axes.fill(*ends, color=GRID, linewidth=0, zorder=0)
     axes.set_ylim(-half, half)
     axes.axis("off")
-    heading(axes, "Outlines", f"to scale, {words_of(compared[0].analysis.bat).tip}s aligned")
+    heading(axes, "Outlines", f"to scale, {words_of(compared[0].analysis.bat.sport).tip}s aligned")
 
 
 def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
     marks.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6, prune="lower"))
     light_grid(axes, vertical=False)
-    words = words_of(compared[0].analysis.bat)
+    words = words_of(compared[0].analysis.bat.sport)
     name = words.exit_speed[0].upper() + words.exit_speed[1:]
     heading(axes, name, f"how fast the {words.ball} leaves, {reading.unit('speed')}")
     size = reading.units["speed"].size
@@ -198,7 +198,7 @@ def _differences(axes: Axes, bats: Sequence[ComparedBat], length: float, reading
     marks.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=5, prune="upper"))
     light_grid(axes, vertical=False)
-    far = f"equally far from the {words_of(bats[0].compared.analysis.bat).tip}, {reading.unit('speed_change')}"
+    far = f"equally far from the {words_of(bats[0].compared.analysis.bat.sport).tip}, {reading.unit('speed_change')}"
     heading(axes, "Difference from the first", note or f"{far}; above 0: faster")
     size = reading.units["speed_change"].size
     places = np.linspace((1 - OUTER) * length, length, POINTS)

@@ -13,7 +13,6 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
@@ -34,7 +33,7 @@ TOLD = 1e-3
 def hit_document(answer: HitAnswer) -> Document:
     """Return a hit as a document."""
     implement, conditions, impact = answer.question.implement, answer.question.conditions, answer.impact
-    words = words_of(implement)
+    words = words_of(implement.sport)
     place = in_words("hit {place} from the {tip}", words, place=Slot(implement.length - impact.position, "place"))
     picture = hit_picture(impact, words, title=say("{name}, {place}", name=implement.name, place=place))
     masses = masses_words(answer.bat.mass, answer.ball_mass, words)
@@ -45,17 +44,17 @@ def hit_document(answer: HitAnswer) -> Document:
         kind="Hit",
         subtitle=place,
         blocks=[
-            hit_table(answer, implement, masses),
+            hit_table(answer, words, masses, rigid=implement.face is None),
             *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, words)),
             *_doubts(impact, words),
             *_damage_blocks(answer.damage, words),
-            *soft_note(implement, conditions.ball),
+            *soft_note(implement.sport, conditions.ball),
             picture,
             *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, "exit speed")]),
         ],
         data=data,
         rows=data["history"],
-        reader=reader_of(implement),
+        reader=reader_of(implement.sport),
         drawing=picture,
     )
 
@@ -100,14 +99,14 @@ def impact_document(impact: Impact) -> Document:
     )  # fmt: skip
 
 
-def hit_table(hit: Hit, implement: Implement, masses: Sentence) -> Table:
+def hit_table(hit: Hit, words: Terms, masses: Sentence, *, rigid: bool) -> Table:
     """Return one hit in the words of its sport.
 
     Parameters
     ----------
     masses : what met, in words.
+    rigid : whether the ball does not meet a face, so that BBCOR is defined.
     """
-    words = words_of(implement)
     rows: Rows = [
         ("outcome", hit.outcome_text.replace(" bat ", f" {words.implement} ")),
         (f"{words.implement} speed there", Slot(hit.bat_speed, "speed")),
@@ -116,7 +115,7 @@ def hit_table(hit: Hit, implement: Implement, masses: Sentence) -> Table:
     ]
     if words.smash_factor and hit.smash_factor is not None:
         rows.append((words.smash_factor, Slot(hit.smash_factor, "ratio")))
-    if implement.face is None:
+    if rigid:
         rows.append(("BBCOR at this speed", Slot(hit.bbcor, "ratio")))
     return _two_columns([*rows, *_contact_rows(hit, words), *_energy_rows(hit, words), ("masses", masses)])
 

@@ -70,7 +70,7 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
             mark.place, dot, "o", color=colour, markersize=5.2, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=4
         )
         distance = reading.number(analysis.bat.length - mark.place, "place")
-        name = SPOTS[mark.field].labelled(words_of(analysis.bat))
+        name = SPOTS[mark.field].labelled(words_of(analysis.bat.sport))
         _label(axes, distance, name, (start, level), scale, ahead=ahead, best=mark.field == "max_exit_speed")
     if right:
         axes.text(
@@ -107,14 +107,14 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
     _zone(axes, analysis, reading, upper, lower)
     below = -float(bat.width_at(body.balance_point)) / 2 - 0.08 * scale
     axes.plot(body.balance_point, below, "^", color=INK, markersize=6, zorder=4, clip_on=False)
-    balance = f"balance {reading.shown(body.balance_point, 'place')} from the {words_of(bat).butt}"
+    balance = f"balance {reading.shown(body.balance_point, 'place')} from the {words_of(bat.sport).butt}"
     quiet: dict[str, Any] = {"va": "center_baseline", "color": MUTED, "size": SMALL}
     label = axes.text(body.balance_point - 0.12 * scale, upper, balance, ha="right", **quiet)
     hands = analysis.conditions.hands.places
     for place in hands:
         reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
-    held = axes.text(sum(hands) / 2, upper, words_of(bat).hands, ha="center", **quiet)
+    held = axes.text(sum(hands) / 2, upper, words_of(bat.sport).hands, ha="center", **quiet)
     if label.get_window_extent().padded(6).overlaps(held.get_window_extent()):  # a balance point near the hands
         if bat.outline is None:
             label.set(x=body.balance_point + 0.12 * scale, ha="left")
@@ -126,7 +126,7 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
 
 
 def _zone(axes: Axes, analysis: Analysis[Implement], reading: Reader, upper: float, lower: float) -> None:
-    zone, length, words = analysis.sweet_spots.zone, analysis.bat.length, words_of(analysis.bat)
+    zone, length, words = analysis.sweet_spots.zone, analysis.bat.length, words_of(analysis.bat.sport)
     look: dict[str, Any] = {"ha": "center", "va": "center_baseline", "size": NORMAL, "zorder": 5}
     if zone is None:
         axes.text(0.8 * length, lower, f"no {words.zone}", color=MUTED, **look)
@@ -254,7 +254,7 @@ def _marks(axes: Axes, places: Array, *, size: float, width: float) -> None:
 
 def from_the_tip(implement: Implement, reading: Reader) -> str:
     """Return the label of the axis along an implement: "inches from the tip"."""
-    return f"{TICKS[reading.unit('place')][0]} from the {words_of(implement).tip}"
+    return f"{TICKS[reading.unit('place')][0]} from the {words_of(implement.sport).tip}"
 
 
 def show_centimetres(axes: Axes, length: float, *, offset: float, butt: str = "knob end") -> Axes:

@@ -35,7 +35,7 @@ def play_document(answer: PlayAnswer) -> Document:
         kind="Play",
         blocks=[
             Paragraph(words),
-            *soft_note(bat, answer.question.conditions.ball),
+            *soft_note(bat.sport, answer.question.conditions.ball),
             picture,
             *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, "carry")]),
         ],

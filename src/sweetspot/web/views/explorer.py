@@ -137,7 +137,7 @@ def answer(state: ExplorerState) -> ExplorerAnswer:
         setup.reduced.bat,
         setup.conditions,
         setup.spots,
-        words_of(setup.reduced.bat),
+        words_of(setup.reduced.bat.sport),
     )
     found = curves(state)
     hit, middle = _hit(state, setup, found)
@@ -253,7 +253,7 @@ def _hit(state: ExplorerState, setup: Met, found: HitsAlongBat) -> tuple[Explore
     leaves = hit.outcome[0] == Outcome.SEPARATED
     again = touched_again_at(
         bool(hit.touches[0] > 1) or touched_twice(setup.scan, place, within=INCH),
-        words_of(bat),
+        words_of(bat.sport),
         modes=modes,
         ball=conditions.ball,
         position=place,

@@ -129,8 +129,8 @@ def _shared(state: HitState, **changes: float) -> HitState:
 def _along(state: HitState) -> Met:
     model = reduced(state, ball_of(state))
     conditions = conditions_of(state, model.bat)
-    check_conditions(model.bat, conditions, body=model.body)
-    scanned = scan(model.bat, body=model.body, modes=model.modes, conditions=conditions)
+    check_conditions(model, conditions)
+    scanned = scan(model, conditions)
     spots = sweet_spots(scanned, body=model.body, modes=model.modes, conditions=conditions)
     return Met(model, conditions, scanned, spots, _doubts(model, conditions, scanned, spots.max_exit_speed))
 
@@ -144,7 +144,7 @@ def _doubts(model: ReducedBat, conditions: Conditions, scanned: Scan, best: floa
     """Return the doubts about the best hit; computed, by a hit of its own, where balls beside it are touched twice."""
     if not touched_twice(scanned, best, within=BESIDE):
         return []
-    return best_in_doubt(hit_at(best, modes=model.modes, conditions=conditions), words_of(model.bat))
+    return best_in_doubt(hit_at(best, modes=model.modes, conditions=conditions), words_of(model.bat.sport))
 
 
 @lru_cache(maxsize=KEPT)
@@ -153,7 +153,7 @@ def _curves(state: HitState) -> HitsAlongBat:
     scanned, angle = _scanned(state, setup, setup.scan)
     from_tip = setup.reduced.bat.length - scanned.position
     barrel = from_tip <= BARREL
-    again = touched_again_between(from_tip[barrel], scanned.touches[barrel], words_of(setup.reduced.bat))
+    again = touched_again_between(from_tip[barrel], scanned.touches[barrel], words_of(setup.reduced.bat.sport))
     shares: dict[str, Array] = {
         name: part.round(5) for name, part in scanned.energy._asdict().items() if np.nanmax(part) > 0
     }
@@ -202,8 +202,7 @@ def jumps_at(setup: Met, place: float) -> bool:
 def scans_at(state: HitState, place: float) -> tuple[Scan, Scan]:
     """Return scans of one place: of a ball met in the middle, and of one met as far off the axis as is asked."""
     setup = along(state)
-    bat, body, modes = setup.reduced.bat, setup.reduced.body, setup.reduced.modes
-    middle = scan(bat, body=body, modes=modes, conditions=setup.conditions, positions=np.array([place]))
+    middle = scan(setup.reduced, setup.conditions, np.array([place]))
     return middle, _scanned(state, setup, middle)[0]
 
 

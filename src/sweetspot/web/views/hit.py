@@ -136,7 +136,10 @@ def _answer(state: HitFilmState) -> FilmAnswer:
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
     impact = quick_hit(modes, ball=conditions.ball, position=place, closing_speed=closing)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
-    again, moved = touched_again(impact, words_of(reduced_bat.bat)), _hands(scene, modes, conditions.hands.position)
+    again, moved = (
+        touched_again(impact, words_of(reduced_bat.bat.sport)),
+        _hands(scene, modes, conditions.hands.position),
+    )
     words = wave_words(
         reduced_bat.bat.name,
         contact_time=impact.contact_time,
@@ -180,7 +183,7 @@ def _asked(state: HitFilmState) -> tuple[ReducedBat[Bat], Conditions, float]:
     """Return the bat, its swing and the place that is hit, m from the knob end."""
     reduced_bat = reduced(state, ball_of(state))
     conditions = conditions_of(state, reduced_bat.bat)
-    check_conditions(reduced_bat.bat, conditions, body=reduced_bat.body)
+    check_conditions(reduced_bat, conditions)
     return reduced_bat, conditions, place_of(state, reduced_bat.bat, conditions)
 
 

@@ -180,7 +180,7 @@ class _BatMotions(NamedTuple):
 def _held(state: ModesState) -> _BatMotions:
     model = reduced(state, ball_of(state))
     conditions = conditions_of(state, model.bat)
-    check_conditions(model.bat, conditions, body=model.body)
+    check_conditions(model, conditions)
     bat, hands, modes = model.bat, conditions.hands, model.modes
     if state.held:
         modes = held_modes(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))

@@ -85,7 +85,7 @@ def answer(state: OwnState) -> dict[str, Any]:
     return {
         "bat": {**to_dict(mass_properties(described, described_body)), **_picture(state, described)},
         "tool": None if state.implement is None else {"name": described.name},
-        "words": words_of(described).model_dump(),
+        "words": words_of(described.sport).model_dump(),
         "grip_end": described.grip_end,
         "fitted": {
             **to_dict(mass_properties(fitted, body)),

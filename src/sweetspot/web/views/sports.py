@@ -140,7 +140,7 @@ def answer(state: SportsState) -> SportsAnswer:
     """Return the implement's sweet spots, curves along it, and the hit at the chosen place."""
     analysis = _played(state)
     tool, conditions, along = analysis.bat, analysis.conditions, analysis.scan
-    words, hit = words_of(tool), _hit(state, analysis)
+    words, hit = words_of(tool.sport), _hit(state, analysis)
     again = touched_again_between(tool.length - along.position, along.touches, words)
     fastest = float(np.interp(analysis.sweet_spots.max_exit_speed, along.position, along.exit_speed))
     headline = [
@@ -242,7 +242,7 @@ def _hit(state: SportsState, analysis: Analysis[Implement]) -> SportsHit:
     where = {"position": place, "lateral": aside, "closing_speed": closing}
     numbers = numbers_in_batch(hit, **where)
     perhaps = bool(hit.touches[0] > 1)
-    again = touched_again_at(perhaps, words_of(tool), modes=analysis.modes, ball=conditions.ball, **where)
+    again = touched_again_at(perhaps, words_of(tool.sport), modes=analysis.modes, ball=conditions.ball, **where)
     felt = sting(analysis.modes, hands=conditions.hands, displacement=hit.displacement, velocity=hit.velocity)
     efficiency = float(numbers.collision_efficiency)
     return SportsHit(
