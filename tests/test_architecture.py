@@ -339,6 +339,7 @@ DIALECT = {
         pytest.param(house.untyped_dictionaries, UNTYPED, "give it a type", id="untyped dictionaries"),
         pytest.param(house.banned_bindings, RIDDLES, f"name what it holds, not {sorted(house.BANNED)}", id="bindings"),
         pytest.param(house.house_words, DIALECT, "say it in the field's words", id="words"),
+        pytest.param(house.conditional_asserts, {}, "demand that it is there, then assert", id="conditional asserts"),
     ],
 )  # fmt: skip
 def test_what_should_go_only_shrinks(found: Callable[[], dict[str, int]], allowed: dict[str, int], mend: str) -> None:

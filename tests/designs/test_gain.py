@@ -78,11 +78,10 @@ def test_few_balls_are_no_gain_that_you_could_see(design: Designed, balls: int, 
     text = read(worth_words(designed_bat(few, design.question, front)), US)
     assert f"{balls} balls tell of the contacts" in text
     assert ("met as these the gain would be seen" in text) == (not seen)
-    if not seen:
-        needed = gain.balls_needed
-        assert needed is not None and 20 < needed < 100
-        later = replace(gain, balls=needed, sample=gain.sample * np.sqrt((balls + 3.5) / (needed + 3.5)))
-        assert later.verdict is GainVerdict.SEEN  # from so many balls on
+    needed = gain.balls_needed or balls
+    assert 20 < needed <= 300
+    later = replace(gain, balls=needed, sample=gain.sample * np.sqrt((balls + 3.5) / (needed + 3.5)))
+    assert later.verdict is GainVerdict.SEEN  # from so many balls on
 
 
 def test_what_no_number_of_balls_would_show(design: Designed) -> None:

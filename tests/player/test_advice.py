@@ -204,8 +204,10 @@ def test_every_kind_of_bat_can_be_varied(name: str) -> None:
         assert response_of(lengthened(bat, inches * INCH, mass=mass), ball=BALL, axis=0.0).efficiency[24] > 0
     longer = lengthened(bat, INCH, mass=mass)
     assert longer.length == pytest.approx(bat.length + INCH)
-    if bat.shell is None:
-        assert rigid_body(beam_model(longer)).mass == pytest.approx(mass)
+    label, grown = pytest.approx(mass), pytest.approx(longer.length / bat.length * mass, rel=4e-3)
+    assert rigid_body(beam_model(longer)).mass == (
+        label if bat.shell is None else grown
+    )  # of a hollow bat all but ends
 
 
 @pytest.fixture

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 import polars as pl
 import pytest
@@ -129,30 +131,39 @@ def test_what_is_never_negative_has_intervals_above_zero_that_hold(spread: float
     assert 0.02 < np.mean(below) < 0.07 and 0.03 < np.mean(above) < 0.08
 
 
-@pytest.mark.parametrize("count", [1, 2, 3])
-@pytest.mark.parametrize("groups", [1, 2, 3, 6])
-def test_few_balls_of_few_groups_have_wide_intervals_or_none(groups: int, count: int) -> None:
-    """One ball each tells nothing of how balls scatter: no interval, no reliability, and no error of 0."""
+def drawn_groups(groups: int, count: int, times: int) -> Iterator[tuple[Array, pl.DataFrame]]:
+    """Yield the truth of a few groups and what a few balls of each say."""
     rng = np.random.default_rng(10 * groups + count)
-    nines, halves = [], []
-    for _ in range(300 if count > 1 else 3):
+    for _ in range(times):
         truth = rng.normal(5, 0.7, groups)
         balls = rng.normal(truth[:, None], 1, (groups, count))
         squares = np.sum((balls - balls.mean(axis=1, keepdims=True)) ** 2, axis=1)
-        table = groups_of(np.full(groups, count), balls.mean(axis=1), squares)
-        told, _ = pooled_groups(table, key="who")
+        yield truth, groups_of(np.full(groups, count), balls.mean(axis=1), squares)
+
+
+@pytest.mark.parametrize("bounds", [None, POSITIVE])
+@pytest.mark.parametrize("groups", [1, 2, 3, 6])
+def test_one_ball_each_has_no_interval(groups: int, bounds: tuple[float, float] | None) -> None:
+    """It tells nothing of how balls scatter: no interval, no reliability, and no error of 0."""
+    for _, table in drawn_groups(groups, 1, 3):
+        pooled, _ = pooled_groups(table, key="who", bounds=bounds)
+        empty = pooled.select("reliability", "spread", "low50", "high50", "low90", "high90").null_count()
+        assert empty.row(0) == (groups,) * 6
+        assert pooled["pooled"].to_list() == pooled["mean"].to_list()
+
+
+@pytest.mark.parametrize("count", [2, 3])
+@pytest.mark.parametrize("groups", [1, 2, 3, 6])
+def test_few_balls_of_few_groups_have_wide_intervals(groups: int, count: int) -> None:
+    nines, halves = [], []
+    for truth, table in drawn_groups(groups, count, 300):
+        pooled, _ = pooled_groups(table, key="who")
         near, _ = pooled_groups(table, key="who", bounds=POSITIVE)
-        assert told["reliability"].null_count() == (groups if count == 1 or groups < FEWEST_GROUPS else 0)
-        if count == 1:
-            for one in (told, near):
-                assert one.select("spread", "low50", "high50", "low90", "high90").null_count().row(0) == (groups,) * 5
-                assert one["pooled"].to_list() == one["mean"].to_list()
-            continue
+        assert pooled["reliability"].null_count() == (groups if groups < FEWEST_GROUPS else 0)
         assert (near["low90"] < near["low50"]).all() and (near["high90"] > near["high50"]).all()
-        halves.append(held(told, truth, 50))
-        nines.append(held(told, truth, 90))
-    if nines:
-        assert 0.42 < np.mean(halves) < 0.6 and 0.85 < np.mean(nines) < 0.95
+        halves.append(held(pooled, truth, 50))
+        nines.append(held(pooled, truth, 90))
+    assert 0.42 < np.mean(halves) < 0.6 and 0.85 < np.mean(nines) < 0.95
 
 
 def test_one_ball_each_of_a_share_has_an_interval_all_the_same() -> None:

@@ -357,8 +357,7 @@ def test_columns_are_what_all_lines_make_them(
         monkeypatch.setattr(csv_copy, "BEGUN", lines)
         read.append(open_table(path, staging=tmp_path / str(lines)).part(0, 9))
     assert read[0].equals(read[1], null_equal=True)
-    if late != "inf":  # no number by its look
-        assert read[0].schema == read[1].schema
+    assert late == "inf" or read[0].schema == read[1].schema  # no number by its look
 
 
 def test_very_many_columns(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from typing import Any
 
 import pytest
@@ -108,29 +109,41 @@ def test_own_bat_says_what_it_is_now(measured: dict[str, float], said: Said) -> 
     assert swing_weight == pytest.approx(fitted["moi_6in_kg_m2"] / OUNCE_INCH_SQUARED, abs=51)
 
 
-@pytest.mark.parametrize("change", [None, BETTER, WORSE])
-def test_design_says_faster_or_slower_as_the_table_does(change: float | None, said: Said) -> None:
+def pulled(first: Mapping[str, Any], factor: float) -> DesignState:
+    """Return the state of the page in which the barrel has been pulled to another diameter."""
+    numbers = [variable["value"] for variable in first["variables"]]
+    numbers[7] *= factor
+    return DesignState(design_si=numbers, design_for=first["key"], pulled=7, keep_mass=False, keep_moi=False)
+
+
+def size_of(design: Mapping[str, Any]) -> str:
+    balance = shown(design["balance_point_m"], "place")
+    return f"{shown(design['mass_kg'], 'mass')}, balance {balance} from the knob"
+
+
+def test_design_says_that_the_present_bat_is_the_present_bat(said: Said) -> None:
     first = design.answer(DesignState())
-    state: dict[str, Any] = {}
-    if change is not None:
-        numbers = [one["value"] for one in first["variables"]]
-        numbers[7] *= change
-        state = {"design_si": numbers, "design_for": first["key"], "pulled": 7, "keep_mass": False, "keep_moi": False}
-    found = design.answer(DesignState(**state)) if state else first
-    sure = design.gain(DesignState(**state)) if change == BETTER else {}
-    words, made = said("design", "say", found, sure=sure or False), found["design"]
-    speed = next(one for one in found["measures"] if one["name"] == "exit_speed")
-    if change is None:
-        assert words.startswith("This is the present bat still")
-    else:
-        direction = "faster" if speed["change"] > 0 else "slower"
-        assert (
-            f"the ball leaves {shown(abs(speed['change']), 'speed_change')} {direction}{'' if sure else '.'}" in words
-        )
-    if sure:
-        assert f"give or take {shown(sure['half_interval_m_s'], 'speed_change')} (90 %): " in words
-        assert any(f": {verdict}." in words for verdict in sure["words"].values())
-    assert f"{shown(made['mass_kg'], 'mass')}, balance {shown(made['balance_point_m'], 'place')} from the knob" in words
+    words = said("design", "say", first, sure=False)
+    assert words.startswith("This is the present bat still")
+    assert size_of(first["design"]) in words
+
+
+@pytest.mark.parametrize("factor", [BETTER, WORSE])
+def test_design_says_faster_or_slower_as_the_table_does(factor: float, said: Said) -> None:
+    found = design.answer(pulled(design.answer(DesignState()), factor))
+    words = said("design", "say", found, sure=False)
+    change = next(measure["change"] for measure in found["measures"] if measure["name"] == "exit_speed")
+    direction = "faster" if change > 0 else "slower"
+    assert f"the ball leaves {shown(abs(change), 'speed_change')} {direction}." in words
+    assert size_of(found["design"]) in words
+
+
+def test_design_says_how_sure_a_gain_is(said: Said) -> None:
+    state = pulled(design.answer(DesignState()), BETTER)
+    sure = design.gain(state)
+    words = said("design", "say", design.answer(state), sure=sure)
+    assert f"give or take {shown(sure['half_interval_m_s'], 'speed_change')} (90 %): " in words
+    assert any(f": {verdict}." in words for verdict in sure["words"].values())
 
 
 def test_compare_s_table_has_the_answer_s_numbers_and_signs(said: Said) -> None:
@@ -150,35 +163,59 @@ def test_compare_s_table_has_the_answer_s_numbers_and_signs(said: Said) -> None:
 PLACE = re.compile(r"(\N{MINUS SIGN}?[\d.]+) in (?:from|beyond) the tip")
 
 
-@pytest.mark.parametrize("question", ["end", "percussion", "corking", "drop", "energy", "verdict"])
-@pytest.mark.parametrize(
-    "moved",
-    [{}, {"bat": "torpedo", "rod_hands_in": 11.0, "hands_moved_in": 5.0, "hole_diameter_in": 1.5, "hole_depth_in": 14.0,
-          "block_thickness_m": 0.003, "block_support": "clamped", "metal_share": 0.3}],
-)  # fmt: skip
-def test_the_paper_says_what_the_full_model_says(question: str, moved: dict[str, Any]) -> None:
-    state = paper.PaperState(question=question, **moved)
-    found = plain_data(paper.answer(state))
-    words, picture = " ".join(found["truth"]["us"]), found["picture"]
-    length = found["bat"]["length_m"]
+QUESTIONS = ("end", "percussion", "corking", "drop", "energy", "verdict")
+CONTROLS: dict[str, dict[str, Any]] = {
+    "as printed": {},
+    "moved": {
+        **{"bat": "torpedo", "rod_hands_in": 11.0, "hands_moved_in": 5.0, "hole_diameter_in": 1.5},
+        **{"hole_depth_in": 14.0, "block_thickness_m": 0.003, "block_support": "clamped", "metal_share": 0.3},
+    },
+}
+
+
+@cache
+def full_model(question: str, controls: str) -> tuple[dict[str, Any], str]:
+    """Return the answer to one of the paper's questions, and what the full model says of it."""
+    found = plain_data(paper.answer(paper.PaperState(question=question, **CONTROLS[controls])))
+    return found, " ".join(found["truth"]["us"])
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+@pytest.mark.parametrize("controls", CONTROLS)
+def test_the_paper_says_where_the_full_model_s_best_place_is(question: str, controls: str) -> None:
+    found, words = full_model(question, controls)
+    picture = found["picture"]
     assert not [place for place in PLACE.findall(words) if place.startswith("\N{MINUS SIGN}")], words
     best = picture.get("best_m") or picture.get("sweet_spots", {}).get("max_exit_speed_m")
-    assert best is None or f"{shown(length - best, 'place')} from the tip" in words
-    if question == "end":
-        assert shown(max(picture["exit_speed_m_s"]), "speed") in words
-    if question == "percussion":
-        gap = picture["best_m"] - picture["bat_percussion_m"]
-        assert f"{shown(abs(gap), 'place')} {'further out' if gap > 0 else 'further in'}" in words
-        for name in ("rod_percussion_m", "bat_percussion_m", "moved_percussion_m"):
-            beyond = picture[name] > length
-            assert f"{shown(abs(length - picture[name]), 'place')} {'beyond' if beyond else 'from'} the tip" in words
-    if question == "corking":
-        plain, corked = [one["full_model"] for one in found["rows"] if one["equation"] == "13"][-2:]
-        assert ("The force grows" in words) == (corked > plain + 0.005)
-        before, after = [one["full_model"] for one in found["rows"] if one["equation"] == "14"][-2:]
-        assert ("slower" in words) == (after < before)
-    if question == "drop":
-        for one in ("wood", "metal"):
-            back = picture[one]["rebound_m"]
-            assert (shown(back, "place") in words) if back is not None else "does not come off" in words
-        assert ("trampoline: it takes" in words) == (state.block_support != "floor" and state.block_thickness_m <= 0.02)
+    assert best is None or f"{shown(found['bat']['length_m'] - best, 'place')} from the tip" in words
+
+
+@pytest.mark.parametrize("controls", CONTROLS)
+def test_the_paper_says_how_fast_and_how_far_from_the_percussion_centre(controls: str) -> None:
+    found, words = full_model("end", controls)
+    assert shown(max(found["picture"]["exit_speed_m_s"]), "speed") in words
+    found, words = full_model("percussion", controls)
+    picture, length = found["picture"], found["bat"]["length_m"]
+    gap = picture["best_m"] - picture["bat_percussion_m"]
+    assert f"{shown(abs(gap), 'place')} {'further out' if gap > 0 else 'further in'}" in words
+    for name in ("rod_percussion_m", "bat_percussion_m", "moved_percussion_m"):
+        beyond = picture[name] > length
+        assert f"{shown(abs(length - picture[name]), 'place')} {'beyond' if beyond else 'from'} the tip" in words
+
+
+@pytest.mark.parametrize("controls", CONTROLS)
+def test_the_paper_says_what_corking_does_in_the_full_model(controls: str) -> None:
+    found, words = full_model("corking", controls)
+    plain, corked = [row["full_model"] for row in found["rows"] if row["equation"] == "13"][-2:]
+    assert ("The force grows" in words) == (corked > plain + 0.005)
+    before, after = [row["full_model"] for row in found["rows"] if row["equation"] == "14"][-2:]
+    assert ("slower" in words) == (after < before)
+
+
+@pytest.mark.parametrize("controls", CONTROLS)
+def test_the_paper_says_how_high_a_dropped_ball_comes_back(controls: str) -> None:
+    found, words = full_model("drop", controls)
+    for ball in ("wood", "metal"):
+        back = found["picture"][ball]["rebound_m"]
+        assert ("does not come off" if back is None else shown(back, "place")) in words
+    assert ("trampoline: it takes" in words) == (controls == "moved")  # 3 mm, clamped

@@ -145,8 +145,8 @@ def test_every_park_is_judged_as_by_the_paths() -> None:
             there = replace(start.conditions, aerodynamics=aerodynamics_in(park, start.conditions.aerodynamics))
             (end,) = fly_all_parks(start.motion, there, parks=(park,))
             assert row["outcome"] == str(end.outcome.flat[0]), (controls, row["park"])
-            if row["clearance_m"] is not None:
-                assert row["clearance_m"] == pytest.approx(float(end.clearance.flat[0]), abs=0.005)
+            clearance = math.nan if row["clearance_m"] is None else row["clearance_m"]  # it never came to the fence
+            assert clearance == pytest.approx(float(end.clearance.flat[0]), abs=0.005, nan_ok=True)
         assert 0 <= found["chance"] <= 1
         assert found["expected_out_in"] == pytest.approx(sum(row["chance"] for row in found["parks"]))
 
@@ -167,9 +167,10 @@ def test_each_park_has_the_carry_and_the_fence_that_its_own_command_says(
         row = rows[found["fence"]["park"]]
         assert row["carry_m"] == pytest.approx(found["carry_m"], rel=1e-4), name
         assert row["outcome"] == found["fence"]["outcome"], name
-        if row["clearance_m"] is not None:
-            assert row["fence_m"] == pytest.approx(found["fence"]["distance_m"], abs=0.15), name
-            assert row["clearance_m"] == pytest.approx(found["fence"]["clearance_m"], abs=0.01), name
+        came = name != "coors" or own_elevation  # in Boston's air it falls short of Denver's fence
+        assert (row["clearance_m"] is not None) == came, name
+        assert row["clearance_m"] == pytest.approx(found["fence"]["clearance_m"], abs=0.01), name
+        assert not came or row["fence_m"] == pytest.approx(found["fence"]["distance_m"], abs=0.15), name
     carries = {round(row["carry_m"], 3) for row in rows.values()}
     assert (len(carries) > 20) if own_elevation else (len(carries) == 2)  # in one air: in the open and under the roof
 

@@ -117,8 +117,8 @@ def test_numbers_in_words_are_in_the_readers_units(question: str) -> None:
     told = {system: " ".join(text for row in rows for text in row["words"][system].values()) for system in ("us", "si")}
     assert not re.search(r"\d (in|ft|mph)\b", told["si"])
     assert not re.search(r"\d (m|cm|m/s)\b", told["us"])
-    if question == "corking":
-        assert "corked 1 in by 10 in" in told["us"] and "corked 2.5 cm by 25.4 cm" in told["si"]
+    corked = ("corked 1 in by 10 in" in told["us"], "corked 2.5 cm by 25.4 cm" in told["si"])
+    assert corked == (question == "corking",) * 2
 
 
 def test_no_hole_of_the_question_is_wider_than_the_bat() -> None:

@@ -183,19 +183,28 @@ def test_refusals(tmp_path: Path) -> None:
 SMALL: dict[str, Any] = {"size": 500, "pixel": 2.2e-3}
 
 
-@pytest.mark.parametrize("quality", [60, 75, 90])
-@pytest.mark.parametrize("grey", [0.16, 0.2])
+def black_on_grey(folder: Path, grey: float, quality: int) -> Path:
+    picture = rendered(wood=BLACK, ground=(grey, grey, grey + 0.01), angle=17)
+    return saved(folder / "bat.jpg", picture, quality=quality)
+
+
+@pytest.mark.parametrize(("grey", "quality"), [(0.16, 60), (0.16, 90), (0.2, 75), (0.2, 90)])
 def test_black_on_dark_grey_is_refused_at_any_quality(tmp_path: Path, grey: float, quality: int) -> None:
     """What a JPEG's blocks make of dark colours was taken for hue: diameters were 6 to 9 mm off, a third of them within
-    the interval. Where JPEG left one colour of the ground, the bat's is told from that."""
-    path = saved(
-        tmp_path / "bat.jpg", rendered(wood=BLACK, ground=(grey, grey, grey + 0.01), angle=17), quality=quality
-    )
-    if read_picture(path).painted:
-        assert np.abs(misses(read_photo(path, length=BAT.length, camera_distance=1e6))).max() < 1.1e-3
-        return
+    the interval."""
+    path = black_on_grey(tmp_path, grey, quality)
+    assert not read_picture(path).painted
     with pytest.raises(InputError, match="no darker than a shadow"):
         read_photo(path, length=BAT.length)
+
+
+@pytest.mark.parametrize(("grey", "quality"), [(0.16, 75), (0.2, 60)])
+def test_black_is_told_from_dark_grey_where_jpeg_left_one_colour_of_it(
+    tmp_path: Path, grey: float, quality: int
+) -> None:
+    path = black_on_grey(tmp_path, grey, quality)
+    assert read_picture(path).painted
+    assert np.abs(misses(read_photo(path, length=BAT.length, camera_distance=1e6))).max() < 1.1e-3
 
 
 METAL = (0.72, 0.73, 0.75)
@@ -350,8 +359,8 @@ def test_a_hard_dark_shadow_is_told_from_the_bat_by_its_hue(
     outline = read_photo(saved(tmp_path / "bat.jpg", picture, quality=90), length=BAT.length, camera_distance=1e6)
     assert np.abs(misses(outline)).max() < 2.2e-3  # two pixels
     assert inside(outline) > 0.9
-    if (wood, ground) == (ASH, WHITE):  # strong colours are told from shadows without that
-        assert "separated from it by hue" in outline.notes[0]
+    by_hue = "separated from it by hue" in " ".join(outline.notes)
+    assert by_hue or (wood, ground) != (ASH, WHITE)  # strong colours are told from shadows without that
 
 
 def test_a_shadow_beside_a_part_of_its_hue_is_refused(tmp_path: Path) -> None:
