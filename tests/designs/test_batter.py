@@ -103,7 +103,7 @@ def test_one_batter_of_a_seasons_table(tmp_path: Path) -> None:
         ("", "holds no contact"),
         ("from_tip_in\n", "holds no contact"),
         ("place\n5\n", "name one of them from_tip_in"),
-        ("from_tip_in\nfive\n", "line 2: 'five' was given"),
+        ("from_tip_in\nfive\n", "line 2: from_tip was given as 'five'"),
         ("from_tip_in\n55\n", "line 2: 55 was given, 1.397 m .55 in. from the tip; .+ check the unit"),
         ("from_tip_in\n25\n", "no contact on the outer 13 in"),
         ("from_tip_in\n6,5\n", "line 2 has 2 values for 1 columns; write decimals with a point"),

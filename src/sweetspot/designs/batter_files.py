@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from pathlib import Path
 from statistics import NormalDist
 from typing import Any
@@ -15,23 +14,17 @@ from sweetspot.designs.batter import ContactPlaces, contacts_at
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.numerics.text_files import read_text
 from sweetspot.plausibility import parse
-from sweetspot.tables.text_encoding import table_rows
-from sweetspot.units import INCH, format_length
+from sweetspot.tables.cells import with_unit
+from sweetspot.tables.headings import TableColumn, names_one_of, read_headings
+from sweetspot.tables.text_encoding import is_number, table_rows
+from sweetspot.units import format_length
 
 MOST_BYTES = 5_000_000
 LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")
 ENDS = ("low", "high")
 UNNAMED_LEVEL = 0.95
 """Level of the intervals of files that do not name it, as fit-player of 0.1 wrote them."""
-PLACE_HEADS = {
-    "from_tip_in": INCH,
-    "from_tip_m": 1.0,
-    "from_tip_cm": 0.01,
-    "from_tip_mm": 1e-3,
-    "from_tip_ft": 12 * INCH,
-    "from_tip": None,
-}
-"""Headings of a column of places with the size of their unit in m; None: every value brings its own."""
+CONTACTS = ("from_tip", "contact_weight", "batter")
 ADVICE = "give the file that fit-player --out writes, player.json"
 LONGEST = 1.1
 """m: no bat is longer."""
@@ -46,59 +39,51 @@ def contacts_of_file(path: Path, *, batter: str | None = None) -> ContactPlaces:
     ``batter``: whose lines count, by a column ``batter``; None: all lines, which have to be one batter's.
     """
     text = read_text(path, most=MOST_BYTES, advice="a contact table is a few lines of CSV")
-    rows = list(table_rows(text, path, is_heading=lambda cells: any(_head(cell) in PLACE_HEADS for cell in cells)))
+    rows = list(table_rows(text, path, is_heading=lambda cells: names_one_of(cells, ("from_tip",))))
     if len(rows) < 2:
         raise InputError(f"{path} holds no contact; give a heading from_tip_in and a line for every contact")
-    heads = [_head(cell) for cell in rows[0][1]]
-    column = next((number for number, head in enumerate(heads) if head in PLACE_HEADS), None)
-    if column is None:
-        raise InputError(f"{path} has the columns {', '.join(heads)}; name one of them from_tip_in or from_tip_m")
+    names = [name.strip() for name in rows[0][1]]
+    columns = read_headings(names, wanted=CONTACTS, file_name=str(path)).columns
+    place_column, weight_column = columns.get("from_tip"), columns.get("contact_weight")
+    if place_column is None or not place_column.from_tip:
+        raise InputError(f"{path} has the columns {', '.join(names)}; name one of them from_tip_in or from_tip_m")
     for line, cells in rows[1:]:
-        if len(cells) > len(heads) and any(cell.strip() for cell in cells[len(heads) :]):
+        if any(cell.strip() for cell in cells[len(names) :]):
             raise InputError(
-                f"{path}, line {line} has {len(cells)} values for {len(heads)} columns; write decimals with a point, "
+                f"{path}, line {line} has {len(cells)} values for {len(names)} columns; write decimals with a point, "
                 "or separate the columns by semicolons"
             )
-    padded = [(line, cells + [""] * (len(heads) - len(cells))) for line, cells in rows[1:]]
-    lines = [(line, cells) for line, cells in padded if cells[column].strip()]
-    lines = _of_batter(lines, heads.index("batter") if "batter" in heads else None, batter, path)
-    place = np.array([_place(cells[column], heads[column], path, line) for line, cells in lines])
-    share = np.ones(len(lines))
-    if "weight" in heads:
-        share = np.array([_weight(cells[heads.index("weight")], path, line) for line, cells in lines])
+    padded = [(line, cells + [""] * (len(names) - len(cells))) for line, cells in rows[1:]]
+    lines = [(line, cells) for line, cells in padded if cells[place_column.index].strip()]
+    lines = _of_batter(lines, columns["batter"].index if "batter" in columns else None, batter, path)
     try:
+        place = np.array([_place(cells[place_column.index], place_column, line) for line, cells in lines])
+        share = np.ones(len(lines))
+        if weight_column is not None:
+            share = np.array([_weight(cells[weight_column.index], line) for line, cells in lines])
         return contacts_at(place, share)
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise InputError(f"{path}, {error}") from None
 
 
-def _head(cell: str) -> str:
-    """Return a heading in small letters and underscores: "From tip (in)" is from_tip_in."""
-    return "_".join(part for part in re.split(r"[^a-z0-9]+", cell.lower()) if part)
-
-
-def _place(text: str, head: str, path: Path, line: int) -> float:
+def _place(text: str, column: TableColumn, line: int) -> float:
     """Return a place, m from the tip."""
-    size = PLACE_HEADS[head]
-    if size is not None:
-        place = _number(text, path, line) * size
-    else:
-        try:
-            place = parse(text, "length", "from_tip")
-        except InputError as error:
-            raise InputError(f"{path}, line {line}: {error}") from None
+    try:
+        place = parse(text if column.has_no_unit else with_unit(text, column), "length", "from_tip")
+    except InputError as error:
+        raise InputError(f"line {line}: {error}") from None
     if not 0 <= place <= LONGEST:
         raise InputError(
-            f"{path}, line {line}: {text.strip()} was given, {format_length(place)} from the tip; allowed is a place "
-            f"on a bat, 0 to {format_length(LONGEST)}: check the unit"
+            f"line {line}: {text.strip()} was given, {format_length(place)} from the tip; allowed is a place on a bat, "
+            f"0 to {format_length(LONGEST)}: check the unit"
         )
     return place
 
 
-def _weight(text: str, path: Path, line: int) -> float:
-    value = _number(text, path, line)
-    if value < 0:
-        raise InputError(f"{path}, line {line}: the weight {text.strip()} was given; allowed is 0 or more")
+def _weight(text: str, line: int) -> float:
+    value = float(text) if is_number(text) and text.strip() else math.nan
+    if not 0 <= value < math.inf:
+        raise InputError(f"line {line}: the weight {text.strip()} was given; allowed is a number from 0 up")
     return value
 
 
@@ -162,13 +147,3 @@ def _learned(numbers: dict[str, Any], start: str = "value") -> float:
     if start in ENDS:  # a value reported without an interval
         return _learned(numbers)
     raise KeyError("a parameter without a value")
-
-
-def _number(text: str, path: Path, line: int) -> float:
-    try:
-        value = float(text.strip())
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise InputError(f"{path}, line {line}: {text!r} was given; allowed is a number without its unit")
-    return value

@@ -25,15 +25,16 @@ from sweetspot.tables.headings import (
     refuse_faults,
 )
 from sweetspot.tables.text_encoding import FIRST_LINES, table_rows
+from sweetspot.tables.unit_words import UNITS
 from sweetspot.tables.vocabulary import quantities_of
-from sweetspot.units import FOOT, INCH, format_length
+from sweetspot.units import INCH, format_length
 
 STATIONS = quantities_of("stations")
 ACROSS = {"diameter": 1.0, "circumference": 1 / math.pi, "radius": 2.0}
 """The quantities measured across, and the diameter per unit of each."""
 PLURALS = {"diameter": "diameters", "circumference": "circumferences", "radius": "radii"}
-METRES = {"inches": INCH, "feet": FOOT, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
-"""m of the units that are tried where something is no bat."""
+TRIED = ("inches", "feet", "mm", "cm", "m")
+"""Units that are tried where something is no bat."""
 COMMENT = "#"
 MOST_STATIONS = 2000
 FEWEST_STATIONS = 5
@@ -150,7 +151,7 @@ def _check_like_a_bat(
         return
     long, wide = reach / where.factor, across.heading  # nan without a unit
     meant, in_both = [], []
-    for unit, size in METRES.items():
+    for unit, size in ((unit, UNITS["length"][unit]) for unit in TRIED):
         if _like_a_bat(long * size, thin, thick):
             meant.append(f"{where.heading} counted in {unit} ({format_length(long * size)} long)")
         if _like_a_bat(reach, *(part / across.factor * size for part in (thin, thick))):
