@@ -7,8 +7,7 @@ from typing import Any
 
 from sweetspot import analyse, catalog, standard_conditions
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.analysis.optimum import BestSwing, best_swing
-from sweetspot.analysis.optimum.swing import Held
+from sweetspot.analysis.optimum import BestSwing, Held, best_swing
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions

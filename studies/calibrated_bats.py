@@ -55,8 +55,8 @@ from sweetspot.dynamics.reduction import all_modes
 from sweetspot.numerics.constants import STANDARD_AXIS, STANDARD_GRAVITY
 from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.piecewise import cubic_spline
+from sweetspot.uncertainty.drawn_hits import speed_doubt
 from sweetspot.uncertainty.implement_doubt import doubt_of_piece
-from sweetspot.uncertainty.linear_doubt import speed_doubt
 from sweetspot.uncertainty.sources import Sources
 
 WOODS = {"white ash": (0.077, 0.109), "sugar maple": (0.063, 0.111)}

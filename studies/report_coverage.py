@@ -30,7 +30,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH, Interval, Number
-from sweetspot.uncertainty.linear_doubt import speed_doubt
+from sweetspot.uncertainty.drawn_hits import speed_doubt
 from sweetspot.uncertainty.sources import OF_BALL, PATCH, Sources, sources_of
 
 NAMES = (

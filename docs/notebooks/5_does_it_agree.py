@@ -7,7 +7,7 @@ it was compared with, and its source, misses included.
 """
 
 from sweetspot import validation
-from sweetspot.validation.table import headline
+from sweetspot.validation.verdicts import headline
 
 found = validation.results()
 print(headline(found))
@@ -15,7 +15,7 @@ print(headline(found))
 # %%
 # The kinds of evidence, and how many rows miss:
 
-from sweetspot.validation.table import summary
+from sweetspot.validation.verdicts import summary
 
 print(f"{'evidence':34} {'rows':>5} {'hold':>5} {'explained':>10} {'fail':>5}")
 for part in summary(found):

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.comparison import compare
-from sweetspot.analysis.same_effort import Changed
+from sweetspot.analysis.comparison import Changed, compare
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions

@@ -10,12 +10,12 @@ import pytest
 
 from studies.recorder_bats import PLACES, Ringing, descriptions, hollow, judged, tapped_body, wood, youth
 from sweetspot import all_modes, beam_model, catalog
-from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import of_tones
 from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone, any_bat, expected_of, named
 from sweetspot.calibration.recording import synthesised
 from sweetspot.calibration.tap_analysis import FAMILIES, TapTest, _like_a_bat, free_damping, modes_to_name, tap_test
+from sweetspot.calibration.taps import Tone
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 

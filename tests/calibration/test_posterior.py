@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones, predicted
 from sweetspot.calibration.naming import ModeName, NamedTone
 from sweetspot.calibration.posterior import BatPosterior, calibrate, residuals
+from sweetspot.calibration.taps import Tone
 from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.equipment.bat import Bat

@@ -9,10 +9,16 @@ from sweetspot import catalog
 from sweetspot.analysis.certification.shot_statistics import COR_SPEED
 from sweetspot.analysis.certification.shots import Shot
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement, Shooting, predicted
-from sweetspot.calibration.posterior import OF_BALL, calibrate
-from sweetspot.calibration.shot_measurements import MEASURED_BALLS, of_shots, shot_ball_unknown
-from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.calibration.measurements import (
+    MEASURED_BALLS,
+    Measurement,
+    Shooting,
+    of_shots,
+    predicted,
+    shot_ball_unknown,
+)
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.unknowns import OF_BALL, described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.numerics.interval import REACH
 from sweetspot.units import INCH, MPH

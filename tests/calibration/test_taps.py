@@ -11,8 +11,7 @@ import scipy.signal
 from studies.recorder_taps import beam_frequencies, plate_frequencies
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_factor, moduli_along, named_bar
-from sweetspot.calibration.combined_tones import REPEATABILITY, Tone, tones_of
-from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measured import Measured, parse_measured
 from sweetspot.calibration.naming import ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording, synthesised, tap_sound
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, stands_out
@@ -28,8 +27,7 @@ from sweetspot.calibration.tap_faults import (
     louder_later,
     step_of,
 )
-from sweetspot.calibration.taps import Tap, find_taps, hum_taken_out
-from sweetspot.calibration.written import parse_measured
+from sweetspot.calibration.taps import REPEATABILITY, Tap, Tone, find_taps, hum_taken_out, tones_of
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.equipment.ball import Ball

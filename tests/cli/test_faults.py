@@ -21,7 +21,7 @@ from sweetspot.errors import InputError
 from sweetspot.reports import files
 from sweetspot.reports.pictures import style
 from sweetspot.validation.cases import sources
-from sweetspot.validation.run import judged
+from sweetspot.validation.verdicts import judged
 from tests.full_disk import no_file_beyond
 from tests.seasons.conftest import made_up
 

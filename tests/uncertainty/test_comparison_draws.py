@@ -16,10 +16,10 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.uncertainty.comparison_draws import drawn_comparison
+from sweetspot.uncertainty.comparison_draws import drawn_comparison, linear_comparison
 from sweetspot.uncertainty.drawn_hits import draws_of
 from sweetspot.uncertainty.implement_doubt import WEIGHED, doubt_of
-from sweetspot.uncertainty.linear_doubt import linear_comparison, linear_reach
+from sweetspot.uncertainty.intervals import linear_reach
 from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, MPH, OUNCE
 

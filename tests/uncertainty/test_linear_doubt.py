@@ -17,7 +17,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import REACH, Interval, Number
 from sweetspot.reports.bat.words import doubt_words
-from sweetspot.uncertainty.linear_doubt import SpeedDoubt, speed_doubt
+from sweetspot.uncertainty.drawn_hits import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.sources import Sources, sources_of
 
 

@@ -204,7 +204,7 @@ def optimum(
 
 
 def _swing_search(bat: Bat, search: SearchSetup, conditions: Conditions, flying: FlightConditions) -> SwingSearch:
-    from sweetspot.analysis.optimum.swing import Held
+    from sweetspot.analysis.optimum import Held
     from sweetspot.answers.optimum import SwingSearch
     from sweetspot.dynamics.reduction import reduced_bat
 

@@ -12,9 +12,8 @@ from sweetspot.answers.records import INTERNAL, OF_RECORD
 from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table, material_values, properties
 from sweetspot.calibration.contradictions import Meant, meant, suspects
 from sweetspot.calibration.measured import CalibratedValue, Measured
-from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
+from sweetspot.calibration.measurements import MeasuredKind, Measurement, of_shots, predicted, shot_ball_unknown
 from sweetspot.calibration.posterior import BatPosterior, calibrate
-from sweetspot.calibration.shot_measurements import of_shots, shot_ball_unknown
 from sweetspot.calibration.unknowns import DIAMETER_SPREAD, described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.ball import Ball

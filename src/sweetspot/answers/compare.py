@@ -34,9 +34,15 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Curve, Number
-from sweetspot.uncertainty.comparison_draws import LAW, DrawnBat, DrawnComparison, drawn_comparison, names_of_bats
-from sweetspot.uncertainty.intervals import reach_of_draws
-from sweetspot.uncertainty.linear_doubt import linear_comparison, linear_reach
+from sweetspot.uncertainty.comparison_draws import (
+    LAW,
+    DrawnBat,
+    DrawnComparison,
+    drawn_comparison,
+    linear_comparison,
+    names_of_bats,
+)
+from sweetspot.uncertainty.intervals import linear_reach, reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources
 from sweetspot.units.dimensions import LENGTH, SPEED
 

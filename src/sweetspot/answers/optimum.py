@@ -6,8 +6,15 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Annotated
 
-from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, best_swing, easiest_home_run
-from sweetspot.analysis.optimum.swing import NOTHING_HELD, BestSwing, Held
+from sweetspot.analysis.optimum import (
+    NOTHING_HELD,
+    BestSwing,
+    EasiestHomeRun,
+    Held,
+    best_launch,
+    best_swing,
+    easiest_home_run,
+)
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
 from sweetspot.answers.optimum_draws import AskedPark, drawn_optimum
 from sweetspot.answers.play_question import PlayQuestion

@@ -16,11 +16,11 @@ import numpy as np
 
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL
+from sweetspot.calibration.bat_table import check_same_model
 from sweetspot.calibration.calibrated_file import properties
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import BatPosterior, calibrate
-from sweetspot.calibration.same_model_check import check_same_model
 from sweetspot.calibration.speed_response import SpeedResponse, response_of_speed
 from sweetspot.calibration.unknowns import DIAMETER_SPREAD, described, unknowns_of
 from sweetspot.equipment.bat import Bat

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sweetspot.answers.setups import Written
-from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.written import SEPARATOR, parse_measured
+from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse, parse_position
 from sweetspot.units import Kind

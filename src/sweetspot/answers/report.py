@@ -39,8 +39,8 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH, Curve, Interval
+from sweetspot.uncertainty.drawn_hits import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.intervals import reach_of_draws
-from sweetspot.uncertainty.linear_doubt import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import IMPULSE, LENGTH, SPEED

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from sweetspot import catalog
-from sweetspot.analysis.same_effort import Changed
+from sweetspot.analysis.comparison import Changed
 from sweetspot.answers.records import INTERNAL, Speed
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.calibration.measured import Measured

@@ -15,10 +15,10 @@ from typing import Annotated
 
 import numpy as np
 
-from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, FrequencyBand
+from sweetspot.calibration.taps import Tone
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.units.dimensions import DENSITY, MODULUS

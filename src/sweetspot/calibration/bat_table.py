@@ -20,20 +20,23 @@ from typing import cast
 
 import numpy as np
 
-from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import MeasuredKind, Measurement
+from sweetspot.calibration.measured import Measured, parse_measured
+from sweetspot.calibration.measurements import MeasuredKind, Measurement, of_swing_weight
 from sweetspot.calibration.naming import ModeName
-from sweetspot.calibration.written import of_swing_weight, parse_measured
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.tables import CalibrationTable
 from sweetspot.catalog.implements import load_implement
 from sweetspot.catalog.swing_laws import swing_weight
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.reduction import bending_modes
+from sweetspot.dynamics.rigid import pendulum_period, rigid_body
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
-from sweetspot.plausibility import check
+from sweetspot.plausibility import check, insisted
+from sweetspot.plausibility.implements import SAME_MODEL
 from sweetspot.tables.cells import require_units, with_unit
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
@@ -268,3 +271,38 @@ def measured_of(path: Path, model: Implement) -> list[Measurement]:
         )
         for value in values
     ]
+
+
+def check_same_model(
+    bats: Mapping[str, Sequence[Measurement]], model: Implement, *, axis: float = STANDARD_AXIS
+) -> None:
+    """Refuse measurements that no bat of a model comes near: in another unit, or in another column.
+
+    ``axis``: m from the knob end, of moments of inertia and pendulums.
+    """
+    beam = beam_model(model)
+    body, modes = rigid_body(beam), bending_modes(beam)
+    of_model: dict[str, float] = {
+        "mass": body.mass,
+        "balance_point": body.balance_point,
+        "moi": body.moi(axis),
+        "period": pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis),
+    }
+    bending = [float(modes.frequency[index]) for index in modes.of_family("bending")]
+    for name, measured in bats.items():
+        for measurement in measured:
+            mode = measurement.mode
+            expected = of_model.get(measurement.kind)
+            if mode is not None:
+                modelled = mode.family == "bending" and mode.harmonic <= len(bending)
+                expected = bending[mode.harmonic - 1] if modelled else None
+            if expected is None or insisted():
+                continue
+            factor = measurement.value.value / expected
+            if not 1 / SAME_MODEL[measurement.kind] < factor < SAME_MODEL[measurement.kind]:
+                what = str(mode) if mode is not None else measurement.kind.replace("_", " ")
+                raise InputError(
+                    f"{name}: the {what} is {factor:.3g} times that of {model.name}; bats of one model come within a "
+                    f"factor of {SAME_MODEL[measurement.kind]:g}. Check the unit and the column, or add --force if it "
+                    "is meant"
+                )

@@ -12,8 +12,8 @@ import numpy as np
 
 from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
 from sweetspot.calibration.measurements import Measurement, predicted, prediction_of_body
-from sweetspot.calibration.posterior import OF_BALL, BatPosterior
-from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, deviated_bodies
+from sweetspot.calibration.posterior import BatPosterior
+from sweetspot.calibration.unknowns import OF_BALL, Unknown, UnknownName, deviated, deviated_bodies
 from sweetspot.catalog.files.write import bat_table, implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
 from sweetspot.dynamics.rigid import moi_doubt, rigid_body

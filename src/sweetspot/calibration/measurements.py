@@ -1,7 +1,15 @@
-"""Measurements of one bat with a scale, a string and a telephone, and their predictions by a beam model."""
+"""Measurements of one bat with scale, string, telephone and cannon, and their predictions by a beam model.
+
+Shots at known places give the collision efficiency q there. A wrong modulus, wall or weight moves q differently along
+the bat; a livelier ball moves it everywhere. The ball's restitution is therefore one more unknown, as wide as the
+catalogue allows for its kind, or as the shots tell where every ball was measured on a rigid wall. That is done at
+60 mph, as `certify` reads it; what a ball loses from there to the speed of the shots stays as the catalogue has it.
+"""
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -9,8 +17,13 @@ from typing import Literal
 
 import numpy as np
 
-from sweetspot.calibration.measured import Measured
+from sweetspot.analysis.certification.shot_statistics import COR_SPEED
+from sweetspot.analysis.certification.shots import Shot
+from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.calibration.naming import MOST_BENDING, ModeName, NamedTone
+from sweetspot.calibration.unknowns import OF_BALL, Unknown
+from sweetspot.catalog.balls import ball_spreads
+from sweetspot.catalog.swing_laws import MOMENTS, swing_weight
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.hoop import hoop_frequency
@@ -20,6 +33,8 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interval import REACH
+from sweetspot.plausibility import parse
 from sweetspot.units import INCH
 
 MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency", "efficiency"]
@@ -175,3 +190,95 @@ def _efficiencies(beam: BeamModel, shootings: Sequence[Shooting], livelier: floa
         values = np.nan_to_num(struck.collision_efficiency, nan=-1.0).tolist()
         efficiencies |= dict(zip(same, values, strict=True))
     return efficiencies
+
+
+POINTS = re.compile(r"\s*[A-Za-z]\d(?:\.(\d+))?\s*")
+
+
+def of_swing_weight(text: str, sport: str, *, mass: Measured | None, what: str = "swing weight") -> Measurement:
+    """Return the moment of inertia that a swing weight is, or the balance point that a first moment tells of a weight.
+
+    ``text``: a letter with points, ``D2`` or ``D2.5±0.2``, in a sport that has them; else a quantity with its unit.
+    ``sport``: name in the catalogue. ``mass``: kg, weighed; needed where the sport's swing weight is a first moment, M
+    = m (x - axis).
+
+    >>> found = of_swing_weight("D2", "golf", mass=Measured(0.310, 0.0005))  # (217 in oz / 10.93 oz + 14 in) = 33.84 in
+    >>> found.name, round(found.value.value, 4), round(found.value.error, 4)
+    ('balance point', 0.8597, 0.0041)
+    >>> of_swing_weight("316kg*cm^2±1kg*cm^2", "tennis", mass=None).axis
+    0.1
+    """
+    convention = swing_weight(sport)
+    if convention.order == 2:
+        return Measurement("moi", parse_measured(text, "moi", what), axis=convention.axis)
+    if convention.zero is None or convention.step is None:
+        moment = parse_measured(text, MOMENTS[1], what)
+    else:
+        written, *error = SEPARATOR.split(text.strip(), maxsplit=1)
+        value = convention.moment_of(written)
+        digits = POINTS.fullmatch(written)
+        assert digits is not None  # or it is no swing weight
+        points = parse(error[0], "ratio", f"the error of {what}") if error else 10.0 ** -len(digits[1] or "")
+        if not points > 0:
+            raise InputError(f"the error of {what} was given as {error[0]!r}; allowed is more than 0")
+        moment = Measured(value, points * convention.step * convention.size)
+    if mass is None:
+        raise InputError(f"{what} {text} tells of the balance point only together with the weight; give the mass too")
+    arm = moment.value / mass.value
+    error_of_arm = math.hypot(moment.error / mass.value, arm * mass.error / mass.value)
+    return Measurement("balance_point", Measured(convention.axis + arm, error_of_arm))
+
+
+ONE_PLACE = 0.0064
+"""m; shots within a quarter of an inch are at one place."""
+ONE_SHOT = 0.01
+"""One sigma of q of a single shot at least (assumed): each speed to half a per cent."""
+MEASURED_BALLS = 0.01
+"""One sigma of the restitution's logarithm at 60 mph where every ball was measured (assumed)."""
+
+
+def of_shots(shots: Sequence[Shot], ball: Ball) -> list[Measurement]:
+    """Return the mean q of the shots at each place, with the error of the mean."""
+    groups: list[list[Shot]] = []
+    for shot in sorted(shots, key=lambda entry: entry.position):
+        if groups and shot.position - groups[-1][0].position <= ONE_PLACE:
+            groups[-1].append(shot)
+        else:
+            groups.append([shot])
+    return [_mean(group, ball) for group in groups]
+
+
+def _mean(group: Sequence[Shot], ball: Ball) -> Measurement:
+    values = np.array([shot.collision_efficiency for shot in group])
+    scatter = max(float(np.std(values, ddof=1)), ONE_SHOT) if len(group) > 2 else ONE_SHOT
+    closing = float(np.mean([shot.closing_speed for shot in group]))
+    place = float(np.mean([shot.position for shot in group]))
+    return Measurement(
+        "efficiency",
+        Measured(float(values.mean()), scatter / math.sqrt(len(group))),
+        shooting=Shooting(place, closing, _as_measured(ball, group)),
+    )
+
+
+def _as_measured(ball: Ball, group: Sequence[Shot]) -> Ball:
+    """Return the ball with the mean restitution and mass of those that were shot, as far as they were measured."""
+    cors = [shot.ball_cor for shot in group if shot.ball_cor is not None]
+    masses = [shot.ball_mass for shot in group if shot.ball_mass is not None]
+    if len(cors) == len(group):
+        law = ball.restitution
+        off = float(np.mean(cors)) - law.at(COR_SPEED)
+        ball = ball.replaced(restitution=law.replaced(reference=law.reference + off))
+    if len(masses) == len(group):
+        ball = ball.replaced(mass=float(np.mean(masses)))
+    return ball
+
+
+def shot_ball_unknown(shots: Sequence[Shot], ball: Ball) -> Unknown:
+    """Return the unknown of the shot balls' restitution: its logarithm over that of their law."""
+    spreads, law = ball_spreads(ball), ball.restitution
+    measured = all(shot.ball_cor is not None for shot in shots)
+    known_at = COR_SPEED if measured else law.reference_speed
+    spread = MEASURED_BALLS if measured else spreads.get("restitution", 0.05) / REACH / law.reference
+    faster = float(np.mean([shot.closing_speed for shot in shots])) - known_at
+    by_slope = spreads.get("restitution_slope", 0.0) / REACH * faster / law.reference
+    return Unknown(OF_BALL, math.hypot(spread, by_slope))

@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from sweetspot.calibration.combined_tones import Tone
+from sweetspot.calibration.taps import Tone
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.numerics.arrays import Array
 

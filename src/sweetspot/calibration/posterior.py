@@ -16,13 +16,11 @@ import numpy as np
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import OF_BODY, Measurement, predicted, prediction_of_body
-from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated, deviated_bodies
+from sweetspot.calibration.unknowns import OF_BALL, Unknown, deviated, deviated_bodies
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
-OF_BALL: UnknownName = "ball_restitution"
-"""The unknown that is not the bat's."""
 CONTRADICTION = 3.0
 """Sigma from which on a source contradicts the others."""
 FARTHEST = 8.0

@@ -10,7 +10,6 @@ from functools import lru_cache
 import numpy as np
 
 from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus, modelled_tones, moduli_along, named_bar
-from sweetspot.calibration.combined_tones import Tone, tones_of
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.naming import (
@@ -26,7 +25,7 @@ from sweetspot.calibration.naming import (
 from sweetspot.calibration.recording import BAT_BAND, FrequencyBand, Recording
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_faults import HEARD, HELD
-from sweetspot.calibration.taps import Tap, find_taps
+from sweetspot.calibration.taps import Tap, Tone, find_taps, tones_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.modes import Family, Modes

@@ -111,6 +111,8 @@ UnknownName = Literal[
     "gyration",
     "first_frequency",
 ]
+OF_BALL: UnknownName = "ball_restitution"
+"""The unknown that is not the bat's."""
 GRADIENT_SPREAD = 0.05
 """One sigma of the density's relative change from the middle to the tip (assumed)."""
 KNOB_EXTRA, KNOB_EXTRA_SPREAD = 0.005, 0.8

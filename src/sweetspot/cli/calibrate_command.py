@@ -134,8 +134,8 @@ def calibrate(
 
 def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]:
     """Return the measurements by scale, balance and pendulum."""
-    from sweetspot.calibration.measurements import Measurement
-    from sweetspot.calibration.written import of_swing_weight, parse_measured
+    from sweetspot.calibration.measured import parse_measured
+    from sweetspot.calibration.measurements import Measurement, of_swing_weight
     from sweetspot.plausibility import parse_position
 
     pivot = weighed.pivot
@@ -206,10 +206,10 @@ def _shots(described: Implement, given: CalibrationShotOptions) -> tuple[list[Sh
 
 def _tone(text: str, described: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
+    from sweetspot.calibration.measured import parse_measured
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.naming import MOST_BENDING, ModeName
     from sweetspot.calibration.tap_analysis import telling
-    from sweetspot.calibration.written import parse_measured
 
     names = {f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)}
     names["hoop"] = ModeName("hoop", 2)

@@ -139,7 +139,7 @@ def _most_damping(text: str) -> float:
 
 def _bar(sizes: str | None, mass: str | None) -> Bar | None:
     from sweetspot.calibration.bar import Bar
-    from sweetspot.calibration.written import parse_measured
+    from sweetspot.calibration.measured import parse_measured
 
     if sizes is None and mass is None:
         return None

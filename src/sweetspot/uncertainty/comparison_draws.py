@@ -17,7 +17,7 @@ from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import peak
 from sweetspot.uncertainty.drawn_hits import Draws, draws_of, hits_along
-from sweetspot.uncertainty.sources import DRAWS, Source, Sources, even_normal
+from sweetspot.uncertainty.sources import DRAWS, Source, Sources, even_normal, one_by_one
 
 PLACES = 41
 NEARER, SHOWN_FROM = 6, 0.6
@@ -187,3 +187,11 @@ def _ratios(law: SwingLaw, draws: Draws, reference: Draws, power: Array) -> Arra
 
 def _peaks(curves: Array) -> Array:
     return np.array([peak(curve) for curve in curves])
+
+
+def linear_comparison(comparison: Comparison[Implement], sources: Sequence[Sources]) -> DrawnComparison:
+    """Return the answers to a comparison with one source off at a time; `linear_reach` makes intervals of them.
+
+    ``sources``: of every bat; see `drawn_comparison`.
+    """
+    return drawn_comparison(comparison, sources, normal=one_by_one(len(drawn_names(comparison, sources))))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
+from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.position_scan import velocity_weight
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
 from sweetspot.collision.impact import Impact, Impacts
@@ -16,12 +18,13 @@ from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.plausibility.table import MAX_SPEED
 from sweetspot.uncertainty.bat_draws import DrawnBats, drawn_bats
-from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING, Sources
+from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING, Sources, one_by_one
 
 SLOWEST = 0.1
 """m/s that a drawn bat is swung at least."""
@@ -229,3 +232,36 @@ def _motions(draws: Draws, along: HitsAlong, column: int) -> dict[str, Array]:
     return {
         kind: each[:, [index for index, family in enumerate(families) if family == kind]].sum(axis=1) for kind in KINDS
     }
+
+
+@dataclass(frozen=True)
+class SpeedDoubt:
+    """What is not known of an exit speed.
+
+    ``error``: one standard deviation, m/s. ``shares``: part of the variance that every source adds, by its name, the
+    greatest first.
+    """
+
+    error: float
+    shares: Mapping[str, float]
+
+
+def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt | None:
+    """Return the uncertainty of the best hit's exit speed; None without a best hit, or without effect of any source.
+
+    The place stays that of the bat as described.
+    """
+    count = len(sources.names)
+    draws = draws_of(analysis.beam, analysis.conditions, sources, count=2 * count, normal=one_by_one(count))
+    hit = hits_along(draws, np.array([analysis.sweet_spots.max_exit_speed]))
+    if not np.isfinite(hit.exit_speed).all():
+        return None
+    up, down = hit.exit_speed[1:].reshape(2, count)
+    variances = dict.fromkeys(sources.names, 0.0)
+    for name, half in zip(sources.names, ((up - down) / 2).tolist(), strict=True):
+        variances[name] += half**2
+    whole = sum(variances.values())
+    if not whole > 0:
+        return None
+    ranked = sorted(variances.items(), key=lambda variance: -variance[1])
+    return SpeedDoubt(whole**0.5, {name: part / whole for name, part in ranked})

@@ -16,7 +16,7 @@ from itertools import combinations
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import ENDS
+from sweetspot.numerics.interval import ENDS, REACH
 
 TOGETHER = "together"
 """What sources cause only together with others, or more crookedly than the second degree."""
@@ -78,3 +78,13 @@ def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[
             shares[sources.pop()] += size**2 / whole
     left = max(1.0 - sum(shares.values()), 0.0)
     return {**dict(sorted(shares.items(), key=lambda share: -share[1])), TOGETHER: left}
+
+
+def linear_reach(values: Array) -> Reach:
+    """Return the half widths of the interval of an answer that is linear in every source.
+
+    ``values``: as described, then with every source one standard deviation up, then down, shape (1 + 2 * count, ...).
+    """
+    up, down = np.split(values[1:], 2)
+    half = REACH * np.sqrt((((up - down) / 2) ** 2).sum(axis=0))
+    return Reach(half, half)

@@ -197,3 +197,8 @@ def error_by_ball(reduced: ReducedBat[Implement], conditions: Conditions, positi
 
     halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
     return float(np.linalg.norm(halves))
+
+
+def one_by_one(count: int) -> Array:
+    """Return every source one standard deviation up, then every one down, shape (2 * count, count)."""
+    return np.vstack([np.eye(count), -np.eye(count)])

@@ -5,8 +5,7 @@ was left out and why. The command line, the tests and the docs page all read `re
 """
 
 from sweetspot.validation.cases import Case, Result, Row, sources
-from sweetspot.validation.run import passed, results
-from sweetspot.validation.table import headline, markdown, rows, short_rows, summary
+from sweetspot.validation.verdicts import headline, markdown, passed, results, rows, short_rows, summary
 
 __all__ = [
     "Case",

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
-from sweetspot.analysis.same_effort import Changed
+from sweetspot.analysis.comparison import Changed
 from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from shlex import quote
 
 from sweetspot import catalog
-from sweetspot.analysis.same_effort import Changed
+from sweetspot.analysis.comparison import Changed
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.units import MPH
 from sweetspot.web.bats import changed_bat, conditions_of, described, swung, usual

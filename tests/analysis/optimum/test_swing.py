@@ -10,8 +10,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.full_play import play
-from sweetspot.analysis.optimum import BestSwing, best_swing
-from sweetspot.analysis.optimum.swing import Held
+from sweetspot.analysis.optimum import BestSwing, Held, best_swing
 from sweetspot.collision.hit_in_space import Contact
 from sweetspot.collision.oblique_contact import Friction
 from sweetspot.dynamics.reduction import ReducedBat

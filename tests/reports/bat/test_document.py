@@ -29,7 +29,7 @@ from sweetspot.reports.quantities import SI, US
 from sweetspot.reports.sport_words import words_of
 from sweetspot.reports.sweet_spots import SPOTS
 from sweetspot.reports.terminal import to_terminal
-from sweetspot.uncertainty.linear_doubt import speed_doubt
+from sweetspot.uncertainty.drawn_hits import speed_doubt
 from sweetspot.uncertainty.sources import sources_of as unknown_of
 from sweetspot.units import INCH, MPH, OUNCE
 from tests.reports.told import reported

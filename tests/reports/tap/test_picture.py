@@ -6,13 +6,12 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone
 from sweetspot.calibration.recording import Recording
 from sweetspot.calibration.sinusoids import Fit, Sinusoid
 from sweetspot.calibration.tap_analysis import TapTest
-from sweetspot.calibration.taps import Tap
+from sweetspot.calibration.taps import Tap, Tone
 from sweetspot.reports.tap.picture import tap_figure
 from tests.reports.pictures.labels import check_labels, texts
 

@@ -20,8 +20,7 @@ from sweetspot.units import MPH
 from sweetspot.validation import Result, Row, sources
 from sweetspot.validation.computations import space
 from sweetspot.validation.computations.registry import COMPUTATIONS
-from sweetspot.validation.run import judged
-from sweetspot.validation.table import number_words
+from sweetspot.validation.verdicts import judged, number_words
 
 PATCH = 2 * MPH
 """m/s of exit speed that the size of the patch under the ball is worth on a hollow bat."""

@@ -19,7 +19,7 @@ from sweetspot.reports.bat.appendix import soft_defaults
 from sweetspot.reports.hit.document import best_in_doubt
 from sweetspot.reports.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.reports.sport_words import arriving, in_words, weight, words_of
-from sweetspot.uncertainty.linear_doubt import SpeedDoubt
+from sweetspot.uncertainty.drawn_hits import SpeedDoubt
 from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING
 
 LEAST_SHARE = 5e-4

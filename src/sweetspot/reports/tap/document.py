@@ -7,11 +7,10 @@ from typing import Any
 
 from sweetspot.answers.tap import TapAnswer
 from sweetspot.calibration.bar import BarModulus
-from sweetspot.calibration.combined_tones import Tone
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
-from sweetspot.calibration.taps import Tap
+from sweetspot.calibration.taps import Tap, Tone
 from sweetspot.reports.calibration.intervals import measured_words
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.reports.json_shapes import as_columns
