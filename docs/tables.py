@@ -216,12 +216,12 @@ def validation_summary() -> str:
     found = validation.results()
     rows = [
         (
-            part["evidence"],
-            EVIDENCE[part["evidence"]],
-            part["rows"],
-            part["hold"],
-            part["explained_misses"],
-            part["fail"],
+            part.evidence,
+            EVIDENCE[part.evidence],
+            part.rows,
+            part.hold,
+            part.explained_misses,
+            part.fail,
         )
         for part in validation.summary(found)
     ]

@@ -11,7 +11,7 @@ import pytest
 
 from sweetspot import validation
 from sweetspot.errors import InputError
-from sweetspot.validation import run
+from sweetspot.validation import verdicts
 from sweetspot.validation.cases import CASES
 
 ABSURD = (1e6, -1e6, math.nan, math.inf)
@@ -22,16 +22,16 @@ EXPLAINED = [(case.source, row) for case in validation.sources() for row in case
 def test_validate_fails_whichever_computation_is_replaced(monkeypatch: pytest.MonkeyPatch, value: float) -> None:
     """Every computed number is replaced, in SI; each row must fail."""
     cases = validation.sources()
-    monkeypatch.setattr(run, "computed_number", lambda _: value * 1e6)
+    monkeypatch.setattr(verdicts, "computed_number", lambda _: value * 1e6)
     survivors = [
         f"{case.source}, {row.name}: {row.computation}"
         for case in cases
         for row in case.rows
-        if run.judged(row, case).passed
+        if verdicts.judged(row, case).passed
     ]
     assert survivors == []
-    found = [run.judged(row, case) for case in cases for row in case.rows]
-    assert sum(part["fail"] for part in validation.summary(found)) == len(found)
+    found = [verdicts.judged(row, case) for case in cases for row in case.rows]
+    assert sum(part.fail for part in validation.summary(found)) == len(found)
     assert not validation.passed(found)
     assert f"{len(found)} rows fail" in validation.headline(found)
 
@@ -40,7 +40,7 @@ def test_validate_fails_whichever_computation_is_replaced(monkeypatch: pytest.Mo
 def test_an_explained_miss_fails_when_it_is_another_miss_or_none(source: str, row: validation.Row) -> None:
     (case,) = [case for case in validation.sources() if case.source == source]
     assert row.ours is not None
-    unit = run.UNITS[row.unit]
+    unit = verdicts.UNITS[row.unit]
     passed = [judged_as(row, (row.ours + off * row.ours_tolerance) * unit, case).passed for off in (-3, 0, 3)]
     assert passed == [False, True, False]
     low, high = row.allowed
@@ -50,8 +50,8 @@ def test_an_explained_miss_fails_when_it_is_another_miss_or_none(source: str, ro
 def judged_as(row: validation.Row, computed: float, case: validation.Case) -> validation.Result:
     """Return the row judged as if the package had computed ``computed``."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run, "computed_number", lambda _: computed)
-        return run.judged(row, case)
+        patch.setattr(verdicts, "computed_number", lambda _: computed)
+        return verdicts.judged(row, case)
 
 
 @pytest.mark.parametrize(
@@ -94,8 +94,8 @@ def test_what_was_fitted_is_not_called_a_prediction() -> None:
 
 
 def test_the_headline_counts_predictions_about_bats_first() -> None:
-    found = [run.judged(row, case) for case in validation.sources() for row in case.rows if row.kind == "identity"]
-    parts = {part["evidence"]: part for part in validation.summary(found)}
-    assert parts["prediction about bats"]["rows"] == 0
+    found = [verdicts.judged(row, case) for case in validation.sources() for row in case.rows if row.kind == "identity"]
+    parts = {part.evidence: part for part in validation.summary(found)}
+    assert parts["prediction about bats"].rows == 0
     assert validation.headline(found).startswith("0 predictions about bats")
-    assert sum(part["rows"] for part in parts.values()) == len(found)
+    assert sum(part.rows for part in parts.values()) == len(found)

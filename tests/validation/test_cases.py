@@ -81,7 +81,7 @@ def test_every_row_is_a_case_once(found: tuple[Result, ...]) -> None:
 def test_nothing_misses_without_an_explanation(found: tuple[Result, ...]) -> None:
     misses = [
         f"{result.source}, {result.name}, {result.quantity}: printed {result.printed}, computed "
-        f"{result.computed:.6g} {result.unit}, allowed {result.tolerance}"
+        f"{result.computed:.6g} {result.unit}, allowed {result.allowed_text}"
         for result in found
         if not result.passed
     ]

@@ -10,20 +10,19 @@ from sweetspot import validation
 from sweetspot.validation.cases import Result
 
 PLAIN = Result(
-    source="paper2014",
     name="a bat",
     quantity="its weight | mass",
     printed="31",
-    computed=31.0123456,
+    computation="body",
     unit="oz",
-    tolerance="± 0.5",
+    value=31.0,
+    tolerance=0.5,
     reason="Printed in whole ounces.",
     kind="quantitative",
     tag="S",
-    ok=True,
-    comment="",
     evidence="prediction about bats",
-    expected_miss="",
+    source="paper2014",
+    computed=31.0123456,
 )
 
 
@@ -34,7 +33,7 @@ def test_rows_are_flat_json() -> None:
 
 
 def test_a_number_that_could_not_be_computed_is_none_in_json_and_a_miss() -> None:
-    (row,) = validation.rows([replace(PLAIN, computed=math.nan, ok=False)])
+    (row,) = validation.rows([replace(PLAIN, computed=math.nan)])
     assert row["computed"] is None
     assert row["status"] == "MISS"
 
@@ -54,7 +53,7 @@ def test_short_rows_carry_units_and_verdict() -> None:
 
 def test_markdown_shows_misses_reasons_and_what_was_left_out() -> None:
     (case,) = [case for case in validation.sources() if case.source == "paper2014"]
-    miss = replace(PLAIN, ok=False, expected_miss="The scale was wet.", ours=31.0, ours_tolerance=0.1)
+    miss = replace(PLAIN, value=33.0, expected_miss="The scale was wet.", ours=31.0, ours_tolerance=0.1)
     text = validation.markdown(case, [PLAIN, miss, replace(PLAIN, source="nathan2000")])
     assert text.count("| a bat: its weight \\| mass |") == 2
     assert "| MISS (explained) |" in text

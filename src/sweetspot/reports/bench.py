@@ -107,7 +107,7 @@ def pendulum_document(answer: PendulumAnswer) -> Document:
 def validation_document(results: Sequence[Result]) -> Document:
     """Return results as a document; it has not passed when a row misses without an explanation."""
     rows, headline = validation.rows(results), validation.headline(results)
-    short = validation.short_rows(results)
+    short, counts = validation.short_rows(results), [count._asdict() for count in validation.summary(results)]
     columns = [Column(name) for name in short[0]]
     cells: list[list[Cell]] = [
         [*[*row.values()][:-1], Marked(result.status, "hit" if result.ok else "missed")]
@@ -116,7 +116,7 @@ def validation_document(results: Sequence[Result]) -> Document:
     return Document(
         name="validate", title="Published cases", kind="Validation",
         blocks=[Table("", columns, cells, name="published"), Paragraph(headline)],
-        data={"headline": headline, "summary": validation.summary(results), "rows": rows},
+        data={"headline": headline, "summary": counts, "rows": rows},
         rows=as_columns(rows), passed=validation.passed(results),
     )  # fmt: skip
 

@@ -6,8 +6,9 @@ A row with ``table`` stands for one row per line of that table; ``{column}`` in 
 from __future__ import annotations
 
 import csv
+import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -17,20 +18,48 @@ from sweetspot.errors import InputError
 CASES = Path(__file__).parent / "cases"
 
 
+Kind = Literal["identity", "quantitative", "band", "trend"]
+Tag = Literal["P", "S", "D"]
+Evidence = Literal["prediction about bats", "other prediction", "identity", "same law", "calibrated"]
+
+KINDS: tuple[Kind, ...] = ("identity", "quantitative", "band", "trend")
+TAGS: dict[Tag, str] = {
+    "P": "read in the primary source",
+    "S": "quoted by a secondary source",
+    "D": "derived here by plain arithmetic from such numbers",
+}
+"""How a printed number was read. Numbers recalled from memory are never cases."""
+EVIDENCE: dict[Evidence, str] = {
+    "prediction about bats": "a number or statement about real bats, or hits with them, that went into nothing of ours",
+    "other prediction": "the same about flights, pitches and other sports",
+    "identity": "arithmetic: follows from the source's own numbers by a definition or an exact formula",
+    "same law": "the source and we integrate or solve the same law: shows that the code is right, not that the law is",
+    "calibrated": "went into our data: shows that it comes out again",
+}
+"""What a row is worth. Only the first two can tell whether the model is right."""
+
+
 @dataclass(frozen=True)
 class Row:
     """One value of a source, and how to compute ours.
 
     Parameters
     ----------
+    name, quantity : which case, and what is compared.
+    printed : the value as the source prints it, text.
     computation : name in the registry of computations.
+    reason : why just that tolerance.
+    kind : identity (exact arithmetic), quantitative, band, or trend (a sign or an order).
+    tag, evidence : how the printed value was read, see `TAGS`, and what the row is worth, see `EVIDENCE`.
+    unit : of printed and computed; empty for ratios.
     value : expected, in ``unit``; None for a band.
     low, high : ends of a band in ``unit``; a band has both, so that no absurd value can lie in it.
     tolerance, tolerance_percent : allowed difference from ``value``, or beyond the ends of the band; one of the two.
     inputs : arguments of the computation, texts with units.
     of : number of a computed thing, as a dotted path of attributes; empty: the computation returns the number.
-
-    The other fields are those of `Result`.
+    expected_miss : why ours differs, where the physics says so; empty otherwise.
+    ours, ours_tolerance : of such a miss: what this version of the model is expected to say, in ``unit``; anything else
+        fails, a hit too.
     """
 
     name: str
@@ -64,6 +93,48 @@ class Row:
         slack = self.tolerance or self.tolerance_percent / 100 * abs(self.value or 0.0)
         return low - slack, high + slack
 
+    @property
+    def allowed_text(self) -> str:
+        """The allowed range in words: ``± 0.5 %`` or ``4 to 6, ± 0.5``."""
+        slack = f"± {self.tolerance_percent:g} %" if self.tolerance_percent else f"± {self.tolerance:g}"
+        if self.value is not None:
+            return slack
+        band = f"{self.low:g} to {self.high:g}"
+        return f"{band}, {slack}" if self.tolerance else band
+
+
+@dataclass(frozen=True)
+class Result(Row):
+    """A row with its verdict: the key of its source in the bibliography, and what we computed, in ``unit``."""
+
+    source: str = ""
+    computed: float = math.nan
+
+    @property
+    def ok(self) -> bool:
+        """Whether ours lies within the tolerance."""
+        low, high = self.allowed
+        return bool(low <= self.computed <= high)
+
+    @property
+    def passed(self) -> bool:
+        """Whether the row lets a run pass: within its tolerance, or just the miss that is explained."""
+        if self.ours is None:
+            return self.ok
+        return abs(self.computed - self.ours) <= self.ours_tolerance
+
+    @property
+    def status(self) -> str:
+        """The verdict in words."""
+        if self.ours is None:
+            return "ok" if self.ok else "MISS"
+        return "MISS (explained)" if self.passed else f"MISS (explained was {self.expected_of_us})"
+
+    @property
+    def expected_of_us(self) -> str:
+        """The value and band that an explained miss must keep, as text; empty for other rows."""
+        return "" if self.ours is None else f"{self.ours:g} ± {self.ours_tolerance:g}"
+
 
 @dataclass(frozen=True)
 class Case:
@@ -96,32 +167,32 @@ def load_case(path: Path) -> Case:
     return Case(table["source"], table["title"], table["measured"], table["axes"], tuple(table["left_out"]), rows)
 
 
-def _repeated(row: dict[str, Any], folder: Path) -> list[dict[str, Any]]:
-    """Return the row once, or once per line of its table."""
+def _repeated(row: Mapping[str, object], folder: Path) -> Iterator[Mapping[str, object]]:
+    """Yield the row once, or once per line of its table."""
     if "table" not in row:
-        return [row]
-    with (folder / row.pop("table")).open(encoding="utf-8", newline="") as file:
-        return [{key: _filled(value, line) for key, value in row.items()} for line in csv.DictReader(file)]
+        yield row
+        return
+    with (folder / str(row["table"])).open(encoding="utf-8", newline="") as file:
+        for line in csv.DictReader(file):
+            yield {key: _filled(value, line) for key, value in row.items() if key != "table"}
 
 
-def _filled(value: Any, cells: dict[str, str]) -> Any:
-    if isinstance(value, str):
-        return value.format_map(cells)
+def _filled(value: object, cells: Mapping[str, str]) -> object:
     if isinstance(value, dict):
         return {key: _filled(inner, cells) for key, inner in value.items()}
-    return value
+    return value.format_map(cells) if isinstance(value, str) else value
 
 
 REQUIRED = [part.name for part in fields(Row) if part.default is MISSING and part.default_factory is MISSING]
 
 
-def _row(entry: dict[str, Any], path: Path) -> Row:
+def _row(entry: Mapping[str, object], path: Path) -> Row:
     where = f"{path}, row {entry.get('name')!r}"
     if missing := [key for key in REQUIRED if not entry.get(key)]:
         raise InputError(f"{where} lacks {', '.join(missing)}")
     if unknown := entry.keys() - {part.name for part in fields(Row)}:
         raise InputError(f"{where} has unknown keys {', '.join(sorted(unknown))}")
-    row = Row(**entry)
+    row = Row(**entry)  # type: ignore[arg-type]
     if row.kind not in KINDS or row.tag not in TAGS:
         raise InputError(
             f"{where} has kind {row.kind!r} and tag {row.tag!r}; allowed are {', '.join(KINDS)} and "
@@ -162,81 +233,3 @@ def _number(row: Row, where: str) -> float:
         return float(row.printed.replace(",", ""))
     except ValueError:
         raise InputError(f"{where} prints {row.printed!r}, which is no number; give value, low or high") from None
-
-
-Kind = Literal["identity", "quantitative", "band", "trend"]
-Tag = Literal["P", "S", "D"]
-Evidence = Literal["prediction about bats", "other prediction", "identity", "same law", "calibrated"]
-
-KINDS: tuple[Kind, ...] = ("identity", "quantitative", "band", "trend")
-TAGS: dict[Tag, str] = {
-    "P": "read in the primary source",
-    "S": "quoted by a secondary source",
-    "D": "derived here by plain arithmetic from such numbers",
-}
-"""How a printed number was read. Numbers recalled from memory are never cases."""
-
-
-EVIDENCE: dict[Evidence, str] = {
-    "prediction about bats": "a number or statement about real bats, or hits with them, that went into nothing of ours",
-    "other prediction": "the same about flights, pitches and other sports",
-    "identity": "arithmetic: follows from the source's own numbers by a definition or an exact formula",
-    "same law": "the source and we integrate or solve the same law: shows that the code is right, not that the law is",
-    "calibrated": "went into our data: shows that it comes out again",
-}
-"""What a row is worth. Only the first two can tell whether the model is right."""
-
-
-@dataclass(frozen=True)
-class Result:
-    """A case with its verdict.
-
-    Parameters
-    ----------
-    source : key of the bibliography.
-    computed : ours, in ``unit``.
-    unit : of printed and computed; empty for ratios.
-    kind : identity (exact arithmetic), quantitative, band, or trend (a sign or an order).
-    tag : how the printed value was read, see `TAGS`.
-    ok : whether ours lies within the tolerance.
-    evidence : what the row is worth, see `EVIDENCE`.
-    expected_miss : why ours differs, where the physics says so; empty otherwise.
-    ours, ours_tolerance : of such a miss: what this version of the model is expected to say, in ``unit``; anything else
-        fails, a hit too.
-    """
-
-    source: str
-    name: str
-    quantity: str
-    printed: str
-    computed: float
-    unit: str
-    tolerance: str
-    reason: str
-    kind: Kind
-    tag: Tag
-    ok: bool
-    comment: str
-    evidence: Evidence
-    expected_miss: str
-    ours: float | None = None
-    ours_tolerance: float = 0.0
-
-    @property
-    def passed(self) -> bool:
-        """Whether the row lets a run pass: within its tolerance, or just the miss that is explained."""
-        if self.ours is None:
-            return self.ok
-        return abs(self.computed - self.ours) <= self.ours_tolerance
-
-    @property
-    def status(self) -> str:
-        """The verdict in words."""
-        if self.ours is None:
-            return "ok" if self.ok else "MISS"
-        return "MISS (explained)" if self.passed else f"MISS (explained was {self.expected_of_us})"
-
-    @property
-    def expected_of_us(self) -> str:
-        """The value and band that an explained miss must keep, as text; empty for other rows."""
-        return "" if self.ours is None else f"{self.ours:g} ± {self.ours_tolerance:g}"

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, fields
 from math import isfinite
 from operator import attrgetter
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM, Kind
-from sweetspot.validation.cases import CASES, EVIDENCE, TAGS, Case, Result, Row, sources
+from sweetspot.validation.cases import CASES, EVIDENCE, TAGS, Case, Evidence, Result, Row, sources
 from sweetspot.validation.computations.registry import COMPUTATIONS
 
 UNITS = dict.fromkeys(("", "m", "kg", "kg m^2", "m/s", "s", "rad/s", "Hz", "kg/m^3", "mph per mph"), 1.0)
@@ -40,9 +39,6 @@ INPUT_KINDS = {name: kind for kind, names in _INPUTS.items() for name in names.s
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
 
 
-SHARED = {part.name for part in fields(Row)} & {part.name for part in fields(Result)} - {"tolerance"}
-
-
 def results(folder: Path = CASES) -> tuple[Result, ...]:
     """Return every published case computed and judged, source by source."""
     return tuple(judged(row, case) for case in sources(folder) for row in case.rows)
@@ -60,14 +56,7 @@ def judged(row: Row, case: Case) -> Result:
     if row.unit not in UNITS:
         raise InputError(f"{case.source}, {row.name}: unit {row.unit!r} is not one of {', '.join(UNITS)}")
     computed = computed_number(row) / UNITS[row.unit]
-    low, high = row.allowed
-    return Result(
-        source=case.source,
-        computed=computed,
-        tolerance=tolerance_text(row),
-        ok=bool(low <= computed <= high),
-        **{name: getattr(row, name) for name in SHARED},
-    )
+    return Result(**vars(row), source=case.source, computed=computed)
 
 
 def computed_number(row: Row) -> float:
@@ -76,31 +65,26 @@ def computed_number(row: Row) -> float:
     return float(attrgetter(row.of)(computed) if row.of else computed)
 
 
-def tolerance_text(row: Row) -> str:
-    """Return the allowed range in words: ``± 0.5 %`` or ``4 to 6, ± 0.5``."""
-    slack = f"± {row.tolerance_percent:g} %" if row.tolerance_percent else f"± {row.tolerance:g}"
-    if row.value is not None:
-        return slack
-    band = f"{row.low:g} to {row.high:g}"
-    return f"{band}, {slack}" if row.tolerance else band
-
-
 def _in_si(name: str, value: Any) -> Any:
     return parse(value, INPUT_KINDS[name], name) if name in INPUT_KINDS else value
 
 
-def rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, Any]]:
-    """Return every case as a flat dictionary with all its fields and its ``status``; computes them unless given.
+Value = str | float | bool | None
+WRITTEN = (
+    *("source", "name", "quantity", "printed", "computed", "unit", "tolerance", "reason", "kind", "tag", "ok"),
+    *("comment", "evidence", "expected_miss", "ours", "ours_tolerance", "status", "passed"),
+)
+"""Fields of a result that its flat row has."""
+
+
+def rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, Value]]:
+    """Return every case as a flat dictionary with its verdict; computes them unless given.
 
     A computed value that is no number becomes None, which JSON can say.
     """
     return [
-        {
-            **asdict(result),
-            "computed": result.computed if isfinite(result.computed) else None,
-            "status": result.status,
-            "passed": result.passed,
-        }
+        {name: getattr(result, name) for name in WRITTEN}
+        | {"computed": result.computed if isfinite(result.computed) else None, "tolerance": result.allowed_text}
         for result in (results() if verdicts is None else verdicts)
     ]
 
@@ -113,7 +97,7 @@ def short_rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, str]]
             "case": f"{result.name}: {result.quantity}",
             "printed": _with_unit(result.printed, result.unit),
             "computed": number_words(result),
-            "allowed": result.tolerance,
+            "allowed": result.allowed_text,
             "evidence": result.evidence,
             "status": result.status,
         }
@@ -121,16 +105,26 @@ def short_rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, str]]
     ]
 
 
-def summary(verdicts: Sequence[Result]) -> list[dict[str, Any]]:
-    """Return, for every kind of evidence, how many rows there are, hold, miss as explained, and fail."""
+class EvidenceCount(NamedTuple):
+    """How many rows of one kind of evidence there are, hold, miss as explained, and fail."""
+
+    evidence: Evidence
+    rows: int
+    hold: int
+    explained_misses: int
+    fail: int
+
+
+def summary(verdicts: Sequence[Result]) -> list[EvidenceCount]:
+    """Return the counts of every kind of evidence."""
     return [
-        {
-            "evidence": evidence,
-            "rows": len(group),
-            "hold": sum(result.passed and not result.expected_miss for result in group),
-            "explained_misses": sum(result.passed and bool(result.expected_miss) for result in group),
-            "fail": sum(not result.passed for result in group),
-        }
+        EvidenceCount(
+            evidence,
+            len(group),
+            sum(result.passed and not result.expected_miss for result in group),
+            sum(result.passed and bool(result.expected_miss) for result in group),
+            sum(not result.passed for result in group),
+        )
         for evidence in EVIDENCE
         for group in [[result for result in verdicts if result.evidence == evidence]]
     ]
@@ -139,11 +133,11 @@ def summary(verdicts: Sequence[Result]) -> list[dict[str, Any]]:
 def headline(verdicts: Sequence[Result]) -> str:
     """Return the one sentence that says how well the model predicts bats, and what the other rows are."""
     bats, *rest = summary(verdicts)
-    others = ", ".join(f"{part['evidence']} {part['rows']}" for part in rest)
-    failed = sum(part["fail"] for part in (bats, *rest))
+    others = ", ".join(f"{part.evidence} {part.rows}" for part in rest)
+    failed = sum(part.fail for part in (bats, *rest))
     return (
-        f"{bats['rows']} predictions about bats: {bats['hold']} hold, {bats['explained_misses']} miss as explained, "
-        f"{bats['fail']} fail. Counted apart: {others}. " + (f"{failed} rows fail." if failed else "No row fails.")
+        f"{bats.rows} predictions about bats: {bats.hold} hold, {bats.explained_misses} miss as explained, "
+        f"{bats.fail} fail. Counted apart: {others}. " + (f"{failed} rows fail." if failed else "No row fails.")
     )
 
 

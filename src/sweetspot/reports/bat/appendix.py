@@ -135,7 +135,7 @@ def _cells(result: Result) -> list[Cell]:
         Linked(result.source, f"#source-{result.source}", result.name),
         printed,
         number_words(result) + unit,
-        result.tolerance,
+        result.allowed_text,
         Marked(result.status, "hit" if result.ok else "missed"),
     ]
 
