@@ -57,7 +57,7 @@ def test_the_ledger_and_the_wave_are_said(still: Page, server: str, answered: An
     still.goto(f"{server}/hit")
     answered(still)
     parts = still.locator(".ledger dt").all_inner_texts()
-    assert parts[:3] == ["ball's motion", "ball, squeezed", "heat in the ball"] and "bat bending" in parts
+    assert parts[:3] == ["ball, moving", "ball, squeezed", "heat in the ball"] and "bat, bending vibration" in parts
     percents = [int(words.split("·")[1].strip(" %")) for words in still.locator(".ledger dd").all_inner_texts()]
     assert sum(percents) == pytest.approx(100, abs=4)
     said = " ".join(still.inner_text("#verdict").split())

@@ -3,26 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from sweetspot.units import INCH
 from sweetspot.web.controls import BatState
-from sweetspot.web.publications import published
+from sweetspot.web.publications import Publication, published
+
+LENGTH = 0.84
+
+
+def of_bat(**controls: Any) -> tuple[Publication, ...]:
+    return published(BatState(**controls), length=LENGTH, most_efficient=0.7)
 
 
 def test_places_and_values_come_with_their_source() -> None:
-    known = {(one.by, one.curve): one for one in published(BatState(bat="r161-ash"))}
-    assert known[("Cross 1998", "sting_m_s")].places == pytest.approx([6.5 * INCH] * 2)
-    best = known[("Nathan 2003", "exit_speed_m_s")]
-    assert best.places == pytest.approx([4 * INCH, 6 * INCH]) and "American Journal of Physics" in best.source
-    assert known[("Nathan 2011", "collision_efficiency")].values == pytest.approx([0.188, 0.240])
+    marks = {(mark.words["us"].partition(":")[0], mark.curve): mark for mark in of_bat(bat="r161-ash")}
+    assert marks[("Cross 1998", "sting_m_s")].place == pytest.approx([LENGTH - 6.5 * INCH] * 2)
+    best = marks[("Nathan 2003", "exit_speed_m_s")]
+    assert best.place == pytest.approx([LENGTH - 6 * INCH, LENGTH - 4 * INCH])
+    assert best.words["us"].endswith("4.0 in to 6.0 in from the tip") and "American Journal of Physics" in best.source
+    greatest = marks[("Nathan 2011", "collision_efficiency")]
+    assert greatest.values == pytest.approx([0.188, 0.240]) and greatest.place == (0.7, 0.7)
 
 
 def test_a_changed_bat_is_not_the_one_that_was_measured() -> None:
-    assert published(BatState(bat="r161-ash", bore_diameter_in=1.0)) == ()
-    assert published(BatState(bat="composite")) == ()
+    assert of_bat(bat="r161-ash", bore_diameter_in=1.0) == ()
+    assert of_bat(bat="composite") == ()
 
 
 def test_the_page_lists_what_its_diamonds_are(page: Page, server: str, answered: Callable[..., int]) -> None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from sweetspot.answers.flight import BallLeaving, FlightEnd
 from sweetspot.equipment.sport import Terms
-from sweetspot.reports.hit.ledger import ENERGY_NAMES
+from sweetspot.reports.hit.ledger import ENERGY_NAMES, FILM_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.reports.sport_words import in_words
 
@@ -33,6 +33,11 @@ def hits_fastest(name: str, from_tip: float, exit_speed: float, *, words: Terms)
     )
 
 
+def place_words(from_tip: float, *, words: Terms) -> Sentence:
+    """Return where on an implement a place lies, m from the tip."""
+    return in_words("{place} from the {tip}", words, place=Slot(from_tip, "place"))
+
+
 def leaves_here(
     from_tip: float, exit_speed: float | None, *, ends: str, words: Terms, aside: float = 0.0, backwards: bool = False
 ) -> Sentence:
@@ -55,6 +60,63 @@ def energy_words(shares: Mapping[str, float], words: Terms) -> list[Sentence]:
         if share > LEAST_SHARE
     ]
     return [say("Of the energy of the meeting: {parts}.", parts=joined(parts, "; "))] if parts else []
+
+
+def energy_names(parts: Iterable[str], words: Terms) -> dict[str, str]:
+    """Return the names of parts of a hit's energy, in the sport's words."""
+    return {name: str(in_words(ENERGY_NAMES[name][0], words)) for name in parts}
+
+
+def film_energy_names(parts: Iterable[str], words: Terms) -> dict[str, str]:
+    """Return the names of parts of the energy while a hit lasts, in the sport's words."""
+    return {name: str(in_words(FILM_NAMES[name], words)) for name in parts}
+
+
+def film_energy_words(incoming: float, last: Mapping[str, float], words: Terms) -> Sentence:
+    """Return the incoming energy and where it is at a film's end, J, by part of `FILM_NAMES`."""
+    parts = [
+        in_words(FILM_NAMES[name] + " {energy}", words, energy=Slot(energy, "energy")) for name, energy in last.items()
+    ]
+    return say(
+        "Where the {incoming} of incoming energy are over time. At the end: {parts}.",
+        incoming=Slot(incoming, "energy"),
+        parts=joined(parts, ", "),
+    )
+
+
+def film_speeds(bat: float, ball: float, exit_speed: float) -> Sentence:
+    """Return the speeds with which bat and ball meet at a place and the ball leaves, m/s."""
+    bat_slot, ball_slot, exit_slot = (Slot(speed, "speed", digits=0) for speed in (bat, ball, exit_speed))
+    return say(
+        "the bat comes at {bat} here, the ball at {ball}; it leaves at {exit}",
+        bat=bat_slot,
+        ball=ball_slot,
+        exit=exit_slot,
+    )
+
+
+BEFORE = -1.0
+"""s before first touch at which every film has begun."""
+
+
+def film_phases(release: float, arrival: float | None) -> list[tuple[float, str]]:
+    """Return what is going on in a hit from some moments on, s after first touch; earliest first.
+
+    The words have the names of what changes all the time: {moment}, {pressed}, {force}.
+    """
+    ball = [
+        (BEFORE, "the ball is on its way"),
+        (0.0, "the ball is pressed in by {pressed} with {force}"),
+        (release, "the ball has left"),
+    ]
+    hands = [(BEFORE, "the hands feel nothing yet")]
+    if arrival is not None:
+        hands.append((arrival, "the wave has reached the hands"))
+    phases = []
+    for start in sorted({moment for moment, _ in ball + hands}):
+        doing, felt = (next(words for moment, words in reversed(row) if moment <= start) for row in (ball, hands))
+        phases.append((start, f"{{moment}} after first touch: {doing}; {felt}"))
+    return phases
 
 
 def wave_words(name: str, *, contact_time: float, arrival: float | None, given: float | None) -> list[Sentence]:

@@ -19,3 +19,9 @@ ENERGY_NAMES: Mapping[str, tuple[str, str]] = {
     "damping": ("heat in {implement} and {hands}", GREEN),
 }
 """Field of `EnergyLedger`: (what it is called, with a sport's words; colour)."""
+FILM_NAMES = {name: words for name, (words, _) in ENERGY_NAMES.items()} | {
+    "ball": "{ball}, moving",
+    "stored": "{ball}, squeezed",
+    "dent": "surface, pressed in",
+}
+"""Field of `EnergyHistory`: what it is called while the hit lasts."""

@@ -558,8 +558,10 @@ export interface ExplorerAnswer {
   sweet_spots: SweetSpotPlaces;
   scan: CurvesOfHits;
   energy_shares: Record<string, number[]>;
+  energy_names: Record<string, string>;
   touched_again: Record<"us" | "si", string[]>;
   hit: ExplorerHit;
+  place: Record<"si" | "us", string>;
   headline: Record<"us" | "si", string[]>;
   why: Record<"us" | "si", string[]>;
   where_energy_goes: Record<"us" | "si", string[]>;
@@ -650,7 +652,7 @@ export interface FieldFence {
   out_m: number[];
 }
 
-/** The hit and its film; ``energy`` holds the parts that there are, ``words`` what the hands could still do. */
+/** The hit and its film. */
 export interface FilmAnswer {
   bat: BatPicture;
   ball: BallPicture;
@@ -658,6 +660,10 @@ export interface FilmAnswer {
   hit: FilmHit;
   film: HitFilm;
   energy_j: Record<string, number[]>;
+  energy_names: Record<string, string>;
+  energy_words: Record<"us" | "si", string[]>;
+  speeds: Record<"us" | "si", string[]>;
+  phases: FilmPhase[];
   top_hand: HandMotion;
   hoop: WallMotion | null;
   words: Record<"us" | "si", string[]>;
@@ -680,6 +686,12 @@ export interface FilmHit {
   bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
   exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
   incoming_energy_j: number; incoming_energy_low_j?: number; incoming_energy_high_j?: number;
+}
+
+/** What goes on from a moment on, in words with {moment}, {pressed} and {force} where these numbers stand. */
+export interface FilmPhase {
+  start_s: number; start_low_s?: number; start_high_s?: number;
+  words: string;
 }
 
 /** Where a flight ends in a park; see `sweetspot.flight.fence.Landing`. */
@@ -1109,11 +1121,10 @@ export interface PowerMap {
 
 /** One published number of a bat. */
 export interface Publication {
-  words: string;
-  by: string;
-  source: string;
   curve: string;
-  places_m: [number, number] | null;
+  words: Record<"si" | "us", string>;
+  source: string;
+  place_m: [number, number];
   values: [number, number] | null;
 }
 

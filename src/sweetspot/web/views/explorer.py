@@ -22,13 +22,13 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, values_of
 from sweetspot.reports.bat.words import answer_words, speed_difference, why_backwards, why_here, why_off_axis
 from sweetspot.reports.hit.document import touched_again_at
-from sweetspot.reports.page_words import energy_words, hits_fastest, leaves_here
+from sweetspot.reports.page_words import energy_names, energy_words, hits_fastest, leaves_here, place_words
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
-from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
+from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION, System
 from sweetspot.web.bats import place_of
 from sweetspot.web.controls import HitState
-from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
+from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, in_either_system, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.publications import Publication, published
 from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, swing_options
@@ -91,6 +91,7 @@ class ExplorerAnswer:
 
     Parameters
     ----------
+    place : of the hit, in words.
     headline : where the bat hits best, and what the ball does here.
     lost : against the best place; None: the ball does not leave forwards.
     """
@@ -100,8 +101,10 @@ class ExplorerAnswer:
     sweet_spots: SweetSpotPlaces
     scan: CurvesOfHits
     energy_shares: Mapping[str, Array]
+    energy_names: Mapping[str, str]
     touched_again: Sentences
     hit: ExplorerHit
+    place: Mapping[System, str]
     headline: Sentences
     why: Sentences
     where_energy_goes: Sentences
@@ -172,8 +175,10 @@ def answer(state: ExplorerState) -> ExplorerAnswer:
         sweet_spots=sweet_spot_places(spots),
         scan=found.curves,
         energy_shares=found.shares,
+        energy_names=energy_names(found.shares, words),
         touched_again=found.touched_again,
         hit=hit,
+        place=in_either_system(place_words(bat.length - float(hit.position), words=words)),
         headline=in_both_systems(headline),
         why=in_both_systems(why),
         where_energy_goes=in_both_systems(energy_words(hit.energy_shares, words)),
@@ -181,7 +186,7 @@ def answer(state: ExplorerState) -> ExplorerAnswer:
         best_exit_speed=fastest,
         lost=lost,
         ball=ball_picture(state, conditions.ball),
-        published=published(state),
+        published=published(state, length=bat.length, most_efficient=spots.max_collision_efficiency),
         conditions=hit_conditions(conditions),
     )
 

@@ -25,7 +25,13 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.hit.document import touched_again
-from sweetspot.reports.page_words import wave_words
+from sweetspot.reports.page_words import (
+    film_energy_names,
+    film_energy_words,
+    film_phases,
+    film_speeds,
+    wave_words,
+)
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units.dimensions import ANGLE, ENERGY, FORCE, LENGTH, SPEED, TIME
 from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
@@ -104,9 +110,26 @@ class WallMotion:
     wall: Length
 
 
+@dataclass(frozen=True)
+class FilmPhase:
+    """What goes on from a moment on, in words with {moment}, {pressed} and {force} where these numbers stand."""
+
+    start: Time
+    words: str
+
+
 @dataclass(frozen=True, kw_only=True)
 class FilmAnswer:
-    """The hit and its film; ``energy`` holds the parts that there are, ``words`` what the hands could still do."""
+    """The hit and its film.
+
+    Parameters
+    ----------
+    energy, energy_names : the parts of the energy that there are, and what they are called.
+    energy_words : where the energy is at the end.
+    speeds : of bat and ball where they meet.
+    words : what the hands could still do.
+    phases : earliest first.
+    """
 
     bat: BatPicture
     ball: BallPicture
@@ -114,6 +137,10 @@ class FilmAnswer:
     hit: FilmHit
     film: HitFilm
     energy: Annotated[Mapping[str, Array], ENERGY]
+    energy_names: Mapping[str, str]
+    energy_words: Sentences
+    speeds: Sentences
+    phases: tuple[FilmPhase, ...]
     top_hand: HandMotion
     hoop: WallMotion | None
     words: Sentences
@@ -136,14 +163,17 @@ def _answer(state: HitFilmState) -> FilmAnswer:
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
     impact = quick_hit(modes, ball=conditions.ball, position=place, closing_speed=closing)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
-    again, moved = (
-        touched_again(impact, words_of(reduced_bat.bat.sport)),
-        _hands(scene, modes, conditions.hands.position),
-    )
+    terms = words_of(reduced_bat.bat.sport)
+    again, moved = touched_again(impact, terms), _hands(scene, modes, conditions.hands.position)
+    arrival = None if moved.arrival is None else float(moved.arrival)
+    energy = {name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()}
+    last = film_energy_words(impact.energy.incoming, {name: float(part[-1]) for name, part in energy.items()}, terms)
+    bat_speed, leaves = conditions.swing.speed_at(impact.position), exit_speed_of(impact, conditions)
+    phases = film_phases(impact.release_time, arrival)
     words = wave_words(
         reduced_bat.bat.name,
         contact_time=impact.contact_time,
-        arrival=None if moved.arrival is None else float(moved.arrival),
+        arrival=arrival,
         given=None if moved.impulse_given is None else float(moved.impulse_given),
     )
     return FilmAnswer(
@@ -154,12 +184,16 @@ def _answer(state: HitFilmState) -> FilmAnswer:
             **vars(collision_numbers(impact)),
             release_time=impact.release_time,
             touched_again=in_both_systems(again),
-            bat_speed=conditions.swing.speed_at(impact.position),
-            exit_speed=exit_speed_of(impact, conditions),
+            bat_speed=bat_speed,
+            exit_speed=leaves,
             incoming_energy=impact.energy.incoming,
         ),
         film=_film(scene, modes, reduced_bat),
-        energy={name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
+        energy=energy,
+        energy_names=film_energy_names(energy, terms),
+        energy_words=in_both_systems([last]),
+        speeds=in_both_systems([film_speeds(bat_speed, conditions.pitch.speed, leaves)]),
+        phases=tuple(FilmPhase(*phase) for phase in phases),
         top_hand=moved,
         hoop=_hoop(scene, modes, reduced_bat, conditions),
         words=in_both_systems([*words, *again]),

@@ -1,6 +1,7 @@
 // Where the incoming energy is at every moment: a stacked area over time, and a list of its parts at the moment shown.
 
 import { Chart } from "./chart.js";
+import { make, write } from "../controls/parts.js";
 import { FONT, haloText } from "./surface.js";
 /** @import { App } from "../shell/main.js" */
 /** @import { Way } from "../bat/batpaint.js" */
@@ -9,26 +10,18 @@ import { FONT, haloText } from "./surface.js";
 /** @import { Placed } from "./chartpanels.js" */
 /** @import { Film } from "../bat/film.js" */
 
-// Part of the answer's energy_j: what it is called, colour.
-export const PARTS = [
-  ["ball", "ball's motion", "red"],
-  ["stored", "ball, squeezed", "woodEdge"],
-  ["heat", "heat in the ball", "muted"],
-  ["translation", "bat pushed back", "blue"],
-  ["rotation", "bat turned", "sky"],
-  ["bending", "bat bending", "purple"],
-  ["hoop", "barrel wall", "orange"],
-  ["dent", "surface pressed in", "wood"],
-  ["damping", "heat in bat and hands", "green"],
-];
+// The colours of the energy's parts, in the order in which they are stacked.
+const COLORS = { ball: "red", stored: "woodEdge", heat: "muted", translation: "blue", rotation: "sky", bending: "purple", hoop: "orange", dent: "wood", damping: "green" };
+
+/**
+ * The lines of a chart of the energy's parts.
+ * @param {Record<string, string>} names
+ */
+export const partsOf = (names) => Object.entries(COLORS).filter(([key]) => names[key]).map(([key, color]) => ({ key, name: names[key], color }));
 
 class Areas extends Chart {
   // The parts' names in their own areas, where those are high enough.
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Placed} place
-   * @param {Way} across
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Placed} place @param {Way} across */
   paintGround(context, place, across) {
     super.paintGround(context, place, across);
     const names = this.named(context, place.panel, place.box, across);
@@ -39,12 +32,7 @@ class Areas extends Chart {
   }
 
   // Where each name fits into its own area, as high as possible; names that fit nowhere stand in the list alone.
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Panel} panel
-   * @param {Box} box
-   * @param {Way} across
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Panel} panel @param {Box} box @param {Way} across */
   named(context, panel, box, across) {
     const { x, lines } = this.data;
     const total = Math.max(...x.map((_, i) => panel.lines.reduce((sum, { key }) => sum + (lines[key][i] ?? 0), 0)));
@@ -77,48 +65,38 @@ export class Ledger {
   /** @param {App} app */
   constructor(app, /** @type {{ onPick: (moment: number, on: { last: boolean }) => void }} */ { onPick }) {
     this.app = app;
-    const lines = PARTS.map(([key, name, color]) => ({ key, name, color }));
-    this.panel = { title: "Where the energy is", kind: "energy_j", height: 190, stacked: true, lines };
-    this.all = lines;
-    /** @type {unknown[]} */
-    this.named = []; // what the list was last made of
+    /** @type {Panel} */
+    this.panel = { title: "Where the energy is", kind: "energy_j", height: 190, stacked: true, lines: [] };
+    this.named = ""; // what the list was last made of
     this.chart = new Areas(app, {
       label: "Where the energy is", panels: [this.panel], axis: { kind: "time_s", label: "after first touch" }, onPick,
     });
-    this.list = Object.assign(document.createElement("dl"), { className: "ledger" });
-    this.list.setAttribute("aria-label", "Energy at the moment shown");
-    this.element = document.createElement("div");
-    this.element.append(this.list); // the chart stands where its view wants it
+    this.list = make("dl", { className: "ledger", ariaLabel: "Energy at the moment shown" });
+    this.element = make("div", {}, this.list); // the chart stands where its view wants it
   }
 
-  /**
-   * @param {Film} film
-   * @param {{ x: number[], lines: Record<string, number[]> }} series
-   */
+  /** @param {Film} film @param {{ x: number[], lines: Record<string, number[]> }} series */
   set(film, series) {
     this.film = film;
     this.series = series;
-    const last = this.all.filter(({ key }) => film.energy[key]).map(({ key, name }) => `${name} ${this.app.text("energy_j", film.energy[key].at(-1) ?? null)}`).join(", ");
-    this.chart.label(`Where the ${this.app.text("energy_j", film.hit.incoming_energy_j)} of incoming energy are over time. At the end: ${last}.`);
+    this.chart.label(film.answer.energy_words[this.app.units].join(" "));
     return this.name();
   }
 
   // The parts that this hit has, in the theme's colours; the list is made anew where it has others, and then has no values.
   name() {
-    const parts = this.all.filter(({ key }) => this.film?.energy[key]);
-    const about = [this.app.colors, ...parts];
-    if (about.length === this.named.length && about.every((one, i) => one === this.named[i])) return false;
+    const parts = partsOf(this.film?.answer.energy_names ?? {});
+    const about = JSON.stringify([this.app.colors, parts]);
+    if (about === this.named) return false;
     this.named = about;
     this.panel.lines = parts;
     this.list.replaceChildren();
-    this.values = this.panel.lines.map(({ key, name, color }) => {
-      const [box, term, value] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
-      const chip = Object.assign(document.createElement("span"), { className: "chip" });
+    this.values = parts.map(({ key, name, color }) => {
+      const chip = make("span", { className: "chip" });
       chip.style.background = this.app.colors[color];
-      term.append(chip, name);
+      const value = make("dd");
       value.dataset.part = key;
-      box.append(term, value);
-      this.list.append(box);
+      this.list.append(make("div", {}, make("dt", {}, chip, name), value));
       return value;
     });
     return true;
@@ -136,8 +114,7 @@ export class Ledger {
     this.panel.lines.forEach(({ key }, i) => {
       const joules = moment <= 0 ? (key === "ball" ? incoming : 0) : film.value(film.energy[key], moment);
       const words = `${this.app.text("energy_j", joules)} · ${((100 * joules) / incoming).toFixed(0)} %`;
-      const value = this.values?.[i];
-      if (value && value.textContent !== words) value.textContent = words;
+      if (this.values) write(this.values[i], words);
     });
   }
 

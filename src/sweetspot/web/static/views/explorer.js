@@ -7,7 +7,7 @@ import { button, group, slider } from "../controls/controls.js";
 import { gripsOf } from "../bat/grips.js";
 import { HeatMap } from "../charts/heatmap.js";
 import { HowSure } from "../controls/howsure.js";
-import { PARTS } from "../charts/ledger.js";
+import { partsOf } from "../charts/ledger.js";
 import { factList, make, paragraphs, tell, withDoubt } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
 import { Zoom } from "../charts/zoom.js";
@@ -141,10 +141,10 @@ export const view = {
 
   update(answer, state) {
     Object.assign(this, { answer, state });
-    const { bat, energy_shares: shares } = answer;
+    const { bat } = answer;
     this.zoom.set([0, bat.length_m], [bat.length_m - Math.min(BARREL, bat.length_m), bat.length_m]);
     PANELS[0].lines = state.offset_in === 0 ? SPEEDS : SPEEDS.slice(0, 1); // off the axis there is no rigid one
-    PANELS[1].lines = PARTS.filter(([key]) => shares[key]).map(([key, name, color]) => ({ key, label: name, name, color }));
+    PANELS[1].lines = partsOf(answer.energy_names).map((line) => ({ ...line, label: line.name }));
     this.paint();
     this.facts.fill(answer);
     this.say(answer);
@@ -187,24 +187,20 @@ export const view = {
 
   // What others have published of this very bat, where it lies on the curves, and in a list with its source.
   /** @param {Answers["explorer"]} given */
-  published({ published: known, bat, sweet_spots: spots }) {
-    const show = (/** @type {number[]} */ places) => [...new Set(places.map((place) => this.app.text("from_m", place, 1)))].join(" to ");
-    const told = known.map(({ words, by, source, places_m: places, values, curve }) => ({ curve, source,
-      words: `${by}: ${words}: ${places ? `${show(places)} from the tip` : values?.map((value) => value.toFixed(3)).join(" to ")}`,
-      from: places ? bat.length_m - places[1] : spots.max_collision_efficiency_m, to: places ? bat.length_m - places[0] : spots.max_collision_efficiency_m,
-      low: values?.[0], high: values?.[1] }));
-    this.known.hidden = told.length === 0;
-    const list = told.map(({ words, source }) => `${words} ${source}`).join();
-    if (list !== this.listed) this.knownList.replaceChildren(...told.map(({ words, source }) => make("li", {}, `${words} `, make("small", { textContent: source }))));
+  published({ published }) {
+    const { units } = this.app;
+    this.known.hidden = published.length === 0;
+    const list = published.map(({ words, source }) => `${words[units]} ${source}`).join();
+    if (list !== this.listed) this.knownList.replaceChildren(...published.map(({ words, source }) => make("li", {}, `${words[units]} `, make("small", { textContent: source }))));
     this.listed = list;
     /** @type {Record<string, object[]>} */
     const marks = {};
-    for (const { curve, words, ...place } of told) (marks[curve] ??= []).push({ ...place, label: words });
+    for (const { curve, words, place_m: [from, to], values } of published) (marks[curve] ??= []).push({ from, to, low: values?.[0], high: values?.[1], label: words[units] });
     return marks;
   },
 
   /** @param {Answers["explorer"]} given */
-  say({ bat, hit, headline, why, where_energy_goes: energy, touched_again: stretches }) {
+  say({ bat, hit, place, headline, why, where_energy_goes: energy, touched_again: stretches }) {
     const { units } = this.app;
     const words = headline[units].join(" ");
     tell(this.words, words);
@@ -215,11 +211,11 @@ export const view = {
     this.chart.label(`Curves along the bat. ${words} ${this.why.textContent}`);
     this.power.label(`Exit speed over the barrel and how far off its axis the ball is met. ${words}`);
     const canvas = this.picture.element;
-    const inches = (/** @type {number} */ place) => (place / INCH).toFixed(2);
+    const inches = (/** @type {number} */ metres) => (metres / INCH).toFixed(2);
     canvas.setAttribute("aria-valuemin", inches(this.answer.hands_m[0]));
     canvas.setAttribute("aria-valuemax", inches(bat.length_m));
     canvas.setAttribute("aria-valuenow", inches(hit.position_m)); // from the knob, so that right is more
-    canvas.setAttribute("aria-valuetext", `${this.app.text("from_m", bat.length_m - hit.position_m, 1)} from the tip`);
+    canvas.setAttribute("aria-valuetext", place[this.app.units]);
   },
 
   unmount() {

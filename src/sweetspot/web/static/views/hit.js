@@ -129,7 +129,7 @@ export const view = {
       wall: deepest > 0 ? Math.min(state.exaggeration, (0.5 * film.answer.hoop.radius_m) / deepest) : 1,
       notes: [`${state.recoil ? "bat's motion" : "bat's bending alone"} × ${times}; ball and bat to scale; dashed: ${state.recoil ? "where the swing alone would take it" : "the straight bat"}`,
         `coloured: the bat moves fast against its swing, up to ${app.text("speed_m_s", film.fastest, 0)}`,
-        `the bat comes at ${app.text("speed_m_s", film.hit.bat_speed_m_s, 0)} here, the ball at ${app.text("speed_m_s", film.hit.closing_speed_m_s - film.hit.bat_speed_m_s, 0)}; it leaves at ${app.text("speed_m_s", film.hit.exit_speed_m_s, 0)}`],
+        ...film.answer.speeds[app.units]],
     };
   },
 
@@ -162,13 +162,12 @@ export const view = {
     const { film, app } = this;
     const short = app.text("moment_s", moment, 2);
     if (!film) return { short, long: short };
-    const { release_time_s: release } = film.hit;
-    const ball = moment < 0 ? "the ball is on its way"
-      : moment < release ? `the ball is pressed in by ${app.text("pressed_m", film.pressed(moment))} with ${app.text("force_n", film.force(moment))}`
-        : "the ball has left";
-    const { arrival_s: arrival } = film.answer.top_hand;
-    const hands = arrival !== null && moment >= arrival ? "the wave has reached the hands" : "the hands feel nothing yet";
-    return { short, long: `${short} after first touch: ${ball}; ${hands}` };
+    /** @type {Record<string, string>} */
+    const numbers = { moment: short, pressed: app.text("pressed_m", film.pressed(moment)), force: app.text("force_n", film.force(moment)) };
+    /** @type {Answers["hit"]} */
+    const { phases } = film.answer;
+    const phase = phases.filter(({ start_s: start }) => start <= moment).at(-1);
+    return { short, long: phase?.words.replace(/\{(\w+)\}/g, (_, name) => numbers[name]) ?? short };
   },
 
   /** @param {Answers["hit"]} given */
