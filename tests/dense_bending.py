@@ -28,7 +28,7 @@ from sweetspot.dynamics.residual_flexibility import (
     just_inside,
     sample_places,
     with_corner,
-)  # fmt: skip
+)
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
@@ -303,8 +303,9 @@ def _sliced(beam: BeamModel, position: Array, *, cells: int) -> Array:
     inertia = before(at.mass, lumps[:, 1])
     moment = before(at.mass * arm, lumps[:, 1] * lump_arm)
     spread, lump_spread = (
-        at.mass * (arm**2 + width**2 / 12) + at.rotary_inertia, lumps[:, 1] * lump_arm**2 + lumps[:, 2],
-    )  # fmt: skip
+        at.mass * (arm**2 + width**2 / 12) + at.rotary_inertia,
+        lumps[:, 1] * lump_arm**2 + lumps[:, 2],
+    )
     turning, moi = before(spread, lump_spread), float(spread @ width + lump_spread.sum())
     places = given[:, None]
     beyond = places < middle

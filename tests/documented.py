@@ -92,9 +92,11 @@ def write_files(folder: Path, page: Path) -> None:
     _write(folder / "shots.csv", head, rows * 3)
     stations = ((0.25, 60), (1, 62), (4, 63.5), (8, 60), (14, 44), (20, 30), (26, 25), (33, 25), (33.7, 50))
     _write(folder / "stations.csv", "in_from_tip,diameter_mm", [f"{place},{width}" for place, width in stations])
-    _write(folder / "dozen.csv", "name,mass_oz,balance_point_in,pendulum_s", [
-        f"{name},{mass}±0.05,22.05±0.05,1.4545±0.003" for name, mass in (("A", 31.0), ("B", 31.4))
-    ])  # fmt: skip
+    _write(
+        folder / "dozen.csv",
+        "name,mass_oz,balance_point_in,pendulum_s",
+        [f"{name},{mass}±0.05,22.05±0.05,1.4545±0.003" for name, mass in (("A", 31.0), ("B", 31.4))],
+    )
     if "bat.jpg" in page.read_text(encoding="utf-8"):
         saved(folder / "bat.jpg", rendered(angle=8, ruler=0.3), quality=90)
     _write_swings(folder)

@@ -119,9 +119,11 @@ def hollow_bats(draw: st.DrawFn) -> Bat:
     if "sleeve" in kind:
         thickness, glued = draw(st.floats(0.5e-3, 2.5e-3)), kind == "bonded sleeve"
         sleeve = InnerWall(
-            wall=((barrel[0] + 0.01, thickness), (length - 0.02, thickness)), material=ALUMINIUM, bonded=glued,
+            wall=((barrel[0] + 0.01, thickness), (length - 0.02, thickness)),
+            material=ALUMINIUM,
+            bonded=glued,
             gap=0.0 if glued else draw(st.floats(0.0, 0.3e-3)),
-        )  # fmt: skip
+        )
     laminate = None
     if kind == "plies":
         half = tuple(

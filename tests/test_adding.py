@@ -52,16 +52,17 @@ def stick(kind: str, sport: str) -> str:
 def sport_files(sport: str, kind: str) -> dict[str, str]:
     """Return what every new sport needs: itself, its ball, the air, how it weighs a swing, what one hits with."""
     return {
-        "catalog/sports.toml": section("catalog/sports.toml", "field-hockey", sport).replace(
-            'balls = ["field-hockey"]', f'balls = ["{sport}-ball"]').replace(
-            'aerodynamics = "field-hockey"', f'aerodynamics = "{sport}"'),
+        "catalog/sports.toml": section("catalog/sports.toml", "field-hockey", sport)
+        .replace('balls = ["field-hockey"]', f'balls = ["{sport}-ball"]')
+        .replace('aerodynamics = "field-hockey"', f'aerodynamics = "{sport}"'),
         "catalog/balls.toml": section("catalog/balls.toml", "field_hockey", f"{sport}-ball").replace(
-            'sport = "field hockey"', f'sport = "{sport}"'),
+            'sport = "field hockey"', f'sport = "{sport}"'
+        ),
         "catalog/aerodynamics.toml": f'\n[{sport}]\nname = "ball of {sport}"\nsport = "{sport}"\n'
         'drag = { value = 0.4, source = "recalled", where = "a guess", kind = "assumed" }\n',
         "catalog/swing_weights.toml": section("catalog/swing_weights.toml", "field_hockey", sport),
         f"catalog/implements/{sport}-stick.toml": stick(kind, sport),
-    }  # fmt: skip
+    }
 
 
 REPORT = (

@@ -246,8 +246,9 @@ def test_nothing_public_takes_a_train_of_arguments() -> None:
 def test_planted_trains_are_seen() -> None:
     eight = ", ".join("abcdefgh")
     assert long_trains(f"class A:\n    def f(self, {eight}): ...\ndef g(*, {eight}): ...") == [
-        "f takes 8", "g takes 8",
-    ]  # fmt: skip
+        "f takes 8",
+        "g takes 8",
+    ]
     assert not long_trains(f"def _f({eight}): ...\n@compiled()\ndef g({eight}): ...\ndef h({eight[:-3]}): ...")
 
 
@@ -261,8 +262,11 @@ def test_the_house_has_few_rooms() -> None:
 @pytest.mark.parametrize(
     ("source", "here", "faults"),
     [
-        ("from sweetspot.catalog import bat\nimport sweetspot.analysis.strain\nfrom . import cli", "dynamics",
-         ["analysis", "catalog", "cli"]),
+        (
+            "from sweetspot.catalog import bat\nimport sweetspot.analysis.strain\nfrom . import cli",
+            "dynamics",
+            ["analysis", "catalog", "cli"],
+        ),
         ("from sweetspot import analyse", "dynamics", ["analyse"]),
         ("from sweetspot.flight.air import Air", "collision", ["flight"]),
         ("from sweetspot.equipment.bat import Bat\nimport numpy", "dynamics", []),
@@ -273,7 +277,7 @@ def test_the_house_has_few_rooms() -> None:
         ("if TYPE_CHECKING:\n    from sweetspot.reports.document import Document", "numerics", ["reports"]),
         ("import_module('fcntl')", "numerics", []),
     ],
-)  # fmt: skip
+)
 def test_planted_faults_are_seen(source: str, here: str, faults: list[str]) -> None:
     """Upward, through the front door, to a neighbour, and by a name in a string; downward is allowed."""
     assert wrong_imports(source, here) == faults
@@ -305,8 +309,11 @@ SLACK = 500
 
 def test_each_package_keeps_to_its_budget() -> None:
     lines = house.lines_by_package()
-    over = [f"{name}: {count} lines, allowed {BUDGET.get(name, 0)}" for name, count in lines.items()
-            if count > BUDGET.get(name, 0)]  # fmt: skip
+    over = [
+        f"{name}: {count} lines, allowed {BUDGET.get(name, 0)}"
+        for name, count in lines.items()
+        if count > BUDGET.get(name, 0)
+    ]
     assert not over, f"make it smaller, or raise the budget and say why in the commit: {over}"
     idle = [name for name, most in BUDGET.items() if name != "answers" and most - lines.get(name, 0) > SLACK]
     assert not idle, f"lower the budget of {idle}"
@@ -320,12 +327,16 @@ UNTYPED = {
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""
 RIDDLES = {
-    "answers": 1, "web": 2,
-}  # fmt: skip
+    "answers": 1,
+    "web": 2,
+}
 """How many variables and parameters of a package may still have a name that does not say what they hold."""
 DIALECT = {
-    "answers": 2, "calibration": 1, "cli": 2, "web": 2,
-}  # fmt: skip
+    "answers": 2,
+    "calibration": 1,
+    "cli": 2,
+    "web": 2,
+}
 """How many words of the house's dialect may still stand in a package's texts."""
 
 
@@ -334,14 +345,16 @@ DIALECT = {
     [
         pytest.param(
             lambda: {name: len(places) for name, places in house.classes_with_several_meanings().items()},
-            SEVERAL_MEANINGS, "give each meaning a name of its own", id="class names",
+            SEVERAL_MEANINGS,
+            "give each meaning a name of its own",
+            id="class names",
         ),
         pytest.param(house.untyped_dictionaries, UNTYPED, "give it a type", id="untyped dictionaries"),
         pytest.param(house.banned_bindings, RIDDLES, f"name what it holds, not {sorted(house.BANNED)}", id="bindings"),
         pytest.param(house.house_words, DIALECT, "say it in the field's words", id="words"),
         pytest.param(house.conditional_asserts, {}, "demand that it is there, then assert", id="conditional asserts"),
     ],
-)  # fmt: skip
+)
 def test_what_should_go_only_shrinks(found: Callable[[], dict[str, int]], allowed: dict[str, int], mend: str) -> None:
     now = found()
     more = {name: count for name, count in now.items() if count > allowed.get(name, 0)}

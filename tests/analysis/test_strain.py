@@ -110,9 +110,12 @@ def test_wall_strain_is_the_rings(baseball: Ball) -> None:
     """strain = h (n^2 - 1) w / (2 R^2): exact for a thin ring; here one mode of known shape."""
     metal = catalog.material("aluminium-7xxx")
     bat = Bat(
-        name="tube", length=0.8, material=metal, profile=((0.0, 0.066), (0.8, 0.066)),
+        name="tube",
+        length=0.8,
+        material=metal,
+        profile=((0.0, 0.066), (0.8, 0.066)),
         shell=Shell(wall=((0.0, 0.002), (0.8, 0.002))),
-    )  # fmt: skip
+    )
     beam = beam_model(bat)
     rigid = bending_modes(beam).selected([0, 1])
     one = Modes(

@@ -68,11 +68,15 @@ def test_a_stiff_wall_is_a_solid_bat(quicker: float) -> None:
     hoop = result.modes.of_family("hoop")
     harder = result.modes.selected(list(range(len(result.modes))))
     scaled = Modes(
-        harder.families, harder.harmonics,
+        harder.families,
+        harder.harmonics,
         np.where(np.isin(np.arange(len(harder)), hoop), quicker * harder.frequency, harder.frequency),
-        harder.damping_rate, harder.shapes, harder.rigid_part, harder.dashpots,
+        harder.damping_rate,
+        harder.shapes,
+        harder.rigid_part,
+        harder.dashpots,
         compliances=bending_modes(result.beam).compliances,
-    )  # fmt: skip
+    )
     with_stiff_wall = scan(replace(result.held, modes=scaled), conditions)
     assert with_stiff_wall.exit_speed == pytest.approx(solid.exit_speed, rel=0, abs=4 / quicker**2)  # m/s
     assert wall_stiffness_at(bending_modes(result.beam), 0.7) == math.inf

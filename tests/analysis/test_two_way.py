@@ -54,9 +54,12 @@ def test_a_failed_cell_has_a_reason_and_the_others_go_on(r161: Bat) -> None:
     width = Axis("bore_diameter", (1 * INCH, 3 * INCH))
     seen: list[tuple[int, int]] = []
     table = table_of(
-        r161, rows=width, columns=Axis("bore_depth", (-1.0, 5 * INCH, 10 * INCH)),
-        conditions=standard_conditions(r161), progress=lambda done, total: seen.append((done, total)),
-    )  # fmt: skip
+        r161,
+        rows=width,
+        columns=Axis("bore_depth", (-1.0, 5 * INCH, 10 * INCH)),
+        conditions=standard_conditions(r161),
+        progress=lambda done, total: seen.append((done, total)),
+    )
     assert seen == [(done, 6) for done in range(1, 7)]
     assert np.isnan(table.values("bbcor")).tolist() == [[True, False, False], [True, True, True]]
     assert len(table.failures) == 4
@@ -106,8 +109,12 @@ def test_impossible_tables_are_refused(r161: Bat) -> None:
     for values in ((), (float("nan"),)):
         with pytest.raises(InputError, match="no values"):
             Axis("mass", values)
-    table = table_of(r161, rows=Axis("mass", (31 * OUNCE,)), columns=Axis("wall_factor", (1.0,)),
-                    conditions=standard_conditions(r161))  # fmt: skip
+    table = table_of(
+        r161,
+        rows=Axis("mass", (31 * OUNCE,)),
+        columns=Axis("wall_factor", (1.0,)),
+        conditions=standard_conditions(r161),
+    )
     assert "solid" in table.cells[0][0].reason
     with pytest.raises(InputError, match="no answer"):
         table.values("taste")

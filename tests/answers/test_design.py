@@ -22,9 +22,13 @@ def question() -> DesignQuestion:
     racket = catalog.load_implement("tennis-racket")
     conditions = standard_conditions(racket)
     return DesignQuestion(
-        bat=racket, batter=BatterSetup().of(racket, conditions), conditions=conditions, wants=("exit_speed",),
-        population=8, generations=1,
-    )  # fmt: skip
+        bat=racket,
+        batter=BatterSetup().of(racket, conditions),
+        conditions=conditions,
+        wants=("exit_speed",),
+        population=8,
+        generations=1,
+    )
 
 
 @pytest.fixture(scope="module")

@@ -14,9 +14,13 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.numerics.interval import REACH, Interval
 
 HUNG = PendulumQuestion(
-    mass=Measured(0.88, 0.003), balance_point=Measured(0.56, 0.001), pivot=Measured(0.1524, 0.0),
-    swung=Measured(1.4545, 0.003), timed=True, uncertain=True,
-)  # fmt: skip
+    mass=Measured(0.88, 0.003),
+    balance_point=Measured(0.56, 0.001),
+    pivot=Measured(0.1524, 0.0),
+    swung=Measured(1.4545, 0.003),
+    timed=True,
+    uncertain=True,
+)
 
 
 def test_a_moment_by_a_period() -> None:

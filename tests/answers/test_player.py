@@ -24,9 +24,13 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     lines = ["player,bat_speed_mph,exit_speed_mph,pitch_speed_mph"]
     for batter in ("Ann", "Bea"):
         swings = simulated_swings(
-            natural(np.zeros(10)), bats=[catalog.bat("r161-ash")], ball=catalog.ball(), count=8,
-            pitch_speed=60 * MPH, seed=len(lines),
-        )  # fmt: skip
+            natural(np.zeros(10)),
+            bats=[catalog.bat("r161-ash")],
+            ball=catalog.ball(),
+            count=8,
+            pitch_speed=60 * MPH,
+            seed=len(lines),
+        )
         speeds = [(swing.bat_speed or 0.0, swing.exit_speed or 0.0) for swing in swings]
         lines += [f"{batter},{bat / MPH:.2f},{ball / MPH:.2f},60" for bat, ball in speeds]
     path = tmp_path_factory.mktemp("swings") / "swings.csv"

@@ -48,7 +48,7 @@ def kept(posterior: BatPosterior) -> Bat:
 @pytest.mark.parametrize(
     ("measured", "fitted"),
     [((MASS,), ("balance_point", "moi")), ((MASS, BALANCE), ("moi",)), ((MASS, BALANCE, PERIOD), ())],
-)  # fmt: skip
+)
 def test_a_moment_that_was_fitted_is_in_doubt(
     r161: Bat, measured: tuple[Measurement, ...], fitted: tuple[str, ...]
 ) -> None:

@@ -48,14 +48,17 @@ def about(axis: float) -> Change:
     ("name", "change", "words"),
     [
         ("balance point", times(0.01 / INCH), "inches and not centimetres"),
-        ("balance point", lambda one: replace(one, value=Measured(34 * INCH - one.value.value, 0.0015)),
-         "from the other end"),
+        (
+            "balance point",
+            lambda one: replace(one, value=Measured(34 * INCH - one.value.value, 0.0015)),
+            "from the other end",
+        ),
         ("pendulum", times(2.0), "the time of two swings"),
         ("pendulum", times(0.5), "the time of half a swing"),
         ("pendulum", about(0.0), ""),
         ("mass", times(1 / (16 * OUNCE)), "pounds and not kilograms"),
     ],
-)  # fmt: skip
+)
 def test_what_was_meant_is_told(maple: Bat, name: str, change: Change, words: str) -> None:
     """Exact: the very measurement is given in another unit, from another end, or about another axis."""
     beam = described(maple)

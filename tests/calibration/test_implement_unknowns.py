@@ -32,9 +32,11 @@ ERRORS = {"mass": 0.002, "balance_point": 0.003, "period": 0.0015, "frequency": 
 """One sigma as a part of the value: kitchen scale, balance on an edge, ten swings, a tap."""
 FIRST = ModeName("bending", 1)
 WANTED = [
-    Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
-    Measurement("period", Measured(1, 1), axis=0.08), Measurement("frequency", Measured(1, 1), mode=FIRST),
-]  # fmt: skip
+    Measurement("mass", Measured(1, 1)),
+    Measurement("balance_point", Measured(1, 1)),
+    Measurement("period", Measured(1, 1), axis=0.08),
+    Measurement("frequency", Measured(1, 1), mode=FIRST),
+]
 
 
 def measured(beam: BeamModel, seed: int | None) -> list[Measurement]:

@@ -60,9 +60,12 @@ def test_no_tone_of_a_made_up_bat_has_a_wrong_name(
 def test_two_tones_as_close_as_their_modes_may_be_off_are_left_open() -> None:
     """2,150 Hz is the fourth bending mode or the hoop mode, and 2,200 the other: one scale of each family is free."""
     bending = ModeFamily(
-        tuple(ModeName("bending", number) for number in (1, 2, 3, 4)), np.array([166.0, 604.0, 1315.0, 2152.0]),
-        np.ones(4), 0.12, fine_spread=0.02,
-    )  # fmt: skip
+        tuple(ModeName("bending", number) for number in (1, 2, 3, 4)),
+        np.array([166.0, 604.0, 1315.0, 2152.0]),
+        np.ones(4),
+        0.12,
+        fine_spread=0.02,
+    )
     hoop = ModeFamily((ModeName("hoop", 2), ModeName("hoop", 2, order=2)), np.array([2200.0, 2900.0]), np.ones(2), 0.12)
     close = named([tone(one) for one in (166.0, 604.0, 1315.0, 2150.0, 2200.0)], [bending, hoop])
     assert [str(one.name) for one in close[:3]] == ["bending 1", "bending 2", "bending 3"]
@@ -76,8 +79,10 @@ def test_a_higher_hoop_mode_is_not_taken_for_the_lowest(baseball: Ball) -> None:
     modes = all_modes(beam_model(catalog.bat("single-wall")), baseball)
     hoops = modes.frequency[modes.of_family("hoop")]
     tones = [tone(float(one)) for one in (*modes.frequency[2:5], hoops[1])]
-    told = named(sorted(tones, key=lambda one: one.frequency.value),
-                 [expected_of(modes, family, positions=[]) for family in FAMILIES])  # fmt: skip
+    told = named(
+        sorted(tones, key=lambda one: one.frequency.value),
+        [expected_of(modes, family, positions=[]) for family in FAMILIES],
+    )
     assert {str(one.mode) for one in of_tones(told)} == {"bending 1", "bending 2", "bending 3"}
 
 
@@ -99,8 +104,10 @@ def test_ratios_alone_name_no_hoop_tone_as_the_fourth_bending_mode() -> None:
 def test_a_short_hollow_bats_hoop_tone_is_not_its_third_bending_mode() -> None:
     """A made-up bat of 25 in that nobody described: its hoop tone, 1,543 Hz, lies below the third mode, 1,969 Hz."""
     for third, name in ((1542.6, "None"), (1969.2, "bending 3")):
-        tones = [NamedTone(tone(one), ModeName("bending", number), None)
-                 for number, one in enumerate((240.8, 983.5, third), start=1)]  # fmt: skip
+        tones = [
+            NamedTone(tone(one), ModeName("bending", number), None)
+            for number, one in enumerate((240.8, 983.5, third), start=1)
+        ]
         assert [str(one.name) for one in _like_a_bat(tuple(tones))] == ["bending 1", "bending 2", name]
 
 

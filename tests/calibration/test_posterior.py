@@ -68,8 +68,9 @@ def test_exact_measurements_of_the_described_bat_change_nothing(posterior: BatPo
     assert not posterior.contradictions
 
 
-@pytest.mark.parametrize(("name", "bending", "count"), [("mlb-c", (1,), 6), ("mlb-c", (1, 2, 3), 6),
-                                                        ("single-wall", (1, 2), 4)])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "bending", "count"), [("mlb-c", (1,), 6), ("mlb-c", (1, 2, 3), 6), ("single-wall", (1, 2), 4)]
+)
 def test_intervals_hold_the_injected_truth(name: str, bending: tuple[int, ...], count: int) -> None:
     """90 % intervals with one mode, three modes and a hoop mode; docs/theory/calibration.md has it over 200 bats."""
     bat = catalog.bat(name)
@@ -176,8 +177,10 @@ def test_a_wrong_outline_is_caught(beam: BeamModel, maple: Bat) -> None:
 
 
 def test_two_planes_of_one_mode_widen_it() -> None:
-    tones = [NamedTone(Tone(Measured(value, 0.5), Measured(0.007, 1e-4), 1.0, 3), ModeName("bending", 1), 170.0)
-             for value in (170.0, 174.0)]  # fmt: skip
+    tones = [
+        NamedTone(Tone(Measured(value, 0.5), Measured(0.007, 1e-4), 1.0, 3), ModeName("bending", 1), 170.0)
+        for value in (170.0, 174.0)
+    ]
     (one,) = of_tones(tones)
     assert one.value.value == pytest.approx(172.0)
     assert one.value.error == pytest.approx(np.hypot(0.5, 2.0))

@@ -27,9 +27,11 @@ from sweetspot.tables.headings import GivenColumns
 MODEL = catalog.bat("r161-ash")
 LINE, UNKNOWNS = described(MODEL), unknowns_of(MODEL)
 WANTED = [
-    Measurement("mass", Measured(1, 0.001)), Measurement("balance_point", Measured(1, 0.001)),
-    Measurement("period", Measured(1, 0.001)), Measurement("frequency", Measured(1, 0.3), mode=ModeName("bending", 1)),
-]  # fmt: skip
+    Measurement("mass", Measured(1, 0.001)),
+    Measurement("balance_point", Measured(1, 0.001)),
+    Measurement("period", Measured(1, 0.001)),
+    Measurement("frequency", Measured(1, 0.3), mode=ModeName("bending", 1)),
+]
 
 
 def ranked(offs: dict[str, dict[str, float]], *, noise: bool = False) -> RankAnswer:
@@ -40,10 +42,14 @@ def ranked(offs: dict[str, dict[str, float]], *, noise: bool = False) -> RankAns
         own = deviated(LINE, UNKNOWNS, np.array([off.get(one.name, 0.0) for one in UNKNOWNS]))
         values = predicted(own, WANTED)
         measured = [
-            Measurement(one.kind, Measured(float(value) + noise * one.value.error * generator.standard_normal(),
-                                           one.value.error), axis=one.axis, mode=one.mode)
+            Measurement(
+                one.kind,
+                Measured(float(value) + noise * one.value.error * generator.standard_normal(), one.value.error),
+                axis=one.axis,
+                mode=one.mode,
+            )
             for one, value in zip(WANTED, values, strict=True)
-        ]  # fmt: skip
+        ]
         posteriors[name] = calibrate(LINE, UNKNOWNS, measured)
     return rank_bats(posteriors, conditions=standard_conditions(MODEL), law=catalog.swing_law())
 

@@ -66,10 +66,11 @@ def test_measuring_a_bat_narrows_its_answer(r161: Bat) -> None:
     """From the drawing alone to scale, balance, pendulum and tap: the bat's part of the doubt of q falls."""
     beam, unknowns = described(r161), unknowns_of(r161)
     wanted = [
-        Measurement("mass", Measured(1, 0.0015)), Measurement("balance_point", Measured(1, 0.0013)),
+        Measurement("mass", Measured(1, 0.0015)),
+        Measurement("balance_point", Measured(1, 0.0013)),
         Measurement("period", Measured(1, 0.003)),
         Measurement("frequency", Measured(1, 0.3), mode=ModeName("bending", 1)),
-    ]  # fmt: skip
+    ]
     exact = [
         Measurement(one.kind, Measured(value, one.value.error), mode=one.mode)
         for one, value in zip(wanted, predicted(beam, wanted).tolist(), strict=True)

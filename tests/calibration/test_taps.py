@@ -457,9 +457,10 @@ def test_goens_against_the_finite_elements() -> None:
     same_inertia = np.sqrt(3) / 2 * diameter  # of a rectangle: t^2 / 12 = d^2 / 16
     for mode, frequency in enumerate(found):
         factor = frequency_factor(
-            mode, slenderness=same_inertia / rod.length,
+            mode,
+            slenderness=same_inertia / rod.length,
             modulus_ratio=material.longitudinal_modulus / material.shear * shear / SHEAR_SHAPE,
-        )  # fmt: skip
+        )
         root = (4.730040745, 7.853204624, 10.995607838, 14.137165491)[mode]
         density = beam_model(rod).density_factor * material.density
         modulus = 48 * np.pi**2 * density * rod.length**4 * frequency**2 / same_inertia**2 / root**4 * factor

@@ -141,9 +141,10 @@ def test_home_runs_of_2019_clear_the_walls_of_2019() -> None:
     With today's walls a good tenth of those to Baltimore's left would be impossible; with those of the year hardly any.
     """
     hits = [
-        row for row in rows("savant_2019_homeruns.csv.gz")
+        row
+        for row in rows("savant_2019_homeruns.csv.gz")
         if row["home_team"] == "BAL" and row["hit_distance_sc"] and row["hc_x"] and row["hc_y"]
-    ]  # fmt: skip
+    ]
     bearing = bearing_of_place(column(hits, "hc_x"), column(hits, "hc_y"))
     left = (bearing > math.radians(-42)) & (bearing < math.radians(-24))
     short = {
@@ -159,9 +160,12 @@ def distance(park: Park, bearing: Any) -> Any:
 
 
 OTHER_NAMES = {
-    "daikin-park": "Minute Maid Park", "great-american-ball-park": "Great American Ballpark",
-    "loandepot-park": "LoanDepot Park", "petco-park": "PETCO Park", "rate-field": "Guaranteed Rate Field",
-}  # fmt: skip
+    "daikin-park": "Minute Maid Park",
+    "great-american-ball-park": "Great American Ballpark",
+    "loandepot-park": "LoanDepot Park",
+    "petco-park": "PETCO Park",
+    "rate-field": "Guaranteed Rate Field",
+}
 """Parks that the older file knows by another name; it has no Sutter Health Park."""
 
 

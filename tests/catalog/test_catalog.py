@@ -91,9 +91,11 @@ def test_names_are_forgiving() -> None:
 
 def test_own_material_values() -> None:
     table = {
-        "name": "tapped", "length": "33 in", "profile": [["0 in", "1 in"], ["33 in", "2.5 in"]],
+        "name": "tapped",
+        "length": "33 in",
+        "profile": [["0 in", "1 in"], ["33 in", "2.5 in"]],
         "material": {"like": "white ash", "longitudinal_modulus": "13 GPa", "damping_ratio": 0.01},
-    }  # fmt: skip
+    }
     material = bat_from_table(table, "test").material
     assert material.longitudinal_modulus == pytest.approx(13e9) and material.damping_ratio == 0.01
     assert material.density == catalog.material("white ash").density

@@ -14,10 +14,12 @@ from sweetspot.equipment.bat import Bat
 @pytest.mark.parametrize(
     "names",
     [
-        ("golf-driver", "r161-ash"), ("corked-r161", "tennis-racket"), ("hockey-stick", "corked-r161", "cricket-bat"),
+        ("golf-driver", "r161-ash"),
+        ("corked-r161", "tennis-racket"),
+        ("hockey-stick", "corked-r161", "cricket-bat"),
         ("slow-pitch", "r161-ash"),
     ],
-)  # fmt: skip
+)
 def test_kinds_beside_each_other(run_json: Callable[..., Any], names: tuple[str, ...]) -> None:
     told = run_json("compare", *names, "--force")["bats"]
     assert [("rules" in bat) for bat in told] == [isinstance(load_implement(name), Bat) for name in names]

@@ -82,8 +82,10 @@ def words_of(command: str, folder: Path) -> list[str]:
     (folder / "swings.csv").write_text(SWINGS)
     (folder / "bats.csv").write_text(BATS, encoding="utf-8")
     places = {"SWINGS": "swings.csv", "BATS": "bats.csv"}
-    return [str(folder / places.get(word, word.lower())) if word.isupper() or word.startswith("OUT") else word
-            for word in COMMANDS[command]]  # fmt: skip
+    return [
+        str(folder / places.get(word, word.lower())) if word.isupper() or word.startswith("OUT") else word
+        for word in COMMANDS[command]
+    ]
 
 
 @contextmanager

@@ -105,8 +105,9 @@ def test_a_league_is_pooled_and_says_by_how_much(run: Run, run_json: Callable[..
     for number in range(6):
         place = natural(np.full(10, 0.1 * number))
         count = 28 if number == 5 else 8
-        made = simulated_swings(place, bats=[catalog.bat("r161-ash")], ball=catalog.ball(), count=count,
-                                pitch_speed=60 * MPH, seed=number)  # fmt: skip
+        made = simulated_swings(
+            place, bats=[catalog.bat("r161-ash")], ball=catalog.ball(), count=count, pitch_speed=60 * MPH, seed=number
+        )
         for one in made:
             assert one.bat_speed and one.exit_speed and one.launch_angle
             numbers = one.bat_speed / MPH, one.exit_speed / MPH, math.degrees(one.launch_angle)

@@ -105,9 +105,7 @@ def test_two_way_table(run: Run, run_json: RunJson) -> None:
 
 
 def test_weather_down_and_elevation_across(run: Run) -> None:
-    _, out, _ = run(
-        "fly", "--temperature", "50degF:90degF:3", "--elevation", "0ft:5000ft:2", "--cell", "hang-time"
-    )  # fmt: skip
+    _, out, _ = run("fly", "--temperature", "50degF:90degF:3", "--elevation", "0ft:5000ft:2", "--cell", "hang-time")
     lines = out.splitlines()
     assert lines[0].strip() == "hang time (s): temperature (°F) down, elevation (ft) across"
     assert [line.split()[0] for line in lines[2:5]] == ["50", "70", "90"]

@@ -63,8 +63,10 @@ def png(path: Path, side: int) -> None:
     packer = zlib.compressobj(9)
     rows = [packer.compress(bytes(1 + (side + 7) // 8)) for _ in range(side)]
     parts = (b"IHDR", struct.pack(">IIBBBBB", side, side, 1, 0, 0, 0, 0)), (b"IDAT", b"".join(rows) + packer.flush())
-    content = [struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-               for name, data in (*parts, (b"IEND", b""))]  # fmt: skip
+    content = [
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        for name, data in (*parts, (b"IEND", b""))
+    ]
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + b"".join(content))
 
 
@@ -226,10 +228,12 @@ BOMBS: dict[str, Callable[[Path], object]] = {
     "wide.png": lambda path: png(path, 10_000),
     "wider.png": lambda path: png(path, 13_000),
     "claims.wav": lambda path: wav(path, 0xFFFFFFF0),
-    "claims.parquet": lambda path: pl.DataFrame({"exit_speed_mph": [99.0]}).select(
-        pl.col("exit_speed_mph").repeat_by(3_000_000).explode()
-    ).write_parquet(path),
-}  # fmt: skip
+    "claims.parquet": lambda path: (
+        pl.DataFrame({"exit_speed_mph": [99.0]})
+        .select(pl.col("exit_speed_mph").repeat_by(3_000_000).explode())
+        .write_parquet(path)
+    ),
+}
 USES = {
     "toml": "bat", "swings.csv.gz": "swings", "csv.gz": "season", "csv": "season", "parquet": "season", "wav": "sound",
 }  # fmt: skip

@@ -43,9 +43,13 @@ class Fails(io.StringIO):
     ],
 )
 def test_files_are_written_whoever_reads(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
-    stream: io.StringIO | None, code: int, said: str,
-) -> None:  # fmt: skip
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    stream: io.StringIO | None,
+    code: int,
+    said: str,
+) -> None:
     monkeypatch.setattr(sys, "stdout", stream)
     with pytest.raises(SystemExit) as stopped:
         main([*FLY, "--out", str(tmp_path / "out")])

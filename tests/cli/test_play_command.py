@@ -68,9 +68,10 @@ def test_a_play_is_as_sure_of_its_end_as_the_flight_alone(run_json: Callable[...
     """A ball that just clears the fence is no sure home run; `fly` with the same launch says the same chance."""
     played = run_json("play", "--park", "fenway")
     options = {
-        "exit-speed": f"{played['exit_speed_m_s']}m/s", "launch-angle": f"{played['launch_angle_rad']}rad",
+        "exit-speed": f"{played['exit_speed_m_s']}m/s",
+        "launch-angle": f"{played['launch_angle_rad']}rad",
         "spray": f"{played['spray_rad']}rad",
-    } | {spin: f"{played[f'{spin}_rad_s']}rad/s" for spin in ("backspin", "sidespin", "gyrospin")}  # fmt: skip
+    } | {spin: f"{played[f'{spin}_rad_s']}rad/s" for spin in ("backspin", "sidespin", "gyrospin")}
     given = (f"--{name}={text}" for name, text in options.items())
     flown = run_json("fly", "--park", "fenway", *given)
     assert played["fence"]["outcome"] == "home run" and 0 < played["fence"]["clearance_m"] < 1
@@ -158,8 +159,10 @@ def test_hit_and_play_are_as_sure_of_the_ball_as_the_report(run: Run, analysis: 
     """What balls of a kind differ by is in both; the report adds the bat, and draws have it in their intervals."""
     quick = speed_by_ball(analysis)
     assert quick is not None
-    for words in (("hit", "r161-ash", "--at", "5.8in-from-tip"),
-                  ("play", "r161-ash", "--at", "5.8in-from-tip", "--offset", "0in")):  # fmt: skip
+    for words in (
+        ("hit", "r161-ash", "--at", "5.8in-from-tip"),
+        ("play", "r161-ash", "--at", "5.8in-from-tip", "--offset", "0in"),
+    ):
         printed = " ".join(run(*words)[1].split())
         found = re.search(r"may be (\d\.\d) mph more or less", printed)
         assert found, printed

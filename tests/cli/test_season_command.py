@@ -197,9 +197,11 @@ def test_one_is_not_several() -> None:
     row = {"batter": "7", "name": None, "balls": 1, "ev20": 40.0, "home_runs_expected": 0.2, "home_runs": 0,
            "doubters": 1, "mostly_gone": 1, "no_doubters": 2}  # fmt: skip
     answer: Any = SimpleNamespace(
-        standings={"batter": Standing("batter", pl.DataFrame([row]), {})}, to_frame=lambda _: pl.DataFrame([row]),
-        counted=CASES["speeds alone"][0].with_columns(batter=pl.lit("7")), rare_shares={"batter": []},
-    )  # fmt: skip
+        standings={"batter": Standing("batter", pl.DataFrame([row]), {})},
+        to_frame=lambda _: pl.DataFrame([row]),
+        counted=CASES["speeds alone"][0].with_columns(batter=pl.lit("7")),
+        rare_shares={"batter": []},
+    )
     told = html.page(player_page(SeasonAnswer.player(answer, "7")), US)
     assert "1 ball in play" in told and "1 doubter, 1 mostly gone, 2 no-doubters" in told
 

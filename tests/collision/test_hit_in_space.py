@@ -43,9 +43,12 @@ def pitched(speed: float = 82 * MPH, *, drop: float = 0.0, spin: tuple[float, fl
 def struck(model: ReducedBat[Bat], *, position: float | None = None, offset: float = 0.0, **changes: object) -> Strike:
     x = model.bat.length - 6 * INCH
     usual = {
-        "ball": BALL, "swing": Swing(bat_speed=72 * MPH, measured_at=x), "path": SwingPath(), "pitch": pitched(),
+        "ball": BALL,
+        "swing": Swing(bat_speed=72 * MPH, measured_at=x),
+        "path": SwingPath(),
+        "pitch": pitched(),
         "contact": Contact(x if position is None else position, offset),
-    }  # fmt: skip
+    }
     return strike(model, **{**usual, **changes})  # type: ignore[arg-type]
 
 

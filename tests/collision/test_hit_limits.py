@@ -67,9 +67,7 @@ def test_rigid_limit_of_the_readable_version_at_its_default_step() -> None:
 @pytest.mark.parametrize("law", ["hysteretic", "hunt-crossley"])
 def test_wall_returns_the_restitution_law(law: str, speed: float) -> None:
     # exact
-    laws: dict[str, ContactLaw] = {
-        "hysteretic": Hysteretic(BALL), "hunt-crossley": HuntCrossley.for_speed(BALL, speed)
-    }  # fmt: skip
+    laws: dict[str, ContactLaw] = {"hysteretic": Hysteretic(BALL), "hunt-crossley": HuntCrossley.for_speed(BALL, speed)}
     bounce = hit(WALL, ball=BALL, position=0.5, closing_speed=speed, step=1e-6, law=laws[law])
     assert bounce.collision_efficiency == pytest.approx(BALL.restitution.at(speed), abs=1e-6)
 

@@ -91,8 +91,10 @@ def test_travel_does_not_depend_on_where_the_last_kick_lies(analysis: Analysis) 
     fine, coarse = (
         travel(
             hit(analysis.modes, ball=ball, position=0.69, closing_speed=60.0, step=step),
-            ball=ball, speed=0.0, impulse=1.0,
+            ball=ball,
+            speed=0.0,
+            impulse=1.0,
         )
         for step in (1e-6, 16e-6)
-    )  # fmt: skip
+    )
     assert coarse == pytest.approx(fine, rel=2e-3)

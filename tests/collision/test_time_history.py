@@ -52,9 +52,11 @@ def test_the_replay_ends_where_the_hit_left_the_bat(modes: Modes) -> None:
 
 @settings(max_examples=30)
 @given(
-    modes=st.sampled_from(sorted(MODES)), place=st.floats(0.4, 0.83), closing=st.floats(1.0, 100.0),
+    modes=st.sampled_from(sorted(MODES)),
+    place=st.floats(0.4, 0.83),
+    closing=st.floats(1.0, 100.0),
     duration=st.floats(1e-4, 20e-3),
-)  # fmt: skip
+)
 def test_energies_sum_to_the_incoming_one_at_every_moment(
     modes: str, place: float, closing: float, duration: float
 ) -> None:

@@ -36,10 +36,12 @@ def bench() -> Bench:
 def limits(bench: Bench) -> tuple[Limit, ...]:
     now = present_measured(bench).values
     return (
-        band("mass", float(now["mass"][0]), part=0.01), band("moi", float(now["moi"][0]), part=0.01),
-        *league_limits(league("mlb"), catalog.bat("mlb-a")), *lathe_limits(),
+        band("mass", float(now["mass"][0]), part=0.01),
+        band("moi", float(now["moi"][0]), part=0.01),
+        *league_limits(league("mlb"), catalog.bat("mlb-a")),
+        *lathe_limits(),
         Limit("handle", 0.999 * float(now["handle"][0]), None, "breaking"),
-    )  # fmt: skip
+    )
 
 
 @pytest.fixture(scope="session")

@@ -121,8 +121,10 @@ def test_tables_that_are_none(tmp_path: Path, text: str, fault: str) -> None:
 
 def test_a_fitted_player(tmp_path: Path) -> None:
     file = tmp_path / "player.json"
-    parameters = {name: {"value_m": 0.1 + number} for number, name in enumerate(
-        ("position", "position_spread", "offset", "offset_spread"))}  # fmt: skip
+    parameters = {
+        name: {"value_m": 0.1 + number}
+        for number, name in enumerate(("position", "position_spread", "offset", "offset_spread"))
+    }
     parameters["bat_speed"] = {"value_m_s": 31.0}
     file.write_text(json.dumps({"parameters": parameters, "pitch_speed_m_s": 38.0}), encoding="utf-8")
     found = fitted_player(file)

@@ -50,8 +50,10 @@ def test_a_thinner_grip_and_jammed_balls_are_bent_further(bench: Bench) -> None:
     assert isinstance(present, Bat) and present.profile is not None
     thin = present.replaced(
         profile=[(place, width * (0.9 if place < 0.45 * present.length else 1.0)) for place, width in present.profile],
-        mass=None, balance_point=None, moi=None,
-    )  # fmt: skip
+        mass=None,
+        balance_point=None,
+        moi=None,
+    )
     as_drawn = present.replaced(mass=None, balance_point=None, moi=None)
     assert handle_bending(bench, thin).strain > 1.05 * handle_bending(bench, as_drawn).strain
     jammed = handle_bending(met_at(bench, 10.0), present)

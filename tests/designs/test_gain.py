@@ -57,9 +57,12 @@ def test_a_gain_is_seen_only_where_its_interval_clearly_leaves_zero_out(bench: B
         for part in (-2.6, -2.57, -1.3, -1.2, 1.2, 1.3, 1.65, 2.57, 2.6)
     }
     assert [one.verdict for one in said.values()] == [
-        GainVerdict.LOSS, *[GainVerdict.LIKELY_LOSS] * 2, *[GainVerdict.HIDDEN] * 2, *[GainVerdict.LIKELY] * 3,
+        GainVerdict.LOSS,
+        *[GainVerdict.LIKELY_LOSS] * 2,
+        *[GainVerdict.HIDDEN] * 2,
+        *[GainVerdict.LIKELY] * 3,
         GainVerdict.SEEN,
-    ]  # fmt: skip
+    ]
     assert replace(none, expected=CLEARLY * none.spread).odds == pytest.approx(0.995, abs=1e-5)
     assert said[1.65].expected > said[1.65].doubt  # its 90 % interval is above zero, and yet only likely
 

@@ -56,9 +56,11 @@ def curve(diameters: Array) -> Array:
     cell = np.clip(np.searchsorted(HANDLES, SAMPLES, side="right") - 1, 0, len(HANDLES) - 2)
     t, h = (SAMPLES - HANDLES[cell]) / step[cell], step[cell]
     return np.asarray(
-        (2 * t**3 - 3 * t**2 + 1) * diameters[cell] + (t**3 - 2 * t**2 + t) * h * slope[cell]
-        + (3 * t**2 - 2 * t**3) * diameters[cell + 1] + (t**3 - t**2) * h * slope[cell + 1]
-    )  # fmt: skip
+        (2 * t**3 - 3 * t**2 + 1) * diameters[cell]
+        + (t**3 - 2 * t**2 + t) * h * slope[cell]
+        + (3 * t**2 - 2 * t**3) * diameters[cell + 1]
+        + (t**3 - t**2) * h * slope[cell + 1]
+    )
 
 
 def weighed(space: TurnedSpace, numbers: Array) -> dict[str, complex]:
@@ -85,9 +87,7 @@ def test_weights_follow_the_numbers_as_complex_steps_say(bench: Bench, numbers: 
     low, high = ends_of(bench)
     for name, value in weighed(space, numbers.astype(complex)).items():
         assert bench.measured(numbers).values[name][0] == pytest.approx(value.real, rel=1e-9)
-        exact = np.array([
-            weighed(space, numbers + 1j * TINY * one)[name].imag / TINY for one in np.eye(len(numbers))
-        ])  # fmt: skip
+        exact = np.array([weighed(space, numbers + 1j * TINY * one)[name].imag / TINY for one in np.eye(len(numbers))])
         found = gradient(bench, numbers, name)
         away = np.abs((found - exact) * (high - low))
         away[len(HANDLES)] = 0.0  # the cup, which is left out here

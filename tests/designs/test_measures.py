@@ -52,9 +52,13 @@ def test_the_speed_of_swings_scatters_without_changing_what_is_best(bench: Bench
     """Exit speed is nearly straight in bat speed: its mean over 4 mph of scatter is that at the mean, to 0.01 m/s."""
     speeds = bench.batter.bat_speed + 1.8 * np.array([-np.sqrt(3), 0.0, np.sqrt(3)])
     mean = [
-        float(replace(bench, batter=replace(bench.batter, bat_speed=float(speed))).measured(bench.space.start)
-              .values["exit_speed"][0]) for speed in speeds
-    ]  # fmt: skip
+        float(
+            replace(bench, batter=replace(bench.batter, bat_speed=float(speed)))
+            .measured(bench.space.start)
+            .values["exit_speed"][0]
+        )
+        for speed in speeds
+    ]
     assert np.array(mean) @ [1 / 6, 2 / 3, 1 / 6] == pytest.approx(mean[1], abs=0.01)
 
 

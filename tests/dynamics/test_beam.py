@@ -97,9 +97,12 @@ def test_a_cup_and_a_bore_do_not_count_twice() -> None:
 
 def test_a_tube_is_exact() -> None:
     tube = Bat(
-        name="tube", length=0.84, material=METAL, profile=((0.0, 0.06), (0.84, 0.06)),
+        name="tube",
+        length=0.84,
+        material=METAL,
+        profile=((0.0, 0.06), (0.84, 0.06)),
         shell={"wall": ((0.0, 0.003), (0.84, 0.003)), "end_cap_mass": 0.03, "knob_mass": 0.05},
-    )  # fmt: skip
+    )
     body = rigid_body(beam_model(tube))
     wall = 2800 * math.pi * (0.03**2 - 0.027**2) * 0.84
     assert body.mass == pytest.approx(wall + 0.08, rel=1e-12)
@@ -207,8 +210,9 @@ def test_the_nearest_values_named_are_answered() -> None:
 def test_within_the_scatter_of_measurements_the_drawing_is_believed() -> None:
     """Noise of the balance point and moi moves the bat as a whole, not its bending modes."""
     plain = rigid_body(beam_model(TURNED))
-    measured = TURNED.replaced(mass=plain.mass, balance_point=plain.balance_point + 0.2 * INCH,
-                               moi=plain.moi(TURNED.moi_axis) * 1.02)  # fmt: skip
+    measured = TURNED.replaced(
+        mass=plain.mass, balance_point=plain.balance_point + 0.2 * INCH, moi=plain.moi(TURNED.moi_axis) * 1.02
+    )
     beam = beam_model(measured)
     assert (beam.density_gradient, beam.grip_excess) == (0.0, 0.0)
     assert rigid_body(beam).balance_point == pytest.approx(plain.balance_point + 0.2 * INCH, rel=1e-12)

@@ -158,8 +158,12 @@ def test_the_damper_takes_what_the_restitution_says(restitution: float) -> None:
     released.terminal, released.direction = True, -1  # type: ignore[attr-defined]
     done = solve_ivp(
         lambda _time, state: [state[1], -(stiffness * state[0] + lost * state[1]) / mass],
-        (0.0, 0.1), [0.0, 1.0], events=released, rtol=1e-10, atol=1e-14,
-    )  # fmt: skip
+        (0.0, 0.1),
+        [0.0, 1.0],
+        events=released,
+        rtol=1e-10,
+        atol=1e-14,
+    )
     assert -done.y[1, -1] == pytest.approx(restitution, abs=1e-6)
 
 
@@ -167,9 +171,13 @@ def test_a_hard_ball_keeps_the_restitution_of_a_clamped_face() -> None:
     """The face's mode alone, with hardly any moving mass, under a hard ball without losses."""
     stiffness, moving, restitution = 4e4, 1e-4, 0.8
     ball = Ball(
-        name="hard", mass=0.05, radius=0.03, stiffness=2e6, exponent=1.0,
+        name="hard",
+        mass=0.05,
+        radius=0.03,
+        stiffness=2e6,
+        exponent=1.0,
         restitution=RestitutionLaw(reference=1.0, reference_speed=1.0),
-    )  # fmt: skip
+    )
     lost = damping_coefficient(restitution, stiffness=stiffness, mass=ball.mass)
     clamped = Modes(
         families=("face",),

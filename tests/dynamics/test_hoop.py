@@ -25,9 +25,12 @@ ALLOY = Material(name="alloy", family="metal", density=2800, longitudinal_modulu
 
 def tube(wall: float, diameter: float = 2.625 * INCH, length: float = 0.84, cap: float = 0.0) -> Bat:
     return Bat(
-        name="tube", length=length, material=ALLOY, profile=((0.0, diameter), (length, diameter)),
+        name="tube",
+        length=length,
+        material=ALLOY,
+        profile=((0.0, diameter), (length, diameter)),
         shell={"wall": ((0.0, wall), (length, wall)), "end_cap_mass": cap},
-    )  # fmt: skip
+    )
 
 
 @pytest.mark.parametrize(
@@ -55,10 +58,14 @@ def exact_cylinder(n: int, m: int, *, wall: float, radius: float, length: float)
     stretch = 71e9 * wall / (1 - 0.33**2)
     strain = np.array(
         [
-            [-wave, 0, 0], [0, n / radius, 1 / radius], [-n / radius, wave, 0], [0, 0, wave**2],
-            [0, n / radius**2, n**2 / radius**2], [n / (2 * radius**2), 1.5 * wave / radius, 2 * n * wave / radius],
+            [-wave, 0, 0],
+            [0, n / radius, 1 / radius],
+            [-n / radius, wave, 0],
+            [0, 0, wave**2],
+            [0, n / radius**2, n**2 / radius**2],
+            [n / (2 * radius**2), 1.5 * wave / radius, 2 * n * wave / radius],
         ]
-    )  # fmt: skip
+    )
     law = np.array([[1, 0.33, 0], [0.33, 1, 0], [0, 0, 0.335]]) * stretch
     nothing = np.zeros((3, 3))
     stiffness = strain.T @ np.block([[law, nothing], [nothing, law * wall**2 / 12]]) @ strain
@@ -161,10 +168,13 @@ def test_few_modes_and_their_static_correction_are_enough() -> None:
     few, many = (
         hits(
             joined(bending_modes(beam), hoop_modes(beam, law=LAW, harmonics=harmonics, axial_modes=axial)),
-            ball=ball, position=places, closing_speed=60.0, step=6e-6,
+            ball=ball,
+            position=places,
+            closing_speed=60.0,
+            step=6e-6,
         ).collision_efficiency
         for harmonics, axial in (((2, 3, 4), 5), ((2, 3, 4, 5, 6), 14))
-    )  # fmt: skip
+    )
     assert few == pytest.approx(many, abs=2e-4)
 
 

@@ -29,7 +29,5 @@ def test_each_wave_gives_way_as_sanders_has_it(wave: float) -> None:
         own = [0, 1, 2] if n else [0, 2]
         ring = (strain.T @ whole @ strain)[np.ix_(own, own)] * np.pi * MIDDLE * (1 if n else 2)
         expected = push[own] @ np.linalg.solve(ring, push[own])
-        found = work(
-            whole[None], np.array([[wave]]), np.array([[MIDDLE]]), np.array([[OUTER]]), np.array([PATCH])
-        )  # fmt: skip
+        found = work(whole[None], np.array([[wave]]), np.array([[MIDDLE]]), np.array([[OUTER]]), np.array([PATCH]))
         assert float(found[0, 0, 0]) == pytest.approx(expected, rel=1e-7 if wave < 10 else 1e-10, abs=0)

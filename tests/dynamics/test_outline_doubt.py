@@ -30,11 +30,14 @@ def errors(*, balance: bool) -> tuple[np.ndarray, np.ndarray]:
             found = rigid_body(
                 beam_model(
                     other.replaced(
-                        length=bat.length, profile=profile, mass=bat.mass, moi=None,
+                        length=bat.length,
+                        profile=profile,
+                        mass=bat.mass,
+                        moi=None,
                         balance_point=bat.balance_point if balance else None,
                     )
                 )
-            )  # fmt: skip
+            )
             swing.append(found.moi(AXIS) / known.moi(AXIS) - 1)
             centre.append(found.moi_cm / known.moi_cm - 1)
     return np.array(swing), np.array(centre)

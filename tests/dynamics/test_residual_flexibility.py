@@ -70,7 +70,11 @@ def test_softer_wood_smaller_patches_and_holes_give_way_more() -> None:
     assert dent(ash, 0.5) > dent(ash, 0.7) > dent(ash, 0.9) > dent(ash, 1.2)
     assert dent(ash, 0.7, void=0.4) > 1.1 * dent(ash, 0.7)
     stiff = Material(
-        name="twice", density=600, longitudinal_modulus=30.6e9, shear_modulus=3.4e9, transverse_modulus=2.6e9,
+        name="twice",
+        density=600,
+        longitudinal_modulus=30.6e9,
+        shear_modulus=3.4e9,
+        transverse_modulus=2.6e9,
         poisson_ratio=0.44,
-    )  # fmt: skip
+    )
     assert dent(stiff, 0.7) == pytest.approx(dent(ash, 0.7) / 2)

@@ -19,9 +19,12 @@ from sweetspot.dynamics.rigid import (
 from sweetspot.errors import InputError
 
 bodies = st.builds(
-    RigidBody, mass=st.floats(0.3, 2), balance_point=st.floats(0.4, 0.7), moi_cm=st.floats(0.01, 0.1),
+    RigidBody,
+    mass=st.floats(0.3, 2),
+    balance_point=st.floats(0.4, 0.7),
+    moi_cm=st.floats(0.01, 0.1),
     roll_moi=st.just(0.0003),
-)  # fmt: skip
+)
 
 
 @given(bodies, st.floats(0.0, 0.3))

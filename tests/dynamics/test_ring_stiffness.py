@@ -21,9 +21,12 @@ RADIUS = 0.0333
 
 def tube(wall: float, *rings: Ring) -> Bat:
     return Bat(
-        name="tube", length=0.84, material=ALLOY, profile=((0.0, 2 * RADIUS), (0.84, 2 * RADIUS)),
+        name="tube",
+        length=0.84,
+        material=ALLOY,
+        profile=((0.0, 2 * RADIUS), (0.84, 2 * RADIUS)),
         shell={"wall": ((0.0, wall), (0.84, wall)), "end_cap_mass": 0.02, "rings": rings},
-    )  # fmt: skip
+    )
 
 
 @pytest.mark.parametrize("n", [2, 3, 5])

@@ -159,8 +159,9 @@ def test_a_measured_mass_is_judged_by_the_laminate() -> None:
 
 def test_a_measured_mass_scales_every_wall() -> None:
     plain = tube(0.002, inner_wall=sleeve(0.0015))
-    heavier = beam_model(plain.bat.replaced(mass=1.02 * rigid_body(plain).mass, material=METAL.replaced(
-        density_range=(2700.0, 2900.0))))  # fmt: skip
+    heavier = beam_model(
+        plain.bat.replaced(mass=1.02 * rigid_body(plain).mass, material=METAL.replaced(density_range=(2700.0, 2900.0)))
+    )
     ratio = wall_stiffness(heavier, PLACES).mass_per_area / wall_stiffness(plain, PLACES).mass_per_area
     assert ratio == pytest.approx(1.02)
 

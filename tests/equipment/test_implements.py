@@ -73,9 +73,12 @@ def test_bending_has_no_momentum(name: str) -> None:
 
 @settings(max_examples=30)
 @given(
-    mass=st.floats(0.28, 0.36), balance=st.floats(0.30, 0.35), gyration=st.floats(0.19, 0.24),
-    frequency=st.floats(90.0, 180.0), twist=st.floats(1.0e-3, 2.0e-3),
-)  # fmt: skip
+    mass=st.floats(0.28, 0.36),
+    balance=st.floats(0.30, 0.35),
+    gyration=st.floats(0.19, 0.24),
+    frequency=st.floats(90.0, 180.0),
+    twist=st.floats(1.0e-3, 2.0e-3),
+)
 def test_a_racket_has_what_was_measured(
     mass: float, balance: float, gyration: float, frequency: float, twist: float
 ) -> None:
@@ -181,7 +184,7 @@ def test_softer_strings_give_more_and_hold_more_weight_back() -> None:
         ("table-tennis-racket", {"handle_thickness": 0.005}, "no thicker than the blade"),
         ("table-tennis-racket", {"blade_length": 0.3}, "leave room for the handle"),
     ],
-)  # fmt: skip
+)
 def test_what_cannot_be_is_refused(name: str, changes: dict[str, Any], said: str) -> None:
     with pytest.raises(InputError, match=said):
         beam_model(catalog.implement(name).replaced(**changes))

@@ -21,9 +21,11 @@ PLY = Material(
 METAL = Material(name="metal", family="metal", density=2800, longitudinal_modulus=71e9, poisson_ratio=0.33)
 WALL = ((0.0, 0.003), (0.84, 0.003))
 TABLE: dict[str, Any] = {
-    "name": "t", "length": "33 in", "material": "aluminium_7xxx",
+    "name": "t",
+    "length": "33 in",
+    "material": "aluminium_7xxx",
     "profile": [["0 in", "1 in"], ["16 in", "2 in"], ["33 in", "2.6 in"]],
-}  # fmt: skip
+}
 FILE_WALL = [["0 in", "3 mm"], ["33 in", "3 mm"]]
 
 
@@ -86,9 +88,13 @@ def test_a_file_has_sleeve_plies_and_pieces() -> None:
     plies = [{"material": "carbon ply", "angle": "45 deg", "thickness": "0.2 mm"}]
     inner = {"wall": [["20 in", "1 mm"], ["30 in", "1 mm"]], "gap": "0.1 mm", "laminate": plies}
     shell = {
-        "wall": FILE_WALL, "laminate": plies, "inner_wall": inner, "handle_material": "carbon laminate",
-        "joint": "15 in", "joint_mass": "1 oz",
-    }  # fmt: skip
+        "wall": FILE_WALL,
+        "laminate": plies,
+        "inner_wall": inner,
+        "handle_material": "carbon laminate",
+        "joint": "15 in",
+        "joint_mass": "1 oz",
+    }
     made = bat_from_table({**TABLE, "shell": shell}, "file").shell
     assert made is not None and made.laminate is not None and made.inner_wall is not None
     assert made.laminate.plies[0].angle == pytest.approx(math.pi / 4)

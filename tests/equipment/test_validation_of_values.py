@@ -18,8 +18,11 @@ from sweetspot.motion.swing import Hands, Pitch, Swing
 
 def bat(ash: Material, **changes: Any) -> Bat:
     values: dict[str, Any] = {
-        "name": "b", "length": 0.84, "material": ash, "profile": ((0.0, 0.05), (0.1, 0.025), (0.84, 0.065)),
-    }  # fmt: skip
+        "name": "b",
+        "length": 0.84,
+        "material": ash,
+        "profile": ((0.0, 0.05), (0.1, 0.025), (0.84, 0.065)),
+    }
     return Bat(**{**values, **changes})
 
 

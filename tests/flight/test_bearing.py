@@ -25,9 +25,7 @@ BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics(), Air()
 
 
 @settings(max_examples=30)
-@given(
-    st.floats(-45, 45), st.floats(60, 115), st.floats(8, 50), st.sampled_from(["right", "left"]), st.floats(-8, 8)
-)  # fmt: skip
+@given(st.floats(-45, 45), st.floats(60, 115), st.floats(8, 50), st.sampled_from(["right", "left"]), st.floats(-8, 8))
 def test_the_ball_comes_down_where_it_was_seen(
     bearing: float, speed: float, up: float, bats: str, across: float
 ) -> None:

@@ -54,7 +54,7 @@ def told(speed: float, angle: float, errors: LaunchErrors = TRACKED, spin: float
     table = carry_errors(catalog.ball(), catalog.aerodynamics(), AIR, errors=errors, spin_scatter=spin)
     found = table.spread(
         np.array([speed]), np.array([angle]), per_drag=np.array([per_drag(speed, angle)]), scatter=np.array([SCATTER])
-    )  # fmt: skip
+    )
     return float(found[0])
 
 
@@ -85,8 +85,11 @@ def test_one_flight_and_a_season_scatter_by_one_rule(angle: float) -> None:
     """A ball hit alike, without measuring errors, by both: half of a difference against the slope, to 2 %."""
     hit = BattedBall(exit_speed=100 * MPH, launch_angle=angle)
     motion = hit.motion
-    alone = carry_spread(motion, FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=AIR),
-                         drag_scatter=SCATTER)  # fmt: skip
+    alone = carry_spread(
+        motion,
+        FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=AIR),
+        drag_scatter=SCATTER,
+    )
     assert alone == pytest.approx(told(100 * MPH, angle, LaunchErrors(0.0, 0.0)), rel=0.02)
 
 
@@ -95,8 +98,9 @@ def test_tracked_distances_fall_into_the_intervals(tmp_path: Path) -> None:
     tracked = real_file("savant_2022_contact_sample.csv.gz")
     season = analyse_season([tracked], setting=season_setting(contact=False), folder=tmp_path)
     balls = season.balls().filter((pl.col("carry_spread_ft") > 0) & (pl.col("hit_distance_sc") > 150))
-    table = balls.select("launch_angle", odd=pl.col("game_pk") % 2 == 1,
-                         off=(pl.col("carry_above_ft") / pl.col("carry_spread_ft")).abs())  # fmt: skip
+    table = balls.select(
+        "launch_angle", odd=pl.col("game_pk") % 2 == 1, off=(pl.col("carry_above_ft") / pl.col("carry_spread_ft")).abs()
+    )
     known = table.drop_nulls().collect()
     for low, high, least in ((15, 25, 200), (25, 40, 500)):
         here = (pl.col("launch_angle") >= low) & (pl.col("launch_angle") < high)

@@ -110,8 +110,9 @@ def test_mirror(side: float) -> None:
     found = flown(
         hit(spray=0.4 * side, sidespin=700 * RPM * side), wind=Wind(speed=5.0, direction=1.2 * side), step=0.02
     )
-    other = flown(hit(spray=-0.4 * side, sidespin=-700 * RPM * side), wind=Wind(speed=5.0, direction=-1.2 * side),
-                  step=0.02)  # fmt: skip
+    other = flown(
+        hit(spray=-0.4 * side, sidespin=-700 * RPM * side), wind=Wind(speed=5.0, direction=-1.2 * side), step=0.02
+    )
     assert found.landing.position * [-1, 1, 1] == pytest.approx(other.landing.position, abs=1e-9)
 
 

@@ -113,8 +113,10 @@ def take_shots(text: str) -> None:
     measured_bat = catalog.bat("r161-ash")
     found = measure(
         read_shots(_file(text, ".csv"), length=measured_bat.length).shots,
-        bat=measured_bat, body=rigid_body(beam_model(measured_bat)), ball=catalog.ball(),
-    )  # fmt: skip
+        bat=measured_bat,
+        body=rigid_body(beam_model(measured_bat)),
+        ball=catalog.ball(),
+    )
     _finite(found.bbcor.mean, found.bbcor.standard_error, found.efficiency.mean, found.best_position)
     assert -1 < found.bbcor.mean < 1
 

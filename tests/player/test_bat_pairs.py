@@ -42,8 +42,10 @@ def test_every_two_bats_are_compared_the_best_first() -> None:
     bats = [swung("own", 40.0), swung("second", 43.0), swung("third", 41.0)]
     pairs, words, table = told(bats, {"own": SPREAD, "second": SPREAD + 3, "third": SPREAD + 1})
     assert [(pair.better, pair.other) for pair in pairs] == [
-        ("second", "third"), ("second", "own"), ("third", "own"),
-    ]  # fmt: skip
+        ("second", "third"),
+        ("second", "own"),
+        ("third", "own"),
+    ]
     assert [pair.gain.value for pair in pairs] == pytest.approx([2.0, 3.0, 1.0])
     assert {pair.verdict for pair in pairs} == {"better"} and all(pair.chance == 1 for pair in pairs)
     assert pairs[0].measured is not None and pairs[0].measured.value == pytest.approx(2.0)
@@ -90,8 +92,9 @@ def test_a_gain_that_is_told_as_none_is_not_sure(mph: float, goal: Goal, verdict
 
 
 def test_a_measured_exit_speed_does_not_gainsay_a_carry() -> None:
-    (pair,), _, _ = told([swung("own"), swung("second", 39.0)], {"own": 90 + SPREAD, "second": 93 + SPREAD},
-                         Goal("carry"))  # fmt: skip
+    (pair,), _, _ = told(
+        [swung("own"), swung("second", 39.0)], {"own": 90 + SPREAD, "second": 93 + SPREAD}, Goal("carry")
+    )
     assert pair.verdict == "better by the model"
 
 

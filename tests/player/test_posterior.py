@@ -225,9 +225,12 @@ def readable(model: PlayerModel, standard: Array) -> float:
     assert swing.pitch_speed is not None and swing.exit_speed is not None
     bat_speed = value["bat_speed"] if swing.bat_speed is None else swing.bat_speed
     said, speed, variance = swung(
-        math.nan if swing.bat_speed is None else bat_speed, fixed("bat_speed_noise"), value["bat_speed"],
-        value["bat_speed_spread"], (fixed("slow_part"), fixed("slow_by"), fixed("slow_spread")),
-    )  # fmt: skip
+        math.nan if swing.bat_speed is None else bat_speed,
+        fixed("bat_speed_noise"),
+        value["bat_speed"],
+        value["bat_speed_spread"],
+        (fixed("slow_part"), fixed("slow_by"), fixed("slow_spread")),
+    )
     ratio = np.array([swing.pitch_speed / (priors()["bat_speed"].centre if swing.bat_speed is None else bat_speed)])
     attack = usual if swing.attack_angle is None else swing.attack_angle
     if swing.attack_angle is not None:
@@ -322,9 +325,10 @@ def test_tables_are_the_full_collision(table: BatResponse) -> None:
                   contact=Contact(OWN.length - place, offset))  # fmt: skip
     kept, deflection = (
         float(np.interp(offset, table.offset, part[0, 0]))
-        for part in at_swings(table, np.array([PITCH / speed]), np.array([attack - priors()["attack_angle"].centre]),
-                              np.array([place]))
-    )  # fmt: skip
+        for part in at_swings(
+            table, np.array([PITCH / speed]), np.array([attack - priors()["attack_angle"].centre]), np.array([place])
+        )
+    )
     assert done.launched is not None
     out = done.launched.velocity
     assert attack + deflection == pytest.approx(math.atan2(out[2], math.hypot(out[0], out[1])), abs=math.radians(0.3))
@@ -355,8 +359,9 @@ def test_what_counts_as_a_hit_is_counted(table: BatResponse) -> None:
 
 def test_a_ball_that_leaves_too_steeply_leaves_its_bat_speed() -> None:
     swing = PlayerSwing(2, 31.0, 42.0, PITCH, math.radians(61), 0.1, None, "")
-    models = [player_model([one], bat=OWN, ball=BALL)
-              for one in (swing, replace(swing, launch_angle=None, exit_speed=None))]  # fmt: skip
+    models = [
+        player_model([one], bat=OWN, ball=BALL) for one in (swing, replace(swing, launch_angle=None, exit_speed=None))
+    ]
     places = prior_draws(20, seed=2)
     assert models[0].log_likelihood(places) == pytest.approx(models[1].log_likelihood(places))
 

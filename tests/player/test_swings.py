@@ -221,10 +221,13 @@ def test_a_decimal_comma_between_commas_is_a_bad_row(tmp_path: Path) -> None:
         ("bat_speed_mph,exit_speed_mph", [(bat * MPH, ball * MPH) for bat, ball in ROWS], "write the unit"),
         ("bat_speed_mph,exit_speed_mph,pitch_speed_mph", [(*row, 0.6) for row in ROWS], "usual is 10 to 125 mph"),
         ("bat_speed_mph,exit_speed_mph,position_in_from_tip", [(*row, 27) for row in ROWS], "from the other end"),
-        ("Player Name,bat_speed_mph,exit_speed_mph", list(zip("aabbcc", *zip(*ROWS, strict=True), strict=True)),
-         "3 batters"),
+        (
+            "Player Name,bat_speed_mph,exit_speed_mph",
+            list(zip("aabbcc", *zip(*ROWS, strict=True), strict=True)),
+            "3 batters",
+        ),
     ],
-)  # fmt: skip
+)
 def test_files_that_say_something_else_than_is_meant(
     tmp_path: Path, headings: str, rows: list[tuple[object, ...]], message: str
 ) -> None:

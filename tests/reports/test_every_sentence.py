@@ -171,8 +171,9 @@ def test_walls_that_pass(tell: Tell) -> None:
 
 def test_the_best_way_to_hit(tell: Tell) -> None:
     document = tell("optimum")
-    check_sentences(document, READERS, [catalog.bat("r161-ash").length - row["position_m"]
-                                        for row in document.data["swings"]])  # fmt: skip
+    check_sentences(
+        document, READERS, [catalog.bat("r161-ash").length - row["position_m"] for row in document.data["swings"]]
+    )
     text = text_of(document, US)
     assert document.data["swings"]
     for row, line in zip(document.data["swings"], text.splitlines(), strict=False):
@@ -195,8 +196,9 @@ def test_parks_say_what_their_fences_are(tell: Tell) -> None:
     (table, *_) = [block for block in blocks(document) if isinstance(block, Table)]
     for row, park in zip(table.rows, document.data["parks"], strict=True):
         assert row[0] == park["key"]
-        told = [park[f"{name}_m"] for name in ("left_field", "left_center", "center_field", "right_center",
-                                               "right_field")]  # fmt: skip
+        told = [
+            park[f"{name}_m"] for name in ("left_field", "left_center", "center_field", "right_center", "right_field")
+        ]
         assert list(row[4:9]) == told
         assert park["lowest_fence_m"] <= park["highest_fence_m"] < min(told)
 

@@ -25,9 +25,8 @@ CALLS = ("open", "write", "fsync", "mkdir", "rename", "replace", "link")
 def tree(folder: Path) -> dict[str, str]:
     """Everything below a folder, hidden things too."""
     return {
-        str(path.relative_to(folder)): "folder" if path.is_dir() else path.read_text()
-        for path in folder.rglob("*")
-    }  # fmt: skip
+        str(path.relative_to(folder)): "folder" if path.is_dir() else path.read_text() for path in folder.rglob("*")
+    }
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, call: str, at: int) -> None:

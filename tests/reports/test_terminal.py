@@ -41,8 +41,10 @@ def test_a_narrow_terminal_loses_no_name_and_no_unit(
     """A table of two bats: what does not fit is broken between words, or the line is longer than the terminal."""
     heads = ["bat", "mass oz", "balance in", "MOI", "f1 Hz", "q max", "BBCOR in play"]
     columns_of = [Column(heads[0]), *(Column(head, right=True) for head in heads[1:])]
-    rows = [["R161, white ash", "31.0", "22.05", "10,300 ± 1000 oz in²", "172", "0.216", "0.478"],
-            ["Russell B6, hollow", "31.0", "20.40", "9590 oz in²", "164", "0.263", "0.538"]]  # fmt: skip
+    rows = [
+        ["R161, white ash", "31.0", "22.05", "10,300 ± 1000 oz in²", "172", "0.216", "0.478"],
+        ["Russell B6, hollow", "31.0", "20.40", "9590 oz in²", "164", "0.263", "0.538"],
+    ]
     document = Document(name="x", title="", kind="", blocks=[Table("", columns_of, rows)], data={}, rows={}, reader=US)
     monkeypatch.setenv("COLUMNS", str(columns))
     assert present(document, OutputOptions()) == 0

@@ -107,8 +107,9 @@ def test_another_setting_is_another_plan(tables: list[Path], tmp_path: Path) -> 
         run_here(plan)
 
     for system in ("us", "si"):
-        analyse_season(tables[:1], setting=season_setting(contact=False, system=system), folder=tmp_path, run=keep,
-                       resume=True)  # fmt: skip
+        analyse_season(
+            tables[:1], setting=season_setting(contact=False, system=system), folder=tmp_path, run=keep, resume=True
+        )
     assert plans[0].fingerprint != plans[1].fingerprint
     task = next(plans[1].tasks())
     assert is_done(plans[1], task) and not is_done(plans[0], task)

@@ -26,10 +26,13 @@ from sweetspot.units import MPH
 NAMES = ("game_date", "game_pk", "at_bat_number", "pitch_number", "batter", "description", "events", "des",
          "launch_speed", "launch_angle", "bat_speed", "release_speed", "plate_x", "hc_x", "hc_y", "shirt")  # fmt: skip
 KINDS = {
-    USED: ("hit_into_play", "field_out"), "untracked": ("hit_into_play", "single"),
-    "impossible": ("hit_into_play", "double"), "bunt": ("hit_into_play", "sac_bunt"), "foul": ("foul", ""),
+    USED: ("hit_into_play", "field_out"),
+    "untracked": ("hit_into_play", "single"),
+    "impossible": ("hit_into_play", "double"),
+    "bunt": ("hit_into_play", "sac_bunt"),
+    "foul": ("foul", ""),
     "no contact": ("ball", ""),
-}  # fmt: skip
+}
 """Reasons, with what a row's description and event say."""
 NO_CONTACT = ("ball", "called_strike", "swinging_strike", "foul_tip")
 NEVER = ("999.0", "0", "-9999", "130.5")

@@ -156,10 +156,12 @@ def test_another_bat_by_the_kernel_itself(made: pl.DataFrame, season: Season) ->
         omega = factor * speed / (own.length - own.choke - 6 * INCH)
         there = omega * (bat.length - bat.choke - place)
         struck = strikes(
-            model, ball=ball, swings=Swings(there, path_axes(0.15, 0.0, tilt=0.55, left=False), bat.choke),
+            model,
+            ball=ball,
+            swings=Swings(there, path_axes(0.15, 0.0, tilt=0.55, left=False), bat.choke),
             pitches=BallMotions(velocity=(0.0, -36.8, -4.3), spin=np.zeros(3)),
             contact=Contact(bat.length - place, offset),
-        )  # fmt: skip
+        )
         speeds.append(struck.exit_speed)
     truth = float(np.nanmean(speeds[1] - speeds[0])) / MPH
     told = season.balls().select(gain=pl.col("exit_speed_with_mlb_a_mph") - pl.col("launch_speed")).collect()["gain"]
@@ -194,8 +196,10 @@ def test_players_who_differ_like_the_league_s_are_told_apart_better_than_by_its_
     """At 34 balls of 209 players the league's numbers are 0.43, 0.23 and 0.52; one such league scatters by 0.05."""
     frame = made_season(catalog.bat(BAT), LIKE_THE_LEAGUE, seed=3)
     counted = answered(frame.filter(pl.int_range(pl.len()).over("batter") < 68)).counted().collect()
-    found = {name: float(pooled(counted, key="batter", measure=name)[1].reliability(34.0))
-             for name in ("exit_speed", "league_squared_up", "blast", "squared_up_ratio")}  # fmt: skip
+    found = {
+        name: float(pooled(counted, key="batter", measure=name)[1].reliability(34.0))
+        for name in ("exit_speed", "league_squared_up", "blast", "squared_up_ratio")
+    }
     for name, published in (("exit_speed", 0.43), ("league_squared_up", 0.23), ("blast", 0.52)):
         assert found[name] == pytest.approx(published, abs=0.1), name
     own = found["squared_up_ratio"]
@@ -203,7 +207,7 @@ def test_players_who_differ_like_the_league_s_are_told_apart_better_than_by_its_
     turn = counted.with_columns(turn=pl.int_range(pl.len()).over("batter") % 2)
     halves = turn.group_by("batter").agg(
         pl.col("squared_up_ratio").filter(pl.col("turn") == half).mean().alias(str(half)) for half in (0, 1)
-    )  # fmt: skip
+    )
     assert float(np.corrcoef(halves["0"], halves["1"])[0, 1]) == pytest.approx(own, abs=0.12)
 
 
@@ -237,10 +241,12 @@ def test_pooled_means_hold_as_often_as_they_say() -> None:
     rng = np.random.default_rng(4)
     truth = rng.normal(10.0, 1.0, 200)
     sizes = rng.integers(3, 60, 200)
-    frame = pl.DataFrame({
-        "who": np.repeat(np.arange(200), sizes).astype(str),
-        "value": np.concatenate([rng.normal(mean, 4.0, size) for mean, size in zip(truth, sizes, strict=True)]),
-    })  # fmt: skip
+    frame = pl.DataFrame(
+        {
+            "who": np.repeat(np.arange(200), sizes).astype(str),
+            "value": np.concatenate([rng.normal(mean, 4.0, size) for mean, size in zip(truth, sizes, strict=True)]),
+        }
+    )
     table, spread = pooled(frame, key="who", measure="value")
     mine = pl.Series(truth[table["who"].cast(pl.Int64).to_numpy()])
     assert spread.between == pytest.approx(1.0, rel=0.4) and spread.within == pytest.approx(16.0, rel=0.1)
@@ -265,9 +271,11 @@ def test_tables_of_players_are_added_up_part_by_part(season: Season) -> None:
     together, spread = pooled(rows, key="batter", measure="from_best")
     assert added.table["from_best"].to_numpy() == pytest.approx(together["pooled"].to_numpy(), rel=1e-9)
     assert added.spreads["from_best"].between == pytest.approx(spread.between, rel=1e-6)
-    hardest = rows.group_by("batter").agg(
-        ev20=pl.col("exit_speed").filter(pl.col("exit_speed") >= pl.col("exit_speed").quantile(0.8)).mean()
-    ).sort("batter")  # fmt: skip
+    hardest = (
+        rows.group_by("batter")
+        .agg(ev20=pl.col("exit_speed").filter(pl.col("exit_speed") >= pl.col("exit_speed").quantile(0.8)).mean())
+        .sort("batter")
+    )
     assert added.table["ev20"].to_numpy() == pytest.approx(hardest["ev20"].to_numpy(), abs=0.1 * MPH)
 
 
@@ -290,10 +298,12 @@ def test_a_head_on_hit_by_hand() -> None:
     place, speed = 5.3 * INCH, 33.1
     there = speed * (bat.length - bat.choke - place) / (bat.length - bat.choke - 6 * INCH)
     struck = strikes(
-        model, ball=ball, swings=Swings(np.array([there]), path_axes(0.0, 0.0, tilt=0.0, left=False), bat.choke),
+        model,
+        ball=ball,
+        swings=Swings(np.array([there]), path_axes(0.0, 0.0, tilt=0.0, left=False), bat.choke),
         pitches=BallMotions(velocity=(0.0, -37.0, -3.0), spin=np.zeros(3)),
         contact=Contact(np.array([bat.length - place]), np.array([0.01])),
-    )  # fmt: skip
+    )
     turned = np.arctan2(struck.velocity[:, 2], struck.velocity[:, 1])
     fast, above = exit_speeds(
         surface, bat_speed=np.array([speed]), pitch=(np.array([-37.0]), np.array([-3.0])), tangent=np.zeros(1),

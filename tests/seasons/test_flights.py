@@ -93,17 +93,25 @@ def test_what_distances_leave_over_is_put_into_words() -> None:
 
 def test_what_is_left_over_is_the_same_to_the_last_digit_however_balls_lie_in_memory() -> None:
     rng = np.random.default_rng(4)
-    frame = pl.DataFrame({
-        "park": np.array(["Here", "There", "Elsewhere", None])[rng.integers(0, 4, 90_000)],
-        "launch_angle": rng.uniform(0, 1, 90_000), "carry_above": rng.normal(0, 8, 90_000),
-    })  # fmt: skip
+    frame = pl.DataFrame(
+        {
+            "park": np.array(["Here", "There", "Elsewhere", None])[rng.integers(0, 4, 90_000)],
+            "launch_angle": rng.uniform(0, 1, 90_000),
+            "carry_above": rng.normal(0, 8, 90_000),
+        }
+    )
     several = pl.concat([frame[start : start + 999] for start in range(0, len(frame), 999)], rechunk=False)
     for kind in ("park", "launch_angle"):
         assert left_over_by(frame.lazy(), kind) == left_over_by(several.lazy(), kind)
-    told = frame.drop_nulls().group_by("park").agg(
-        mean=pl.col("carry_above").mean(), error=pl.col("carry_above").std() / pl.len().sqrt(), balls=pl.len()
-    )  # fmt: skip
+    told = (
+        frame.drop_nulls()
+        .group_by("park")
+        .agg(mean=pl.col("carry_above").mean(), error=pl.col("carry_above").std() / pl.len().sqrt(), balls=pl.len())
+    )
     assert_frame_equal(
-        pl.DataFrame(left_over_by(frame.lazy(), "park")).drop("middle").rename({"name": "park"}), told.sort("mean"),
-        check_dtypes=False, check_column_order=False, rel_tol=1e-10,
-    )  # fmt: skip
+        pl.DataFrame(left_over_by(frame.lazy(), "park")).drop("middle").rename({"name": "park"}),
+        told.sort("mean"),
+        check_dtypes=False,
+        check_column_order=False,
+        rel_tol=1e-10,
+    )

@@ -187,8 +187,10 @@ TABLES = {
     "plain, with units": (by_hand(), "Date"),
     "days first": (made_up(year=2026).with_columns(game_date=DAY_FIRST), "game_date"),
     "days first, as categories": (
-        made_up(year=2026).with_columns(game_date=DAY_FIRST.cast(pl.Categorical)), "game_date"),
-}  # fmt: skip
+        made_up(year=2026).with_columns(game_date=DAY_FIRST.cast(pl.Categorical)),
+        "game_date",
+    ),
+}
 
 
 @pytest.mark.parametrize("which", TABLES)
@@ -242,8 +244,11 @@ def test_a_club_s_feed_needs_no_inference_of_the_place(tmp_path: Path) -> None:
 def test_who_has_no_number_goes_by_his_name(tmp_path: Path) -> None:
     """And where no park is known, and no event, home runs are missing: nobody was counted to hit none."""
     frame = trackman().select(
-        "ExitSpeed", "Angle", Batter=pl.format("Batter, {}", "BatterId"), Pitcher=pl.lit("Pitcher, One"),
-    )  # fmt: skip
+        "ExitSpeed",
+        "Angle",
+        Batter=pl.format("Batter, {}", "BatterId"),
+        Pitcher=pl.lit("Pitcher, One"),
+    )
     frame.write_csv(tmp_path / "table.csv")
     require_batter([tmp_path / "table.csv"], "Batter, 600001")
     answer = season_answer(SeasonQuestion(paths=[tmp_path / "table.csv"], contact=False))

@@ -98,7 +98,7 @@ def test_ctrl_c_keeps_what_is_done(months: list[Path], whole: dict[str, str], tm
     command = [sys.executable, script, "season", *months, "--out", out, "--flight-only", "--workers", workers]
     ended = subprocess.run(
         [*map(str, command)], capture_output=True, text=True, cwd=ROOT, start_new_session=True, check=False
-    )  # fmt: skip
+    )
     assert ended.returncode == INTERRUPTED, ended.stderr
     assert f"sweetspot: interrupted; what is done lies in {out}, and --resume goes on" in ended.stderr
     assert "Traceback" not in ended.stderr
@@ -115,9 +115,12 @@ def writers() -> Iterator[Callable[[Path], subprocess.Popen[bytes]]]:
 
     def start(path: Path) -> subprocess.Popen[bytes]:
         process = subprocess.Popen(
-            [sys.executable, "-c", WRITES, str(path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT,
+            [sys.executable, "-c", WRITES, str(path)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            cwd=ROOT,
             env={**os.environ, "PYTHONPATH": str(ROOT / "src")},
-        )  # fmt: skip
+        )
         started.append(process)
         assert process.stdout is not None and process.stdout.readline() == b"half written\n"
         return process
@@ -186,8 +189,10 @@ def test_a_disk_that_is_really_full_keeps_what_is_done(
     """A disk in memory of 400 kB, in a namespace of its own; then it is made larger, and the same command goes on."""
     small = tmp_path / "small"
     small.mkdir()
-    command = " ".join(shlex.quote(str(part)) for part in (
-        sys.executable, "-m", "sweetspot", "season", *months, "--flight-only", "--out", small / "out"))  # fmt: skip
+    command = " ".join(
+        shlex.quote(str(part))
+        for part in (sys.executable, "-m", "sweetspot", "season", *months, "--flight-only", "--out", small / "out")
+    )
     script = (
         f"mount -t tmpfs -o size=400k tmpfs {small} || exit 77; {command} > /dev/null; test $? = 2 || exit 3; "
         f"mount -o remount,size=50M {small}; {command} --resume > /dev/null && cp -r {small}/out {tmp_path}/kept"

@@ -32,9 +32,12 @@ def test_a_table_says_what_fly_says_of_the_same_ball(club: str, name: str, year:
     })  # fmt: skip
     row = season_columns(frame, setting=season_setting(contact=False)).collect().row(0, named=True)
     hit = BattedBall(
-        exit_speed=103 * MPH, launch_angle=28 * DEGREE, bearing=0.0, temperature=USUAL_AIR.temperature,
+        exit_speed=103 * MPH,
+        launch_angle=28 * DEGREE,
+        bearing=0.0,
+        temperature=USUAL_AIR.temperature,
         elevation=park.elevation,
-    )  # fmt: skip
+    )
     flown = fly_answer(FlyQuestion(hit, catalog.ball(), catalog.sport("baseball"), aerodynamics(), park))
     flight = flown.flight
     assert row["carry_ft"] == pytest.approx(flight.carry / FOOT, abs=0.2)
@@ -48,7 +51,7 @@ def test_no_home_run_is_called_one_that_has_a_chance_of_a_third() -> None:
     park = catalog.park("wrigley")
     hit = BattedBall(
         exit_speed=103 * MPH, launch_angle=28 * DEGREE, bearing=0.0, temperature=22.2, elevation=park.elevation
-    )  # fmt: skip
+    )
     flown = fly_answer(FlyQuestion(hit, catalog.ball(), catalog.sport("baseball"), aerodynamics(), park))
     assert flown.home_run_chance is not None and flown.out_in is not None
     assert landing(flown.flight.positions, park).outcome == "home run" and 0.2 < flown.home_run_chance < 0.45

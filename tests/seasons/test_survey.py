@@ -255,7 +255,9 @@ def test_numbers_with_units_thousands_and_other_minus_signs(tmp_path: Path) -> N
     path.write_text(
         "game_date,exit_speed_km_h,launch_angle_deg,hit_spin_rpm,distance_cm\n"
         '45384,160.5 km/h,\N{MINUS SIGN}20°,"2,345","12,034.5"\n'
-        "45385.79,150 KM/H,10 deg,2.210,9000\n", "utf-8")  # fmt: skip
+        "45385.79,150 KM/H,10 deg,2.210,9000\n",
+        "utf-8",
+    )
     found = look(path)
     rows = rows_of(found.tables[0].part(0, 2), found.tables[0].headings)
     np.testing.assert_allclose(rows["exit_speed"] * 3.6, [160.5, 150])
@@ -385,8 +387,10 @@ def test_what_cannot_be_is_missing_and_named(table: Write) -> None:
     """Zeros and -9999 that stand for nothing, in six rows of sixty, each in another column."""
     slips = {"bat_speed": 0.0, "release_speed": 0.0, "plate_x": -9999.0, "attack_angle": 900.0, "hit_distance_sc": -1}
     row, frame = pl.int_range(pl.len()), made_up()
-    changes = {name: pl.when(row == number).then(value).otherwise(pl.col(name)).alias(name)
-               for number, (name, value) in enumerate(slips.items())}  # fmt: skip
+    changes = {
+        name: pl.when(row == number).then(value).otherwise(pl.col(name)).alias(name)
+        for number, (name, value) in enumerate(slips.items())
+    }
     nowhere = {name: pl.when(row == 5).then(0.0).otherwise(pl.col(name)) for name in ("hc_x", "hc_y")}
     found = look(table(frame=frame.with_columns(*changes.values(), **nowhere)))
     assert [one.rows for one in found.warnings if one.name == "cannot be"] == [[2, 3, 4, 5, 6, 7]]
@@ -434,8 +438,10 @@ def test_dates_that_begin_with_the_day(table: Write, form: str, name: str) -> No
     assert found.days[0] == (date(2024, 4, 1), date(2024, 8, 25)) and warned(found, "unreadable") == 0
 
 
-@pytest.mark.parametrize(("days", "words"), [(["05/06/2024"] * 60, "may begin with month or day"),
-                                             (["25/06/2024", "06/25/2024"] * 30, "the day in others")])  # fmt: skip
+@pytest.mark.parametrize(
+    ("days", "words"),
+    [(["05/06/2024"] * 60, "may begin with month or day"), (["25/06/2024", "06/25/2024"] * 30, "the day in others")],
+)
 def test_dates_that_do_not_tell_are_month_first_and_named(table: Write, days: list[str], words: str) -> None:
     found = look(table(frame=made_up().with_columns(game_date=pl.Series(days))))
     notes = [one.detail for one in found.warnings if one.name == "headings"]
@@ -448,8 +454,9 @@ def test_lines_above_the_headings_are_left_out(tmp_path: Path) -> None:
     path = tmp_path / "hits.csv"
     path.write_text(
         '"Player ID:",7\n"Player Name:","Doe, Jo"\n\nNo,Date,HitID,ExitVelocity,LaunchAngle,ExitDirection,Spin\n'
-        '1,07/25/2024,1,90.5,12,-3,2000\n2,07/25/2024,2,-,-,-,-\n', "utf-8",
-    )  # fmt: skip
+        "1,07/25/2024,1,90.5,12,-3,2000\n2,07/25/2024,2,-,-,-,-\n",
+        "utf-8",
+    )
     found = look(path)
     assert found.tables[0].headings.system == "Rapsodo" and found.counts[0][USED] == 1
     assert found.counts[0]["untracked"] == 1 and found.days[0] == (date(2024, 7, 25), date(2024, 7, 25))
@@ -462,8 +469,9 @@ def test_hittrax_s_own_headings(tmp_path: Path) -> None:
     path = tmp_path / "report.csv"
     path.write_text(
         " AB,Date, Time Stamp, Pitch, Strike Zone, P. Type, Velo, LA, Dist, Res, Type, Horiz. Angle, BV, User, Batting"
-        "\n1, 11/26/2018 16:08:24.883, 0:0:0.000,60, , N/A,52.9,21,116, 4-3, GB,4,0,Jo Doe,Left\n", "utf-8",
-    )  # fmt: skip
+        "\n1, 11/26/2018 16:08:24.883, 0:0:0.000,60, , N/A,52.9,21,116, 4-3, GB,4,0,Jo Doe,Left\n",
+        "utf-8",
+    )
     found = look(path)
     rows = rows_of(found.tables[0].part(0, 1), found.tables[0].headings)
     assert rows.select("batter_name", "left", "day").row(0) == ("Jo Doe", True, date(2018, 11, 26))
@@ -533,8 +541,10 @@ def test_lists_and_words_with_units_are_told(table: Write, tmp_path: Path) -> No
 def test_impossible_selected_empty_and_sides(table: Write) -> None:
     frame = made_up().with_columns(
         launch_speed=pl.when(pl.int_range(pl.len()) < 2).then(999.0).otherwise(pl.col("launch_speed")),
-        events=pl.lit("home_run"), bat_speed=pl.lit(None, pl.Float64), stand=pl.lit(None, pl.String),
-    )  # fmt: skip
+        events=pl.lit("home_run"),
+        bat_speed=pl.lit(None, pl.Float64),
+        stand=pl.lit(None, pl.String),
+    )
     found = look(table(frame=frame))
     assert warned(found, "impossible") == 2
     assert warned(found, "selected") == 58
@@ -604,8 +614,9 @@ def test_fouls_are_left_out_whether_measured_or_not(table: Write) -> None:
 
 def test_parks_that_nobody_knows_are_named_with_their_rows(table: Write) -> None:
     clubs = pl.Series(["BOS", "Yomiuri", None] * 20)
-    (found,) = (one for one in look(table(frame=made_up().with_columns(home_team=clubs))).warnings
-                if one.name == "unknown park")  # fmt: skip
+    (found,) = (
+        one for one in look(table(frame=made_up().with_columns(home_team=clubs))).warnings if one.name == "unknown park"
+    )
     assert (found.count, found.rows[:3], found.detail) == (20, [3, 6, 9], "Yomiuri")
 
 

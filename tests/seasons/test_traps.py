@@ -102,7 +102,7 @@ UNITS: dict[str, tuple[dict[str, pl.Expr], str]] = {
     "Celsius as Fahrenheit": ({"temperature_f": pl.lit(25.0)}, "temperature_f is 25 °F .* are they degc"),
     "pressure at the field": ({"pressure_hpa": pl.lit(975.0)}, "pressure_hpa is 975 hPa .* reduced to sea level"),
     "humidity as a ratio": ({"humidity_%": pl.lit(0.5)}, r"humidity_% is 0\.5 % .* are they ratio"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("ending", ["csv", "parquet"])

@@ -17,8 +17,10 @@ def test_scatter_is_as_wide_as_a_normal_one(scatter) -> None:  # type: ignore[no
 
 
 def test_what_is_measured_is_as_unlike_as_it_says() -> None:
-    alike, unlike = (unlike_season(one, players=20, balls=100)
-                     for one in (Unlike(), Unlike(together=0.7, wrong_sides=0.02, untracked=0.5)))  # fmt: skip
+    alike, unlike = (
+        unlike_season(one, players=20, balls=100)
+        for one in (Unlike(), Unlike(together=0.7, wrong_sides=0.02, untracked=0.5))
+    )
     assert len(alike) == len(unlike)
     assert (alike["stand"] != unlike["stand"]).mean() == pytest.approx(0.02, abs=0.012)
     assert unlike["bat_speed"].null_count() / len(unlike) == pytest.approx(0.5, abs=0.05)

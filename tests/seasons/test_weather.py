@@ -23,9 +23,11 @@ COLUMNS = {
 }
 ANSWERS = ("carry_ft", "home_run_here", "home_runs_in_30", "home_run_parks")
 OPTIONS = {
-    "temperature_f": ("--temperature", "48", "48degF"), "pressure_hPa": ("--pressure", "1031", "1031hPa"),
-    "humidity_%": ("--humidity", "90", "0.9"), "elevation_ft": ("--elevation", "4000", "4000ft"),
-}  # fmt: skip
+    "temperature_f": ("--temperature", "48", "48degF"),
+    "pressure_hPa": ("--pressure", "1031", "1031hPa"),
+    "humidity_%": ("--humidity", "90", "0.9"),
+    "elevation_ft": ("--elevation", "4000", "4000ft"),
+}
 
 
 @pytest.mark.parametrize("heading", COLUMNS)
@@ -73,20 +75,21 @@ def test_weather_moves_chances_as_far_as_measured() -> None:
     })  # fmt: skip
     found = season_columns(
         frame, setting=season_setting(contact=False), given=GivenColumns({"launch_direction": "direction_deg:deg"})
-    ).collect()  # fmt: skip
+    ).collect()
     park = catalog.park("CHC", 2025)
     ball = usual_launch(np.array([103 * MPH]), np.radians([28.0]), np.zeros(1), left=np.zeros(1, bool))
     alone = [
         home_run_chances(
             ball,
             FlightConditions(
-                ball=catalog.ball(), aerodynamics=catalog.aerodynamics(),
+                ball=catalog.ball(),
+                aerodynamics=catalog.aerodynamics(),
                 air=USUAL_AIR.replaced(temperature=(one - 32) / 1.8),
             ),
             parks=[park],
         ).chance[0, 0]
         for one in degrees
-    ]  # fmt: skip
+    ]
     assert found["home_run_here"].to_numpy() == pytest.approx(alone, abs=0.005)
     assert 0.15 < alone[-1] - alone[0] < 0.3
 

@@ -26,8 +26,9 @@ def flies(extra: float = 0.0, factor: float = 1.0) -> pl.DataFrame:
     })  # fmt: skip
     flown = season_columns(table, setting=SETTING).collect()
     return table.with_columns(
-        hit_distance_sc=flown["carry_ft"] * factor, hang_time=flown["hang_time_s"] + extra,
-    )  # fmt: skip
+        hit_distance_sc=flown["carry_ft"] * factor,
+        hang_time=flown["hang_time_s"] + extra,
+    )
 
 
 def checked(table: pl.DataFrame, *, caught: bool = False) -> HangCheck | None:

@@ -36,10 +36,12 @@ SMALL: dict[str, str] = {
 READS = {
     "held_out": ["cmu36sure2026_battedballs_battracking.csv.gz"],
     "park_ranking": [
-        "savant_2022_contact_sample.csv.gz", "savant_2019_homeruns.csv.gz", "mlb_ballparks_elev_wall_minmax.csv",
+        "savant_2022_contact_sample.csv.gz",
+        "savant_2019_homeruns.csv.gz",
+        "mlb_ballparks_elev_wall_minmax.csv",
     ],
     "tracked_flights": ["savant_2020-09-03_allpitches.csv.gz"],
-}  # fmt: skip
+}
 """The public tables that a study needs: where one is missing, the test is skipped and says so."""
 HELPERS = {"measured_hang", "struck_beams"}
 """Modules that studies share."""

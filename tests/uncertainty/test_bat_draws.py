@@ -28,10 +28,12 @@ CALIBRATED = {"mass": 0.005, "balance_point": 0.01, "gyration": 0.01, "first_fre
 @pytest.mark.parametrize(
     ("name", "most", "weighed"),
     [
-        ("r161-ash", 0.1 * MPH, False), ("college-alloy", 0.25 * MPH, False), ("tennis-racket", 0.1 * MPH, True),
+        ("r161-ash", 0.1 * MPH, False),
+        ("college-alloy", 0.25 * MPH, False),
+        ("tennis-racket", 0.1 * MPH, True),
         ("cricket-bat", 0.1 * MPH, True),
     ],
-)  # fmt: skip
+)
 def test_draws_against_the_whole_way(name: str, most: float, weighed: bool) -> None:
     """Exit speed, BBCOR, jolt, sting and energies of draws; the interval of an exit speed is several mph wide."""
     bat = catalog.load_implement(name)
@@ -53,9 +55,10 @@ def test_draws_against_the_whole_way(name: str, most: float, weighed: bool) -> N
         other = deviated(start, sources.unknowns, off[row, : len(sources.unknowns)]) if sources.unknowns else beam
         ball = draws.balls[row]
         own = conditions.replaced(
-            ball=ball, pitch=conditions.pitch.replaced(speed=float(draws.pitch_speed[row])),
+            ball=ball,
+            pitch=conditions.pitch.replaced(speed=float(draws.pitch_speed[row])),
             swing=conditions.swing.replaced(bat_speed=float(draws.bat_speed[row])),
-        )  # fmt: skip
+        )
         factor = float(draws.patch[row])
         reduced = ReducedBat.of_beam(other, ball, patch_factor=factor if isinstance(bat, Bat) else 1.0)
         exact = scan(reduced, own, places)

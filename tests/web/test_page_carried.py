@@ -23,12 +23,14 @@ OWN = bat_toml(catalog.bat("youth-30").replaced(name="Somebody's own"))
 STATES = {
     "own file": ("explorer", f"bat_toml={quote(OWN)}&offset_in=1.2&impact_from_tip_in=5", "Somebody's own"),
     "changed bat": (
-        "optimum", "bat=mlb-a&cup_diameter_in=1&bore_diameter_in=0.9&weight_oz=1&bat_speed_mph=80", "MLB profile A"
+        "optimum",
+        "bat=mlb-a&cup_diameter_in=1&bore_diameter_in=0.9&weight_oz=1&bat_speed_mph=80",
+        "MLB profile A",
     ),
     "left-hander": ("flight", "start=swing&batter=left&bat=youth-30&choke_up_in=1&mass_oz=22", "Youth 30 in, wood"),
     "wall": ("hit", "bat=single-wall&wall_factor=0.9&exaggeration=8&held=true", "Single-wall aluminium"),
     "other sport": ("sports", "implement=cricket-bat&aside_in=0.5", "Cricket bat"),
-}  # fmt: skip
+}
 """What goes along from view to view: where it is chosen, how an address says it, and what then lies on the bench."""
 EVERY_WAY = ("own file", "other sport")
 """States that go every way from view to view: the one that carries most, and the one that few views know of."""

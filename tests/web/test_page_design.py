@@ -19,8 +19,10 @@ def test_a_handle_is_pulled_by_hand_and_by_keyboard(
     expect(page.locator("#verdict")).to_contain_text("present bat still")
     settled(page)
     box: Any = page.locator("#view canvas").first.bounding_box()
-    stations = page.evaluate("(async () => (await fetch('/api/v1/design', { method: 'POST', body: '{}', headers: "
-                             "{ 'content-type': 'application/json' } })).json())()")  # fmt: skip
+    stations = page.evaluate(
+        "(async () => (await fetch('/api/v1/design', { method: 'POST', body: '{}', headers: "
+        "{ 'content-type': 'application/json' } })).json())()"
+    )
     length, handle = stations["design"]["length_m"], stations["design"]["stations"][8]
     scale = (box["width"] - 46 - 12) / length
     x = box["x"] + 46 + handle["position_m"] * scale

@@ -157,8 +157,11 @@ def test_words_numbers_and_files_that_the_page_makes(run: Callable[[str], Any]) 
         "most": 2,
     }
     assert run("[-1, 0, 0.5, 1].map(m.heat.heat)") == [
-        "rgb(68, 1, 84)", "rgb(68, 1, 84)", "rgb(33, 145, 140)", "rgb(253, 231, 37)",
-    ]  # fmt: skip
+        "rgb(68, 1, 84)",
+        "rgb(68, 1, 84)",
+        "rgb(33, 145, 140)",
+        "rgb(253, 231, 37)",
+    ]
     assert run("m.exports.csvOf({ a_m: [1, null], b: ['x\"y', 2], no_column: 3 })") == 'a_m,b\n1,"x""y"\n,2\n'
     formula = run("m.formula.mathOf('{ F_1 | I } = l^2').outerHTML")
     assert "<mfrac><mrow><msub><mi>F</mi><mn>1</mn></msub></mrow><mrow><mi>I</mi></mrow></mfrac>" in formula

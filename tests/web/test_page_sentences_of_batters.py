@@ -55,10 +55,12 @@ def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
 
 @pytest.mark.parametrize(
     ("rows", "counted", "bad"),
-    [(["66,88", "68,90", "64,86", "66,85", "67,91"], "5 swings", ""),
-     (["66,88", "68,90", "64,86", "66,85", "67,91", "68,nine"], "5 swings", "; 1 row could not be used"),
-     (["66,88", "68,90", "64,86", "66,85", "67,91", "68,-9", "x,80"], "5 swings", "; 2 rows could not be used")],
-)  # fmt: skip
+    [
+        (["66,88", "68,90", "64,86", "66,85", "67,91"], "5 swings", ""),
+        (["66,88", "68,90", "64,86", "66,85", "67,91", "68,nine"], "5 swings", "; 1 row could not be used"),
+        (["66,88", "68,90", "64,86", "66,85", "67,91", "68,-9", "x,80"], "5 swings", "; 2 rows could not be used"),
+    ],
+)
 def test_player_counts_swings_and_rows(rows: list[str], counted: str, bad: str, said: Said) -> None:
     found = player.answer(player.PlayerState(swings_csv=SWINGS + "\n".join(rows)))
     assert said("player", "update", found) == f"{counted}{bad}."

@@ -121,8 +121,11 @@ def test_other_sports_go_the_same_way(
     command = asked(client, "/recipe", implement=implement, **measured, tones=tones)["command"]
     ran = subprocess.run(
         [sys.executable, "-m", "sweetspot", *shlex.split(command)[1:], "--format", "json"],
-        cwd=tmp_path, capture_output=True, text=True, check=True,
-    )  # fmt: skip
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     told = json.loads(ran.stdout)["bat"]
     assert told["mass"]["mass_kg"] == pytest.approx(values["mass"]["value"], rel=1e-9)
     assert (tmp_path / "mine.toml").exists()

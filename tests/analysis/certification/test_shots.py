@@ -316,8 +316,10 @@ def test_a_person_says_what_columns_of_shots_mean(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"no column for ball_in and ball_out and position.*--column ball_in=HEADING"):
         read_shots(written(tmp_path, "ein,aus,Ort", GOOD), length=BAT.length)
     with pytest.raises(InputError, match=r"unknown unit, knots.*; columns ball_out_mph and rebound_mph both give"):
-        read_shots(written(tmp_path, "ball_in_knots,ball_out_mph,rebound_mph,position_in_from_tip", "1,1,1,1"),
-                   length=BAT.length)  # fmt: skip
+        read_shots(
+            written(tmp_path, "ball_in_knots,ball_out_mph,rebound_mph,position_in_from_tip", "1,1,1,1"),
+            length=BAT.length,
+        )
 
 
 def test_student(tmp_path: Path) -> None:

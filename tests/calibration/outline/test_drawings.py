@@ -204,8 +204,9 @@ def test_lines_polygons_and_every_transformation_of_svg(
         path = tmp_path / "bat.svg"
         path.write_text(
             '<svg xmlns="http://www.w3.org/2000/svg" width="40in" height="40in" viewBox="0 0 400 400">'
-            f'<g transform="{transform}">{shapes}</g></svg>', encoding="utf-8",
-        )  # fmt: skip
+            f'<g transform="{transform}">{shapes}</g></svg>',
+            encoding="utf-8",
+        )
         stations = np.array(read_outline(path).profile)
         inch = 0.0254
         assert stations[-1, 0] == pytest.approx(33 * inch, rel=1e-6)
@@ -237,18 +238,21 @@ WHOLE = path_of(CONTOUR + np.array([10, 100]))
     ("size", "body"),
     [
         # Inkscape turns what it saves by a group; 5 deg are askew and no way to draw
-        ('width="900mm" height="200mm" viewBox="0 0 900 200"',
-         f'<g transform="rotate(5 450 100)"><path d="{WHOLE}"/></g>'),
+        (
+            'width="900mm" height="200mm" viewBox="0 0 900 200"',
+            f'<g transform="rotate(5 450 100)"><path d="{WHOLE}"/></g>',
+        ),
         # the page is wider than the view: its height tells the scale
         ('width="1800mm" height="200mm" viewBox="0 0 900 200"', f'<path d="{WHOLE}"/>'),
         ('width="90 CM" height="20 CM" viewBox="0 0 900 200"', f'<path d="{WHOLE}"/>'),
         # one flank over a dashed axis, and one flank whose ends go down to its axis
-        ('width="900mm" height="200mm" viewBox="0 0 900 200"',
-         f'<path d="{path_of(FLANK + np.array([10, 100]), closed=False)}"/><path d="M5 100H890"/>'),
-        ('width="900mm" height="200mm" viewBox="0 0 900 200"',
-         f'<path d="{path_of(TO_THE_AXIS, closed=False)}"/>'),
+        (
+            'width="900mm" height="200mm" viewBox="0 0 900 200"',
+            f'<path d="{path_of(FLANK + np.array([10, 100]), closed=False)}"/><path d="M5 100H890"/>',
+        ),
+        ('width="900mm" height="200mm" viewBox="0 0 900 200"', f'<path d="{path_of(TO_THE_AXIS, closed=False)}"/>'),
     ],
-)  # fmt: skip
+)
 def test_ways_in_which_programs_write_svg(tmp_path: Path, size: str, body: str) -> None:
     path = tmp_path / "bat.svg"
     path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{body}</svg>', encoding="utf-8")
@@ -264,8 +268,9 @@ def test_a_round_tip_goes_down_to_the_axis(tmp_path: Path) -> None:
     bulged = new(units=units.MM)
     bulged.modelspace().add_lwpolyline(
         [(x, y, bulge) for (x, y), bulge in zip(lathe.tolist(), [0, 0, -half, -half, 0, 0, 0], strict=True)],
-        format="xyb", close=True,
-    )  # fmt: skip
+        format="xyb",
+        close=True,
+    )
     bulged.saveas(tmp_path / "bulged.dxf")
     lines = [(lathe[at], lathe[at + 1]) for at in (0, 1, 4, 5)] + [(lathe[-1], lathe[0])]
     numbers: list[object] = ["0", "SECTION", "2", "HEADER", "9", "$ACADVER", "1", "AC1009", "9", "$INSUNITS", "70", 4]

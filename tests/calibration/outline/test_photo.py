@@ -76,10 +76,13 @@ def test_any_ground_any_way_up(tmp_path: Path, how: dict[str, Any]) -> None:
 def test_a_blurred_photograph_has_wider_intervals_that_hold(tmp_path: Path, how: dict[str, Any]) -> None:
     """Out of focus by 2 pixels: diameters were up to 10 mm off with intervals of 1.3 mm, none of them holding."""
     sharp, blurred = (
-        read_photo(saved(tmp_path / "bat.jpg", rendered(angle=17, focus=focus, **how), quality=90), length=BAT.length,
-                   camera_distance=1e6)
+        read_photo(
+            saved(tmp_path / "bat.jpg", rendered(angle=17, focus=focus, **how), quality=90),
+            length=BAT.length,
+            camera_distance=1e6,
+        )
         for focus in (0.7, 2.0)
-    )  # fmt: skip
+    )
     assert inside(blurred) > 0.9
     assert np.median(blurred.diameter_error) > 1.3 * np.median(sharp.diameter_error)
 
@@ -214,10 +217,13 @@ PAINTED: dict[str, Any] = {"noise": 0.0, "ground": (1.0, 1.0, 1.0), "angle": 17}
 @pytest.mark.parametrize(
     "how",
     [
-        {"wood": METAL}, {"wood": ASH}, {"wood": METAL, "ground": (0.0, 0.0, 0.0)},
-        {"wood": BLACK, "ground": (0.0, 0.0, 0.0)}, {"wood": WALNUT, "ground": (0.5, 0.5, 0.5)},
+        {"wood": METAL},
+        {"wood": ASH},
+        {"wood": METAL, "ground": (0.0, 0.0, 0.0)},
+        {"wood": BLACK, "ground": (0.0, 0.0, 0.0)},
+        {"wood": WALNUT, "ground": (0.5, 0.5, 0.5)},
     ],
-)  # fmt: skip
+)
 @pytest.mark.parametrize("quality", [70, 95])
 def test_a_painted_ground_of_any_colour(tmp_path: Path, how: dict[str, Any], quality: int) -> None:
     """Grey metal and ash on white were refused as shadows, black on black was 13 mm off: now within a pixel or so."""

@@ -45,13 +45,16 @@ def test_names_of_all_scripts_are_welcome() -> None:
         assert implement_from_table({**BAT, "name": name}, "bat.toml").name == name
 
 
-@pytest.mark.parametrize("text", [
-    ".".join("a" * 5_000) + " = 1",
-    " . ".join(['"a"'] * 5_000) + " = 1",
-    "[" + ".".join("b" * 5_000) + "]",
-    "x = " + "[" * 100_000,
-    "name = " + "9" * 100_000,
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "text",
+    [
+        ".".join("a" * 5_000) + " = 1",
+        " . ".join(['"a"'] * 5_000) + " = 1",
+        "[" + ".".join("b" * 5_000) + "]",
+        "x = " + "[" * 100_000,
+        "name = " + "9" * 100_000,
+    ],
+)
 def test_bombs_of_toml(text: str) -> None:
     with pytest.raises(InputError) as caught:
         table_of_text(text, "bat.toml")

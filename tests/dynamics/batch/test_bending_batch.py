@@ -35,8 +35,12 @@ def test_a_batch_is_the_dense_twin(name: str, lines: list[BeamModel], batch: Ben
     number = NAMES.index(name)
     beam = lines[number]
     modes, body, ours = dense_modes(beam), rigid_body(beam), batch.body(number)
-    for mine, theirs in ((ours.mass, body.mass), (ours.balance_point, body.balance_point),
-                         (ours.moi_cm, body.moi_cm), (ours.roll_moi, body.roll_moi)):  # fmt: skip
+    for mine, theirs in (
+        (ours.mass, body.mass),
+        (ours.balance_point, body.balance_point),
+        (ours.moi_cm, body.moi_cm),
+        (ours.roll_moi, body.roll_moi),
+    ):
         assert mine == pytest.approx(theirs, rel=1e-12)
     assert np.allclose(batch.frequency[number], modes.frequency[2:], rtol=1e-9, atol=0)
     place = PLACES * beam.bat.length
@@ -92,9 +96,11 @@ def test_outlines_side_by_side_are_bats_one_by_one() -> None:
     for number in (0, 17, 36):
         profile = tuple((place, widths[number] * size) for place, size in bat.profile)
         wood = bat.material.replaced(
-            density=0.9 * bat.material.density, density_range=None, shear_modulus=1.1 * bat.material.shear,
+            density=0.9 * bat.material.density,
+            density_range=None,
+            shear_modulus=1.1 * bat.material.shear,
             longitudinal_modulus=1.1 * bat.material.longitudinal_modulus,
-        )  # fmt: skip
+        )
         cup = Cup(diameter=0.03, depth=0.02) if number % 2 else None
         one = dense_modes(beam_model(bat.replaced(profile=profile, material=wood, cup=cup)))
         assert np.allclose(batch.frequency[number], one.frequency[2:], rtol=1e-9, atol=0)

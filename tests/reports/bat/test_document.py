@@ -244,8 +244,9 @@ def test_other_bats_are_described_as_what_they_are(analysis: Analysis) -> None:
     lighter = bat.material.replaced(name="my own wood", density=600.0)
     own = replace(analysis, bat=bat.replaced(name="mine", material=lighter))
     assert {words.split(":")[0] for words in own_values(own)} == {
-        "Sizes and weight of mine", "The material my own wood is not in the catalogue."
-    }  # fmt: skip
+        "Sizes and weight of mine",
+        "The material my own wood is not in the catalogue.",
+    }
     changed = replace(analysis, bat=bat.replaced(material=bat.material.replaced(damping_ratio=0.01)))
     assert any("damping ratio of the material white ash" in words for words in own_values(changed))
     assert shown([["1 in", "2 in"]] * 9).count("2 in") == 6

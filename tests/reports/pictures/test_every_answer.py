@@ -80,8 +80,9 @@ def test_a_picture_tells_the_words_numbers(tell: Tell) -> None:
 
 def test_a_player_s_picture() -> None:
     own, other, ball = catalog.bat("r161-ash"), catalog.bat("mlb-a"), catalog.ball()
-    swings = simulated_swings(natural(np.zeros(len(NAMES))), bats=[own, other], ball=ball, count=12,
-                              pitch_speed=60 * MPH, seed=3)  # fmt: skip
+    swings = simulated_swings(
+        natural(np.zeros(len(NAMES))), bats=[own, other], ball=ball, count=12, pitch_speed=60 * MPH, seed=3
+    )
     model = player_model(swings, bat=own, ball=ball, others={other.name: other}, law=catalog.swing_law())
     fitted = fit_player(model, seed=1)
     advice = advise(fitted, goal=Goal("exit-speed"), aerodynamics=catalog.aerodynamics(), air=Air())

@@ -19,9 +19,10 @@ RATE, SECONDS = 12_000, 0.4
 CROWDED = {
     "apart": [(172.0, True), (572.0, True), (1118.0, True), (1788.0, False)],
     "one on another": [(168.0, True), (2191.0, True), (2302.0, True), (4659.0, True), (4793.0, True)],
-    "more than there is room for": [(frequency, number % 2 == 0) for number, frequency in enumerate(
-        np.linspace(3000, 3300, 14))],
-}  # fmt: skip
+    "more than there is room for": [
+        (frequency, number % 2 == 0) for number, frequency in enumerate(np.linspace(3000, 3300, 14))
+    ],
+}
 
 
 def made_up(tones: list[tuple[float, bool]]) -> TapTest:
