@@ -59,6 +59,24 @@ def limit_shown(check: RuleCheck) -> Words:
     )  # fmt: skip
 
 
+def league_limit(check: RuleCheck) -> Sentence:
+    """Return whose rule it is, and its limit where that is a number."""
+    limit = "" if check.unit == "yes or no" else joined([": ", limit_shown(check)], "")
+    return say("{league}{limit}", league=check.league_name, limit=limit)
+
+
+SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_DECIDABLE: "?", Verdict.NOT_APPLICABLE: "\N{EN DASH}"}
+
+
+def verdict_words(check: RuleCheck) -> Sentence:
+    """Return the sign and the verdict of a rule, whether that is not sure, and the value."""
+    verdict, applies = check.outcome.verdict, check.outcome.verdict is not Verdict.NOT_APPLICABLE
+    unsure = "" if check.sure or verdict not in MARKS else ", not sure"
+    value = value_shown(check.quantity, check.value)
+    shown = say(" ({value})", value=value) if applies and value.parts else ""
+    return say("{sign} {verdict}{unsure}{value}", sign=SIGNS[verdict], verdict=verdict, unsure=unsure, value=shown)
+
+
 def value_shown(quantity: str, value: Number | None, *, sign: bool = False) -> Sentence:
     """Return a value in the unit that people use for it, with its interval where it has one."""
     if value is None:

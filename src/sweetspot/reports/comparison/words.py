@@ -40,6 +40,28 @@ def changes(answer: CompareAnswer) -> list[Sentence]:
     return [_change_words(answer, bat) + "." for bat in answer.bats[1:]]
 
 
+def fastest_places(comparison: Comparison) -> Sentence:
+    """Return where on each bat the ball leaves fastest."""
+    places = [
+        say("{label} hits fastest {place} from the tip", label=compared.label, place=Slot(from_tip, "place"))
+        for compared in comparison.compared
+        for from_tip in [compared.analysis.bat.length - compared.analysis.sweet_spots.max_exit_speed]
+    ]
+    return say("The bats to scale, tips aligned. {places}.", places=joined(places, "; "))
+
+
+def speed_changes(answer: CompareAnswer) -> Sentence:
+    """Return the change of each bat's exit speed against the first one's, with its interval."""
+    rows = []
+    for bat in answer.bats[1:]:
+        change, ends = interval_of(bat.change), say("")
+        if change.low < change.high:
+            low, high = (_change(end) for end in (change.low, change.high))
+            ends = say(", interval {low} to {high}", low=low, high=high)
+        rows.append(say("{label} {change}{ends}", label=bat.label, change=_change(change.value), ends=ends))
+    return say("Change of exit speed against {first}: {rows}.", first=answer.reference, rows=joined(rows, "; "))
+
+
 def gain_words(gain: BatGain, reference: str) -> Sentence:
     """Return how probable it is that a bat's exit speed is higher than that of the first, hit by the same ball."""
     chance = gain.faster_probability

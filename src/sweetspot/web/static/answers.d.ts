@@ -183,6 +183,13 @@ export interface BatTap {
   duration_s: number; duration_low_s?: number; duration_high_s?: number;
 }
 
+/** The verdict of a rule on one bat, in words. */
+export interface BatVerdict {
+  words: Record<"si" | "us", string>;
+  reason: string;
+  mark: "good" | "bad" | "muted" | "";
+}
+
 /** A batter as fields of a state; what is not known is left out. */
 export interface BatterControls {
   contact_in?: number;
@@ -205,16 +212,15 @@ export interface CarryMap {
 /** The results of a bat in the league's simulated test, and the verdict by every rule. */
 export interface CertifiedBat {
   label: string;
-  bbcor: number;
-  besr: number;
-  bpf: number;
+  results: string;
   ball: string;
   checks: RuleCheck[];
 }
 
-/** Every bat's simulated test. */
+/** Every bat's simulated test, and every rule held against the bats. */
 export interface CertifiedBats {
   certification: CertifiedBat[];
+  rules: RuleRow[];
 }
 
 /** The bat, its swing, the others beside it, and what is asked of them. */
@@ -271,6 +277,8 @@ export interface ComparisonPicture {
   ball: BallPicture;
   verdict: Record<"us" | "si", string[]>;
   assumptions: Record<"us" | "si", string[]>;
+  fastest: Record<"us" | "si", string[]>;
+  changes: Record<"us" | "si", string[]>;
 }
 
 /** The intervals of a comparison, and the probability of each bat's gain over the first. */
@@ -1171,6 +1179,14 @@ export interface RuleCheck {
   passes_probability?: number;
 }
 
+/** One rule held against every bat; ``decided``: at least one of them keeps or breaks it. */
+export interface RuleRow {
+  title: string;
+  limit: Record<"si" | "us", string>;
+  decided: boolean;
+  verdicts: BatVerdict[];
+}
+
 /** Whether a bat keeps the rules of its own sport, and the rules behind that. */
 export interface RulesKept {
   passed: boolean;
@@ -1404,6 +1420,7 @@ export interface SureComparison {
   bats: SureBat[];
   verdict: Record<"us" | "si", string[]>;
   assumptions: Record<"us" | "si", string[]>;
+  changes: Record<"us" | "si", string[]>;
 }
 
 /** Every meaning of "sweet spot", from the knob end; see `SweetSpots`. */

@@ -4,25 +4,18 @@ import { Chart, between } from "../charts/chart.js";
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
 import { choice, group, slider } from "../controls/controls.js";
 import { HowSure } from "../controls/howsure.js";
-import { isUnsure } from "../controls/lights.js";
 import { make, paragraphs, tableOf, tell, withDoubt } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
-/** @import { CertifiedBat, DrawnComparedBat, RuleCheck, SureBat, SureComparison } from "../answers.js" */
+/** @import { CertifiedBats, DrawnComparedBat, RuleRow, SureBat, SureComparison } from "../answers.js" */
 /** @import { App, View } from "../shell/main.js" */
 /** @import { Curve } from "../charts/chart.js" */
 
-/** @type {Record<string, [string, string]>} */
-const VERDICTS = {
-  pass: ["✓ pass", "good"], fail: ["✗ fail", "bad"], "not decidable": ["? not decidable", ""], "does not apply": ["– does not apply", "muted"],
-};
 /** @typedef {DrawnComparedBat & Partial<SureBat>} Bat  with its intervals, once they are there */
 const BARREL = 12 * INCH; // shown until somebody zooms
 const SWUNG = ["pitch_speed_mph", "bat_speed_mph", "hands_in", "same", "swing_law"]; // which no rule asks about
 const VERDICT = 110; // pixels that a column of verdicts needs
-/** @type {Record<string, string>} */
-const KINDS = { m: "x_m", "m/s": "x_m_s", "kg m^2": "x_kg_m2" };
 
 /** @type {View<"compare">} */
 export const view = {
@@ -81,7 +74,7 @@ export const view = {
     this.longest = Math.max(...answer.bats.map(({ bat }) => bat.length_m));
     this.bench.update(answer);
     this.slots.update(answer, state);
-    this.rows.draw(answer.bats, this.longest);
+    this.rows.draw(answer.bats, this.longest, answer.fastest[this.app.units].join(" "));
     const asked = JSON.stringify({ ...state, league: null });
     this.judge(this.known?.asked === asked ? this.known.found : null);
     this.app.aside("intervals", ["league"], 150, (found) => {
@@ -91,8 +84,8 @@ export const view = {
     this.showRules();
     this.sure.update();
     this.sureRules.update();
-    this.app.aside("rules", SWUNG, 150, ({ certification }) => {
-      this.certification = certification;
+    this.app.aside("rules", SWUNG, 150, (certified) => {
+      this.certified = certified;
       this.showRules();
     });
   },
@@ -103,12 +96,12 @@ export const view = {
     const { answer, app: { units } } = this;
     /** @type {Bat[]} */
     const bats = answer.bats.map((bat, i) => ({ ...bat, ...sure?.bats[i] }));
-    const { verdict, assumptions } = sure ?? answer;
+    const { verdict, assumptions, changes } = sure ?? answer;
     this.wait.hidden = sure !== null || bats.length < 2;
     paragraphs(this.words, verdict[units]);
     tell(this.assumed, assumptions[units].join(" "));
     this.app.announce(verdict[units][0]);
-    this.change.draw(bats);
+    this.change.draw(bats, changes[units].join(" "));
     this.drawCurves(bats);
     this.app.afterwards(this.bats, () => this.bats.replaceChildren(this.tableOfBats(bats)));
   },
@@ -174,58 +167,32 @@ export const view = {
   },
 
   showRules() {
-    const { certification, app: { units } } = this;
-    if (!certification || (this.ruled?.certification === certification && this.ruled.units === units)) return;
-    this.ruled = { certification, units };
-    this.rules.replaceChildren(...this.rulesOf(certification));
+    const { certified, app: { units } } = this;
+    if (!certified || (this.ruled?.certified === certified && this.ruled.units === units)) return;
+    this.ruled = { certified, units };
+    this.rules.replaceChildren(...this.rulesOf(certified));
   },
 
   // Rules that say something of one of the bats; those that do not apply or cannot be decided are folded away.
-  /** @param {CertifiedBat[]} certification */
-  rulesOf(certification) {
-    const first = certification[0].checks;
-    const told = first.map((_, row) => certification.some(({ checks }) => checks[row].verdict === "pass" || checks[row].verdict === "fail"));
-    const measures = certification.map(({ bbcor, besr, bpf }) => `BBCOR ${bbcor.toFixed(3)}, BESR ${besr.toFixed(3)}, BPF ${bpf.toFixed(2)}`);
-    const table = (/** @type {string} */ caption, /** @type {boolean} */ wanted) => {
-      const rows = first.map((check, row) => [
-        { text: check.title, note: [check.league_name, this.limit(check)].filter(Boolean).join(": ") },
-        ...certification.map(({ checks }) => this.verdictOf(checks[row])),
-      ]).filter((_, row) => told[row] === wanted);
-      const made = tableOf(caption, ["Rule", ...certification.map(({ label }, i) => ({ text: label, note: measures[i] }))], rows, { column: VERDICT });
+  /** @param {CertifiedBats} certified */
+  rulesOf({ certification, rules }) {
+    const { units } = this.app;
+    const bats = certification.map(({ label, results }) => ({ text: label, note: results }));
+    const table = (/** @type {string} */ caption, /** @type {RuleRow[]} */ rows) => {
+      const made = tableOf(caption, ["Rule", ...bats], rows.map(({ title, limit, verdicts }) => [
+        { text: title, note: limit[units] }, ...verdicts.map(({ words, reason, mark }) => ({ text: words[units], note: reason, className: mark })),
+      ]), { column: VERDICT });
       made.classList.add("rules");
       return made;
     };
-    const rest = told.filter((one) => !one).length;
-    const fold = make("details", { open: this.rulesOpen ?? false }, make("summary", { textContent: `${rest} more that do not apply to these bats or cannot be decided` }),
-      table("Rules without a verdict", false));
+    const [decided, rest] = [true, false].map((wanted) => rules.filter((row) => row.decided === wanted));
+    const fold = make("details", { open: this.rulesOpen ?? false }, make("summary", { textContent: `${rest.length} more that do not apply to these bats or cannot be decided` }),
+      table("Rules without a verdict", rest));
     fold.addEventListener("toggle", () => (this.rulesOpen = fold.open));
-    return [...(rest < told.length ? [table("Every rule held against every bat, from the simulated test", true)] : []), ...(rest ? [fold] : [])];
+    return [...(decided.length ? [table("Every rule held against every bat, from the simulated test", decided)] : []), ...(rest.length ? [fold] : [])];
   },
 
-  /** @param {RuleCheck} given */
-  limit({ least, most, unit }) {
-    if (unit === "yes or no") return "";
-    return [least === null ? "" : `at least ${this.amount(least, unit)}`, most === null ? "" : `at most ${this.amount(most, unit)}`].filter(Boolean).join(", ");
-  },
-
-  /**
-   * @param {number} value
-   * @param {string} unit
-   */
-  amount(value, unit) {
-    if (unit === "yes or no") return value ? "yes" : "no";
-    return KINDS[unit] ? this.app.text(KINDS[unit], value) : value.toFixed(unit === "-" ? 3 : 2);
-  },
-
-  /** @param {RuleCheck} check */
-  verdictOf(check) {
-    const [words, colour] = VERDICTS[check.verdict];
-    const unsure = isUnsure(check);
-    const value = check.value === null || check.verdict === "does not apply" ? "" : ` (${this.amount(check.value, check.unit)})`;
-    return { text: `${words}${unsure ? ", not sure" : ""}${value}`, className: unsure ? "" : colour, note: check.reason };
-  },
-
-  unmount() { Object.assign(this, { certification: null, ruled: null, known: null }); },
+  unmount() { Object.assign(this, { certified: null, ruled: null, known: null }); },
 
   figures() {
     return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];

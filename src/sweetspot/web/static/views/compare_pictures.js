@@ -27,14 +27,10 @@ export class RowsPicture {
     this.element = this.surface.element;
   }
 
-  /**
-   * @param {DrawnComparedBat[]} bats
-   * @param {number} longest
-   */
-  draw(bats, longest) {
+  /** @param {DrawnComparedBat[]} bats @param {number} longest @param {string} words */
+  draw(bats, longest, words) {
     Object.assign(this, { bats, longest });
-    const place = (/** @type {DrawnComparedBat} */ { bat, max_exit_speed_m: best }) => this.app.text("from_m", bat.length_m - best, 1);
-    this.surface.label(`The bats to scale, tips aligned. ${bats.map((one) => `${one.label} hits fastest ${place(one)} from the tip`).join("; ")}.`);
+    this.surface.label(words);
     this.surface.draw();
   }
 
@@ -99,14 +95,11 @@ export class ChangePicture {
     this.element = this.surface.element;
   }
 
-  /** @param {DrawnComparedBat[]} bats */
-  draw(bats) {
+  /** @param {DrawnComparedBat[]} bats @param {string} words */
+  draw(bats, words) {
     this.bats = bats;
-    const show = (/** @type {number} */ value) => this.app.text("speed_change", value);
-    const ends = (/** @type {{ low: number, high: number }} */ { low, high }) => (low < high ? `, interval ${show(low)} to ${show(high)}` : "");
     this.element.hidden = bats.length < 2;
-    this.surface.label(`Change of exit speed against ${bats[0].label}: ${bats.slice(1).map(({ label, change_m_s: change }) => (
-      `${label} ${show(change.value)}${ends(change)}`)).join("; ")}.`);
+    this.surface.label(words);
     this.surface.draw();
   }
 
