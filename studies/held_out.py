@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 from sweetspot.numerics.arrays import Array
 from sweetspot.seasons import contact_kernel as kernel
 from sweetspot.seasons.balls import Balls, balls_of, taken
-from sweetspot.seasons.bat_surface import BatSurface
 from sweetspot.seasons.contact import ContactSetting, contacts, learnt
 from sweetspot.seasons.headings import headings_of
 from sweetspot.seasons.place_relation import LEVEL, NOISE, PLACE, SPREAD
+from sweetspot.seasons.plane_hits import PLACES, BatInPlane
 from sweetspot.seasons.rows import USED, rows_of
 from sweetspot.seasons.season_table import season_setting
 from sweetspot.seasons.swings import in_plane
@@ -54,12 +54,10 @@ def balls_in(path: Path, most: int | None = None) -> Balls:
     return balls_of(rows.filter((pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()))
 
 
-def shortened(surface: BatSurface, end: float) -> BatSurface:
+def shortened(surface: BatInPlane, end: float) -> BatInPlane:
     """Return a bat's table without the places further from the tip than an end, m."""
-    count = int(np.sum(surface.axes[2] <= end + 1e-9))
-    axes = (*surface.axes[:2], surface.axes[2][:count], surface.axes[3])
-    return replace(surface, axes=axes, after=np.ascontiguousarray(surface.after[:, :, :count]),
-                   reach=surface.reach[:count], arm=surface.arm[:count])  # fmt: skip
+    values = np.where((end + 1e-9 >= PLACES)[:, None, None], surface.table.values, np.nan)
+    return replace(surface, table=surface.table._replace(values=values))
 
 
 def told(balls: Balls, setting: ContactSetting, first: NDArray[np.bool_]) -> Array:

@@ -21,9 +21,9 @@ from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.threads import in_parts
 from sweetspot.seasons import contact_kernel as kernel
 from sweetspot.seasons.balls import Balls, taken
-from sweetspot.seasons.bat_surface import BatSurface
 from sweetspot.seasons.place_learning import learn_places
 from sweetspot.seasons.place_relation import UNLEARNT, Circumstances, PlaceRelation, circumstances, turn_term
+from sweetspot.seasons.plane_hits import PLACES, BatInPlane
 from sweetspot.seasons.swings import OUTCOMES, USUAL_ERRORS, Errors, InPlane, ceilings, in_plane, likeliest_speeds
 from sweetspot.units import MPH
 
@@ -55,7 +55,7 @@ class OtherBat:
     """
 
     name: str
-    surface: BatSurface
+    surface: BatInPlane
     moi: float
 
 
@@ -76,7 +76,7 @@ class ContactSetting:
     """
 
     ball: Ball
-    surfaces: tuple[BatSurface, ...]
+    surfaces: tuple[BatInPlane, ...]
     mois: tuple[float, ...]
     others: tuple[OtherBat, ...]
     law: SwingLaw
@@ -173,8 +173,8 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
         plane = in_plane(taken(balls, mine), surface, setting.errors, ball=setting.ball)
         good = plane.outcome == 0
         asked = asked_of(plane)[good]
-        fast, spread = np.full((len(asked), len(surface.arm)), np.nan), np.empty(len(asked))
-        kernel.fill_predictions(*surface.table, asked, fast, spread, _error_array(setting.errors))
+        fast, spread = np.full((len(asked), len(PLACES)), np.nan), np.empty(len(asked))
+        kernel.fill_predictions(surface.table, asked, fast, spread, _error_array(setting.errors))
         chosen.append(mine[good])
         tables.append(fast)
         outs.append(plane.exit_speed[good])
@@ -187,7 +187,7 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
     speeds = likeliest_speeds(used.bat_speed)
     relation = learn_places(
         circumstances(used, speeds),
-        places=setting.surfaces[0].axes[2],
+        places=PLACES,
         predicted=np.concatenate(tables),
         measured=np.concatenate(outs),
         error=np.concatenate(widths),
@@ -220,7 +220,7 @@ def _error_array(errors: Errors) -> Array:
 
 
 def _posteriors(
-    balls: Balls, plane: InPlane, conditions: Circumstances, best: Array, surface: BatSurface, setting: ContactSetting,
+    balls: Balls, plane: InPlane, conditions: Circumstances, best: Array, surface: BatInPlane, setting: ContactSetting,
     solved: NDArray[np.bool_],
 ) -> tuple[Array, Array]:  # fmt: skip
     places, sure = _measured_places(balls, setting.errors)
@@ -229,18 +229,18 @@ def _posteriors(
     rows = np.flatnonzero(solved)
     asked = np.ascontiguousarray(asked_of(plane)[rows])
     posteriors = np.full((len(rows), kernel.ROWS), np.nan)
-    weights = np.zeros((len(rows) if setting.others else 0, len(surface.arm)))
+    weights = np.zeros((len(rows) if setting.others else 0, len(PLACES)))
     relation = setting.relation
     aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
     swing = conditions.some(rows), turn_term(plane.turned)[rows]
     kernel.fill_posteriors(
-        *surface.table, asked, plane.exit_speed[rows], prior[rows], aims,
+        surface.table, asked, plane.exit_speed[rows], prior[rows], aims,
         _error_array(setting.errors), relation.level_of(*swing), relation.noise_of(*swing), posteriors, weights,
     )  # fmt: skip
     results = np.full((len(balls), kernel.ROWS), np.nan)
     posteriors[:, kernel.RANK] = relation.ranked(posteriors[:, kernel.RANK])
     results[rows] = posteriors
-    everything = np.zeros((len(balls) if setting.others else 0, len(surface.arm)))
+    everything = np.zeros((len(balls) if setting.others else 0, len(PLACES)))
     if setting.others:
         everything[rows] = weights
     return results, everything
@@ -280,7 +280,7 @@ def _with_other(
 
     def mean_with(bat: OtherBat, ratio: float) -> Array:
         mean, spread = np.empty((2, len(rows)))
-        kernel.fill_other_bat(swung.surface.axes, *bat.surface.table, asked, offset, parts, ratio, mean, spread)
+        kernel.fill_other_bat(bat.surface.table, asked, offset, parts, ratio, mean, spread)
         return mean
 
     arms = [bat.length - bat.choke - SPEED_FROM_TIP for bat in (swung.surface.bat, other.surface.bat)]

@@ -9,8 +9,9 @@ import numpy as np
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import ENDS
 from sweetspot.numerics.kernel_cache import compiled, inner
+from sweetspot.numerics.vector_math import sine_and_cosine
 from sweetspot.seasons.place_kernel import FARTHEST, weigh
-from sweetspot.seasons.surface_kernel import Axes, hit_towards, part_of, velocity_after
+from sweetspot.seasons.plane_hits import PLACES, STEEPEST, USUAL_TURN, PlaneTable, hit_at, hit_towards
 
 STRIDE = 4
 """Every fourth place of the table is looked up; between them lies the cubic through the nearest four, right to 0.04 mph
@@ -48,9 +49,7 @@ ROWS = 20
 
 
 @inner(error_model="numpy")
-def predict(
-    axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, fast: Array, above: Array
-) -> tuple[float, float]:
+def predict(table: PlaneTable, asked: Array, fast: Array, above: Array) -> tuple[float, float]:
     """Fill exit speed and offset at all places of the table; return what a radian changes of both at the fastest.
 
     Parameters
@@ -63,22 +62,18 @@ def predict(
     tuple
         change of the logarithm of exit speed and of offset per rad; NaN where the ball was only grazed.
     """
-    speed, ahead, up, tangent, turned = asked[0], asked[1], asked[2], asked[3], asked[4]
+    query, turned = (asked[0], asked[1], asked[2], asked[3]), asked[4]
     cos, sin = math.cos(turned), math.sin(turned)
-    middle = (len(axes[3]) - 1) / 2
-    guess = middle + 0.75 * turned / (axes[3][1] - axes[3][0])
-    best, top, best_guess = -1, 0.0, middle
-    count, before, moved = len(fast), guess, 0.0
+    guess, slope = turned / USUAL_TURN, USUAL_TURN
+    best, top, best_guess, best_slope = -1, 0.0, 0.0, slope
+    count, before = len(fast), guess
     for place in range(0, count, STRIDE):
-        size, offset, solution = hit_towards(
-            axes, after, reach[place], place, speed * arm[place], ahead, up, tangent, cos, sin, guess
-        )
+        size, offset, solution, slope = hit_towards(table, place, query, cos, sin, guess, slope)
         fast[place], above[place] = size, offset
         if math.isfinite(size):
-            moved, before = (solution - before if place else 0.0), solution
-            guess = solution + moved
+            guess, before = (2 * solution - before if place else solution), solution
             if size > top:
-                best, top, best_guess = place, size, solution
+                best, top, best_guess, best_slope = place, size, solution, slope
     if best < 0:
         return math.nan, math.nan
     for low in range(0, count - 1, STRIDE):
@@ -93,17 +88,13 @@ def predict(
                 _mix(above, first, low + part, weights[part - 1])
         elif math.isfinite(fast[low]) or math.isfinite(fast[low + STRIDE]):  # beside places that no such hit is made at
             for place in range(low + 1, low + STRIDE):
-                fast[place], above[place], _ = hit_towards(
-                    axes, after, reach[place], place, speed * arm[place], ahead, up, tangent, cos, sin, best_guess
-                )
+                fast[place], above[place], _, _ = hit_towards(table, place, query, cos, sin, best_guess, best_slope)
         else:
             fast[low + 1 : low + STRIDE] = math.nan
             above[low + 1 : low + STRIDE] = math.nan
     step = -TURN if turned > 0 else TURN
-    size, offset, _ = hit_towards(
-        axes, after, reach[best], best, speed * arm[best], ahead, up, tangent, math.cos(turned + step),
-        math.sin(turned + step), best_guess,
-    )  # fmt: skip
+    cos, sin = math.cos(turned + step), math.sin(turned + step)
+    size, offset, _, _ = hit_towards(table, best, query, cos, sin, best_guess + step / best_slope, best_slope)
     return (size / top - 1) / step, (offset - above[best]) / step
 
 
@@ -119,9 +110,7 @@ def _mix(values: Array, first: int, place: int, weights: tuple[float, ...]) -> N
 
 
 @compiled(nogil=True, error_model="numpy")
-def fill_predictions(
-    axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, fast: Array, spread: Array, errors: Array
-) -> None:
+def fill_predictions(table: PlaneTable, asked: Array, fast: Array, spread: Array, errors: Array) -> None:
     """Fill exit speeds at all places of n balls, shape (n, places), and the errors they are compared with.
 
     Parameters
@@ -131,7 +120,7 @@ def fill_predictions(
     """
     above = np.empty(fast.shape[1])
     for i in range(len(fast)):
-        sensitive, _ = predict(axes, after, reach, arm, asked[i], fast[i], above)
+        sensitive, _ = predict(table, asked[i], fast[i], above)
         top = 0.0
         for place in range(fast.shape[1]):
             top = max(top, fast[i, place])
@@ -149,8 +138,8 @@ def _spread(asked: Array, top: float, sensitive: float, errors: Array) -> float:
 
 @compiled(nogil=True, error_model="numpy")
 def fill_posteriors(
-    axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, measured: Array, prior: Array, best: Array,
-    errors: Array, level: Array, noise: Array, results: Array, weights: Array,
+    table: PlaneTable, asked: Array, measured: Array, prior: Array, best: Array, errors: Array, level: Array,
+    noise: Array, results: Array, weights: Array,
 ) -> None:  # fmt: skip
     """Fill what is known of each ball's contact.
 
@@ -165,7 +154,7 @@ def fill_posteriors(
     results : (n, ROWS).
     weights : (n, places) of zeros, for the posterior; or (0, places) where it is not wanted.
     """
-    longest, step = len(arm), axes[2][1] - axes[2][0]
+    longest, step = len(PLACES), PLACES[1] - PLACES[0]
     every_fast, every_above, every_part, work = (
         np.empty(longest),
         np.empty(longest),
@@ -176,8 +165,8 @@ def fill_posteriors(
         results[i] = math.nan
         farthest = max(prior[i, 0] + FARTHEST * prior[i, 1], best[i, 0] + BESIDE)
         count = min(STRIDE * (int(farthest / (STRIDE * step)) + 1) + 1, longest)
-        fast, above, part, places = every_fast[:count], every_above[:count], every_part[:count], axes[2][:count]
-        sensitive, per_turn = predict(axes, after, reach, arm, asked[i], fast, above)
+        fast, above, part, places = every_fast[:count], every_above[:count], every_part[:count], PLACES[:count]
+        sensitive, per_turn = predict(table, asked[i], fast, above)
         if math.isnan(per_turn):
             continue
         top = 0.0
@@ -258,37 +247,28 @@ def _below(passed: Array, at: float) -> float:
 
 @compiled(nogil=True, error_model="numpy")
 def fill_other_bat(
-    own_axes: Axes, axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, offset: Array, weights: Array,
-    ratio: float, mean: Array, spread: Array,
-) -> None:  # fmt: skip
+    table: PlaneTable, asked: Array, offset: Array, weights: Array, ratio: float, mean: Array, spread: Array
+) -> None:
     """Fill mean and standard deviation, over where a ball was met, of its exit speed with another bat.
 
     The other bat meets it equally far from the tip, with the same offset, turning so that its speed where bat speed is
     measured is ``ratio`` times the own.
-
-    Parameters
-    ----------
-    own_axes : of the table that the weights belong to.
     """
     for i in range(len(mean)):
-        speed = ratio * asked[i, 0]
         total, square, counted = 0.0, 0.0, 0.0
-        for place in range(0, weights.shape[1]):
+        for place in range(weights.shape[1]):
             weight = weights[i, place]
             if weight < 1e-4:
                 continue
-            low, between = part_of(axes[2], own_axes[2][place])
-            at = low if between < 0.5 else low + 1
-            there = speed * arm[at]
+            there = ratio * asked[i, 0] * table.arm[place]
             way, across = there - asked[i, 1], -asked[i, 2]
             closing = math.sqrt(way * way + across * across)
             way, across = way / closing, across / closing
-            sine = min(max(offset[i] / reach[at], -0.99), 0.99)
-            angle = math.asin(sine) - math.atan2(across, way)
-            node = (angle - axes[3][0]) / (axes[3][1] - axes[3][0])
-            back, lift, _, _ = velocity_after(
-                after, at, part_of(axes[0], closing), part_of(axes[1], asked[i, 3] / closing), node
-            )
+            rise = math.asin(min(max(offset[i] / table.reach[place], -0.99), 0.99))
+            angle = min(max(rise - math.atan2(across, way), -STEEPEST), STEEPEST)
+            sine, cosine = sine_and_cosine(angle)
+            turning = ratio * asked[i, 0] * table.turning[place] * (way * cosine - across * sine)
+            back, lift = hit_at(table, place, closing, asked[i, 3], turning, sine, cosine)
             out = there + closing * (way * back - across * lift)
             high = closing * (across * back + way * lift)
             size = math.sqrt(out * out + high * high)

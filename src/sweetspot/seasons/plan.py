@@ -46,7 +46,7 @@ ONLY_CONTACTS = {
 """Quantities that contacts alone hang on."""
 BALLS, LEDGER, COUNTED, NOTES = "balls", "ledger", "counted", "done"
 FOLDERS = (BALLS, LEDGER, COUNTED, NOTES)
-WRITTEN = 7
+WRITTEN = 8
 """What a task writes, counted up when that changes: answers of an earlier form are computed anew."""
 
 
@@ -234,6 +234,7 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
     task_rows : rows of a task.
     """
     from sweetspot import __version__
+    from sweetspot.collision.contact_table import tabled_bat
     from sweetspot.flight.compiled import solve
     from sweetspot.flight.fence_compiled import chances
     from sweetspot.numerics.kernel_cache import fingerprint
@@ -241,16 +242,18 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
     from sweetspot.seasons.launch_table import expected_of
 
     digest = hashlib.blake2b(digest_size=16)
-    kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors, expected_of)
+    kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors, expected_of, tabled_bat)
     for part in (__version__, WRITTEN, task_rows, MOST_CELLS, setting.system, sorted(setting.bats.items()),
                  replace(setting.flight, threads=None),
                  *map(fingerprint, kernels)):  # fmt: skip
         digest.update(repr(part).encode())
     if setting.contact is not None:
         contact = setting.contact
-        keys = [surface.key for surface in contact.surfaces] + [other.surface.key for other in contact.others]
+        bats = [
+            swung.bat.model_dump_json() for swung in (*contact.surfaces, *(other.surface for other in contact.others))
+        ]
         relation = {name: np.asarray(value).tolist() for name, value in vars(contact.relation).items()}
-        digest.update(repr((keys, contact.mois, contact.law, contact.errors, relation)).encode())
+        digest.update(repr((bats, contact.mois, contact.law, contact.errors, relation)).encode())
     for table in tables:
         digest.update(repr((table.path.name, table.rows, sorted(table.headings.columns.items()))).encode())
         digest.update(file_digest(table.path).encode())

@@ -15,7 +15,7 @@ from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.catalog.balls import ball as catalogue_ball
 from sweetspot.catalog.bats import DEFAULT_BAT, load_bat
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.collision.contact_table import tabled_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -31,7 +31,6 @@ from sweetspot.seasons.ball_columns import (
     bats_of,
 )
 from sweetspot.seasons.balls import balls_of, together
-from sweetspot.seasons.bat_surface import surface_of
 from sweetspot.seasons.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
 from sweetspot.seasons.csv_copy import LEFT_OUT
 from sweetspot.seasons.duplicates import with_duplicates
@@ -48,6 +47,7 @@ from sweetspot.seasons.plan import (
     run_here,
     sweep_plan,
 )
+from sweetspot.seasons.plane_hits import bat_in_plane
 from sweetspot.seasons.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.seasons.survey import Survey, survey_tables
 from sweetspot.seasons.table_file import frame_headings
@@ -142,7 +142,7 @@ def season_setting(
     law = swing_law()
     tables = {
         name: OtherBat(
-            name, surface_of(bat, ball=pitched), reduced_bat(bat, ball=pitched).body.moi(bat.choke + law.axis)
+            name, bat_in_plane(bat, ball=pitched), tabled_bat(bat, ball=pitched).model.body.moi(bat.choke + law.axis)
         )
         for name, bat in dict([*bat_of.values(), *tried]).items()
         if bat is not None

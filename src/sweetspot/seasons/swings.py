@@ -13,7 +13,7 @@ from sweetspot.flight.carry_scatter import TRACKED
 from sweetspot.motion.swing_path import path_axes, steep_enough
 from sweetspot.numerics.arrays import Array, vectors
 from sweetspot.seasons.balls import Balls
-from sweetspot.seasons.bat_surface import RATIOS, SLANTS, SPEEDS, BatSurface
+from sweetspot.seasons.plane_hits import RATIOS, SLANTS, SPEEDS, BatInPlane
 from sweetspot.units import DEGREE, MPH
 
 LEAST = 0.25 * MPH
@@ -160,7 +160,7 @@ class InPlane:
     speed_error: Array
 
 
-def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -> InPlane:
+def in_plane(balls: Balls, surface: BatInPlane, errors: Errors, *, ball: Ball) -> InPlane:
     """Return swings and pitches in the plane across the bat's axis.
 
     Where attack angle, direction, tilt or pitch speed were not measured the usual ones stand in, with their errors. An
@@ -201,7 +201,7 @@ def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -
     )  # fmt: skip
 
 
-def ceilings(plane: InPlane, surface: BatSurface) -> tuple[Array, Array]:
+def ceilings(plane: InPlane, surface: BatInPlane) -> tuple[Array, Array]:
     """Return the greatest exit speed of each swing with a bat in m/s, and the place where it is, m from the tip."""
     coming = np.hypot(plane.ahead, plane.up)
     swung = np.where(plane.bat_speed > 1, plane.bat_speed, np.nan)
