@@ -3,32 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import partial
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.text import Text
-from matplotlib.ticker import MaxNLocator
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import ReportAnswer
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve
-from sweetspot.reports.modes.picture import draw_dot, draw_mode, label_mode
+from sweetspot.reports.modes.picture import draw_mode
 from sweetspot.reports.pictures import marks
-from sweetspot.reports.pictures.style import (
-    INK,
-    MUTED,
-    SMALL,
-    ZONE,
-    ZONE_EDGE,
-    halo,
-    heading,
-    light_grid,
-    styled,
-)
+from sweetspot.reports.pictures.panels import DASHED, Panel, band, beside, dot, frame, heading, rows_only, second_scale
+from sweetspot.reports.pictures.style import INK, MUTED, SMALL, ZONE, ZONE_EDGE, halo, styled
 from sweetspot.reports.quantities import GREEN, ORANGE, PURPLE, RED, SCALES, Reader, Unit
 from sweetspot.reports.sentences import Slot
 from sweetspot.reports.sport_words import words_of
@@ -45,35 +34,24 @@ def exit_speed(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     analysis = report.analysis
     scan, words, unit = analysis.scan, words_of(analysis.bat.sport), reading.units["speed"]
     speed, rigid = scan.exit_speed / unit.size, scan.rigid_exit_speed / unit.size
-    _prepare(
-        axes,
-        analysis,
-        reading,
-        words.exit_speed[0].upper() + words.exit_speed[1:],
-        f"how fast the {words.ball} leaves, for this {words.incoming} and swing",
-    )
-    axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
+    note = f"how fast the {words.ball} leaves, for this {words.incoming} and swing"
+    _prepare(axes, analysis, reading, words.exit_speed, note, y=unit.name)
+    axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=DASHED)
     axes.plot(scan.position, speed, color=RED)
     high = _band(axes, report, report.scan.exit_speed, RED, size=unit.size)
     top = float(np.nanmax(np.concatenate([speed, rigid, high])))
     axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.22 * top)
-    axes.set_ylabel(unit.name)
     other = KM_H if unit == SCALES["speed"].si else SCALES["speed"].si
-    factor = unit.size / other.size
-    second = axes.secondary_yaxis("right", functions=(partial(np.multiply, factor), partial(np.multiply, 1 / factor)))
-    second.set_ylabel(other.name)
-    second.spines["right"].set_visible(True)
+    second_scale(axes, unit.size / other.size, other.name)
     spots = analysis.sweet_spots
     best = float(np.interp(spots.max_exit_speed, scan.position, speed))
-    draw_dot(axes, spots.max_exit_speed, best, RED)
+    dot(axes, spots.max_exit_speed, best, RED, size=5.5)
     label = Slot(report.best_hit.exit_speed, "speed", 1).read(reading)
     place = Slot(analysis.bat.length - report.sweet_spots.max_exit_speed, "place").read(reading)
-    axes.annotate(
-        f"{label}, {place} from the {words.tip}", (spots.max_exit_speed, best),
-        xytext=(spots.max_exit_speed - 0.08 * (axes.get_xlim()[1] - axes.get_xlim()[0]), 1.1 * top), textcoords="data",
-        ha="right", va="center", weight="bold", color=INK,
-        arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
-    )  # fmt: skip
+    start = spots.max_exit_speed - 0.08 * float(np.ptp(axes.get_xlim())), 1.1 * top
+    leader = {"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)}
+    look: dict[str, Any] = {"ha": "right", "va": "center", "weight": "bold", "color": INK, "arrowprops": leader}
+    axes.annotate(f"{label}, {place} from the {words.tip}", (spots.max_exit_speed, best), start, **look)
     rigid_at = 0.97 if marks.is_zoomed(analysis.bat) else 0.42
     curves = {"rigid": (scan.position, rigid), "real": (scan.position, speed)}
     _curve_label(axes, "rigid", curves, f"if the {words.implement} were rigid", at=rigid_at, colour=MUTED, above=True)
@@ -85,14 +63,9 @@ def efficiency(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
     analysis = report.analysis
     scan, words = analysis.scan, words_of(analysis.bat.sport)
-    _prepare(
-        axes,
-        analysis,
-        reading,
-        words.efficiency[0].upper() + words.efficiency[1:],
-        f"what part of its speed a {words.ball} gets back from a {words.implement} at rest",
-    )
-    axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
+    note = f"what part of its speed a {words.ball} gets back from a {words.implement} at rest"
+    _prepare(axes, analysis, reading, words.efficiency, note)
+    axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=DASHED)
     axes.plot(scan.position, scan.collision_efficiency, color=ORANGE)
     axes.axhline(0, color=MUTED, linewidth=0.7)
     high = _band(axes, report, report.scan.collision_efficiency, ORANGE)
@@ -100,12 +73,9 @@ def efficiency(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     _limits(axes, both, room=0.14)
     place = analysis.sweet_spots.max_collision_efficiency
     best = float(np.interp(place, scan.position, scan.collision_efficiency))
-    draw_dot(axes, place, best, ORANGE)
+    dot(axes, place, best, ORANGE, size=5.5)
     most = Slot(report.greatest_efficiency, "ratio").read(reading)
-    axes.annotate(
-        most, (place, best), xytext=(2, -10), textcoords="offset points", ha="right", va="top", weight="bold",
-        path_effects=halo(),
-    )  # fmt: skip
+    beside(axes, most, (place, best), (2, -10), ha="right", va="top", weight="bold", path_effects=halo())
 
 
 @styled
@@ -113,42 +83,29 @@ def hand_impulse(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
     analysis = report.analysis
     scan, words = analysis.scan, words_of(analysis.bat.sport)
-    tool = words.implement
-    _prepare(
-        axes,
-        analysis,
-        reading,
-        "Jolt at the top hand" if words.hands == "hands" else "Jolt at the hand",
-        f"passed on by the {tool}'s turning; + handle driven back, \N{MINUS SIGN} pulled forward",
-    )
+    title = "Jolt at the top hand" if words.hands == "hands" else "Jolt at the hand"
+    note = f"passed on by the {words.implement}'s turning; + handle driven back, \N{MINUS SIGN} pulled forward"
+    _prepare(axes, analysis, reading, title, note, y="N s")
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
     axes.plot(scan.position, scan.hand_impulse, color=GREEN)
     _band(axes, report, report.scan.hand_impulse, GREEN)
     _limits(axes, scan.hand_impulse, room=0.3)
-    axes.set_ylabel("N s")
-    draw_dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
+    dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN, size=5.5)
 
 
 @styled
 def sting(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     """Draw the vibration that the hands feel after a hit."""
-    analysis = report.analysis
-    scan = analysis.scan
-    _prepare(
-        axes,
-        analysis,
-        reading,
-        "Sting",
-        f"vibration at the {words_of(analysis.bat.sport).hands} right after the hit, as it is felt",
-    )
+    analysis, scan = report.analysis, report.analysis.scan
+    note = f"vibration at the {words_of(analysis.bat.sport).hands} right after the hit, as it is felt"
+    _prepare(axes, analysis, reading, "sting", note, y="m/s")
     axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
     axes.plot(scan.position, scan.sting, color=PURPLE)
     high = _band(axes, report, report.scan.sting, PURPLE)
     axes.set_ylim(0, 1.14 * float(np.nanmax(np.concatenate([scan.sting, high]))))
-    axes.set_ylabel("m/s")
     place = analysis.sweet_spots.min_sting
-    draw_dot(axes, place, float(np.interp(place, scan.position, scan.sting)), PURPLE)
+    dot(axes, place, float(np.interp(place, scan.position, scan.sting)), PURPLE, size=5.5)
 
 
 @styled
@@ -163,14 +120,12 @@ def mode_shapes(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     tool = words_of(bat.sport).implement
     marks.show_from_tip(axes, bat.length, reading, labels=False)
     heading(axes, "Bending modes", f"how the {held} {tool} rings; a hit at a node does not ring that mode")
-    axes.set_yticks([])
-    axes.spines["left"].set_visible(False)
+    rows_only(axes)
     places = np.linspace(0, bat.length, 200)
     bending = modes.of_family("bending")[:MODES_SHOWN]
     for row, index in enumerate(bending):
-        draw_mode(axes, modes, index, row, places, modes.shape_at(places)[:, index])
         rings = Slot(tones[row], "frequency").read(reading).replace(" ± ", "\n± ").replace(" (", "\n(")
-        label_mode(axes, row, f"mode {modes.harmonics[index]}", rings)
+        draw_mode(axes, modes, index, row, places, rings)
     axes.set_ylim(-len(bending) + 0.45, 0.55)
 
 
@@ -183,19 +138,16 @@ def _band(axes: Axes, report: ReportAnswer, curve: Curve, colour: str, *, size: 
     """
     if not isinstance(curve, Band):
         return np.zeros(0)
-    low, high = curve.low / size, curve.high / size
-    axes.fill_between(report.scan.position, low, high, color=colour, alpha=0.22, linewidth=0, zorder=1.5, gid="band")
-    return np.asarray(high)
+    band(axes, report.scan.position, curve.low / size, curve.high / size, colour)
+    return np.asarray(curve.high / size)
 
 
-def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: str, note: str) -> None:
+def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: str, note: str, y: str = "") -> None:
     marks.set_window(axes, analysis.bat)
     marks.show_from_tip(axes, analysis.bat.length, reading, labels=marks.is_zoomed(analysis.bat), grid=True)
     if marks.is_zoomed(analysis.bat):
         draw_guides(axes, analysis)
-    axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
-    light_grid(axes, vertical=False)
-    heading(axes, title, note)
+    frame(axes, Panel(title[0].upper() + title[1:], note, y=y, grid="y", ticks=4))
 
 
 def draw_guides(axes: Axes, analysis: Analysis[Implement]) -> None:
@@ -232,10 +184,10 @@ def _curve_label(
         for over in (above, not above):
             place = axes.get_xlim()[0] + part * (axes.get_xlim()[1] - axes.get_xlim()[0])
             place = float(np.clip(place, places[0], places[-1]))
-            look: dict[str, Any] = {"xytext": (-4, 3), "ha": "right", "va": "bottom"}
-            look = look if over else {"xytext": (4, -3), "ha": "left", "va": "top"}
-            look["xy"] = (place, float(np.interp(place, places, values)))
-            text = axes.annotate(words, textcoords="offset points", size=SMALL, **look)
+            aside, side, upright = ((-4, 3), "right", "bottom") if over else ((4, -3), "left", "top")
+            at_curve = (place, float(np.interp(place, places, values)))
+            look: dict[str, Any] = {"place": at_curve, "aside": aside, "ha": side, "va": upright, "size": SMALL}
+            text = beside(axes, words, **look)
             box = Text.get_window_extent(text).padded(3)
             text.remove()
             outside = not (axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 and axes.bbox.y0 <= box.y0)
@@ -245,4 +197,4 @@ def _curve_label(
                 least, clearest = faults, look
         if least == 0:
             break
-    axes.annotate(words, textcoords="offset points", color=colour, size=SMALL, path_effects=halo(), **clearest)
+    beside(axes, words, color=colour, path_effects=halo(), **clearest)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from typing import Any
 
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -30,18 +29,8 @@ from sweetspot.reports.bat.outline_picture import (
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.pictures import marks
 from sweetspot.reports.pictures.marks import from_the_tip
-from sweetspot.reports.pictures.style import (
-    HUGE,
-    MUTED,
-    NORMAL,
-    SHEET,
-    SMALL,
-    ZONE,
-    ZONE_EDGE,
-    axes_in_inches,
-    fitted,
-    styled,
-)
+from sweetspot.reports.pictures.panels import Page
+from sweetspot.reports.pictures.style import HUGE, MUTED, NORMAL, SHEET, SMALL, ZONE, ZONE_EDGE, fitted, styled
 from sweetspot.reports.quantities import RED, Reader
 from sweetspot.reports.sentences import Slot, read
 from sweetspot.reports.sport_words import arriving, made_of_words, reader_of, words_of
@@ -67,59 +56,43 @@ def report_figure(report: ReportAnswer, reading: Reader | None = None) -> Figure
     """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
     analysis = report.analysis
     bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat.sport)
-    across = WIDTH - 2 * SIDE
-    height = (
-        HEADER
-        + panel.height
-        + RULER
-        + sum(BETWEEN + tall for _, tall in PANELS)
-        + (ZOOMED * len(PANELS) if marks.is_zoomed(bat) else 0.0)
-        + FOOTER
-    )
-    figure = Figure(figsize=(WIDTH, height))
-    _header(figure, report, reading, height)
-    top = HEADER
-    axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
-    draw_bat_panel(axes, analysis, panel, reading)
-    top += panel.height + RULER
-    zoomed = marks.is_zoomed(bat)
+    zoomed, foot_of_bat = marks.is_zoomed(bat), HEADER + panel.height + RULER
     between = BETWEEN + (ZOOMED if zoomed else 0.0)
+    page = Page(WIDTH, foot_of_bat + sum(between + tall for _, tall in PANELS) + FOOTER, SIDE)
+    _header(page, report, reading)
+    axes, top = page.panel(HEADER, panel.height), foot_of_bat
+    draw_bat_panel(axes, analysis, panel, reading)
     for draw, tall in PANELS:
-        top += between
-        axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
+        axes = page.panel(top + between, tall)
         draw(axes, report, reading)
-        top += tall
+        top += between + tall
     marks.show_from_tip(axes, bat.length, reading)
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
     marks.show_centimetres(axes, bat.length, offset=30, butt=bat.grip_end)
-    foot_of_bat = HEADER + panel.height + RULER
     if not zoomed:
-        _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
-    _footer(figure, analysis, height, banded=report.uncertainty is not None)
-    return figure
+        _guides(page, analysis, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
+    words = words_of(bat.sport)
+    lines = what_lines_are(analysis, banded=report.uncertainty is not None)
+    page.foot(f"{lines}\nFree {words.implement}, {analysis.conditions.ball.name}, hit straight on.", 0.08)
+    return page.figure
 
 
-def _header(figure: Figure, report: ReportAnswer, reading: Reader, height: float) -> None:
+def _header(page: Page, report: ReportAnswer, reading: Reader) -> None:
     """Write the bat's name, its sizes and the answer."""
     bat, conditions = report.analysis.bat, report.analysis.conditions
-    left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
-    words = words_of(bat.sport)
+    words, swing = words_of(bat.sport), conditions.swing
     speed = Slot(report.best_hit.exit_speed, "speed", digits=0).read(reading)
-    figure.text(right, 1 - 0.45 / height, speed, size=HUGE, weight="bold", color=RED, ha="right")
-    name, size = fitted(bat.name, width=WIDTH - 2 * SIDE - SPEED_ROOM, size=HUGE)
-    figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
-    quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
+    page.write(speed, 0.45, right=True, size=HUGE, weight="bold", color=RED)
+    page.title(bat.name, down=0.45, beside=SPEED_ROOM)
     mass = Slot(report.bat.mass, "mass").read(reading)
     sizes = f"{reading.shown(bat.length, 'length')}  ·  {mass}  ·  {read(made_of_words(bat), reading)}"
-    sizes, size = fitted(sizes, width=WIDTH - 2 * SIDE - SWING_ROOM, size=NORMAL, smallest=SMALL, bold=False)
-    figure.text(left, 1 - 0.68 / height, sizes, **{**quiet, "size": size})
-    figure.text(left, 1 - 0.86 / height, _swing_weight(report, reading), **quiet)
-    swing = conditions.swing
+    sizes, size = fitted(sizes, width=page.across - SWING_ROOM, size=NORMAL, smallest=SMALL, bold=False)
+    page.write(sizes, 0.68, color=MUTED, size=size)
+    page.write(_swing_weight(report, reading), 0.86, color=MUTED, size=NORMAL)
     swung = f"{arriving(words, conditions.pitch.speed).read(reading)}, {words.implement} at "
-    swung += reading.shown(swing.bat_speed, "speed")
-    figure.text(right, 1 - 0.68 / height, swung, ha="right", **quiet)
-    at = f"{reading.shown(bat.length - swing.measured_at, 'place')} from the {words.tip}"
-    figure.text(right, 1 - 0.86 / height, at, ha="right", **quiet)
+    page.write(swung + reading.shown(swing.bat_speed, "speed"), 0.68, right=True, color=MUTED, size=NORMAL)
+    measured_at = f"{reading.shown(bat.length - swing.measured_at, 'place')} from the {words.tip}"
+    page.write(measured_at, 0.86, right=True, color=MUTED, size=NORMAL)
 
 
 def _swing_weight(report: ReportAnswer, reading: Reader) -> str:
@@ -127,41 +100,29 @@ def _swing_weight(report: ReportAnswer, reading: Reader) -> str:
     bat = report.analysis.bat
     if isinstance(bat, Bat):
         moi = moment(report.bat.moi_6in, float(report.bat.moi_6in_doubt)).read(reading)
-        return (
-            f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat.sport).butt}"
-        )
+        axis = reading.shown(STANDARD_AXIS, "place")
+        return f"moment of inertia {moi} about {axis} from the {words_of(bat.sport).butt}"
     convention = swing_weight(bat.sport)
     return f"{convention.name} {convention.text_of(report.analysis.body)}".replace("^2", "²")
 
 
-def _guides(
-    figure: Figure, analysis: Analysis[Implement], height: float, *, bat_top: float, top: float, bottom: float
-) -> None:
+def _guides(page: Page, analysis: Analysis[Implement], *, bat_top: float, top: float, bottom: float) -> None:
     """Run the sweet zone from the bat and the best place from below it down the paper, in inches from its top."""
     bat, spots = analysis.bat, analysis.sweet_spots
     start, span = -marks.MARGIN * bat.length, (1 + 2 * marks.MARGIN) * bat.length
 
     def across(place: float) -> float:
-        return (SIDE + (WIDTH - 2 * SIDE) * (place - start) / span) / WIDTH
+        return (page.side + page.across * (place - start) / span) / page.width
 
-    low, high = 1 - bottom / height, 1 - bat_top / height
+    low, high = 1 - bottom / page.height, 1 - bat_top / page.height
     if spots.zone is not None:
         left, right = across(spots.zone[0]), across(spots.zone[1])
-        figure.add_artist(
-            Rectangle((left, low), right - left, high - low, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6,
-                      zorder=-2, transform=figure.transFigure, gid="zone")
-        )  # fmt: skip
-    best = across(spots.max_exit_speed)
-    figure.add_artist(
-        Line2D([best, best], [low, 1 - top / height], color=RED, linewidth=0.7, alpha=0.55, zorder=-1, gid="best")
-    )
-
-
-def _footer(figure: Figure, analysis: Analysis[Implement], height: float, *, banded: bool) -> None:
-    """Write the conditions and the legend of the lines."""
-    words = words_of(analysis.bat.sport)
-    text = f"{what_lines_are(analysis, banded=banded)}\nFree {words.implement}, {analysis.conditions.ball.name}, hit "
-    figure.text(SIDE / WIDTH, 0.08 / height, text + "straight on.", color=MUTED, size=SMALL, parse_math=False)
+        zone = Rectangle((left, low), right - left, high - low, transform=page.figure.transFigure, gid="zone")
+        zone.set(facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6, zorder=-2)
+        page.figure.add_artist(zone)
+    best, foot = across(spots.max_exit_speed), 1 - top / page.height
+    line = Line2D([best, best], [low, foot], color=RED, linewidth=0.7, alpha=0.55, zorder=-1, gid="best")
+    page.figure.add_artist(line)
 
 
 def what_lines_are(analysis: Analysis[Implement], *, banded: bool) -> str:
@@ -202,23 +163,22 @@ def sheet_figure(report: ReportAnswer, reading: Reader) -> Figure:
         across *= NARROW
         panel = bat_panel(bat, across)
     room, side = room - panel.height, (SHEET - across) / 2
-    panels = [each for number, each in enumerate(SHEET_PANELS, 1)
-             if number == 1 or sum(tall + between for _, tall in SHEET_PANELS[:number]) <= room]  # fmt: skip
+    deep = [sum(tall + between for _, tall in SHEET_PANELS[: number + 1]) for number in range(len(SHEET_PANELS))]
+    panels = SHEET_PANELS[: max(1, sum(needed <= room for needed in deep))]
     height = panel.height + RULER + sum(tall + between for _, tall in panels) + SHEET_FOOT
-    figure = Figure(figsize=(SHEET, height))
-    axes = axes_in_inches(figure, left=side, top=0.0, width=across, height=panel.height)
+    page = Page(SHEET, height, SHEET_SIDE)
+    axes = page.panel(0.0, panel.height, left=side, width=across)
     draw_bat_panel(axes, analysis, panel, reading)
     shade_zone(axes, analysis, panel)
     top = panel.height + RULER
     for draw, tall in panels:
         top += between
-        axes = axes_in_inches(figure, left=side, top=top, width=across, height=tall)
+        axes = page.panel(top, tall, left=side, width=across)
         draw(axes, report, reading)
         if not zoomed:
             along.draw_guides(axes, analysis)
         top += tall
     marks.show_from_tip(axes, bat.length, reading)
     axes.set_xlabel(marks.from_the_tip(bat, reading), labelpad=2)
-    meaning = textwrap.fill(what_lines_are(analysis, banded=banded), LINE)
-    figure.text(SHEET_SIDE / SHEET, 0.04 / height, meaning, color=MUTED, size=SMALL, parse_math=False)
-    return figure
+    page.foot(textwrap.fill(what_lines_are(analysis, banded=banded), LINE), 0.04)
+    return page.figure

@@ -22,7 +22,8 @@ from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.pictures import marks
 from sweetspot.reports.pictures.marks import draw_marks, draw_notes, from_the_tip
-from sweetspot.reports.pictures.style import INK, MUTED, PAPER, ZONE, ZONE_EDGE, axes_in_inches, heading, styled
+from sweetspot.reports.pictures.panels import Page, dot, heading, rows_only
+from sweetspot.reports.pictures.style import INK, MUTED, ZONE, ZONE_EDGE, styled
 from sweetspot.reports.quantities import RED, Reader
 from sweetspot.reports.sport_words import reader_of, words_of
 
@@ -65,13 +66,13 @@ class BatPanel:
 def bat_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> Figure:
     """Return the bat alone, to scale, with its sweet spots, the sweet zone, balance point and hands."""
     panel, reading = bat_panel(analysis.bat), reading or reader_of(analysis.bat.sport)
-    figure = Figure(figsize=(WIDTH, panel.height + FOOT))
-    axes = axes_in_inches(figure, left=SIDE, top=0.1, width=WIDTH - 2 * SIDE, height=panel.height)
+    page = Page(WIDTH, panel.height + FOOT, SIDE)
+    axes = page.panel(0.1, panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
     shade_zone(axes, analysis, panel)
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
     marks.show_centimetres(axes, analysis.bat.length, offset=30, butt=analysis.bat.grip_end)
-    return figure
+    return page.figure
 
 
 def bat_panel(bat: Implement, across: float = WIDTH - 2 * SIDE) -> BatPanel:
@@ -87,8 +88,7 @@ def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel, r
     bat = analysis.bat
     marks.set_limits(axes, bat.length)
     axes.set_ylim(-panel.below * panel.scale, panel.above * panel.scale)
-    axes.spines["left"].set_visible(False)
-    axes.set_yticks([])
+    rows_only(axes)
     marks.show_from_tip(axes, bat.length, reading)
     draw_bat(axes, bat)
     draw_marks(axes, analysis, reading, panel.scale, top=panel.above * panel.scale)
@@ -131,7 +131,7 @@ def draw_bat(axes: Axes, bat: Implement) -> None:
 def _draw_inside(axes: Axes, bat: Bat, places: Array, radius: Array) -> None:
     """Draw what a cut along the axis would show: the hollow of a shell, holes with their fills, the cup."""
     _, edge = BODY[bat.look]
-    look: dict[str, Any] = {"edgecolor": edge, "linewidth": 0.6, "zorder": 2.4}
+    look = {"edgecolor": edge, "linewidth": 0.6, "zorder": 2.4}
     if bat.shell is not None:
         inner = radius - bat.wall_at(places)
         _band(axes, places, -inner, inner, facecolor=HOLLOW, **look)
@@ -199,7 +199,7 @@ def face_figure(face_hits: FaceMap, bat: Implement, reading: Reader | None = Non
     speed = reading.units["speed"]
     across = (FACE_WIDTH - 2 * FACE_SIDE - 2 * GAP) / 3
     height = min(TALLEST, across * outline.width / (outline.end - outline.start))
-    figure = Figure(figsize=(FACE_WIDTH, TOP + height + FACE_FOOT))
+    page = Page(FACE_WIDTH, TOP + height + FACE_FOOT, FACE_SIDE)
     maps = (
         ("Exit speed", speed.name, face_hits.exit_speed / speed.size, RISE),
         ("Efficiency q", "", face_hits.collision_efficiency, RISE),
@@ -207,16 +207,15 @@ def face_figure(face_hits: FaceMap, bat: Implement, reading: Reader | None = Non
     )
     for number, (title, unit, values, colours) in enumerate(maps):
         left = FACE_SIDE + number * (across + GAP)
-        axes = axes_in_inches(figure, left=left, top=TOP, width=across, height=height)
+        axes = page.panel(TOP, height, left=left, width=across)
         _map(axes, face_hits, values, colours, reading, bat)
         heading(axes, title, unit)
         if number == 0:
             axes.set_ylabel("cm across")
             position, lateral = face_hits.best()
-            axes.plot(position, lateral, "o", color=RED, markersize=5, markeredgecolor=PAPER, markeredgewidth=0.8)
-        bar = axes_in_inches(figure, left=left, top=TOP + height + 0.55, width=across, height=BAR)
-        _scale(bar, values, colours)
-    return figure
+            dot(axes, position, lateral, RED)
+        _scale(page.panel(TOP + height + 0.55, BAR, left=left, width=across), values, colours)
+    return page.figure
 
 
 def _map(
@@ -225,14 +224,11 @@ def _map(
     outline, place, length = face_hits.outline, reading.units["place"], bat.length
     half, long = outline.width / 2, outline.end - outline.start
     shape = _shape(outline)
-    image = axes.imshow(
-        values, cmap=colours, extent=(outline.start, outline.end, -half, half), origin="lower", aspect="equal",
-        interpolation="nearest",
-    )  # fmt: skip
+    extent = (outline.start, outline.end, -half, half)
+    image = axes.imshow(values, colours, extent=extent, origin="lower", aspect="equal", interpolation="nearest")
     axes.add_patch(shape)
     image.set_clip_path(shape)
-    for side in axes.spines.values():
-        side.set_visible(False)
+    axes.spines[:].set_visible(False)
     reach = 0.02 * long
     axes.set_xlim(outline.start - reach, outline.end + reach)
     axes.set_ylim(-half - reach, half + reach)
@@ -252,11 +248,11 @@ def _step(length: float) -> float:
 
 def _shape(outline: FaceOutline) -> Patch:
     """Return the face's edge."""
-    look: dict[str, Any] = {"facecolor": "none", "edgecolor": INK, "linewidth": 0.9, "zorder": 3}
-    length = outline.end - outline.start
-    if outline.shape == "oval":
-        return Ellipse((outline.middle, 0.0), length, outline.width, **look)
-    return Rectangle((outline.start, -outline.width / 2), length, outline.width, **look)
+    length, corner = outline.end - outline.start, (outline.start, -outline.width / 2)
+    oval = Ellipse((outline.middle, 0.0), length, outline.width)
+    shape: Patch = oval if outline.shape == "oval" else Rectangle(corner, length, outline.width)
+    shape.set(facecolor="none", edgecolor=INK, linewidth=0.9, zorder=3)
+    return shape
 
 
 def _scale(axes: Axes, values: Array, colours: LinearSegmentedColormap) -> None:
@@ -266,5 +262,4 @@ def _scale(axes: Axes, values: Array, colours: LinearSegmentedColormap) -> None:
     axes.set_yticks([])
     axes.set_xticks(np.linspace(low, high, 3), [f"{value:.3g}" for value in np.linspace(low, high, 3)])
     axes.tick_params(colors=MUTED)
-    for side in axes.spines.values():
-        side.set_visible(False)
+    axes.spines[:].set_visible(False)

@@ -15,21 +15,8 @@ from sweetspot.analysis.certification.simulated_test import BatTest
 from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.pictures.marks import from_the_tip
-from sweetspot.reports.pictures.style import (
-    HUGE,
-    INK,
-    MUTED,
-    NORMAL,
-    PAPER,
-    SHEET,
-    SMALL,
-    axes_in_inches,
-    fitted,
-    halo,
-    heading,
-    light_grid,
-    styled,
-)
+from sweetspot.reports.pictures.panels import Page, Panel, beside, dot, frame, roomy
+from sweetspot.reports.pictures.style import INK, MUTED, SHEET, SMALL, halo, styled
 from sweetspot.reports.quantities import BLUE, GREEN, ORANGE, RED, SKY, US, Reader
 
 SIDE = 0.62
@@ -39,6 +26,16 @@ ALONE, ON_A_SHEET = (8.0, 1.05, 2.6, 0.95), (SHEET, 0.25, 1.4, 0.68)
 ROOM = 0.12
 """Part of the panel's range left free above and below."""
 COLOURS = {Verdict.PASS: GREEN, Verdict.FAIL: ORANGE}
+VERBS = {
+    Verdict.PASS: ("passes", "pass"),
+    Verdict.FAIL: ("fails", "fail"),
+    Verdict.NOT_APPLICABLE: ("does not apply", "do not apply"),
+}
+KINDS = {
+    True: "Computed. Band: what the size of the ball's patch leaves open. Orange dot: the best place.",
+    False: "Measured: each dot is a place, the mean of its shots. Orange dot: the best place.",
+}
+"""The small print, of a simulated test and of shots."""
 
 
 @dataclass(frozen=True)
@@ -58,75 +55,45 @@ def certification_figure(
     answer: CertifyAnswer, reading: Reader = US, *, paper: tuple[float, float, float, float] = ALONE
 ) -> Figure:
     """Return the figure of a test from the model or from shots."""
-    width, header, panel, footer = paper
-    height = header + panel + footer
-    figure = Figure(figsize=(width, height))
+    width, header, tall, footer = paper
+    page, simulated = Page(width, header + tall + footer, SIDE), answer.test is not None
     if paper == ALONE:
-        _header(figure, answer, width, height)
-    curve = _curve(answer)
-    name = curve.measure.upper()
-    axes = axes_in_inches(figure, left=SIDE, top=header, width=width - 2 * SIDE, height=panel)
-    heading(axes, name, "along the barrel, on a bat at rest; the scale does not begin at 0")
-    inch = reading.units["place"].size
+        page.title(answer.bat.name, f"{answer.ball}. {_verdicts(answer)}")
+    curve, inch = _curve(answer), reading.units["place"].size
+    axes = page.panel(header, tall)
+    note = "along the barrel, on a bat at rest; the scale does not begin at 0"
+    frame(axes, Panel(curve.measure.upper(), note, x=from_the_tip(answer.implement, reading)))
     from_tip = (answer.implement.length - curve.position) / inch
-    if answer.test is not None:
+    if simulated:
         axes.fill_between(from_tip, curve.low, curve.high, color=SKY, alpha=0.35, linewidth=0)
         axes.plot(from_tip, curve.value, color=BLUE)
     else:
         axes.plot(from_tip, curve.value, "o", color=BLUE, markersize=4)
     limits = _limits(answer, curve.measure)
-    values = np.concatenate([curve.low, curve.high, curve.value, [limit for _, limit, _ in limits]])
-    low, high = float(values.min()), float(values.max())
-    room = ROOM * (high - low)
-    axes.set_ylim(low - room, high + 2 * room)
-    far, near = float(from_tip.max()), float(from_tip.min())
-    pad = 0.04 * (far - near) or 1.0
-    axes.set_xlim(far + pad, near - pad)
+    axes.set_ylim(*roomy([*curve.low, *curve.high, *curve.value, *(limit for _, limit, _ in limits)], ROOM, 2 * ROOM))
+    axes.set_xlim(*roomy(from_tip, 0.04, 0.04, least=1 / 0.04)[::-1])
     _draw_limits(axes, limits)
     place, value = (answer.implement.length - curve.best[0]) / inch, curve.best[1]
-    axes.plot(place, value, "o", color=RED, markersize=6, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)
-    axes.annotate(
-        f"{value:.3f}", (place, value), xytext=(0, -8), textcoords="offset points", color=INK, weight="bold",
-        ha="center", va="top", path_effects=halo(),
-    )  # fmt: skip
-    axes.set_xlabel(from_the_tip(answer.implement, reading))
-    light_grid(axes)
-    kind = (
-        "Computed. Band: what the size of the ball's patch leaves open."
-        if answer.test is not None else "Measured: each dot is a place, the mean of its shots."
-    )  # fmt: skip
-    figure.text(
-        SIDE / width,
-        (0.12 if paper == ALONE else 0.03) / height,
-        f"{kind} Orange dot: the best place.",
-        color=MUTED,
-        size=SMALL,
-    )
-    return figure
+    dot(axes, place, value, RED, size=6)
+    look = {"color": INK, "weight": "bold", "ha": "center", "va": "top", "path_effects": halo()}
+    beside(axes, f"{value:.3f}", (place, value), (0, -8), **look)
+    page.foot(KINDS[simulated], 0.12 if paper == ALONE else 0.03)
+    return page.figure
 
 
-def _header(figure: Figure, answer: CertifyAnswer, width: float, height: float) -> None:
-    """Write whose test it is, with which ball, and how many rules it keeps."""
-    words, size = fitted(answer.bat.name, width=width - 2 * SIDE, size=HUGE)
-    figure.text(SIDE / width, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
+def _verdicts(answer: CertifyAnswer) -> str:
+    """Return how many rules a bat keeps and breaks."""
     verdicts = "; ".join(
         _counted(count, verdict, doubt)
         for verdict, doubt in product(Verdict, ("", NOT_SURE))
         if (count := sum(check.outcome.words == f"{verdict}{doubt}" for check in answer.checks))
     )
-    figure.text(SIDE / width, 1 - 0.68 / height, f"{answer.ball}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
-                parse_math=False)  # fmt: skip
+    return f"Rules: {verdicts}." if verdicts else "No rules were held against it."
 
 
 def _counted(count: int, verdict: Verdict, doubt: str) -> str:
-    verbs = {Verdict.PASS: ("passes", "pass"), Verdict.FAIL: ("fails", "fail"),
-            Verdict.NOT_APPLICABLE: ("does not apply", "do not apply")}  # fmt: skip
-    singular, plural = verbs.get(verdict, (verdict.value, verdict.value))
+    singular, plural = VERBS.get(verdict, (verdict.value, verdict.value))
     return f"{count} {singular if count == 1 else plural}{doubt}"
-
-
-def _capital(verdicts: str) -> str:
-    return f"Rules: {verdicts}." if verdicts else "No rules were held against it."
 
 
 def _curve(answer: CertifyAnswer) -> _Curve:
@@ -141,9 +108,8 @@ def _curve(answer: CertifyAnswer) -> _Curve:
     tests = [(test.slow if measure == "bpf" else test.fast)]
     tests += [slow if measure == "bpf" else fast for fast, slow in test.other_patches]
     curves = np.array([_values(each, measure) for each in tests])
-    best = test.bpf if measure == "bpf" else test.bbcor
-    return _Curve(measure, tests[0].position, curves[0], curves.min(axis=0), curves.max(axis=0),
-                  (tests[0].best_position, best))  # fmt: skip
+    best = tests[0].best_position, test.bpf if measure == "bpf" else test.bbcor
+    return _Curve(measure, tests[0].position, curves[0], curves.min(axis=0), curves.max(axis=0), best)
 
 
 def _values(test: BatTest, measure: str) -> Array:
@@ -163,10 +129,8 @@ def _limits(answer: CertifyAnswer, measure: str) -> list[tuple[str, float, str]]
 def _draw_limits(axes: Axes, limits: list[tuple[str, float, str]]) -> None:
     """Draw each limit as a line with its league: the lowest named below its line, the others above, side by side."""
     for number, (names, limit, colour) in enumerate(sorted(limits, key=lambda line: line[1])):
-        under = number == 0 and len(limits) > 1
+        below = number == 0 and len(limits) > 1
         axes.axhline(limit, color=colour, linewidth=1.2, linestyle=(0, (5, 2)))
-        axes.annotate(
-            f"{names}: at most {limit:.3f}", ((0.01, 0.65)[number % 2], limit),
-            xycoords=("axes fraction", "data"), xytext=(0, -4 if under else 3), textcoords="offset points",
-            color=colour, size=SMALL, ha="left", va="top" if under else "bottom", path_effects=halo(),
-        )  # fmt: skip
+        look = {"va": "top" if below else "bottom", "ha": "left", "color": colour, "path_effects": halo()}
+        place, words = ((0.01, 0.65)[number % 2], limit), f"{names}: at most {limit:.3f}"
+        beside(axes, words, place, (0, -4 if below else 3), xycoords=("axes fraction", "data"), size=SMALL, **look)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
 from sweetspot.answers.design_question import Designed
 from sweetspot.catalog.sports import sport
@@ -15,19 +14,8 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import REACH
 from sweetspot.reports.pictures import marks
-from sweetspot.reports.pictures.style import (
-    GRID,
-    HUGE,
-    INK,
-    MUTED,
-    NORMAL,
-    SMALL,
-    ZONE,
-    axes_in_inches,
-    heading,
-    light_grid,
-    styled,
-)
+from sweetspot.reports.pictures.panels import Page, Panel, beside, frame, heading
+from sweetspot.reports.pictures.style import GRID, INK, MUTED, SMALL, ZONE, styled
 from sweetspot.reports.quantities import BLUE, RED, US, Reader
 
 WIDTH, SIDE, HEADER, OUTLINES, CURVES, FRONT, BETWEEN, FOOTER = 8.0, 0.7, 0.95, 0.75, 2.1, 2.9, 0.62, 0.55
@@ -39,37 +27,22 @@ BAT_LENGTH, SLIM = 0.17, 0.08
 
 @styled
 def design_figure(design: Designed, reading: Reader = US) -> Figure:
-    """Return the figure of a design.
-
-    Parameters
-    ----------
-    reading : whose units.
-    """
+    """Return the figure of a design."""
     present = design.bench.space.present
     length = max(present.length, design.bat.length)
     two = len(design.question.wants) > 1
-    height = HEADER + OUTLINES + BETWEEN + CURVES + BETWEEN + (FRONT + FOOTER if two else FOOTER)
-    figure = Figure(figsize=(WIDTH, height))
-    figure.text(SIDE / WIDTH, 1 - 0.42 / height, _title(design), size=HUGE, weight="bold")
-    figure.text(SIDE / WIDTH, 1 - 0.66 / height, f"against {present.name}", color=MUTED, size=NORMAL, parse_math=False)
-
-    def panel(top: float, tall: float) -> Axes:
-        return axes_in_inches(figure, left=SIDE, top=top, width=WIDTH - 2 * SIDE, height=tall)
-
-    outlines = panel(HEADER, OUTLINES)
-    marks.set_limits(outlines, length)
-    _outlines(outlines, design, length)
-    curves = panel(HEADER + OUTLINES + BETWEEN, CURVES)
-    marks.set_limits(curves, length)
-    _difference(curves, design, length, reading)
+    curves = HEADER + OUTLINES + BETWEEN
+    front = curves + CURVES + BETWEEN
+    page = Page(WIDTH, front + (FRONT if two else 0.0) + FOOTER, SIDE)
+    tool = sport(present.sport).words.implement
+    page.title(f"A {tool} for this {'batter' if tool == 'bat' else 'player'}", f"against {present.name}")
+    for draw, top, tall in ((_outlines, HEADER, OUTLINES), (_difference, curves, CURVES)):
+        axes = page.panel(top, tall)
+        marks.set_limits(axes, length)
+        draw(axes, design, length, reading)
     if two:
-        _front(panel(HEADER + OUTLINES + BETWEEN + CURVES + BETWEEN, FRONT), design, reading)
-    return figure
-
-
-def _title(design: Designed) -> str:
-    tool = sport(design.bench.space.present.sport).words.implement
-    return f"A {tool} for this {'batter' if tool == 'bat' else 'player'}"
+        _front(page.panel(front, FRONT), design, reading)
+    return page.figure
 
 
 def _contour(implement: Implement) -> tuple[np.ndarray, np.ndarray]:
@@ -80,7 +53,7 @@ def _contour(implement: Implement) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate([places, places[::-1], places[:1]]), np.concatenate([half, -half[::-1], half[:1]])
 
 
-def _outlines(axes: Axes, design: Designed, length: float) -> None:
+def _outlines(axes: Axes, design: Designed, length: float, _: Reader) -> None:
     for implement, colour, fill in ((design.bench.space.present, MUTED, True), (design.bat, RED, False)):
         along, half = _contour(implement)
         shift = length - implement.length
@@ -99,8 +72,9 @@ def _difference(axes: Axes, design: Designed, length: float, reading: Reader) ->
     unit = reading.units["place"]
     counts = np.arange(0, FROM_TIP[-1] / unit.size + 1e-6, marks.TICKS[unit.name][1])
     axes.set_xticks(length - counts * unit.size, [f"{count:.0f}" for count in counts])
-    axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
-    light_grid(axes)
+    note = f"exit speed, {reading.unit('speed_change')}; band: two of one shape; grey: your contacts"
+    label = marks.from_the_tip(design.bench.space.present, reading)
+    frame(axes, Panel("Design minus present", note, x=label, ticks=6))
     band = REACH * gain.noise / size
     axes.fill_between(places, -band, band, color=ZONE, linewidth=0, zorder=0)
     axes.axhline(0, color=INK, linewidth=0.9)
@@ -108,17 +82,9 @@ def _difference(axes: Axes, design: Designed, length: float, reading: Reader) ->
     weight = design.bench.batter.weight
     low, high = axes.get_ylim()
     foot = low - 0.02 * (high - low)
-    axes.fill_between(
-        places, foot, foot + 0.25 * (high - low) * weight / weight.max(), color=GRID, linewidth=0, zorder=1
-    )
-    axes.set_ylim(foot, high)
-    axes.set_xlim(length - FROM_TIP[-1], length * (1 + marks.MARGIN))
-    axes.set_xlabel(marks.from_the_tip(design.bench.space.present, reading))
-    heading(
-        axes,
-        "Design minus present",
-        f"exit speed, {reading.unit('speed_change')}; band: two of one shape; grey: your contacts",
-    )
+    contacts = foot + 0.25 * (high - low) * weight / weight.max()
+    axes.fill_between(places, foot, contacts, color=GRID, linewidth=0, zorder=1)
+    axes.set(xlim=(length - FROM_TIP[-1], length * (1 + marks.MARGIN)), ylim=(foot, high))
 
 
 def _front(axes: Axes, design: Designed, reading: Reader) -> None:
@@ -126,22 +92,20 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
     wants, values = design.question.wants[:2], design.front.measured.values
     scales = [MEASURES[want].scale for want in wants]
     x, y = (values[want] / reading.units[scale].size for want, scale in zip(wants, scales, strict=True))
-    now_x, now_y = (
-        float(design.now.values[want][0]) / reading.units[scale].size for want, scale in zip(wants, scales, strict=True)
-    )
-    light_grid(axes)
+    now = [float(design.now.values[want][0]) for want in wants]
+    now_x, now_y = (value / reading.units[scale].size for value, scale in zip(now, scales, strict=True))
+    x_name, y_name = (f"{MEASURES[want].label}, {reading.unit(MEASURES[want].scale)}" for want in wants)
+    note = "none of these is better in everything; orange: the one described"
+    frame(axes, Panel("The front", note, x=x_name, y=y_name))
     axes.plot(x, y, ".", color=MUTED, markersize=3)
     room_x, room_y = (max(0.16 * float(np.ptp(every)), 1e-3 * abs(float(every[0]))) for every in (x, y))
     axes.set_xlim(x.min() - room_x, x.max() + room_x)
     axes.set_ylim(y.min() - room_y, y.max() + 1.5 * room_y)
     if axes.get_xlim()[0] < now_x < axes.get_xlim()[1] and axes.get_ylim()[0] < now_y < axes.get_ylim()[1]:
         axes.plot(now_x, now_y, "s", color=INK, markersize=6)
-        axes.annotate("present", (now_x, now_y), xytext=(7, -3), textcoords="offset points", color=INK, size=SMALL)
+        beside(axes, "present", (now_x, now_y), (7, -3), color=INK, size=SMALL)
     else:
-        beyond = " and ".join(
-            reading.shown(value * reading.units[scale].size, scale)
-            for value, scale in zip((now_x, now_y), scales, strict=True)
-        )
+        beyond = " and ".join(map(reading.shown, now, scales))
         axes.text(0.01, 0.03, f"the present one lies beyond: {beyond}", transform=axes.transAxes, color=INK, size=SMALL)
     some = sorted({*np.linspace(0, len(x) - 1, min(MOST_BATS, len(x))).round().astype(int).tolist(), design.picked})
     across, up = np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())
@@ -159,18 +123,6 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
         drawn.append((float(x[row]), float(y[row])))
         along, half = _contour(design.bench.space.made(design.front.numbers[row], "small"))
         colour = RED if row == design.picked else BLUE
-        axes.fill(
-            x[row] + scale * (along - along.max() / 2), y[row] + upright * half, color=colour, alpha=0.85, linewidth=0
-        )
-        axes.annotate(
-            str(row + 1),
-            (x[row], y[row] + upright * wide),
-            xytext=(0, 3),
-            textcoords="offset points",
-            ha="center",
-            color=colour,
-            size=SMALL,
-        )
-    axes.set_xlabel(f"{MEASURES[wants[0]].label}, {reading.unit(scales[0])}")
-    axes.set_ylabel(f"{MEASURES[wants[1]].label}, {reading.unit(scales[1])}")
-    heading(axes, "The front", "none of these is better in everything; orange: the one described")
+        outline = x[row] + scale * (along - along.max() / 2), y[row] + upright * half
+        axes.fill(*outline, color=colour, alpha=0.85, linewidth=0)
+        beside(axes, str(row + 1), (x[row], y[row] + upright * wide), (0, 3), ha="center", color=colour, size=SMALL)

@@ -19,7 +19,8 @@ from sweetspot.flight.kernel import Flights
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.flight.trajectory import Flight
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.pictures.style import INK, LARGE, MUTED, SMALL, halo, heading, light_grid, styled
+from sweetspot.reports.pictures.panels import SPARSE, Panel, beside, frame, heading
+from sweetspot.reports.pictures.style import INK, LARGE, MUTED, SMALL, halo, styled
 from sweetspot.reports.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, US, Reader
 from sweetspot.reports.sentences import Words, read
 from sweetspot.units import FOOT
@@ -91,33 +92,25 @@ def draw_side(
     axes.plot(np.interp(dots, flight.times, over_ground), np.interp(dots, flight.times, up), "o", color=RED, ms=3)
     top = int(np.argmax(up))
     if top > 0:  # a ball that is hit down is highest where it is hit
-        axes.annotate(
-            f"{text(flight.apex_height)} after {reading.shown(flight.apex_time, 'time')}", (over_ground[top], up[top]),
-            xytext=(0, 5), textcoords="offset points", ha="center", size=SMALL, color=MUTED, path_effects=halo(),
-        )  # fmt: skip
+        apex = f"{text(flight.apex_height)} after {reading.shown(flight.apex_time, 'time')}"
+        look = {"ha": "center", "size": SMALL, "color": MUTED, "path_effects": halo()}
+        beside(axes, apex, (over_ground[top], up[top]), (0, 5), **look)
     if park is not None and (arrival := landing(flight.positions, park)).outcome != "foul":
         distance, height = park.distance_at(arrival.direction), park.height_at(arrival.direction)
-        there = float(np.interp(distance / unit, over_ground, up, right=0.0))
-        rises = distance / unit < over_ground[top]  # the label stands above the path, on the side where that is lower
-        axes.plot(
-            [distance / unit, distance / unit], [0, height / unit], color=GREEN, linewidth=3, solid_capstyle="butt"
-        )
-        axes.annotate(
-            f"{text(distance)},\n{text(height)} high", (distance / unit, max(height / unit, there)),
-            xytext=(-3 if rises else 3, 4), textcoords="offset points", size=SMALL, color=GREEN,
-            ha="right" if rises else "left", va="bottom", path_effects=halo(),
-        )  # fmt: skip
+        place, wall = distance / unit, height / unit
+        there = max(wall, float(np.interp(place, over_ground, up, right=0.0)))
+        axes.plot([place, place], [0, wall], color=GREEN, linewidth=3, solid_capstyle="butt")
+        # the label stands above the path, on the side where that is lower
+        aside, side = (-3, "right") if place < over_ground[top] else (3, "left")
+        look = {"ha": side, "va": "bottom", "size": SMALL, "color": GREEN, "path_effects": halo()}
+        beside(axes, f"{text(distance)},\n{text(height)} high", (place, there), (aside, 4), **look)
     axes.axhline(0, color=INK, linewidth=0.8)
-    heading(axes, "From the side", "to scale; a dot every second")
-    axes.set(
-        xlabel=f"distance over the ground ({reading.unit('distance')})",
-        ylabel=f"height ({reading.unit('distance')})",
-        aspect="equal",
-    )
+    along, height_label = (f"{what} ({reading.unit('distance')})" for what in ("distance over the ground", "height"))
+    frame(axes, Panel("From the side", "to scale; a dot every second", x=along, y=height_label))
+    axes.set_aspect("equal")
     far = max(1.14 * float(over_ground.max()), axes.get_xlim()[1])
     axes.set_ylim(0, max(least[1] / unit, 1.15 * float(up.max()), 0.14 * far))
     axes.set_xlim(right=max(least[0] / unit, far))
-    light_grid(axes)
 
 
 def draw_above(axes: Axes, flight: Flight, park: Park | None = None, reading: Reader = US) -> None:
@@ -125,18 +118,14 @@ def draw_above(axes: Axes, flight: Flight, park: Park | None = None, reading: Re
     small = park is not None and park.distance_at(0.0) < SMALL_FIELD
     draw_field(axes, reading, small=small)
     if park is not None:
-        draw_fence(axes, park, colour=GREEN, thick=True, reading=reading)
+        draw_fence(axes, park, reading, colour=GREEN, thick=True)
     unit, foot = reading.units["distance"].size, FOOT / reading.units["distance"].size
     right, out, _ = flight.positions.T / unit
     _draw_way(axes, right, out, flight, reading)
-    reach = max((190.0 if small else 310.0) * foot, 1.1 * float(np.abs(right).max()))
-    axes.set(
-        xlim=(-reach, reach),
-        ylim=(
-            min(-10.0 * foot, float(out.min()) - 20 * foot),
-            max((270.0 if small else 440.0) * foot, 1.08 * float(out.max())),
-        ),
-    )
+    aside, far = (190.0 * foot, 270.0 * foot) if small else (310.0 * foot, 440.0 * foot)
+    reach = max(aside, 1.1 * float(np.abs(right).max()))
+    low, high = min(-10.0 * foot, float(out.min()) - 20 * foot), max(far, 1.08 * float(out.max()))
+    axes.set(xlim=(-reach, reach), ylim=(low, high))
     heading(axes, "From above", park.name if park is not None else "no park")
 
 
@@ -146,26 +135,21 @@ def _draw_way(axes: Axes, across: Array, up: Array, flight: Flight, reading: Rea
     axes.plot(across, up, color=RED)
     axes.plot(np.interp(dots, flight.times, across), np.interp(dots, flight.times, up), "o", color=RED, ms=3)
     axes.plot(across[-1], up[-1], "x", color=RED, ms=7)
-    axes.annotate(
-        reading.shown(flight.carry, "distance"), (across[-1], up[-1]), xytext=(6, 2), textcoords="offset points",
-        color=RED, weight="bold", path_effects=halo(),
-    )  # fmt: skip
+    carry, end = reading.shown(flight.carry, "distance"), (across[-1], up[-1])
+    beside(axes, carry, end, (6, 2), color=RED, weight="bold", path_effects=halo())
 
 
 def draw_along(axes: Axes, flight: Flight, reading: Reader = US) -> None:
     """Draw the path from above along its own way, right of it below, where no ballpark lies around it."""
     unit = reading.units["distance"].size
     right, out, _ = flight.positions.T / unit
-    axes.axhline(0, color=INK, linewidth=0.8, linestyle=(0, (4, 3)))
+    axes.axhline(0, color=INK, linewidth=0.8, linestyle=SPARSE)
     _draw_way(axes, out, right, flight, reading)
     far = 1.14 * float(out.max())
     reach = max(1.3 * float(np.abs(right).max()), 0.07 * far)
-    axes.set(
-        xlim=(min(0.0, float(out.min())), far), ylim=(reach, -reach), aspect="equal",
-        xlabel=f"distance ({reading.unit('distance')})", ylabel=f"right ({reading.unit('distance')})",
-    )  # fmt: skip
-    light_grid(axes)
-    heading(axes, "From above", "to scale; dashed: straight ahead")
+    axes.set(xlim=(min(0.0, float(out.min())), far), ylim=(reach, -reach), aspect="equal")
+    along, aside = (f"{what} ({reading.unit('distance')})" for what in ("distance", "right"))
+    frame(axes, Panel("From above", "to scale; dashed: straight ahead", x=along, y=aside))
 
 
 MOST_BARS = 30
@@ -182,10 +166,8 @@ def flights_figure(flown: Flights, reading: Reader) -> Figure:
     unit = reading.units["distance"]
     carries = flown.carry[flown.landed] / unit.size
     far.hist(carries, bins=min(MOST_BARS, max(5, round(2 * len(carries) ** 0.5))), color=BLUE)
-    far.set(xlabel=f"carry ({unit.name})", ylabel="balls")
     far.yaxis.get_major_locator().set_params(integer=True)
-    light_grid(far, vertical=False)
-    heading(far, "How far they carry")
+    frame(far, Panel("How far they carry", x=f"carry ({unit.name})", y="balls", grid="y"))
     return figure
 
 
@@ -230,17 +212,15 @@ def parks_figure(
     axes = figure.subplots()
     draw_field(axes, reading)
     for park in parks:
-        draw_fence(axes, park, colour=MUTED, alpha=0.35, reading=reading)
+        draw_fence(axes, park, reading, colour=MUTED, alpha=0.35)
     for park, colour in zip(named, COLOURS, strict=False):
-        draw_fence(axes, park, colour=colour, thick=True, label=park.name, reading=reading)
+        draw_fence(axes, park, reading, colour=colour, thick=True, label=park.name)
     heading = ", ".join(park.name for park in named) if len(named) == 1 else f"Fences of {len(parks)} parks"
     figure.suptitle(heading, x=0.02, ha="left", weight="bold", size=LARGE, parse_math=False)
     if named:
         others = "the others" if set(named) <= set(parks) else "those of the Major Leagues"
-        axes.legend(
-            loc="lower left", frameon=False, title=f"line as thick\nas the wall is high;\ngrey: {others}",
-            alignment="left",
-        )  # fmt: skip
+        title = f"line as thick\nas the wall is high;\ngrey: {others}"
+        axes.legend(loc="lower left", frameon=False, title=title, alignment="left")
     return figure
 
 
@@ -261,34 +241,25 @@ def draw_field(axes: Axes, reading: Reader = US, *, small: bool = False) -> None
     for ring in (SMALL_RINGS if small else RINGS)[reading.unit("distance")]:
         axes.plot(ring * np.sin(turn), ring * np.cos(turn), color=MUTED, linewidth=0.5, linestyle=":")
         end = ring * math.sin(FOUL_LINE)
-        axes.annotate(
-            f"{ring} {reading.unit('distance')}", (end, end), xytext=(4, -1), textcoords="offset points", size=6.5,
-            color=MUTED, va="top", path_effects=halo(2),
-        )  # fmt: skip
+        words = f"{ring} {reading.unit('distance')}"
+        beside(axes, words, (end, end), (4, -1), size=6.5, color=MUTED, va="top", path_effects=halo(2))
     axes.set(aspect="equal", xlim=(-0.7 * REACH / unit, 0.7 * REACH / unit), ylim=(-0.02 * REACH / unit, REACH / unit))
     axes.axis("off")
 
 
 def draw_fence(
-    axes: Axes,
-    park: Park,
-    *,
-    colour: str = INK,
-    alpha: float = 1.0,
-    thick: bool = False,
-    label: str | None = None,
-    reading: Reader = US,
+    axes: Axes, park: Park, reading: Reader, *, colour: str, alpha: float = 1.0, thick: bool = False, label: str = ""
 ) -> None:
     """Draw a fence from above; ``thick``: the line is as thick as the wall is high, 1 pt for 8 ft."""
     place, height = outline(park)
     place = place / reading.units["distance"].size
     if not thick:
-        axes.plot(*place.T, color=colour, alpha=alpha, linewidth=0.7, label=label)
+        axes.plot(*place.T, color=colour, alpha=alpha, linewidth=0.7, label=label or None)
         return
     for start in range(len(place) - 1):
         width = 0.9 * (height[start] + height[start + 1]) / 2 / (8 * FOOT)
         axes.plot(*place[start : start + 2].T, color=colour, linewidth=max(0.5, width), solid_capstyle="butt")
-    axes.plot([], [], color=colour, linewidth=1.8, label=label)
+    axes.plot([], [], color=colour, linewidth=1.8, label=label or None)
 
 
 def outline(park: Park) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -9,7 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sweetspot.reports.grid.grid import Grid, varied
-from sweetspot.reports.pictures.style import INK, LARGE, MUTED, PAPER, SMALL, fitted, light_grid, styled
+from sweetspot.reports.pictures.panels import Panel, frame
+from sweetspot.reports.pictures.style import INK, LARGE, MUTED, PAPER, SMALL, fitted, styled
 from sweetspot.reports.quantities import BLUE, QUANTITIES, Reader
 
 MOST_NUMBERS = 15
@@ -37,8 +38,7 @@ def _curve(axes: Axes, grid: Grid, reading: Reader) -> None:
     unit, size = reading.units[QUANTITIES[name].scale], reading.units[QUANTITIES[grid.answer].scale]
     along = (np.asarray(values) - unit.zero) / unit.size
     axes.plot(along, (grid.values[:, 0] - size.zero) / size.size, color=BLUE, marker="o", markersize=4)
-    axes.set_xlabel(_label(name, reading))
-    light_grid(axes)
+    frame(axes, Panel("", x=_label(name, reading)))
 
 
 def _cells(axes: Axes, grid: Grid, reading: Reader) -> None:
@@ -48,18 +48,15 @@ def _cells(axes: Axes, grid: Grid, reading: Reader) -> None:
     for set_ticks, (name, values) in ((axes.set_yticks, grid.down), (axes.set_xticks, grid.across)):
         places = _some(values)
         set_ticks(places, [varied(name, values[place]).read(reading) for place in places])
-    axes.set_ylabel(_label(grid.down[0], reading))
-    axes.set_xlabel(_label(grid.across[0], reading))
+    axes.set(xlabel=_label(grid.across[0], reading), ylabel=_label(grid.down[0], reading))
     axes.spines[:].set_visible(False)
     if max(grid.values.shape) > MOST_NUMBERS:
         return
     for (row, column), value in np.ndenumerate(grid.values):
         finite = bool(np.isfinite(value))
         dark = finite and value - low > DARK * (high - low) > 0
-        axes.text(
-            column, row, grid.number(float(value), reading) if finite else "none", ha="center", va="center", size=SMALL,
-            color=PAPER if dark else INK if finite else MUTED,
-        )  # fmt: skip
+        words, colour = grid.number(float(value), reading) if finite else "none", INK if finite else MUTED
+        axes.text(column, row, words, ha="center", va="center", size=SMALL, color=PAPER if dark else colour)
 
 
 def _some(values: Sequence[float]) -> list[int]:

@@ -9,7 +9,8 @@ from matplotlib.figure import Figure
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.pictures.marks import TICKS
-from sweetspot.reports.pictures.style import INK, MUTED, NORMAL, PAPER, SMALL, heading, light_grid, styled
+from sweetspot.reports.pictures.panels import Panel, beside_row, dot, frame, ring, rows_only
+from sweetspot.reports.pictures.style import MUTED, NORMAL, SMALL, styled
 from sweetspot.reports.quantities import BLUE, SKY, Reader
 
 MOST_SHOWN = 4
@@ -27,47 +28,31 @@ def modes_figure(modes: Modes, reading: Reader) -> Figure:
     places = np.linspace(modes.shapes.ends[0], modes.shapes.ends[-1], POINTS)
     unit = reading.units["place"]
     for row, index in enumerate(bending):
-        draw_mode(axes, modes, index, row, places / unit.size, modes.shape_at(places)[:, index], unit.size)
-        label_mode(
-            axes, row, f"mode {modes.harmonics[index]}", reading.shown(float(modes.frequency[index]), "frequency")
-        )
-    axes.set(ylim=(-len(bending) + 0.45, 0.6), yticks=[], xlabel=f"{TICKS[unit.name][0]} from the end of the grip")
-    axes.spines["left"].set_visible(False)
-    light_grid(axes)
-    heading(axes, "Bending modes", "a hit at a node does not ring that mode")
+        rings = reading.shown(float(modes.frequency[index]), "frequency")
+        draw_mode(axes, modes, index, row, places / unit.size, rings, unit.size)
+    axes.set_ylim(-len(bending) + 0.45, 0.6)
+    rows_only(axes)
+    ruler = f"{TICKS[unit.name][0]} from the end of the grip"
+    frame(axes, Panel("Bending modes", "a hit at a node does not ring that mode", x=ruler))
     return figure
 
 
-def draw_mode(axes: Axes, modes: Modes, index: int, row: int, along: Array, shape: Array, size: float = 1.0) -> None:
+def draw_mode(axes: Axes, modes: Modes, index: int, row: int, along: Array, rings: str, size: float = 1.0) -> None:
     """Draw how a mode bends about its own line, which lies ``row`` below the first, and its nodes.
 
     Parameters
     ----------
-    along : where the shape is known, in units of ``size`` m.
+    along : where the shape is drawn, in units of ``size`` m.
+    rings : how high, in words.
     """
-    colour = COLOURS[row]
+    colour, shape = COLOURS[row], modes.shape_at(along * size)[:, index]
     axes.axhline(-row, color=MUTED, linewidth=0.5)
     axes.plot(along, -row + 0.42 * shape / np.abs(shape).max(), color=colour)
     nodes = modes.nodes(index)
     for node in nodes:
-        draw_dot(axes, float(node) / size, -row, colour, filled=row < 2 and node == nodes[-1])
-
-
-def label_mode(axes: Axes, row: int, called: str, rings: str) -> None:
-    """Write a mode's number before its line, and how high it rings behind it."""
-    axes.annotate(
-        rings, (1, -row), xycoords=("axes fraction", "data"), xytext=(6, 0),
-        textcoords="offset points", ha="left", va="center_baseline", color=INK, size=NORMAL,
-    )  # fmt: skip
-    axes.annotate(
-        called, (0, -row), xycoords=("axes fraction", "data"), xytext=(-6, 0),
-        textcoords="offset points", ha="right", va="center_baseline", color=MUTED, size=SMALL,
-    )  # fmt: skip
-
-
-def draw_dot(axes: Axes, place: float, height: float, colour: str, *, filled: bool = True) -> None:
-    """Draw a node or a sweet spot: a full dot, or a ring."""
-    axes.plot(
-        place, height, "o", color=colour if filled else PAPER, markersize=5.5 if filled else 4.2,
-        markeredgecolor=PAPER if filled else colour, markeredgewidth=0.8 if filled else 1.2, zorder=5,
-    )  # fmt: skip
+        if row < 2 and node == nodes[-1]:
+            dot(axes, float(node) / size, -row, colour, size=5.5)
+        else:
+            ring(axes, float(node) / size, -row, colour)
+    beside_row(axes, -row, rings, 6, ahead=True, va="center_baseline", size=NORMAL)
+    beside_row(axes, -row, f"mode {modes.harmonics[index]}", 6, va="center_baseline", color=MUTED, size=SMALL)

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from matplotlib.markers import TICKDOWN
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.pictures.style import GRID, INK, MUTED, NORMAL, PAPER, SMALL, ZONE_INK
+from sweetspot.reports.pictures.panels import dot, double_arrow, write
+from sweetspot.reports.pictures.style import GRID, INK, MUTED, NORMAL, SMALL, ZONE_INK
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import Slot
 from sweetspot.reports.sport_words import words_of
@@ -58,40 +59,29 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
     for number, mark in enumerate(marks):
         level = top - (len(marks) - number - 0.5 + 1) * ROW * scale
         radius = float(analysis.bat.width_at(mark.place)) / 2
-        dot = 0.0 if analysis.bat.outline is not None else radius * (0.72 - 1.44 * number / (len(marks) - 1))
+        beside = 0.0 if analysis.bat.outline is not None else radius * (0.72 - 1.44 * number / (len(marks) - 1))
         colour = SPOTS[mark.field].colour
         ahead = mark in right
         start = column if ahead else mark.place + GAP * scale
-        axes.plot(
-            [start, mark.place, mark.place], [level, level, dot], color=colour, linewidth=1.1, zorder=3 + number / 100,
-            solid_joinstyle="round",
-        )  # fmt: skip
-        axes.plot(
-            mark.place, dot, "o", color=colour, markersize=5.2, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=4
-        )
+        line = axes.plot([start, mark.place, mark.place], [level, level, beside], color=colour, linewidth=1.1)
+        line[0].set(zorder=3 + number / 100, solid_joinstyle="round")
+        dot(axes, mark.place, beside, colour, size=5.2, zorder=4)
         distance = reading.number(analysis.bat.length - mark.place, "place")
         name = SPOTS[mark.field].labelled(words_of(analysis.bat.sport))
         _label(axes, distance, name, (start, level), scale, ahead=ahead, best=mark.field == "max_exit_speed")
     if right:
-        axes.text(
-            column - 0.06 * scale, top - 0.5 * ROW * scale, from_the_tip(analysis.bat, reading), ha="right",
-            va="center_baseline", color=MUTED, size=SMALL,
-        )  # fmt: skip
+        corner = column - 0.06 * scale, top - 0.5 * ROW * scale
+        words = from_the_tip(analysis.bat, reading)
+        axes.text(*corner, words, ha="right", va="center_baseline", color=MUTED, size=SMALL)
 
 
 def _label(
     axes: Axes, distance: str, name: str, at: tuple[float, float], scale: float, *, ahead: bool, best: bool
 ) -> None:
-    place, level = at
-    step = 0.06 * scale
-    look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": NORMAL, "zorder": 5}
-    weight = "bold" if best else "normal"
-    if ahead:
-        axes.text(place - step, level, distance, ha="right", weight="bold", **look)
-        axes.text(place - step - NUMBER * scale, level, name, ha="right", weight=weight, **look)
-    else:
-        axes.text(place + step, level, distance, ha="left", weight="bold", **look)
-        axes.text(place + step + NUMBER * scale, level, name, ha="left", weight=weight, **look)
+    (place, level), way = at, -1 if ahead else 1
+    look = {"va": "center_baseline", "color": INK, "size": NORMAL, "zorder": 5, "ha": "right" if ahead else "left"}
+    write(axes, place + way * 0.06 * scale, level, distance, weight="bold", **look)
+    write(axes, place + way * (0.06 + NUMBER) * scale, level, name, weight="bold" if best else "normal", **look)
 
 
 def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale: float, *, bottom: float) -> None:
@@ -108,13 +98,13 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
     below = -float(bat.width_at(body.balance_point)) / 2 - 0.08 * scale
     axes.plot(body.balance_point, below, "^", color=INK, markersize=6, zorder=4, clip_on=False)
     balance = f"balance {reading.shown(body.balance_point, 'place')} from the {words_of(bat.sport).butt}"
-    quiet: dict[str, Any] = {"va": "center_baseline", "color": MUTED, "size": SMALL}
-    label = axes.text(body.balance_point - 0.12 * scale, upper, balance, ha="right", **quiet)
+    quiet = {"va": "center_baseline", "color": MUTED, "size": SMALL}
+    label = write(axes, body.balance_point - 0.12 * scale, upper, balance, ha="right", **quiet)
     hands = analysis.conditions.hands.places
     for place in hands:
         reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
-    held = axes.text(sum(hands) / 2, upper, words_of(bat.sport).hands, ha="center", **quiet)
+    held = write(axes, sum(hands) / 2, upper, words_of(bat.sport).hands, ha="center", **quiet)
     if label.get_window_extent().padded(6).overlaps(held.get_window_extent()):  # a balance point near the hands
         if bat.outline is None:
             label.set(x=body.balance_point + 0.12 * scale, ha="left")
@@ -122,27 +112,19 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
             held.set(y=lower)
     note = _inside_note(analysis, reading)
     if note:
-        axes.text(body.balance_point - 0.12 * scale, lower, note, ha="right", **quiet)
+        write(axes, body.balance_point - 0.12 * scale, lower, note, ha="right", **quiet)
 
 
 def _zone(axes: Axes, analysis: Analysis[Implement], reading: Reader, upper: float, lower: float) -> None:
     zone, length, words = analysis.sweet_spots.zone, analysis.bat.length, words_of(analysis.bat.sport)
-    look: dict[str, Any] = {"ha": "center", "va": "center_baseline", "size": NORMAL, "zorder": 5}
+    look = {"va": "center_baseline", "size": NORMAL, "zorder": 5}
     if zone is None:
-        axes.text(0.8 * length, lower, f"no {words.zone}", color=MUTED, **look)
+        write(axes, 0.8 * length, lower, f"no {words.zone}", color=MUTED, ha="center", **look)
         return
-    axes.annotate(
-        "", (zone[0], upper), (zone[1], upper),
-        arrowprops={"arrowstyle": "<->", "color": ZONE_INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0,
-                    "mutation_scale": 8},
-    )  # fmt: skip
-    width = reading.shown(zone[1] - zone[0], "place")
-    middle, edge = (zone[0] + zone[1]) / 2, 0.93 * length
-    if middle > edge:
-        look["ha"] = "right"
-    axes.text(
-        middle if middle <= edge else length, lower, f"{words.zone} {width}", color=ZONE_INK, weight="bold", **look,
-    )  # fmt: skip
+    double_arrow(axes, *zone, upper, ZONE_INK)
+    middle, width = (zone[0] + zone[1]) / 2, reading.shown(zone[1] - zone[0], "place")
+    place, side = (middle, "center") if middle <= 0.93 * length else (length, "right")
+    write(axes, place, lower, f"{words.zone} {width}", color=ZONE_INK, weight="bold", ha=side, **look)
 
 
 def _inside_note(analysis: Analysis[Implement], reading: Reader) -> str:
@@ -246,10 +228,9 @@ def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = 
 
 def _marks(axes: Axes, places: Array, *, size: float, width: float) -> None:
     """Draw short lines below the axis."""
-    axes.plot(
-        places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=size, markeredgewidth=width,
-        color=MUTED, transform=axes.get_xaxis_transform(), clip_on=False, scalex=False, scaley=False,
-    )  # fmt: skip
+    line = Line2D(places, np.zeros_like(places), linestyle="", transform=axes.get_xaxis_transform())
+    line.set(marker=TICKDOWN, markersize=size, markeredgewidth=width, color=MUTED, clip_on=False)
+    axes.add_artist(line)
 
 
 def from_the_tip(implement: Implement, reading: Reader) -> str:

@@ -10,7 +10,6 @@ from functools import wraps
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import matplotlib
-from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
@@ -19,7 +18,7 @@ from matplotlib.text import Text
 from matplotlib.textpath import text_to_path
 from matplotlib.ticker import ScalarFormatter
 
-from sweetspot.reports.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, with_minus_signs
+from sweetspot.reports.quantities import PALETTE, with_minus_signs
 from sweetspot.units.text import GROUPED_FROM
 
 if TYPE_CHECKING:
@@ -31,10 +30,9 @@ Result = TypeVar("Result")
 INK, MUTED, GRID, PAPER = "#1d232a", "#59636e", "#dfe3e7", "#ffffff"
 ZONE, ZONE_EDGE, ZONE_INK = "#e2f1e7", "#86b99a", "#2b6645"
 
-PAGE_COLOURS = {
-    INK: "ink", MUTED: "muted", GRID: "grid", PAPER: "paper", ZONE: "zone", ZONE_EDGE: "zone-edge",
-    ZONE_INK: "zone-ink", BLUE: "blue", SKY: "sky", GREEN: "green", ORANGE: "orange", RED: "red", PURPLE: "purple",
-}  # fmt: skip
+OF_PAPER = {"ink": INK, "muted": MUTED, "grid": GRID, "paper": PAPER}
+OF_THE_ZONE = {"zone": ZONE, "zone-edge": ZONE_EDGE, "zone-ink": ZONE_INK}
+PAGE_COLOURS = {colour: name for name, colour in (OF_PAPER | OF_THE_ZONE | PALETTE).items()}
 """Colours of the pictures that a page's style sheet sets, so that they change with a dark screen."""
 
 FIVE_DIGITS = re.compile(r"(?<![\d.])\d{5,}")
@@ -116,12 +114,6 @@ def _with_grouped_ticks(axis: Any) -> None:
         axis.set_major_formatter(GroupedTicks())
 
 
-def axes_in_inches(figure: Figure, *, left: float, top: float, width: float, height: float) -> Axes:
-    """Return new axes placed in inches of paper from the figure's upper left corner."""
-    across, down = figure.get_size_inches()
-    return figure.add_axes((left / across, 1 - (top + height) / down, width / across, height / down))
-
-
 def fitted(words: str, *, width: float, size: float, smallest: float = 9.0, bold: bool = True) -> tuple[str, float]:
     """Return words and a type size in points with which they take at most ``width`` inches of paper.
 
@@ -146,25 +138,6 @@ def _width(words: str, type_face: FontProperties, size: float) -> float:
 def halo(width: float = 2.5) -> list[AbstractPathEffect]:
     """Return the effect that keeps a label readable over lines: an outline in the colour of the paper."""
     return [withStroke(linewidth=width, foreground=PAPER)]
-
-
-def heading(axes: Axes, title: str, note: str = "") -> None:
-    """Write a panel's title, and a quieter note after it, above its upper left corner."""
-    text = axes.annotate(
-        title, (0, 1), xycoords="axes fraction", xytext=(0, 5), textcoords="offset points", weight="bold",
-        va="baseline", ha="left",
-    )  # fmt: skip
-    if note:
-        axes.annotate(
-            note, (1, 0), xycoords=text, xytext=(7, 0), textcoords="offset points", color=MUTED, size=SMALL,
-            va="bottom", ha="left",
-        )  # fmt: skip
-
-
-def light_grid(axes: Axes, *, vertical: bool = True) -> None:
-    """Draw a faint grid below everything else."""
-    axes.set_axisbelow(True)
-    axes.grid(visible=True, axis="both" if vertical else "y")
 
 
 DOTS_PER_INCH = 200

@@ -12,7 +12,8 @@ from matplotlib.patches import Circle
 
 from sweetspot.answers.play import PlayAnswer
 from sweetspot.reports.flight.picture import draw_above, draw_side
-from sweetspot.reports.pictures.style import INK, LARGE, MUTED, NORMAL, PAPER, SMALL, halo, heading, styled
+from sweetspot.reports.pictures.panels import SPARSE, beside, heading
+from sweetspot.reports.pictures.style import INK, LARGE, MUTED, NORMAL, PAPER, SMALL, halo, styled
 from sweetspot.reports.quantities import BLUE, GREEN, RED, US, Reader
 from sweetspot.reports.sentences import Sentence
 
@@ -75,7 +76,7 @@ def draw_contact(axes: Axes, answer: PlayAnswer, reading: Reader = US) -> None:
     axes.add_patch(Circle((0, 0), bat_radius, facecolor=WOOD, edgecolor=INK, linewidth=1.0))
     axes.add_patch(Circle(tuple(centre), ball.radius, facecolor=PAPER, edgecolor=INK, linewidth=1.0))
     ends = np.array([[0, 0], centre]) * 1.0
-    axes.plot(*ends.T, color=MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
+    axes.plot(*ends.T, color=MUTED, linewidth=0.8, linestyle=SPARSE)
     _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED)
     axes.text(0, -bat_radius - GAP, f"bat {speed(strike.bat_speed)}", color=RED, size=SMALL, ha="center", va="top")
     arriving = turned(pitch.velocity)
@@ -116,10 +117,8 @@ def _beyond(centre: np.ndarray, arrow: np.ndarray, radius: float) -> np.ndarray:
 
 def _label(axes: Axes, place: np.ndarray, words: str, colour: str, *, under: bool) -> None:
     """Write beside the end of an arrow, on the side where the other arrow is not."""
-    axes.annotate(
-        words, tuple(place), xytext=(3, -3 if under else 3), textcoords="offset points", color=colour, size=SMALL,
-        va="top" if under else "bottom", path_effects=halo(),
-    )  # fmt: skip
+    aside, side = (-3, "top") if under else (3, "bottom")
+    beside(axes, words, tuple(place), (3, aside), color=colour, size=SMALL, va=side, path_effects=halo())
 
 
 def _arrow(axes: Axes, start: np.ndarray, velocity: np.ndarray, colour: str, *, scale: float = ARROW) -> None:

@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.pictures.style import MUTED, SMALL, heading, light_grid, styled
+from sweetspot.reports.pictures.panels import Panel, frame
+from sweetspot.reports.pictures.style import MUTED, SMALL, styled
 from sweetspot.reports.quantities import BLUE, ORANGE, RED, US, Reader
 from sweetspot.reports.season.left_over import SCALES
 from sweetspot.seasons.contact import SQUARED_UP
@@ -83,8 +84,9 @@ def _ceilings(axes: Axes, counted: pl.LazyFrame) -> None:
     axes.axvline(1.0, color=MUTED, linewidth=0.7)
     axes.set_ylim(0, 1.25 * axes.get_ylim()[1])
     axes.legend(frameon=False, loc="upper left", fontsize=SMALL)
-    axes.set(xlabel="exit speed over the ceiling (dotted: squared up from here)", yticks=[])
-    heading(axes, "How well the balls were hit", f"{grouped(len(table))} balls")
+    axes.set_yticks([])
+    label = "exit speed over the ceiling (dotted: squared up from here)"
+    frame(axes, Panel("How well the balls were hit", f"{grouped(len(table))} balls", x=label, grid="none"))
 
 
 def barrel_map(axes: Axes, counted: pl.LazyFrame, reading: Reader = US) -> None:
@@ -104,22 +106,21 @@ def barrel_map(axes: Axes, counted: pl.LazyFrame, reading: Reader = US) -> None:
     else:
         axes.hist2d(places, offsets, bins, cmap="Blues", cmin=1)
     axes.axhline(0, color=MUTED, linewidth=0.7)
-    axes.set(xlabel=f"from the tip, {unit.name}", ylabel=f"ball above the axis, {unit.name}")
-    heading(axes, "Where on the barrel", "one draw from what is known of each ball")
+    x, y = f"from the tip, {unit.name}", f"ball above the axis, {unit.name}"
+    frame(axes, Panel("Where on the barrel", "one draw from what is known of each ball", x=x, y=y, grid="none"))
 
 
 def _left_over(places: list[Axes], tables: Mapping[str, Sequence[LeftOver]], reading: Reader) -> None:
     unit = reading.units["distance"]
     for axes, (name, groups) in zip(places, tables.items(), strict=True):
-        size = reading.units[SCALES[name]]
-        light_grid(axes)
+        size, first = reading.units[SCALES[name]], axes is places[0]
+        title, note = ("Tracked distance less carry", "with standard errors") if first else ("", "")
+        x, y = f"{LABELS[name]}, {size.name}", unit.name if first else ""
+        frame(axes, Panel(title, note if len(places) < 3 else "", x=x, y=y))
         axes.axhline(0, color=MUTED, linewidth=0.7)
         middle, mean, error = np.array([(group.middle, group.mean, group.error) for group in groups]).T
         mean, error = mean / unit.size, error / unit.size
         axes.errorbar(middle / size.size, mean, error, fmt="o", color=RED, markersize=3.5, linewidth=1.0)
-        axes.set(xlabel=f"{LABELS[name]}, {size.name}")
-    places[0].set(ylabel=f"{unit.name}")
-    heading(places[0], "Tracked distance less carry", "with standard errors" if len(places) < 3 else "")
 
 
 def _by_park(axes: Axes, parks: Sequence[LeftOver], reading: Reader) -> None:
@@ -127,21 +128,18 @@ def _by_park(axes: Axes, parks: Sequence[LeftOver], reading: Reader) -> None:
     mean, error = np.array([(park.mean, park.error) for park in parks]).T / unit.size
     _spread_by(axes, [str(park.name) for park in parks], mean, error, colour=RED)
     axes.axvline(0, color=MUTED, linewidth=0.7)
-    axes.set(xlabel=f"{unit.name}, with standard errors")
-    heading(axes, "By park", "tracked distance less carry")
+    frame(axes, Panel("By park", "tracked distance less carry", x=f"{unit.name}, with standard errors"))
 
 
 def _by_month(axes: Axes, months: list[DragOfMonth]) -> None:
     drag, error = np.array([(month.drag, month.error) for month in months]).T
     _spread_by(axes, [month.month for month in months], drag, error, colour=BLUE)
     axes.axvline(1, color=MUTED, linewidth=0.7)
-    axes.set(xlabel="ratio, with standard errors")
-    heading(axes, "Drag over the law's", "by month")
+    frame(axes, Panel("Drag over the law's", "by month", x="ratio, with standard errors"))
 
 
 def _spread_by(axes: Axes, names: list[str], means: Array, errors: Array, *, colour: str) -> None:
     """Draw a mean with its error a row, the first on top: names can be read there without turning the head."""
-    light_grid(axes)
     rows = np.arange(len(names))
     axes.errorbar(means, rows, xerr=errors, fmt="o", color=colour, markersize=3.5, linewidth=1.0)
     axes.set_yticks(rows, [name if len(name) <= LONGEST else name[: LONGEST - 1] + "…" for name in names])
@@ -153,8 +151,10 @@ def _speeds(axes: Axes, counted: pl.LazyFrame, reading: Reader) -> None:
     values = counted.select("exit_speed").collect()["exit_speed"].drop_nulls().to_numpy()
     axes.hist(values / unit.size, whole_bins(values / unit.size).tolist(), histtype="step", color=BLUE)
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.set(xlabel=f"exit speed, {unit.name}", ylabel="balls")
-    heading(axes, "Exit speeds", f"{grouped(len(values))} balls")
+    frame(
+        axes,
+        Panel("Exit speeds", f"{grouped(len(values))} balls", x=f"exit speed, {unit.name}", y="balls", grid="none"),
+    )
 
 
 def whole_bins(values: Array) -> Array:

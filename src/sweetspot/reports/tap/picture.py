@@ -11,7 +11,8 @@ from matplotlib.transforms import Bbox
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_analysis import TapTest, spectrum, waveform
-from sweetspot.reports.pictures.style import HUGE, INK, MUTED, PAPER, SMALL, axes_in_inches, heading, light_grid, styled
+from sweetspot.reports.pictures.panels import SPARSE, Page, Panel, beside, frame
+from sweetspot.reports.pictures.style import INK, MUTED, PAPER, SMALL, styled
 from sweetspot.reports.quantities import BLUE, GREEN, ORANGE, PURPLE, RED
 from sweetspot.units import grouped
 
@@ -28,44 +29,38 @@ TOP = 30
 @styled
 def tap_figure(test: TapTest, title: str) -> Figure:
     """Return the figure of a tap test; spectrum and decay are those of the first good tap."""
-    figure = Figure(figsize=(WIDTH, HEIGHT))
-    figure.text(SIDE / WIDTH, 1 - 0.45 / HEIGHT, title, size=HUGE, weight="bold", parse_math=False)
-    across = WIDTH - 1.5 * SIDE
-    _waveform(axes_in_inches(figure, left=SIDE, top=HEADER, width=across, height=1.2), test)
+    page, across = Page(WIDTH, HEIGHT, SIDE), WIDTH - 1.5 * SIDE
+    page.title(title, down=0.45)
+    _waveform(page.panel(HEADER, 1.2, width=across), test)
     fit = next(tap.fit for tap in test.taps if tap.good and tap.fit is not None)
-    spectrum = axes_in_inches(figure, left=SIDE, top=HEADER + 1.9, width=across, height=2.2)
-    _spectrum(spectrum, test, fit)
-    _decay(axes_in_inches(figure, left=SIDE, top=HEADER + 4.9, width=across, height=1.3), test, fit)
-    return figure
+    _spectrum(page.panel(HEADER + 1.9, 2.2, width=across), test, fit)
+    _decay(page.panel(HEADER + 4.9, 1.3, width=across), test, fit)
+    return page.figure
 
 
 def _waveform(axes: Axes, test: TapTest) -> None:
     """Draw the recording with the first good tap, and where its taps begin."""
     name = next(tap.recording for tap in test.taps if tap.good)
     recording = next(recording for recording in test.recordings if recording.name == name)
-    heading(axes, "The recording", "green: taps that were used; orange: not used")
+    note = "green: taps that were used; orange: not used"
+    frame(axes, Panel("The recording", note, x="s", y="of full scale", grid="none"))
     axes.fill_between(*waveform(recording), color=MUTED, linewidth=0.3)
     for tap in test.taps:
         if tap.recording == name:
             axes.axvline(tap.start, color=GREEN if tap.good else ORANGE, linewidth=1.2)
     axes.set_xlim(0, recording.duration)
-    axes.set_xlabel("s")
-    axes.set_ylabel("of full scale")
 
 
 def _spectrum(axes: Axes, test: TapTest, fit: Fit) -> None:
     expected = [mode for family in test.expected if np.isfinite(family.spread) for mode in family.frequency]
-    heading(axes, "What rings", "dashed: the modelled modes; words: the tones found" if expected else "the tones found")
+    note = "dashed: the modelled modes; words: the tones found" if expected else "the tones found"
+    frame(axes, Panel("What rings", note, x="Hz", y="dB"))
     frequency, level = spectrum(fit)
     axes.plot(frequency, level, color=INK, linewidth=0.7)
     for mode in expected:
         axes.axvline(mode, color=MUTED, linewidth=0.7, linestyle=(0, (3, 3)), zorder=0)
     highest = max(named.tone.frequency.value for named in test.tones)
-    axes.set_xlim(0, 1.15 * highest)
-    axes.set_ylim(-75, TOP)
-    axes.set_ylabel("dB")
-    axes.set_xlabel("Hz")
-    light_grid(axes)
+    axes.set(xlim=(0, 1.15 * highest), ylim=(-75, TOP))
     taken: list[Bbox] = []
     for named, colour in sorted(_coloured(test), key=lambda pair: (pair[0].name is None, -pair[0].tone.level)):
         tone = named.tone.frequency.value
@@ -77,20 +72,19 @@ def _spectrum(axes: Axes, test: TapTest, fit: Fit) -> None:
 def _labelled(axes: Axes, words: str, peak: tuple[float, float], colour: str, taken: list[Bbox]) -> list[Bbox]:
     """Write a label above its peak, higher where another is in the way, and return its box; none: no place is left."""
     room = axes.get_window_extent()
-    label = axes.annotate(
-        words, peak, xytext=(0, 4), textcoords="offset points", ha="center", va="bottom", size=SMALL - 1,
-        color=colour, parse_math=False, bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 0.6},
-        arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0},
-    )  # fmt: skip
+    look = {"ha": "center", "va": "bottom", "size": SMALL - 1, "color": colour, "parse_math": False}
+    box = {"facecolor": PAPER, "edgecolor": "none", "pad": 0.6}
+    leader = {"arrowstyle": "-", "color": colour, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0}
+    label = beside(axes, words, peak, (0, 4), bbox=box, arrowprops=leader, **look)
     dots = axes.figure.dpi / 72
     right, up = max(0.0, room.x0 + 2 - _words_box(label).x0) / dots, 4.0
     label.set(position=(right, up))
     while any(_words_box(label).padded(1).overlaps(other) for other in taken) and _words_box(label).y1 < room.y1:
         up += 2.0
         label.set(position=(right, up))
-    box = _words_box(label)
-    if box.y1 < room.y1 and not any(box.padded(1).overlaps(other) for other in taken):
-        return [box]
+    place = _words_box(label)
+    if place.y1 < room.y1 and not any(place.padded(1).overlaps(other) for other in taken):
+        return [place]
     label.remove()
     return []
 
@@ -103,7 +97,8 @@ def _words_box(label: Annotation) -> Bbox:
 
 def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
     """Draw the amplitude of the tones that have colours as they decay: heard (line) and fitted (dashes)."""
-    heading(axes, "How long it rings", "amplitude of the coloured tones, heard (line) and fitted (dashes)")
+    note = "amplitude of the coloured tones, heard (line) and fitted (dashes)"
+    frame(axes, Panel("How long it rings", note, x="s after the tap", y="of full scale"))
     time = np.arange(len(fit.samples)) / fit.rate
     for named, colour in [entry for entry in _coloured(test) if entry[1] in COLOURS]:
         tone, ratio = named.tone.frequency.value, named.tone.damping_ratio.value
@@ -111,22 +106,13 @@ def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
         width = max(int(0.008 * fit.rate), int(4 * fit.rate / tone))
         turning = fit.samples * np.exp(-2j * np.pi * tone * time)
         heard = 2 * np.abs(np.convolve(turning, np.hanning(width + 2) / np.hanning(width + 2).sum(), "same"))
-        axes.semilogy(
-            time[width:-width],
-            heard[width:-width],
-            color=colour,
-            linewidth=0.9,
-            label=str(named.name or f"{grouped(tone)} Hz"),
-        )
+        label = str(named.name or f"{grouped(tone)} Hz")
+        axes.semilogy(time[width:-width], heard[width:-width], color=colour, linewidth=0.9, label=label)
         fitted = mine.amplitude * np.exp(-2 * np.pi * tone * ratio * time)
-        axes.semilogy(time, fitted, color=colour, linewidth=0.9, linestyle=(0, (4, 3)))
+        axes.semilogy(time, fitted, color=colour, linewidth=0.9, linestyle=SPARSE)
     top = max(sinusoid.amplitude for sinusoid in fit.sinusoids)
-    axes.set_ylim(1e-3 * top, 40 * top)  # room for the legend above the curves
-    axes.set_xlim(0, time[-1])
-    axes.set_xlabel("s after the tap")
-    axes.set_ylabel("of full scale")
+    axes.set(xlim=(0, time[-1]), ylim=(1e-3 * top, 40 * top))  # room for the legend above the curves
     axes.legend(loc="upper right", fontsize=SMALL - 1, frameon=False, ncols=3)
-    light_grid(axes)
 
 
 def _coloured(test: TapTest) -> list[tuple[NamedTone, str]]:

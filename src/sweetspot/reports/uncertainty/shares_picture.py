@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 from matplotlib.figure import Figure
 
-from sweetspot.reports.pictures.style import INK, SMALL, axes_in_inches, fitted, heading, styled
+from sweetspot.reports.pictures.panels import Page, heading
+from sweetspot.reports.pictures.style import INK, SMALL, fitted, styled
 from sweetspot.reports.quantities import BLUE
 
 WIDTH, NAMES, BAR, AROUND = 8.0, 1.9, 0.34, 0.75
@@ -23,8 +24,8 @@ def shares_figure(shares: Mapping[str, float], named: str) -> Figure:
     named : what people call the answer.
     """
     tall = BAR * max(len(shares), 1)
-    figure = Figure(figsize=(WIDTH, AROUND + tall))
-    axes = axes_in_inches(figure, left=NAMES, top=AROUND / 2, width=WIDTH - NAMES - 0.1, height=tall)
+    page = Page(WIDTH, AROUND + tall, 0.0)
+    axes = page.panel(AROUND / 2, tall, left=NAMES, width=WIDTH - NAMES - 0.1)
     values = [100 * share for share in shares.values()]
     names = [fitted(name, width=NAMES, size=SMALL, smallest=SMALL)[0] for name in shares]
     bars = axes.barh(range(len(values)), values, height=0.62, color=BLUE)
@@ -33,7 +34,6 @@ def shares_figure(shares: Mapping[str, float], named: str) -> Figure:
     axes.invert_yaxis()
     axes.set_xlim(0, 1.15 * max(values, default=1.0))
     axes.xaxis.set_visible(False)
-    for side in ("top", "right", "bottom"):
-        axes.spines[side].set_visible(False)
+    axes.spines[["top", "right", "bottom"]].set_visible(False)
     heading(axes, f"What the interval of the {named} comes from", "parts of its variance")
-    return figure
+    return page.figure
