@@ -26,11 +26,20 @@ def within(
     return Field(ge=low if least is None else max(least, low), le=high if most is None else min(most, high))
 
 
+LONGEST = bounds("bat_length").high
+"""in, of a bat: no place on it lies further from its ends."""
 LONGEST_TOML = 20_000
 """Letters of an uploaded bat; the longest in the catalogue has 3000."""
 MOST_STATIONS = 60
 
-Station = tuple[Annotated[float, Field(ge=0, le=52)], Annotated[float, Field(ge=0.1, le=5)]]
+Place = Annotated[float, Field(ge=0, le=LONGEST)]
+Station = tuple[Place, Annotated[float, Field(ge=0.1, le=bounds("greatest_diameter").high)]]
+Mass = Annotated[float, within("mass", "oz", least=10, most=60)]
+WallFactor = Annotated[float, Field(ge=0.5, le=2.0)]
+HoleDiameter = Annotated[float, within("bore_diameter", "in", least=0.25, most=2)]
+HoleDepth = Annotated[float, within("bore_depth", "in", least=1, most=20)]
+Offset = Annotated[float, within("offset", "in", least=-2.5, most=2.5)]
+Tilt = Annotated[float, within("tilt", "deg", most=75)]
 Name = Annotated[str, Field(min_length=1, max_length=60)]
 Toml = Annotated[str, Field(max_length=LONGEST_TOML)]
 
@@ -49,15 +58,17 @@ class BatState(ViewState):
     profile_in: Annotated[tuple[Station, ...], Field(min_length=2, max_length=MOST_STATIONS)] | None = Field(
         None, description="another outline: pairs of position from the knob end and diameter"
     )
-    mass_oz: Annotated[float, Field(ge=10, le=60)] | None = Field(None, description="another weight of the bat")
-    wall_factor: float = Field(1.0, ge=0.5, le=2.0, description="of a hollow bat: its wall times this")
-    bore_diameter_in: float = Field(0.0, ge=0, le=2, description="hole drilled from the tip; 0: none")
-    bore_depth_in: float = Field(10.0, ge=0.5, le=20)
+    mass_oz: Mass | None = Field(None, description="another weight of the bat")
+    wall_factor: WallFactor = Field(1.0, description="of a hollow bat: its wall times this")
+    bore_diameter_in: Annotated[float, within("bore_diameter", "in", most=2)] = Field(
+        0.0, description="hole drilled from the tip; 0: none"
+    )
+    bore_depth_in: Annotated[float, within("bore_depth", "in", least=0.5, most=20)] = 10.0
     bore_fill: Name = Field("cork", description="material of the catalogue that fills the hole, or 'nothing'")
     cup_diameter_in: float = Field(0.0, ge=0, le=2.2, description="hollow turned into the tip; 0: none")
-    cup_depth_in: float = Field(0.9, ge=0.1, le=2)
+    cup_depth_in: Annotated[float, within("cup_depth", "in", least=0.1, most=2)] = 0.9
     weight_oz: float = Field(0.0, ge=0, le=16, description="weight fixed to the bat; 0: none")
-    weight_from_tip_in: float = Field(1.0, ge=0, le=52)
+    weight_from_tip_in: Place = 1.0
     choke_up_in: float = Field(0.0, ge=0, le=8, description="how far the grip is moved up from the knob")
 
 
@@ -100,9 +111,7 @@ class PlacedState(SwungState):
 class HitState(PlacedState):
     """The bat, the swing, the ball, and where they meet."""
 
-    offset_in: Annotated[float, within("offset", "in", least=-2.5, most=2.5)] = Field(
-        0.0, description="ball's centre above the bat's axis at impact"
-    )
+    offset_in: Offset = Field(0.0, description="ball's centre above the bat's axis at impact")
 
 
 class HeldState(ViewState):

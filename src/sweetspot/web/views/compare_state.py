@@ -13,7 +13,7 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.web.bats import reduced
-from sweetspot.web.controls import BatState, Name, SwungState
+from sweetspot.web.controls import BatState, HoleDepth, HoleDiameter, Name, SwungState, WallFactor
 from sweetspot.web.errors import FieldError, about
 
 ALL = "all"
@@ -33,9 +33,9 @@ class CompareState(SwungState):
     what_if: Literal["none", "cork", "wall"] = Field(
         "none", description="of the first bat alone: other bats made of it"
     )
-    hole_diameter_in: float = Field(1.0, ge=0.25, le=2, description="hole of what_if cork")
-    hole_depth_in: float = Field(10.0, ge=1, le=20)
-    wall_times: float = Field(0.85, ge=0.5, le=2.0, description="wall of what_if wall, times the bat's own")
+    hole_diameter_in: HoleDiameter = Field(1.0, description="hole of what_if cork")
+    hole_depth_in: HoleDepth = 10.0
+    wall_times: WallFactor = Field(0.85, description="wall of what_if wall, times the bat's own")
     league: Name | None = Field(
         None, description="whose rules the bats are held against, or 'all'; empty: those of the first bat's sport"
     )

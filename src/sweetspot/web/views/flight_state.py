@@ -6,15 +6,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from sweetspot.web.controls import HitState, Name, within
+from sweetspot.web.controls import HitState, Name, Offset, Tilt, within
 
 
 class FlightState(HitState):
     """The ball's launch, from numbers or from a swing; the park, the air and the wind."""
 
-    offset_in: Annotated[float, within("offset", "in", least=-2.5, most=2.5)] = Field(
-        0.75, description="ball's centre above the bat's axis at impact"
-    )
+    offset_in: Offset = Field(0.75, description="ball's centre above the bat's axis at impact")
     start: Literal["ball", "swing"] = Field("ball", description="from the ball's own numbers, or from pitch and swing")
     exit_speed_mph: Annotated[float, within("exit_speed", "mph")] = 98.0
     launch_angle_deg: Annotated[float, within("launch_angle", "deg", least=-30, most=80)] = 28.0
@@ -39,9 +37,7 @@ class FlightState(HitState):
     attack_direction_deg: Annotated[float, within("attack_direction", "deg", least=-45, most=45)] = Field(
         0.0, description="from centre field, negative to the pull side"
     )
-    tilt_deg: Annotated[float, within("tilt", "deg", most=75)] = Field(
-        32.0, description="of the swing's plane; at least the attack angle"
-    )
+    tilt_deg: Tilt = Field(32.0, description="of the swing's plane; at least the attack angle")
     batter: Literal["right", "left"] = "right"
     pitch_angle_deg: Annotated[float, within("approach_angle", "deg", least=-20, most=5)] = Field(
         -6.0, description="of the pitch at the plate, negative falls"

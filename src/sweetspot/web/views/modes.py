@@ -22,7 +22,7 @@ from sweetspot.reports.page_words import motion_words
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.controls import HeldState, SwungState
+from sweetspot.web.controls import HeldState, Place, SwungState
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError
@@ -42,7 +42,7 @@ class ModesState(SwungState, HeldState):
 
     family: Literal["rigid", "bending", "hoop", "hand"] = Field("bending", description="kind of motion that is shown")
     number: int = Field(1, ge=1, le=40, description="which of that kind, from the lowest")
-    tap_from_tip_in: float = Field(2.0, ge=0, le=52, description="where the bat is tapped")
+    tap_from_tip_in: Place = Field(2.0, description="where the bat is tapped")
     tap_ms: float = Field(1.0, ge=0.02, le=5, description="how long the tap lasts; a ball: 1, a knuckle: 2, steel: 0.1")
     exaggeration: float = Field(1.0, ge=0.2, le=3, description="size of the drawn motion against the usual one")
 

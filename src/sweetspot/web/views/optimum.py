@@ -21,7 +21,7 @@ from sweetspot.reports.optimum.document import optimum_document
 from sweetspot.reports.page_words import carries_farthest
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
-from sweetspot.web.controls import Name, SwungState, within
+from sweetspot.web.controls import Name, SwungState, Tilt, within
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
@@ -36,7 +36,7 @@ class OptimumState(SwungState):
     pitch: Name | None = Field(
         None, description="kind of pitch, by name or letters; empty: what is mostly thrown at such a bat"
     )
-    tilt_deg: Annotated[float, within("tilt", "deg", most=75)] = Field(32.0, description="of the swing's plane")
+    tilt_deg: Tilt = Field(32.0, description="of the swing's plane")
     exit_speed_mph: Annotated[float, within("exit_speed", "mph")] = Field(
         100.0, description="for the best launch angle"
     )

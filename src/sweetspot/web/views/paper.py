@@ -21,7 +21,7 @@ from sweetspot.reports.quantities import SYSTEMS, Reader, System
 from sweetspot.reports.sentences import Slot
 from sweetspot.units import INCH
 from sweetspot.web.bats import analysed
-from sweetspot.web.controls import Name, SwungState
+from sweetspot.web.controls import HoleDepth, HoleDiameter, Name, SwungState
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
@@ -47,8 +47,8 @@ class PaperState(SwungState):
     entry_angle_deg: float = Field(10.0, ge=0, le=60, description="between the ball's path and the bat's normal")
     rod_hands_in: float = Field(6.0, ge=0, le=12, description="where the paper's rod is held, from its end")
     hands_moved_in: float = Field(2.0, ge=0, le=6, description="how far the hands are moved up")
-    hole_diameter_in: float = Field(1.0, ge=0.25, le=2)
-    hole_depth_in: float = Field(10.0, ge=1, le=20)
+    hole_diameter_in: HoleDiameter = 1.0
+    hole_depth_in: HoleDepth = 10.0
     hole_fill: Name = Field("cork", description="material of the catalogue that fills the hole")
     drop_height_m: float = Field(1.0, ge=0.1, le=5)
     block_thickness_m: float = Field(0.1, ge=0.001, le=0.3)

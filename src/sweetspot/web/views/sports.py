@@ -25,6 +25,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.numerics.arrays import Array
+from sweetspot.plausibility import bounds
 from sweetspot.reports.bat.words import answer_words
 from sweetspot.reports.hit.document import touched_again_at, touched_again_between
 from sweetspot.reports.page_words import hits_fastest, leaves_here
@@ -55,7 +56,9 @@ class SportsState(ViewState):
     incoming_mph: Annotated[float, within("pitch_speed", "mph", "tennis")] | None = Field(
         None, description="of the ball before"
     )
-    met_from_tip_in: Annotated[float, Field(ge=0, le=52)] | None = Field(None, description="where the ball meets it")
+    met_from_tip_in: Annotated[float, Field(ge=0, le=bounds("length").high)] | None = Field(
+        None, description="where the ball meets it"
+    )
     aside_in: float = Field(0.0, ge=-6, le=6, description="across the face, from its line")
 
 
