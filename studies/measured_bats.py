@@ -18,7 +18,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads on
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.catalog.files.turned import turned_profile
+from sweetspot.catalog.files.turned import Turned
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
@@ -63,7 +63,7 @@ def random_bat(random: np.random.Generator) -> Bat:
     wood = catalog.material(str(random.choice(["white-ash", "sugar-maple"])))
     lightest, heaviest = wood.density_range or (wood.density, wood.density)
     grown = wood.replaced(density=random.uniform(lightest, heaviest))
-    profile = turned_profile(length=length * INCH, **{name: size * INCH for name, size in sizes.items()})
+    profile = Turned(length=length * INCH, **{name: size * INCH for name, size in sizes.items()}).profile()
     return Bat(name="simulated", length=length * INCH, material=grown, profile=profile)
 
 

@@ -129,7 +129,7 @@ ADDITIONS = {
         (("catalog/files/implement.py", "KINDS: dict[str,",
           "class BroomFile(HockeyStickFile):\n    kind: Literal['broom']\n\n\n"
           "def _broom(file: BroomFile) -> Implement:\n    from sweetspot.equipment.broom import Broom\n"
-          "    return Broom(**_common(file))\n\n\n"),
+          "    return _made(Broom, file)\n\n\n"),
          ("catalog/files/implement.py", '    "hockey-stick": (HockeyStickFile,',
           '    "broom": (BroomFile, _broom),\n')),
     ),

@@ -37,12 +37,12 @@ def test_thirty_parks_of_thirty_teams() -> None:
 @pytest.mark.parametrize("key", TABLE)
 def test_every_fact_has_a_source_a_kind_and_a_year(key: str) -> None:
     entry = TABLE[key]
-    fence = entry["fence"]
+    fence = entry.table("fence")
     assert set(fence) - SPREAD_KEYS == FENCE_KEYS
-    assert 2015 <= fence["year"] <= 2026 and fence["kind"] == "measured"
+    assert 2015 <= fence.number("year") <= 2026 and fence["kind"] == "measured"
     found = all_records(entry, key)
     assert {record.name for record in found} == {f"{key}.covered", f"{key}.elevation"}
-    assert {fence["source"], *(record.source for record in found)} <= set(references.keys())
+    assert {fence.text("source"), *(record.source for record in found)} <= set(references.keys())
     assert all(record.kind == "specified" and record.where for record in found)
 
 
@@ -83,7 +83,7 @@ def test_fences_are_those_of_the_source_at_every_degree(key: str) -> None:
     park = catalog.park(key)
     source = [row for row in rows("mlb_fences_1deg_distance_height.csv.gz") if row["venue_name_short"] == park.name]
     assert len(source) == 91
-    assert TABLE[key]["fence"]["year"] == max(int(row["year_max"]) for row in source)
+    assert TABLE[key].table("fence").number("year") == max(int(row["year_max"]) for row in source)
     far, high = fence_at(park, np.radians([float(row["angle"]) for row in source]))
     assert np.abs(far / FOOT - column(source, "fence_distance")).max() <= 2.0
     assert np.abs(high / FOOT - column(source, "fence_height")).max() <= 0.6
@@ -92,7 +92,7 @@ def test_fences_are_those_of_the_source_at_every_degree(key: str) -> None:
 FORMER = read_table("former_parks.toml")
 
 
-LEFT = [key for key, entry in FORMER.items() if entry["fence"]["kind"] == "measured"]
+LEFT = [key for key, entry in FORMER.items() if entry.table("fence")["kind"] == "measured"]
 MOVED = [key for key in FORMER if key not in LEFT]
 
 
@@ -100,8 +100,9 @@ MOVED = [key for key in FORMER if key not in LEFT]
 def test_fences_of_parks_that_were_left_are_those_of_the_source(key: str) -> None:
     entry, park = FORMER[key], catalog.park(key)
     source = [row for row in rows("mlb_fences_1deg_distance_height.csv.gz") if row["venue_name_short"] == park.name]
-    assert len(source) == 91 and entry["from"] <= entry["until"] and entry["fence"]["source"] == "jso8910_fences"
-    assert {entry[fact]["source"] for fact in ("covered", "elevation")} <= set(references.keys())
+    assert len(source) == 91 and entry.number("from") <= entry.number("until")
+    assert entry.table("fence")["source"] == "jso8910_fences"
+    assert {entry.table(fact).text("source") for fact in ("covered", "elevation")} <= set(references.keys())
     far, high = fence_at(park, np.radians([float(row["angle"]) for row in source]))
     assert np.abs(far / FOOT - column(source, "fence_distance")).max() <= 2.5
     assert np.abs(high / FOOT - column(source, "fence_height")).max() <= 0.65
@@ -117,8 +118,8 @@ def test_a_club_means_the_park_of_the_season() -> None:
 
 @pytest.mark.parametrize("key", MOVED)
 def test_walls_that_were_moved_have_sources(key: str) -> None:
-    entry, park = FORMER[key], catalog.park(key)
-    assert entry["fence"]["kind"] == "derived" and {entry["fence"]["source"]} <= set(references.keys())
+    fence, park = FORMER[key].table("fence"), catalog.park(key)
+    assert fence["kind"] == "derived" and {fence.text("source")} <= set(references.keys())
     assert all(295 * FOOT < distance < 430 * FOOT and 0.4 < height < 12 for _, distance, height in park.fence)
 
 
@@ -169,11 +170,11 @@ OTHER_NAMES = {
 """Parks that the older file knows by another name; it has no Sutter Health Park."""
 
 
-IN_BOTH = [key for key in TABLE if "spread_ft" in TABLE[key]["fence"]]
+IN_BOTH = [key for key in TABLE if "spread_ft" in TABLE[key].table("fence")]
 
 
 def _in_the_other_file(key: str) -> list[dict[str, str]]:
-    name = OTHER_NAMES.get(key, TABLE[key]["name"])
+    name = OTHER_NAMES.get(key, TABLE[key].name)
     return [row for row in rows("mlb_fences_xy_height_lokiville.csv.gz") if row["stadium"] == name]
 
 
@@ -184,13 +185,13 @@ def test_a_spread_is_recorded_of_the_parks_in_the_other_file() -> None:
 @pytest.mark.parametrize("key", IN_BOTH)
 def test_the_other_file_differs_by_the_recorded_spread(key: str) -> None:
     """The older outlines differ by 2 to 13 ft at the median, and by up to 36 ft where walls were moved since."""
-    fence, other = TABLE[key]["fence"], _in_the_other_file(key)
+    fence, other = TABLE[key].table("fence"), _in_the_other_file(key)
     angles = column(other, "spray_angle_stadia")
     differences = np.abs(fence_at(catalog.park(key), np.radians(angles))[0] / FOOT - column(other, "d_wall"))
-    assert np.median(differences) == pytest.approx(fence["spread_ft"], abs=0.06)
-    assert differences.max() == pytest.approx(fence["most_ft"], abs=0.51)
-    assert angles[differences.argmax()] == pytest.approx(fence["at_deg"], abs=0.51)
-    assert fence["spread_ft"] < 14
+    assert np.median(differences) == pytest.approx(fence.number("spread_ft"), abs=0.06)
+    assert differences.max() == pytest.approx(fence.number("most_ft"), abs=0.51)
+    assert angles[differences.argmax()] == pytest.approx(fence.number("at_deg"), abs=0.51)
+    assert fence.number("spread_ft") < 14
 
 
 def test_elevation_roof_and_posted_lines() -> None:

@@ -7,8 +7,8 @@ import pytest
 from sweetspot import catalog, references
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.read import bat_from_table
-from sweetspot.catalog.files.turned import turned_profile
-from sweetspot.catalog.records import all_records, read_table
+from sweetspot.catalog.files.turned import Turned
+from sweetspot.catalog.records import TomlTable, all_records, read_table
 from sweetspot.catalog.rules import league
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -34,7 +34,7 @@ def test_rules_are_known_by_the_names_that_people_have_for_them() -> None:
     listed = r"Known names: asa \(.*\), cricket \(.*\), little-league, .*ncaa \(nfhs, high-school"
     with pytest.raises(InputError, match=listed):
         league("xyz")
-    also = [name for entry in read_table("rules.toml").values() for name in entry.get("also", ())]
+    also = [name for entry in read_table("rules.toml").values() for name in entry.texts("also")]
     assert len(also) == len(set(also)) and not {*also} & {*read_table("rules.toml")}
 
 
@@ -90,7 +90,7 @@ def test_names_are_forgiving() -> None:
 
 
 def test_own_material_values() -> None:
-    table = {
+    table: TomlTable = {
         "name": "tapped",
         "length": "33 in",
         "profile": [["0 in", "1 in"], ["33 in", "2.5 in"]],
@@ -103,10 +103,10 @@ def test_own_material_values() -> None:
 
 def test_turned_outline() -> None:
     sizes = {"length": 0.84, "knob": 0.05, "handle": 0.025, "barrel": 0.065}
-    stations = turned_profile(**sizes, taper_start=0.3, taper_end=0.6)
+    stations = Turned(**sizes, taper_start=0.3, taper_end=0.6).profile()
     places = [place for place, _ in stations]
     assert places == sorted(set(places)) and places[0] == 0.0 and places[-1] == pytest.approx(0.84)
     assert max(size for _, size in stations) == pytest.approx(0.065)
     for start, end in ((0.6, 0.3), (0.01, 0.6), (0.3, 0.83)):
         with pytest.raises(InputError, match="start before end"):
-            turned_profile(**sizes, taper_start=start, taper_end=end)
+            Turned(**sizes, taper_start=start, taper_end=end).profile()

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.implements import implement_tables
+from sweetspot.catalog.records import Entry, TomlTable, TomlValue
 from sweetspot.errors import InputError
 from sweetspot.plausibility import insisting
 
@@ -37,6 +36,6 @@ def test_who_insists_is_believed() -> None:
         assert implement_from_table(table, "mine.toml").length > 1
 
 
-def _with(table: dict[str, Any], path: tuple[str, ...], text: str) -> dict[str, Any]:
+def _with(table: TomlTable, path: tuple[str, ...], text: str) -> dict[str, TomlValue]:
     head, *rest = path
-    return {**table, head: _with(table[head], tuple(rest), text) if rest else text}
+    return {**table, head: _with(Entry("", table).table(head), tuple(rest), text) if rest else text}

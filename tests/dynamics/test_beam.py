@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from studies.measured_bats import simulated
 from sweetspot import catalog
-from sweetspot.catalog.files.turned import turned_profile
+from sweetspot.catalog.files.turned import Turned
 from sweetspot.dynamics.beam import beam_model, density_scale
 from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
@@ -191,10 +191,10 @@ def test_whatever_is_answered_is_a_body(weight: float, shift: float, turn: float
 
 TURNED = Bat(
     name="turned", length=33 * INCH, material=catalog.material("white-ash"),
-    profile=turned_profile(
+    profile=Turned(
         length=33 * INCH, knob=2 * INCH, handle=1.01 * INCH, barrel=2.55 * INCH, taper_start=8 * INCH,
         taper_end=30.4 * INCH,
-    ),
+    ).profile(),
 )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.catalog.files.read import bat_from_table
 from sweetspot.catalog.files.write import bat_table
+from sweetspot.catalog.records import Entry
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.dynamics.weight_match import ORDER, WeightBy, weighing, weight_matched, weights, with_barrel_wall
@@ -62,8 +63,8 @@ def test_what_cannot_be_is_refused_with_what_can() -> None:
 def test_a_bat_file_says_how_its_weight_was_met() -> None:
     table = bat_table(BAT) | {"mass": "31.5 oz"}
     assert "handle's wall" in bat_from_table(table, "here").remark
-    knob = table | {"shell": table["shell"] | {"weight_by": "knob"}}
-    assert "knob" in bat_from_table(knob, "here").remark
+    shell = {**Entry("shell", table).table("shell"), "weight_by": "knob"}
+    assert "knob" in bat_from_table({**table, "shell": shell}, "here").remark
 
 
 def test_solid_bats_and_unweighed_ones_stay_as_they_are() -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from sweetspot.catalog.files.read import bat_from_table
+from sweetspot.catalog.records import TomlTable
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
@@ -86,8 +87,8 @@ def test_impossible_shells() -> None:
 
 def test_a_file_has_sleeve_plies_and_pieces() -> None:
     plies = [{"material": "carbon ply", "angle": "45 deg", "thickness": "0.2 mm"}]
-    inner = {"wall": [["20 in", "1 mm"], ["30 in", "1 mm"]], "gap": "0.1 mm", "laminate": plies}
-    shell = {
+    inner: TomlTable = {"wall": [["20 in", "1 mm"], ["30 in", "1 mm"]], "gap": "0.1 mm", "laminate": plies}
+    shell: TomlTable = {
         "wall": FILE_WALL,
         "laminate": plies,
         "inner_wall": inner,

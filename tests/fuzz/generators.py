@@ -26,7 +26,7 @@ from sweetspot.analysis.certification.shots import read_shots
 from sweetspot.catalog.bats import bat_tables, other_tables
 from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.catalog.files.read import implement_from_table
-from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.records import TomlTable, unwrapped
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
@@ -170,7 +170,7 @@ def _places(table: Any) -> Iterator[tuple[Any, Any]]:
             yield from _places(table[key])
 
 
-def _damaged(chance: random.Random, table: dict[str, Any]) -> Any:
+def _damaged(chance: random.Random, table: TomlTable) -> Any:
     """Return a table of the catalogue with one to three values scaled, changed, lost or of another kind."""
     copy = json.loads(json.dumps(unwrapped(table)))
     for _ in range(chance.randint(1, 3)):

@@ -14,7 +14,8 @@ from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
 from sweetspot.calibration.measurements import Measurement, predicted, prediction_of_body
 from sweetspot.calibration.posterior import BatPosterior
 from sweetspot.calibration.unknowns import OF_BALL, Unknown, UnknownName, deviated, deviated_bodies
-from sweetspot.catalog.files.write import bat_table, implement_table
+from sweetspot.catalog.files.implement import ClubHeadTable
+from sweetspot.catalog.files.write import bat_table, implement_table, written
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
 from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
@@ -199,10 +200,11 @@ def _implement_table(posterior: BatPosterior, damping: Measured | None) -> dict[
     if damping is not None and "damping" in table:
         table["damping"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
     if isinstance(implement, GolfClub):
-        for holder, name, unknown in ((table["head"], "mass", "end_mass"), (table, "grip_mass", "knob_mass")):
-            mass = implement.head.mass if name == "mass" else implement.grip_mass
-            error = mass * posterior.deviation(unknown).error
-            holder[name] = _record(f"{mass!r} kg", CalibratedValue(Measured(mass, error), "fitted"), "kg")
+        weights = (("end_mass", implement.head.mass), ("knob_mass", implement.grip_mass))
+        masses = [Measured(mass, mass * posterior.deviation(name).error) for name, mass in weights]
+        head, grip = (_record(f"{mass.value!r} kg", CalibratedValue(mass, "fitted"), "kg") for mass in masses)
+        of_head = written(ClubHeadTable, implement.head, implement.head.face)
+        table |= {"head": {**of_head, "mass": head}, "grip_mass": grip}
     return {**table, "calibration": _calibration_table(posterior)}
 
 

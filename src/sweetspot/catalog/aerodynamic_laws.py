@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
-from sweetspot.catalog.records import canonical, entry, quantity, read_table
+from sweetspot.catalog.records import canonical, entry, read_table
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.batted_spin import SHEET, TRACKED, SpinLine
 from sweetspot.flight.conditions import FlightConditions
@@ -44,8 +43,7 @@ def aerodynamics(name: str = DEFAULT_AERODYNAMICS) -> Aerodynamics:
     0.3738
     """
     _, table = entry(read_table(FILE), name, "aerodynamics")
-    values: dict[str, Any] = {field: quantity(table, field, kind, table["name"]) for field, kind in FIELDS.items()}
-    return Aerodynamics(name=table["name"], **{field: value for field, value in values.items() if value is not None})
+    return Aerodynamics(name=table.name, **table.quantities(FIELDS))
 
 
 def aerodynamics_in(park: Park | None, law: Aerodynamics) -> Aerodynamics:
@@ -85,9 +83,8 @@ def drag_spread(law: Aerodynamics) -> float:
     >>> round(drag_spread(aerodynamics("baseball")), 4)
     0.0061
     """
-    record = next((table["drag"] for table in read_table(FILE).values() if table["name"] == law.name), None)
-    spread = record.get("spread") if isinstance(record, dict) else None
-    return float(spread) / law.drag if spread is not None and law.drag > 0 else 0.0
+    spreads = (table.spread("drag", "ratio") for table in read_table(FILE).values() if table.name == law.name)
+    return (next(spreads, None) or 0.0) / law.drag if law.drag > 0 else 0.0
 
 
 def usual_spin_line(name: str = DEFAULT_AERODYNAMICS) -> SpinLine:

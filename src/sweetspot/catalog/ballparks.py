@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
 
-from sweetspot.catalog.records import canonical, quantity, read_table, unwrapped
+from sweetspot.catalog.records import Entry, canonical, read_table
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.park import Park
 from sweetspot.units import FOOT
@@ -48,22 +47,22 @@ def park(name: str, year: int | None = None) -> Park:
     """
     wanted = canonical(name)
     fields = read_table(FIELDS).items()
-    field = next((key for key, table in fields if wanted in {key, *map(canonical, table["also"])}), None)
+    field = next((key for key, table in fields if wanted in {key, *map(canonical, table.texts("also"))}), None)
     if field is not None:
         return _field(field)
     left = [
         entry
         for entry in read_table(FORMER).values()
-        if year is not None and entry["from"] <= year <= entry["until"]
-        if wanted in {canonical(word) for word in (entry["team"], *entry["also"], *entry["club"])}
+        if year is not None and entry.number("from") <= year <= entry.number("until")
+        if wanted in {canonical(word) for word in (entry.text("team"), *entry.texts("also"), *entry.texts("club"))}
     ]
     if left:
         return _park(left[0])
     moved = [
-        entry["moved_to"]
+        entry.text("moved_to")
         for entry in read_table(FORMER).values()
-        if year is not None and "moved_to" in entry and year > entry["until"]
-        if wanted in {canonical(word) for word in (entry["team"], entry["also"][0])}
+        if year is not None and "moved_to" in entry and year > entry.number("until")
+        if wanted in {canonical(word) for word in (entry.text("team"), entry.texts("also")[0])}
     ]
     if moved:
         return _park(read_table(FILE)[moved[0]])
@@ -75,7 +74,7 @@ def park(name: str, year: int | None = None) -> Park:
             f"park {name!r} is not in the catalogue. {nearest_names(wanted, names)} "
             "A team's name or letters do too; `sweetspot parks` lists all."
         )
-    return _park((read_table(FILE) | read_table(FORMER))[keys.get(wanted) or begun.pop()])
+    return _park({**read_table(FILE), **read_table(FORMER)}[keys.get(wanted) or begun.pop()])
 
 
 @cache
@@ -91,7 +90,7 @@ def parks_of_season(year: int | None) -> tuple[Park, ...]:
     >>> [one.name for one in parks_of_season(2025) if one.team == "Tampa Bay Rays"]
     ['George M. Steinbrenner Field']
     """
-    return tuple(park(entry["also"][0], year) for entry in read_table(FILE).values())
+    return tuple(park(entry.texts("also")[0], year) for entry in read_table(FILE).values())
 
 
 @cache
@@ -99,10 +98,10 @@ def _keys() -> dict[str, str]:
     """Return the catalogue's key by every name that is understood."""
     keys: dict[str, str] = {}
     for key, entry in read_table(FILE).items():
-        for name in (key, entry["name"], entry["team"], *entry["also"]):
+        for name in (key, entry.name, entry.text("team"), *entry.texts("also")):
             assert keys.setdefault(canonical(name), key) == key, f"parks.toml: {name} means two parks"
     for key, entry in read_table(FORMER).items():  # a club that is still there means its park of today
-        for name in (key, entry["name"], *entry["also"]):
+        for name in (key, entry.name, *entry.texts("also")):
             assert keys.setdefault(canonical(name), key) == key, f"former_parks.toml: {name} means two parks"
     return keys
 
@@ -115,8 +114,7 @@ def field_names() -> list[str]:
 def _field(key: str) -> Park:
     """Return a field whose fence is an arc of a circle through both foul poles and centre field."""
     field = read_table(FIELDS)[key]
-    sizes = {name: quantity(field, name, "length", key) for name in ("foul_lines", "centre", "height")}
-    line, centre, high = (value for value in sizes.values() if value is not None)
+    line, centre, high = (field.quantity(name, "length") for name in ("foul_lines", "centre", "height"))
     # a circle about (0, c) of radius centre - c passes the pole at line / sqrt(2) (1, 1)
     along = line / math.sqrt(2)
     middle = (centre**2 - line**2) / (2 * (centre - along))
@@ -125,26 +123,20 @@ def _field(key: str) -> Park:
         middle * math.cos(turn) + math.sqrt((centre - middle) ** 2 - (middle * math.sin(turn)) ** 2) for turn in turns
     ]
     return Park(
-        name=field["name"], team=field["league"], city="", elevation=0.0,
+        name=field.name, team=field.text("league"), city="", elevation=0.0,
         fence=tuple((turn, distance, high) for turn, distance in zip(turns, far, strict=True)),
     )  # fmt: skip
 
 
-def _park(entry: dict[str, Any]) -> Park:
-    fence = entry["fence"]
-    vertices = zip(
-        np.radians(fence["direction_deg"]),
-        FOOT * np.array(fence["distance_ft"], float),
-        FOOT * np.array(fence["height_ft"], float),
-        strict=True,
-    )
-    elevation = quantity(entry, "elevation", "length", entry["name"])
-    assert elevation is not None, f"parks.toml: {entry['name']} lacks elevation"
+def _park(entry: Entry) -> Park:
+    fence = entry.table("fence")
+    direction = np.radians(fence.numbers("direction_deg"))
+    far, high = (FOOT * np.array(fence.numbers(column), float) for column in ("distance_ft", "height_ft"))
     return Park(
-        name=entry["name"],
-        team=entry["team"],
-        city=entry["city"],
-        elevation=elevation,
-        covered=unwrapped(entry["covered"]),
-        fence=tuple((float(direction), float(far), float(high)) for direction, far, high in vertices),
+        name=entry.name,
+        team=entry.text("team"),
+        city=entry.text("city"),
+        elevation=entry.quantity("elevation", "length"),
+        covered=entry.number("covered"),
+        fence=tuple(zip(direction.tolist(), far.tolist(), high.tolist(), strict=True)),
     )

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
-from sweetspot.catalog.records import canonical, entry, quantity, read_table
+from sweetspot.catalog.records import Entry, canonical, entry, read_table
 from sweetspot.equipment.ball import (
     Ball,
     RestitutionLaw,
@@ -14,11 +13,17 @@ from sweetspot.equipment.ball import (
     stiffness_from_load,
     stiffness_from_peak_force,
 )
-from sweetspot.plausibility import parse
 from sweetspot.units import Kind
 
 FILE = "balls.toml"
 DEFAULT_BALL = "baseball"
+OF_WEATHER: dict[str, Kind] = {
+    "cor_humidity_slope": "ratio",
+    "cor_temperature_slope": "slope per temperature",
+    "reference_humidity": "ratio",
+    "reference_temperature": "temperature",
+}
+"""What every entry says of the weather that its restitution was measured in, and how that changes."""
 
 
 def ball_names() -> list[str]:
@@ -32,7 +37,7 @@ def ball_sport(name: str) -> str:
     >>> ball_sport("shuttle")
     'badminton'
     """
-    return str(entry(read_table(FILE), name, "ball")[1]["sport"])
+    return entry(read_table(FILE), name, "ball")[1].text("sport")
 
 
 @cache
@@ -45,46 +50,35 @@ def ball(name: str = DEFAULT_BALL) -> Ball:
     >>> round(ball("baseball").mass, 4)
     0.1453
     """
-    key, ball_entry = entry(read_table(FILE), name, "ball")
-
-    def value(field: str, kind: Kind) -> float:
-        number = quantity(ball_entry, field, kind, ball_entry["name"])
-        assert number is not None, f"balls.toml: {key} lacks {field}"
-        return number
-
-    mass, exponent = value("mass", "mass"), value("force_exponent", "ratio")
-    diameter = value("diameter", "length") if "diameter" in ball_entry else value("circumference", "length") / math.pi
+    _, record = entry(read_table(FILE), name, "ball")
+    mass, exponent = record.quantity("mass", "mass"), record.quantity("force_exponent", "ratio")
+    diameter = record.quantity_or_none("diameter", "length")
     law = RestitutionLaw(
-        reference=value("cor_reference", "ratio"),
-        reference_speed=value("cor_reference_speed", "speed"),
-        slope=value("cor_slope", "slope per speed"),
+        reference=record.quantity("cor_reference", "ratio"),
+        reference_speed=record.quantity("cor_reference_speed", "speed"),
+        slope=record.quantity("cor_slope", "slope per speed"),
     )
     return Ball(
-        name=ball_entry["name"],
+        name=record.name,
         mass=mass,
-        radius=diameter / 2,
+        radius=(record.quantity("circumference", "length") / math.pi if diameter is None else diameter) / 2,
         restitution=law,
-        stiffness=_stiffness(ball_entry, value, mass=mass, exponent=exponent, law=law),
+        stiffness=_stiffness(record, mass=mass, exponent=exponent, law=law),
         exponent=exponent,
-        cor_humidity_slope=value("cor_humidity_slope", "ratio"),
-        cor_temperature_slope=value("cor_temperature_slope", "slope per temperature"),
-        reference_humidity=value("reference_humidity", "ratio"),
-        reference_temperature=value("reference_temperature", "temperature"),
+        **record.quantities(OF_WEATHER),
     )
 
 
-def _stiffness(ball_entry: dict[str, Any], value: Any, *, mass: float, exponent: float, law: RestitutionLaw) -> float:
+def _stiffness(record: Entry, *, mass: float, exponent: float, law: RestitutionLaw) -> float:
     """Return k from the one kind of test that the entry describes."""
-    if "peak_force" in ball_entry:
-        force, speed = value("peak_force", "force"), value("peak_force_speed", "speed")
+    if "peak_force" in record:
+        force, speed = record.quantity("peak_force", "force"), record.quantity("peak_force_speed", "speed")
         return stiffness_from_peak_force(force, speed=speed, mass=mass, exponent=exponent)
-    if "load" in ball_entry:
-        pressed = value("load_compression", "length")
-        return stiffness_from_load(value("load", "force"), compression=pressed, exponent=exponent)
-    speed = value("contact_time_speed", "speed")
-    return stiffness_from_contact_time(
-        value("contact_time", "time"), speed=speed, mass=mass, exponent=exponent, restitution=law.at(speed)
-    )
+    if "load" in record:
+        pressed = record.quantity("load_compression", "length")
+        return stiffness_from_load(record.quantity("load", "force"), compression=pressed, exponent=exponent)
+    speed, time = record.quantity("contact_time_speed", "speed"), record.quantity("contact_time", "time")
+    return stiffness_from_contact_time(time, speed=speed, mass=mass, exponent=exponent, restitution=law.at(speed))
 
 
 def ball_spreads(ball: Ball) -> dict[str, float]:
@@ -99,23 +93,20 @@ def ball_spreads(ball: Ball) -> dict[str, float]:
     >>> round(ball_spreads(ball("baseball"))["restitution"], 3)
     0.032
     """
-    record = next((ball_entry for ball_entry in read_table(FILE).values() if ball_entry["name"] == ball.name), {})
-
-    def spread(field: str, kind: Kind) -> float | None:
-        if not isinstance(record.get(field), dict) or "spread" not in record[field]:
-            return None
-        return parse(record[field]["spread"], kind, f"{ball.name} {field} spread")
+    record = next((each for each in read_table(FILE).values() if each.name == ball.name), None)
+    if record is None:
+        return {}
 
     def part(field: str, kind: Kind) -> float | None:
-        size, value = spread(field, kind), quantity(record, field, kind, ball.name)
-        return None if size is None or not value else size / value
+        size = record.spread(field, kind)
+        return None if size is None else size / record.quantity(field, kind)
 
     forces = {"peak_force": part("peak_force", "force"), "contact_time": part("contact_time", "time")}
     steep = next((size for size in forces.values() if size is not None), None)
     slow = part("load", "force")
     spreads = {
-        "restitution": spread("cor_reference", "ratio"),
-        "restitution_slope": spread("cor_slope", "slope per speed"),
+        "restitution": record.spread("cor_reference", "ratio"),
+        "restitution_slope": record.spread("cor_slope", "slope per speed"),
         "mass": part("mass", "mass"),
         # k goes as the (n + 1)th power of a peak force or of one over the time of contact
         "stiffness": (ball.exponent + 1) * steep if steep is not None else slow,

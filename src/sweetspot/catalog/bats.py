@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Container, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.read import bat_from_table, read_bat
 from sweetspot.catalog.materials import material
-from sweetspot.catalog.records import FOLDER, canonical, entry
+from sweetspot.catalog.records import FOLDER, Entry, canonical, entry
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
@@ -39,15 +38,15 @@ def _files(folder: Path) -> dict[str, Path]:
 
 
 @cache
-def bat_tables() -> dict[str, dict[str, Any]]:
+def bat_tables() -> dict[str, Entry]:
     """Return every bat file of the catalogue as written, by name."""
-    return {name: read_toml(path) for name, path in bat_files().items()}
+    return {name: Entry(name, read_toml(path)) for name, path in bat_files().items()}
 
 
 @cache
-def other_tables() -> dict[str, dict[str, Any]]:
+def other_tables() -> dict[str, Entry]:
     """Return every file of a racket, club or stick in the catalogue as written, by name."""
-    return {name: read_toml(path) for name, path in other_files().items()}
+    return {name: Entry(name, read_toml(path)) for name, path in other_files().items()}
 
 
 def bat_names() -> list[str]:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
-from sweetspot.catalog.records import canonical, known_names, quantity, read_table
+from sweetspot.catalog.records import Entry, canonical, known_names, read_table
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.pitch import Delivery
 from sweetspot.units import Kind
@@ -40,7 +39,7 @@ def delivery_sport(name: str) -> str:
     >>> delivery_sport("fast-pitch"), delivery_sport("FF")
     ('softball', 'baseball')
     """
-    return str(_entry(name).get("sport", "baseball"))
+    return _entry(name).text("sport", "baseball")
 
 
 @cache
@@ -51,19 +50,16 @@ def delivery(name: str = "fastball") -> Delivery:
     ('curve ball', 78.0)
     """
     pitch = _entry(name)
-    values = {field: quantity(pitch, field, kind, name) for field, kind in FIELDS.items()}
-    return Delivery(name=pitch["name"], **{field: value for field, value in values.items() if value is not None})
+    return Delivery(name=pitch.name, **pitch.quantities(FIELDS))
 
 
 def usual_height(name: str) -> float:
     """Return the average height in m of a pitch of the catalogue over the plate."""
-    height = quantity(_entry(name), "plate_height", "length", name)
-    assert height is not None, f"pitches.toml: {name} lacks plate_height"
-    return height
+    return _entry(name).quantity("plate_height", "length")
 
 
-def _entry(name: str) -> dict[str, Any]:
-    table = read_table(FILE) | read_table(OTHERS)
+def _entry(name: str) -> Entry:
+    table = {**read_table(FILE), **read_table(OTHERS)}
     names = known_names(table)
     if canonical(name) not in names:
         raise InputError(f"pitch {name!r} is not in the catalogue. {nearest_names(canonical(name), list(names))}")

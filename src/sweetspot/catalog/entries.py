@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from sweetspot.catalog.implements import implement_tables
-from sweetspot.catalog.records import canonical, known_names, read_table, unwrapped
+from sweetspot.catalog.records import Entry, TomlTable, TomlValue, canonical, known_names, read_table, unwrapped_table
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.references import cite
 
-Tables = dict[str, dict[str, Any]]
-KINDS: dict[str, Callable[[], Tables]] = {
+KINDS: dict[str, Callable[[], Mapping[str, Entry]]] = {
     "implement": implement_tables,
     "ball": lambda: read_table("balls.toml"),
     "material": lambda: read_table("materials.toml"),
     "rubber": lambda: read_table("rubbers.toml"),
     "sport": lambda: read_table("sports.toml"),
-    "pitch": lambda: read_table("pitches.toml") | read_table("other_pitches.toml"),
-    "park": lambda: read_table("parks.toml") | read_table("fields.toml"),
+    "pitch": lambda: {**read_table("pitches.toml"), **read_table("other_pitches.toml")},
+    "park": lambda: {**read_table("parks.toml"), **read_table("fields.toml")},
     "league": lambda: read_table("rules.toml"),
     "aerodynamics": lambda: read_table("aerodynamics.toml"),
     "swing-law": lambda: read_table("swing_laws.toml"),
@@ -58,33 +57,27 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
     for table in tables.values():
         key = known_names(table).get(wanted)
         if key is not None:
-            value = table[key]
-            text = tomli_w.dumps(value if sources else _plain(value), multiline_strings=True)
-            return text if sources else _marked(text, value)
+            fields = table[key].fields
+            text = tomli_w.dumps(fields if sources else unwrapped_table(fields), multiline_strings=True)
+            return text if sources else _marked(text, fields)
     names = sorted({canonical(key) for table in tables.values() for key in table})
     hint = nearest_names(wanted[:60], names)
     where = "" if hint.endswith("?") else " `sweetspot bats`, `sports` and `parks` list most of them."
     raise InputError(f"{name[:60]!r} is not in the catalogue. {hint}{where}")
 
 
-def _plain(value: Any) -> Any:
-    """Return a value without provenance, tables and lists inside it included."""
-    plain = unwrapped(value)
-    if isinstance(plain, dict):
-        return {key: _plain(part) for key, part in plain.items()}
-    return [_plain(part) for part in plain] if isinstance(plain, list) else plain
-
-
-def _marked(text: str, entry: Any) -> str:
+def _marked(text: str, entry: TomlTable) -> str:
     """Return an entry's text with a comment behind the first line of every value that was assumed."""
-    lines, table, inside = [], entry, False
+    lines: list[str] = []
+    table: TomlValue = entry
+    inside = False
     for line in text.splitlines():
         if not inside and line.startswith("["):
             table = entry
             for name in line.strip("[]").split("."):
-                table = table.get(name, {}) if isinstance(table, dict) else {}
-        value = table.get(line.partition(" = ")[0]) if isinstance(table, dict) and not inside else None
-        assumed = isinstance(value, dict) and value.get("kind") == "assumed" and " = " in line
+                table = table.get(name, {}) if isinstance(table, Mapping) else {}
+        value = table.get(line.partition(" = ")[0]) if isinstance(table, Mapping) and not inside else None
+        assumed = isinstance(value, Mapping) and value.get("kind") == "assumed" and " = " in line
         inside ^= line.count('"""') % 2 == 1
         lines.append(f"{line}  # assumed" if assumed and not inside else line)
     return "\n".join(lines) + "\n"
@@ -114,5 +107,5 @@ def terms() -> tuple[Term, ...]:
     >>> next(term.source for term in terms() if term.key == "bbcor")
     'astm_f2219'
     """
-    terms = read_table(FILE).items()
-    return tuple(Term(key, tuple(table["names"]), table["words"], table["source"]) for key, table in terms)
+    tables = read_table(FILE).values()
+    return tuple(Term(table.key, table.texts("names"), table.text("words"), table.text("source")) for table in tables)

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from sweetspot.catalog.bats import bat_files, bat_tables, is_file, load_bat, other_files, other_tables, refuse_slip
 from sweetspot.catalog.files.bat import bat_of_table, read_toml
 from sweetspot.catalog.files.implement import implement_of_table
 from sweetspot.catalog.files.read import implement_from_table, warn_of_doubts, whole_table
-from sweetspot.catalog.records import entry
+from sweetspot.catalog.records import Entry, TomlTable, entry
 from sweetspot.equipment.implement import Implement
 
 
 @cache
-def implement_tables() -> dict[str, dict[str, Any]]:
+def implement_tables() -> dict[str, Entry]:
     """Return every bat, racket, club and stick of the catalogue as written, by name."""
     return {**bat_tables(), **other_tables()}
 
@@ -61,7 +59,7 @@ class Loaded:
     """
 
     implement: Implement
-    table: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
+    table: TomlTable = field(default_factory=dict, compare=False, repr=False)
 
 
 def load_implement(name_or_path: str) -> Implement:

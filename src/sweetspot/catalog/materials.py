@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
+from sweetspot.catalog.records import canonical, entry, read_table
 from sweetspot.equipment.face import Rubber
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
@@ -17,6 +17,16 @@ CALLED = {
     "birch": "yellow-birch", "willow": "english-willow", "aluminium": "aluminium-7xxx", "aluminum": "aluminium-7xxx",
 }  # fmt: skip
 """Trade names of materials, with the catalogue's name of the usual one for bats."""
+FIELDS: dict[str, Kind] = {
+    "density": "density",
+    "longitudinal_modulus": "pressure",
+    "shear_modulus": "pressure",
+    "transverse_modulus": "pressure",
+    "poisson_ratio": "ratio",
+    "damping_ratio": "ratio",
+    "strength": "pressure",
+}
+"""Keys of an entry, and the kind of quantity."""
 
 
 def material_names() -> list[str]:
@@ -31,21 +41,15 @@ def material(name: str) -> Material:
     >>> material("white ash").family
     'wood'
     """
-    _, material_entry = entry(read_table(FILE), CALLED.get(canonical(name), name), "material")
-    what = material_entry["name"]
-    limits = unwrapped(material_entry["density_range"]) if "density_range" in material_entry else None
+    _, record = entry(read_table(FILE), CALLED.get(canonical(name), name), "material")
+    limits = [parse(limit, "density", f"{record.name} density_range") for limit in record.texts("density_range")]
+    values: dict[str, float | None] = {**dict.fromkeys(FIELDS), "damping_ratio": 0.0, **record.quantities(FIELDS)}
     return Material(
-        name=what,
-        family=material_entry["family"],
-        laminated=material_entry.get("laminated", False),
-        density=quantity(material_entry, "density", "density", what),
-        longitudinal_modulus=quantity(material_entry, "longitudinal_modulus", "pressure", what),
-        shear_modulus=quantity(material_entry, "shear_modulus", "pressure", what),
-        transverse_modulus=quantity(material_entry, "transverse_modulus", "pressure", what),
-        poisson_ratio=quantity(material_entry, "poisson_ratio", "ratio", what),
-        damping_ratio=quantity(material_entry, "damping_ratio", "ratio", what) or 0.0,
-        density_range=tuple(parse(limit, "density", f"{what} density_range") for limit in limits) if limits else None,
-        strength=quantity(material_entry, "strength", "pressure", what),
+        name=record.name,
+        family=record.text("family"),
+        laminated="laminated" in record and bool(record["laminated"]),
+        density_range=tuple(limits) or None,
+        **values,
     )
 
 
@@ -63,19 +67,17 @@ def material_spreads(name: str) -> dict[str, float]:
     0.067
     """
     table = read_table(FILE)
-    key = next((key for key, material_entry in table.items() if material_entry["name"] == name), name)
-    _, material_entry = entry(table, key, "material")
-    standard = material(key)
-    kinds: dict[str, Kind] = {"density": "density", "longitudinal_modulus": "pressure", "shear_modulus": "pressure"}
-    spreads = {}
-    for field, kind in kinds.items():
-        record = material_entry.get(field)
-        if isinstance(record, dict) and "spread" in record:
-            spreads[field] = parse(record["spread"], kind, f"{name} {field} spread") / getattr(standard, field)
+    key = next((key for key, record in table.items() if record.name == name), name)
+    _, record = entry(table, key, "material")
+    standard, spreads = material(key), {}
+    for field in ("density", "longitudinal_modulus", "shear_modulus"):
+        spread = record.spread(field, FIELDS[field])
+        if spread is not None:
+            spreads[field] = spread / getattr(standard, field)
     return spreads
 
 
-RUBBERS = "rubbers.toml"
+RUBBERS, RACKETS = "rubbers.toml", "racket_stiffness.toml"
 KINDS_OF_RUBBER: dict[str, Kind] = {
     "thickness": "length", "areal_density": "areal density", "stiffness": "stiffness", "moving_mass": "mass",
     "restitution": "ratio", "friction": "ratio", "tangential_restitution": "ratio",
@@ -95,8 +97,7 @@ def rubber(name: str) -> Rubber:
     True
     """
     _, table = entry(read_table(RUBBERS), name, "rubber")
-    values = {field: quantity(table, field, kind, table["name"]) for field, kind in KINDS_OF_RUBBER.items()}
-    return Rubber(name=table["name"], **values)
+    return Rubber(name=table.name, **table.quantities(KINDS_OF_RUBBER))
 
 
 def rubber_key(sheet: Rubber) -> str:
@@ -119,10 +120,15 @@ def frequency_of_ra(ra: float) -> float:
     >>> round(frequency_of_ra(70))
     151
     """
-    table = read_table("racket_stiffness.toml")["ra"]
-    low, high = unwrapped(table["low"]), unwrapped(table["high"])
+    low, high = bounds_of_ra()
     if not low <= ra <= high:
         raise InputError(f"ra was given as {ra:g}; frames have {low:g} to {high:g}. Give first_frequency in Hz instead")
-    base, slope = quantity(table, "frequency", "frequency", "ra"), quantity(table, "slope", "frequency", "ra")
-    assert base is not None and slope is not None
-    return base + slope * (ra - float(unwrapped(table["reference"])))
+    table = read_table(RACKETS)["ra"]
+    base, slope = (table.quantity(field, "frequency") for field in ("frequency", "slope"))
+    return base + slope * (ra - table.number("reference"))
+
+
+def bounds_of_ra() -> tuple[float, float]:
+    """Return the RA of the softest and of the stiffest frames."""
+    table = read_table(RACKETS)["ra"]
+    return table.number("low"), table.number("high")

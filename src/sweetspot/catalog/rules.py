@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import get_args
 
-from sweetspot.analysis.certification.rules import QUANTITIES, League, Rule
+from sweetspot.analysis.certification.rules import QUANTITIES, Construction, League, Reading, Rule
 from sweetspot.catalog.balls import DEFAULT_BALL, ball, ball_sport
-from sweetspot.catalog.records import canonical, entry, quantity, read_table
+from sweetspot.catalog.records import Entry, canonical, entry, read_table
 from sweetspot.catalog.sports import RULES, sport
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -36,8 +36,8 @@ def league(name: str = DEFAULT_LEAGUE) -> League:
     0.5
     """
     key, described = entry(read_table(RULES), name, "league")
-    rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in described["rule"])
-    return League(canonical(key), described["name"], described["ball"], rules, described.get("superseded", ""))
+    rules = tuple(map(_rule, described.tables("rule")))
+    return League(canonical(key), described.name, described.text("ball"), rules, described.text("superseded", ""))
 
 
 def leagues_and_ball(name: str, ball_name: str | None = None) -> tuple[list[League], Ball]:
@@ -81,19 +81,19 @@ def usual_league(implement: Implement) -> str | None:
     return WOODEN_LEAGUE if default == DEFAULT_LEAGUE and turned else default
 
 
-def _rule(table: dict[str, Any], what: str) -> Rule:
-    kind = KINDS.get(QUANTITIES[table["quantity"]][1], "ratio")
-    limits = {side: quantity(table, side, kind, what) for side in ("least", "most")}
-    record = table.get("most") or table.get("least") or {"source": table.get("source"), "where": ""}
+def _rule(table: Entry) -> Rule:
+    quantity = table.text("quantity")
+    kind = KINDS.get(QUANTITIES[quantity][1], "ratio")
+    record = next((table.table(side) for side in ("most", "least") if side in table), table)
     return Rule(
-        quantity=table["quantity"],
-        least=limits["least"],
-        most=limits["most"],
-        construction=table.get("construction", "any"),
-        undecided=table.get("undecided", ""),
-        doubt_beyond=table.get("doubt_beyond", ""),
-        source=record["source"],
-        where=record["where"],
-        year=table.get("year"),
-        reading=table["reading"],
+        quantity=quantity,
+        least=table.quantity_or_none("least", kind),
+        most=table.quantity_or_none("most", kind),
+        construction=table.choice("construction", get_args(Construction), "any"),
+        undecided=table.text("undecided", ""),
+        doubt_beyond=table.text("doubt_beyond", ""),
+        source=record.text("source"),
+        where=record.text("where", ""),
+        year=int(table.number("year")) if "year" in table else None,
+        reading=table.choice("reading", get_args(Reading)),
     )

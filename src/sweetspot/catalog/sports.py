@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 from sweetspot.catalog.aerodynamic_laws import FILE as AIR
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
@@ -12,10 +11,20 @@ from sweetspot.catalog.balls import ball_sport
 from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.deliveries import delivery_sport
 from sweetspot.catalog.implements import implement_tables
-from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
-from sweetspot.equipment.sport import Certainty, CourtMark, DropRule, Fact, RuleLimit, Sport, Stroke, Terms, counted
+from sweetspot.catalog.records import Entry, Record, all_records, canonical, entry, read_table
+from sweetspot.equipment.sport import (
+    CERTAINTIES,
+    Certainty,
+    CourtMark,
+    DropRule,
+    Fact,
+    RuleLimit,
+    Sport,
+    Stroke,
+    Terms,
+    counted,
+)
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.plausibility import parse
 from sweetspot.units import Kind
 
 FILE, RULES = "sports.toml", "rules.toml"
@@ -42,31 +51,31 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
     ('table-tennis',)
     """
     key, sport_entry = entry(read_table(FILE), name, "sport")
-    stroke = sport_entry["stroke"]
+    stroke = sport_entry.table("stroke")
     return Sport(
         key=canonical(key),
-        name=sport_entry["name"],
-        balls=tuple(sport_entry["balls"]),
-        aerodynamics=sport_entry["aerodynamics"],
+        name=sport_entry.name,
+        balls=sport_entry.texts("balls"),
+        aerodynamics=sport_entry.text("aerodynamics"),
         stroke=Stroke(
-            swing_speed=_known(stroke["swing_speed"]),
-            from_tip=parse(stroke["from_tip"], "length", f"{key} from_tip"),
-            ball_speed=_known(stroke["ball_speed"]),
-            hands=parse(stroke["hands"], "length", f"{key} hands"),
-            pivot=parse(stroke.get("pivot", "0 m"), "length", f"{key} pivot"),
+            swing_speed=_fact(stroke.table("swing_speed")),
+            from_tip=stroke.quantity("from_tip", "length"),
+            ball_speed=_fact(stroke.table("ball_speed")),
+            hands=stroke.quantity("hands", "length"),
+            pivot=stroke.quantity_or_none("pivot", "length") or 0.0,
         ),
-        words=Terms(**sport_entry.get("words", {})),
-        speeds=tuple(_known(table) for table in sport_entry.get("speed", ())),
-        limits=tuple(_limit(table) for table in sport_entry.get("limit", ())),
-        marks=tuple(_mark(table) for table in sport_entry.get("mark", ())),
-        drops=tuple(_drop(table) for table in sport_entry.get("drop", ())),
-        facts=tuple(_known(table) for table in sport_entry.get("fact", ())),
-        terms=tuple((word, meaning) for word, meaning in sport_entry.get("terms", {}).items()),
-        not_covered=tuple(sport_entry["not_covered"]),
-        pitches=tuple(sport_entry.get("pitches", ())),
-        rules=sport_entry.get("rules", ""),
-        fields=tuple(sport_entry.get("fields", ())),
-        swing_law=sport_entry.get("swing_law", "baseball"),
+        words=Terms(**sport_entry.table("words")),
+        speeds=tuple(map(_fact, sport_entry.tables("speed"))),
+        limits=tuple(map(_limit, sport_entry.tables("limit"))),
+        marks=tuple(map(_mark, sport_entry.tables("mark"))),
+        drops=tuple(map(_drop, sport_entry.tables("drop"))),
+        facts=tuple(map(_fact, sport_entry.tables("fact"))),
+        terms=tuple(sport_entry.table("terms").items()),
+        not_covered=sport_entry.texts("not_covered"),
+        pitches=sport_entry.texts("pitches"),
+        rules=sport_entry.text("rules", ""),
+        fields=sport_entry.texts("fields"),
+        swing_law=sport_entry.text("swing_law", "baseball"),
     )
 
 
@@ -116,49 +125,54 @@ def sport_implements(name: str) -> tuple[str, ...]:
     (('tennis-racket',), ('fast-pitch',))
     """
     key = sport(name).key
-    names = [name for name, table in implement_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
-    shared = entry(read_table(FILE), name, "sport")[1].get("implements", ())  # of another sport, where it has none
-    return tuple(sorted(names, key=lambda name: (name != DEFAULT_BAT, name))) or tuple(shared)
+    tools = implement_tables().items()
+    names = [name for name, table in tools if canonical(table.text("sport", DEFAULT_SPORT)) == key]
+    shared = entry(read_table(FILE), name, "sport")[1].texts("implements")  # of another sport, where it has none
+    return tuple(sorted(names, key=lambda name: (name != DEFAULT_BAT, name))) or shared
 
 
-def _known(table: dict[str, Any]) -> Fact:
-    return Fact(**_values(table))
-
-
-def _limit(table: dict[str, Any]) -> RuleLimit:
+def _limit(table: Entry) -> RuleLimit:
     """Return a limit of the rules; one that names a league's rule has that rule's record."""
+    record, sides = table, ("least", "most")
     if "rule" in table:
-        league, quantity_limited = table["rule"].split()
-        rules = read_table(RULES)[league]["rule"]
-        limits = next(rule for rule in rules if rule["quantity"] == quantity_limited)
-        side = next(side for side in ("least", "most") if side in limits)
-        table = {**limits[side], "side": side, "name": table["name"], "of": table.get("of", "speed")}
-    return RuleLimit(**_values(table), side=table["side"])
+        league, quantity = table.text("rule").split()
+        rules = read_table(RULES)[league].tables("rule")
+        limits = next(rule for rule in rules if rule.text("quantity") == quantity)
+        side = next(side for side in sides if side in limits)
+        record = limits.table(side)
+    else:
+        side = table.text("side")
+    fact = _fact(record, name=table.name, kind=_kind(table))
+    return RuleLimit(**dict(fact), side=side)
 
 
-def _values(table: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a `Fact` from a table with ``name``, ``of`` (kind of quantity) and a record."""
-    kind: Kind = table.get("of", "speed")
-    number = quantity(table, "value", kind, table["name"])
+def _kind(table: Entry) -> Kind:
+    """Return what kind of quantity a number of a sport is: a speed where nothing is said."""
+    return table.choice("of", tuple(UNITS), "speed")
+
+
+def _fact(table: Entry, name: str = "", kind: Kind | None = None) -> Fact:
+    """Return the number that a record describes; name and kind of quantity are those in it unless they are given."""
+    kind = kind or _kind(table)
     spread = f", spread {table['spread']}" if "spread" in table else ""
-    return {
-        "name": table["name"],
-        "value": number,
-        "unit": UNITS[kind],
-        "written": f"{table['value']}{spread}",
-        "source": table["source"],
-        "where": table.get("where", ""),
-        "kind": table["kind"],
-    }
+    return Fact(
+        name=name or table.name,
+        value=table.quantity("value", kind),
+        unit=UNITS[kind],
+        written=f"{table['value']}{spread}",
+        source=table.text("source"),
+        where=table.text("where", ""),
+        kind=table.choice("kind", CERTAINTIES),
+    )
 
 
-def _drop(table: dict[str, Any]) -> DropRule:
-    sizes = {name: parse(table[name], "length", name) for name in ("block_thickness", "side", "drop_height")}
+def _drop(table: Entry) -> DropRule:
+    sizes = {name: table.quantity(name, "length") for name in ("block_thickness", "side", "drop_height")}
     return DropRule(**{**table, **sizes})
 
 
-def _mark(table: dict[str, Any]) -> CourtMark:
-    name = table["name"]
-    distance = _known({"name": name, "of": "length", **table["distance"]})
-    height = _known({"name": f"height of the {name}", "of": "length", **table["height"]}) if "height" in table else None
-    return CourtMark(name=name, distance=distance, height=height, side=table["side"])
+def _mark(table: Entry) -> CourtMark:
+    name = table.name
+    high = _fact(table.table("height"), f"height of the {name}", "length") if "height" in table else None
+    distance = _fact(table.table("distance"), name, "length")
+    return CourtMark(name=name, distance=distance, height=high, side=table.text("side"))

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
+from sweetspot.catalog.records import canonical, entry, read_table
 from sweetspot.dynamics.rigid import SwingWeight
 from sweetspot.motion.swing_law import SwingLaw
-from sweetspot.plausibility import parse
 from sweetspot.units import Kind
 
 FILE = "swing_laws.toml"
@@ -27,12 +26,10 @@ def swing_law(name: str = DEFAULT_SWING_LAW) -> SwingLaw:
     0.29
     """
     _, table = entry(read_table(FILE), name, "swing law")
-    what = table["name"]
-    exponent, axis = quantity(table, "exponent", "ratio", what), quantity(table, "axis", "length", what)
-    lightest = quantity(table, "lightest_moi", "moi", what)
-    assert exponent is not None and axis is not None and lightest is not None, f"{FILE}: {name} is not complete"
-    spread = parse(unwrapped(table["exponent"]["spread"]), "ratio", f"{what} spread")
-    return SwingLaw(what, exponent, spread, axis, lightest)
+    exponent, spread = table.quantity("exponent", "ratio"), table.spread("exponent", "ratio")
+    axis, lightest = table.quantity("axis", "length"), table.quantity("lightest_moi", "moi")
+    assert spread is not None, f"{FILE}: {name} has no spread"
+    return SwingLaw(table.name, exponent, spread, axis, lightest)
 
 
 MOMENTS: dict[int, Kind] = {1: "first moment", 2: "moi"}
@@ -47,6 +44,5 @@ def swing_weight(sport: str) -> SwingWeight:
     0.1
     """
     _, table = entry(read_table("swing_weights.toml"), sport, "sport")
-    axis = parse(table["axis"], "length", f"{sport} axis")
-    size = parse(table["size"], MOMENTS[table["order"]], f"{sport} size")
+    axis, size = table.quantity("axis", "length"), table.quantity("size", MOMENTS[int(table.number("order"))])
     return SwingWeight(**{**table, "axis": axis, "size": size})

@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from sweetspot.catalog.records import quantity, read_table
+from sweetspot.catalog.records import read_table
 from sweetspot.collision.contact_table import tabled_bat
 from sweetspot.collision.hit_in_space import Contact
 from sweetspot.equipment.ball import Ball
@@ -168,8 +168,7 @@ def contacts_at(place: Array, share: Array | None = None) -> ContactPlaces:
 def _posterior(mean: float, variance: float, balls: float) -> ContactPlaces:
     """Return the normal contacts that balls of this mean (m) and variance (m^2) leave possible."""
     (middle, width), (usual, ratio) = _prior("position"), _prior("position_spread")
-    noise = quantity(read_table(PRIORS)["fixed"], "position_noise", "length", "position_noise")
-    assert noise is not None
+    noise = read_table(PRIORS)["fixed"].quantity("position_noise", "length")
     spread = usual * np.exp(ratio * SPREADS)
     seen = spread**2 + noise**2  # of marks
     log = -(SPREADS**2) / 2 - balls * variance / (2 * seen) - (balls - 1) / 2 * np.log(seen)
@@ -194,10 +193,8 @@ def _mixed(mean: Array, spread: Array, likely: Array, balls: float) -> ContactPl
 def _prior(name: str) -> tuple[float, float]:
     """Return the middle in m of a number of players, and the width in m or, of a scatter, of its logarithm."""
     entry = read_table(PRIORS)[name]
-    middle = quantity(entry, "centre", "length", name)
-    width = quantity(entry, "width", "length" if entry["scale"] == "plain" else "ratio", name)
-    assert middle is not None and width is not None
-    return middle, width
+    width = entry.quantity("width", "length" if entry["scale"] == "plain" else "ratio")
+    return entry.quantity("centre", "length"), width
 
 
 @dataclass(frozen=True)

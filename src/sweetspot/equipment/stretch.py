@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from functools import singledispatch
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
@@ -15,7 +14,10 @@ from sweetspot.equipment.shell import Shell, Stations
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError
 
+UNMEASURED = {"mass": None, "balance_point": None, "moi": None}
 
+
+@singledispatch
 def stretched(implement: Implement, length: float) -> Implement:
     """Return an implement of another length (m); what was measured of it is gone, but for a racket's.
 
@@ -26,27 +28,27 @@ def stretched(implement: Implement, length: float) -> Implement:
     InputError
         for a bat without an outline, or a kind that is not known.
     """
-    places = KINDS.get(type(implement))
-    if places is None:
-        raise InputError(f"{implement.name} is of a kind that cannot be stretched; describe it in a file")
-    return implement.replaced(length=length, **places(implement, length))
+    raise InputError(f"{implement.name} is of a kind that cannot be stretched to {length:.4g} m; describe it in a file")
+
+
+@stretched.register
+def _bat(bat: Bat, length: float) -> Bat:
+    if bat.profile is None:
+        raise InputError(f"{bat.name} has no outline to stretch; give the profile of the longer or shorter one")
+    part = length / bat.length
+    return bat.replaced(
+        **UNMEASURED,
+        length=length,
+        profile=_moved(bat.profile, part),
+        point_masses=tuple(mass.replaced(position=mass.position * part) for mass in bat.point_masses),
+        original=None,
+        shell=None if bat.shell is None else _shell(bat.shell, part),
+        drawn_shell=None,
+    )
 
 
 def _moved(stations: Stations, part: float) -> Stations:
     return tuple((place * part, size) for place, size in stations)
-
-
-def _bat(bat: Bat, length: float) -> dict[str, Any]:
-    if bat.profile is None:
-        raise InputError(f"{bat.name} has no outline to stretch; give the profile of the longer or shorter one")
-    part = length / bat.length
-    places: dict[str, Any] = {
-        "profile": _moved(bat.profile, part),
-        "point_masses": tuple(mass.replaced(position=mass.position * part) for mass in bat.point_masses),
-        "mass": None, "balance_point": None, "moi": None, "original": None,
-        "drawn_shell": None,
-    }  # fmt: skip
-    return places if bat.shell is None else {**places, "shell": _shell(bat.shell, part)}
 
 
 def _shell(shell: Shell, part: float) -> Shell:
@@ -59,48 +61,42 @@ def _shell(shell: Shell, part: float) -> Shell:
     )
 
 
-def _cricket_bat(bat: CricketBat, length: float) -> dict[str, Any]:
+@stretched.register
+def _cricket_bat(bat: CricketBat, length: float) -> CricketBat:
     part = length / bat.length
     stations = {name: _moved(getattr(bat, name), part) for name in ("handle", "width", "spine", "edge")}
-    return {**stations, "splice": bat.splice * part, "mass": None, "balance_point": None, "moi": None}
+    return bat.replaced(**UNMEASURED, **stations, length=length, splice=bat.splice * part)
 
 
-def _hockey_stick(stick: HockeyStick, length: float) -> dict[str, Any]:
+@stretched.register
+def _hockey_stick(stick: HockeyStick, length: float) -> HockeyStick:
     part = length / stick.length
     stations = {name: _moved(getattr(stick, name), part) for name in ("width", "depth", "wall")}
-    return {**stations, "face_start": stick.face_start * part, "mass": None, "balance_point": None, "moi": None}
+    return stick.replaced(**UNMEASURED, **stations, length=length, face_start=stick.face_start * part)
 
 
-def _table_tennis_racket(racket: TableTennisRacket, length: float) -> dict[str, Any]:
-    blade = racket.blade_length * length / racket.length
-    return {"blade_length": blade, "mass": None, "balance_point": None, "moi": None}
+@stretched.register
+def _table_tennis_racket(racket: TableTennisRacket, length: float) -> TableTennisRacket:
+    return racket.replaced(**UNMEASURED, length=length, blade_length=racket.blade_length * length / racket.length)
 
 
-def _golf_club(club: GolfClub, length: float) -> dict[str, Any]:
+@stretched.register
+def _golf_club(club: GolfClub, length: float) -> GolfClub:
     part = (length - club.head.height) / club.shaft_end
-    return {name: _moved(getattr(club, name), part) for name in ("diameter", "wall")}
+    return club.replaced(length=length, diameter=_moved(club.diameter, part), wall=_moved(club.wall, part))
 
 
-def _racket(racket: Racket, length: float) -> dict[str, Any]:
+@stretched.register
+def _racket(racket: Racket, length: float) -> Racket:
     longer, part = length - racket.length, length / racket.length
     head, stiffness = racket.head, racket.relative_stiffness
     assert racket.mass is not None and racket.balance_point is not None and racket.moi is not None
     balance = racket.balance_point * part
     about_centre = racket.moi - racket.mass * (racket.balance_point - racket.moi_axis) ** 2
-    return {
-        "head": head.replaced(start=head.start + longer, end=head.end + longer),
-        "relative_stiffness": None if stiffness is None else _moved(stiffness, part),
-        "balance_point": balance,
-        "moi": about_centre * part**2 + racket.mass * (balance - racket.moi_axis) ** 2,
-    }
-
-
-KINDS: dict[type[Implement], Callable[[Any, float], dict[str, Any]]] = {
-    Bat: _bat,
-    CricketBat: _cricket_bat,
-    HockeyStick: _hockey_stick,
-    TableTennisRacket: _table_tennis_racket,
-    GolfClub: _golf_club,
-    Racket: _racket,
-}
-"""Stretching of every kind of implement to another length."""
+    return racket.replaced(
+        length=length,
+        head=head.replaced(start=head.start + longer, end=head.end + longer),
+        relative_stiffness=None if stiffness is None else _moved(stiffness, part),
+        balance_point=balance,
+        moi=about_centre * part**2 + racket.mass * (balance - racket.moi_axis) ** 2,
+    )

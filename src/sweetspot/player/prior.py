@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot.catalog.records import quantity, read_table
+from sweetspot.catalog.records import read_table
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.motion.swing_law import GREATEST_EXPONENT
 from sweetspot.numerics.arrays import Array
@@ -49,6 +49,9 @@ FIXED: dict[str, Kind] = {
 }
 
 
+Scale = Literal["plain", "ratio"]
+
+
 @dataclass(frozen=True)
 class Prior:
     """What is known of one parameter before any data.
@@ -62,7 +65,7 @@ class Prior:
     """
 
     name: str
-    scale: Literal["plain", "ratio"]
+    scale: Scale
     centre: float
     width: float
 
@@ -81,11 +84,9 @@ def priors() -> dict[str, Prior]:
     by_name = {}
     for name, kind in PARAMETERS.items():
         entry = table[name]
-        scale = entry["scale"]
-        centre = swing_law().exponent if name == "exponent" else quantity(entry, "centre", kind, name)
-        width = quantity(entry, "width", "ratio" if scale == "ratio" else kind, name)
-        assert centre is not None and width is not None, f"{FILE}: {name} is not complete"
-        by_name[name] = Prior(entry["name"], scale, centre, width)
+        scale = entry.choice("scale", get_args(Scale))
+        centre = swing_law().exponent if name == "exponent" else entry.quantity("centre", kind)
+        by_name[name] = Prior(entry.name, scale, centre, entry.quantity("width", "ratio" if scale == "ratio" else kind))
     return by_name
 
 
@@ -96,9 +97,7 @@ def fixed(name: str) -> float:
     >>> round(fixed("position_noise"), 4)
     0.0127
     """
-    value = quantity(read_table(FILE)["fixed"], name, FIXED[name], name)
-    assert value is not None, f"{FILE}: {name} is missing"
-    return value
+    return read_table(FILE)["fixed"].quantity(name, FIXED[name])
 
 
 def natural(standard: Array) -> Array:

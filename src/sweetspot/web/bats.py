@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
@@ -15,7 +15,7 @@ from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table
 from sweetspot.catalog.implements import implement_tables
-from sweetspot.catalog.records import entry
+from sweetspot.catalog.records import TomlTable, TomlValue, entry
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
@@ -184,13 +184,13 @@ def implement_of(name: str, text: str | None) -> Implement:
     return catalog.implement(key)
 
 
-def _table(text: str) -> dict[str, Any]:
+def _table(text: str) -> TomlTable:
     table = table_of_text(text, "the bat file")
     _check_extent(table)
     return table
 
 
-def _check_extent(table: dict[str, Any]) -> None:
+def _check_extent(table: TomlTable) -> None:
     for count, (depth, value) in enumerate(_values(table, 0), start=1):
         if depth > DEEPEST or count > MOST_VALUES:
             raise InputError(
@@ -201,10 +201,10 @@ def _check_extent(table: dict[str, Any]) -> None:
             raise InputError(f"a value of the bat file has {len(value)} letters; allowed are {LONGEST_VALUE}")
 
 
-def _values(value: Any, depth: int) -> Iterator[tuple[int, Any]]:
+def _values(value: TomlValue, depth: int) -> Iterator[tuple[int, TomlValue]]:
     yield depth, value
-    if depth <= DEEPEST and isinstance(value, dict | list):
-        for item in value.values() if isinstance(value, dict) else value:
+    if depth <= DEEPEST and isinstance(value, (Mapping, list)):
+        for item in value.values() if isinstance(value, Mapping) else value:
             yield from _values(item, depth + 1)
 
 

@@ -12,10 +12,8 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from sweetspot import catalog
-from sweetspot.catalog.files.write import bat_toml, legible
-from sweetspot.catalog.files.write_changes import changes_table
-from sweetspot.catalog.materials import frequency_of_ra, rubber, rubber_names
-from sweetspot.catalog.records import read_table, unwrapped
+from sweetspot.catalog.files.write import bat_toml, changes_table, legible
+from sweetspot.catalog.materials import bounds_of_ra, frequency_of_ra, rubber, rubber_names
 from sweetspot.catalog.scaled_implements import Measures, club_weights, scaled_to, with_shaft
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
@@ -206,9 +204,7 @@ def _stiffness(pattern: Implement, usual: WholeImplement) -> list[WizardQuestion
     strings = _number("string_tension_n", "Tension of the strings", pattern.bed.tension, (tension.low, most))
     if pattern.sport != "tennis":
         return [tone, strings]
-    ratings = read_table("racket_stiffness.toml")["ra"]
-    bounds = float(unwrapped(ratings["low"])), float(unwrapped(ratings["high"]))
-    return [_number("ra", "Stiffness of the frame (RA), if known", None, bounds), strings]
+    return [_number("ra", "Stiffness of the frame (RA), if known", None, bounds_of_ra()), strings]
 
 
 def _number(field: str, label: str, value: float | None, bounds: tuple[float, float]) -> WizardQuestion:
@@ -320,7 +316,7 @@ def _text(tool: Implement, wanted: Wanted) -> str:
 
     if isinstance(tool, Bat):
         return legible(bat_toml(tool.replaced(original=None)), digits=ENOUGH)
-    table = changes_table(tool, like=wanted.pattern)
+    table = changes_table(tool, catalog.implement(wanted.pattern), like=wanted.pattern)
     if wanted.ra is not None:
         table = {"ra" if field == "first_frequency" else field: value for field, value in table.items()}
         table["ra"] = wanted.ra

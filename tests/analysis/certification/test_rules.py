@@ -65,8 +65,8 @@ def test_every_rule_has_a_source_and_says_how_it_was_read(name: str) -> None:
 
 
 def test_limits_are_specified_records() -> None:
-    rules = [rule for entry in read_table(RULES).values() for rule in entry["rule"]]
-    limits = [rule[side] for rule in rules for side in ("least", "most") if side in rule]
+    rules = [rule for entry in read_table(RULES).values() for rule in entry.tables("rule")]
+    limits = [rule.table(side) for rule in rules for side in ("least", "most") if side in rule]
     assert limits
     for limit in limits:
         assert set(limit) == {"value", "source", "where", "kind"}

@@ -9,6 +9,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.catalog.files.bat import read_toml, table_of_text
 from sweetspot.catalog.files.read import implement_from_table
+from sweetspot.catalog.records import Entry, TomlTable
 from sweetspot.errors import InputError
 
 BAT = {"name": "bat", "length": "33 in", "material": "white ash", "profile": [["0 in", "1 in"], ["33 in", "2.5 in"]]}
@@ -34,7 +35,7 @@ SHELL = {"wall": [["0 in", "2.5 mm"], ["33 in", "2.5 mm"]]}
         ({"profile": [[f"{33 * part / 20_000:.6f} in", "2 in"] for part in range(20_001)]}, "up to 150"),
     ],
 )
-def test_absurd_bats(changes: dict[str, object], said: str) -> None:
+def test_absurd_bats(changes: TomlTable, said: str) -> None:
     with pytest.raises(InputError, match=said) as caught:
         implement_from_table({**BAT, **changes}, "bat.toml")
     assert len(str(caught.value)) < 1000
@@ -63,7 +64,7 @@ def test_bombs_of_toml(text: str) -> None:
 
 def test_dots_that_are_no_bomb() -> None:
     text = "note = '" + "It was so. " * 100 + "'\n# " + ". " * 100 + "\nnumbers = [" + "0.5, " * 500 + "]"
-    assert len(table_of_text(text, "bat.toml")["numbers"]) == 500
+    assert Entry("file", table_of_text(text, "bat.toml")).numbers("numbers") == [0.5] * 500
 
 
 def test_files_that_are_none(tmp_path: Path) -> None:

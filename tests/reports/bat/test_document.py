@@ -14,7 +14,7 @@ import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
 from sweetspot.answers.report import misses_of, report_of
-from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.catalog.standard_hit import standard_analysis, standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.references import keys
@@ -205,6 +205,12 @@ def test_constants_and_sources_are_listed(read: Page, analysis: Analysis) -> Non
         assert f"source-{key}" in read.ids
     modulus = next(record for record in records["material: white ash"] if record.name.endswith("longitudinal_modulus"))
     assert read.row("longitudinal modulus")[1] == f"{modulus.value}, spread {modulus.spread}"
+
+
+def test_the_rubber_that_the_ball_meets_has_its_sources() -> None:
+    records = used_records(standard_analysis("table-tennis-racket"))
+    rubbers = {heading: found for heading, found in records.items() if heading.startswith("rubber")}
+    assert rubbers and all("friction" in " ".join(record.name for record in found) for found in rubbers.values())
 
 
 def test_published_rows_show_known_misses_and_nothing_fitted(read: Page) -> None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import BeforeValidator, Field
@@ -19,21 +20,26 @@ from sweetspot.catalog.files.tables import (
     PRESSURE,
     SIZES,
     CalibrationTable,
+    Called,
     FileTable,
     Length,
+    Made,
     Mass,
+    Named,
     Sizes,
     check_sport,
     in_si,
+    made,
+    values_in_si,
 )
-from sweetspot.catalog.files.turned import turned_profile
+from sweetspot.catalog.files.turned import Turned
 from sweetspot.catalog.materials import material
-from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.records import TomlTable, unwrapped, unwrapped_table
 from sweetspot.dynamics.weight_match import weight_matched
 from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.shell import InnerWall, Ring, Shell
+from sweetspot.equipment.shell import InnerWall, Ring, Shell, Stations
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
 from sweetspot.plausibility import check, insisted, insisting
@@ -48,9 +54,13 @@ DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')\s*+\
 """A key of many parts joined by dots."""
 
 
-def _listed(value: Any) -> Any:
+def _listed(value: object) -> object:
     """Return one table as a list of one: [bore] is as good as [[bore]]."""
     return (value,) if isinstance(value, dict) else value
+
+
+MaterialName = Annotated[str, Named(material)]
+OwnMaterial = Annotated[str | None, Named(material, own=True)]
 
 
 class BoreTable(FileTable):
@@ -58,7 +68,9 @@ class BoreTable(FileTable):
 
     diameter: Length = Field(description="for example '1 in'")
     depth: Length = Field(description="from the tip, for example '10 in'")
-    fill: str | None = Field(None, description="material of the catalogue that fills it; absent: empty")
+    fill: Annotated[str | None, Named(material)] = Field(
+        None, description="material of the catalogue that fills it; absent: empty"
+    )
     plug: Length = Field("0 in", description="length of the mouth closed again with the bat's own material")
 
 
@@ -72,17 +84,23 @@ class CupTable(FileTable):
 class PlyTable(FileTable):
     """One ply of a laminate, [{ material = "carbon ply", angle = "45 deg", thickness = "0.15 mm" }, ...]."""
 
-    material: str = Field(description="name in the catalogue; its longitudinal axis is that of the fibres")
+    material: MaterialName = Field(description="name in the catalogue; its longitudinal axis is that of the fibres")
     angle: Annotated[str, ANGLE] = Field("0 deg", description="from the bat's axis to the fibres, -90 to 90 deg")
     thickness: Length = Field(description="only its share counts: plies are scaled to the wall")
+
+
+LAMINATE = Made(Ply, PlyTable, whole=lambda plies: Laminate(plies=plies))
+Plies = Annotated[tuple[PlyTable, ...], LAMINATE]
 
 
 class InnerWallTable(FileTable):
     """[shell.inner_wall]: a sleeve inside the barrel."""
 
     wall: Sizes = Field(description="pairs of position and thickness, from where the sleeve starts to where it stops")
-    material: str | None = Field(None, description="name in the catalogue; absent: the bat's own")
-    laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
+    material: OwnMaterial = Field(None, description="name in the catalogue; absent: the bat's own")
+    laminate: Annotated[tuple[PlyTable, ...] | None, LAMINATE] = Field(
+        None, description="plies from the inside outwards"
+    )
     gap: Length = Field("0 mm", description="between the outer wall and the sleeve")
     bonded: bool = Field(False, description="true: the walls are glued to each other")
 
@@ -93,7 +111,7 @@ class RingTable(FileTable):
     position: Length = Field(description="of its middle, from the knob end")
     width: Length = Field(description="along the bat")
     depth: Annotated[str | None, LENGTH] = Field(None, description="from the wall inwards; absent: a solid disc")
-    material: str | None = Field(None, description="name in the catalogue; absent: the bat's own")
+    material: OwnMaterial = Field(None, description="name in the catalogue; absent: the bat's own")
 
 
 class ShellTable(FileTable):
@@ -102,15 +120,19 @@ class ShellTable(FileTable):
     wall: Annotated[tuple[tuple[str, str], ...] | str, SIZES] = Field(
         description="one thickness, or pairs of position from the knob end and thickness"
     )
-    laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
-    inner_wall: InnerWallTable | None = None
-    ring: Annotated[tuple[RingTable, ...], BeforeValidator(_listed)] = Field(
+    laminate: Annotated[tuple[PlyTable, ...] | None, LAMINATE] = Field(
+        None, description="plies from the inside outwards"
+    )
+    inner_wall: Annotated[InnerWallTable | None, Made(InnerWall, InnerWallTable)] = None
+    ring: Annotated[tuple[RingTable, ...], BeforeValidator(_listed), Made(Ring, RingTable), Called("rings")] = Field(
         (), description="rings and discs that keep the barrel round"
     )
     weight_by: Literal["handle", "knob", "end cap", "wall"] | None = Field(
         None, description="what meets a measured mass where density alone cannot; absent: the first of these that can"
     )
-    handle_material: str | None = Field(None, description="of a two-piece bat; name in the catalogue")
+    handle_material: Annotated[str | None, Named(material)] = Field(
+        None, description="of a two-piece bat; name in the catalogue"
+    )
     joint: Annotated[str | None, LENGTH] = Field(
         None, description="where the handle of a two-piece bat ends, from the knob end"
     )
@@ -173,10 +195,15 @@ class BatFile(FileTable):
     moi: Annotated[str | None, MOI] = Field(None, description="measured moment of inertia about moi_axis")
     moi_axis: Length = Field("6 in", description="axis of moi, from the knob end")
     fitted: tuple[str, ...] = Field((), description="which of mass, balance_point and moi were not measured but fitted")
-    bore: Annotated[tuple[BoreTable, ...], BeforeValidator(_listed)] = ()
-    cup: CupTable | None = None
-    shell: ShellTable | None = None
-    point_mass: Annotated[tuple[PointMassTable, ...], BeforeValidator(_listed)] = ()
+    bore: Annotated[tuple[BoreTable, ...], BeforeValidator(_listed), Made(Bore, BoreTable), Called("bores")] = ()
+    cup: Annotated[CupTable | None, Made(Cup, CupTable)] = None
+    shell: Annotated[ShellTable | None, Made(Shell, ShellTable)] = None
+    point_mass: Annotated[
+        tuple[PointMassTable, ...],
+        BeforeValidator(_listed),
+        Made(PointMass, PointMassTable),
+        Called("point_masses"),
+    ] = ()
     choke: Length = Field("0 in", description="how far the grip is moved up from the knob")
     original: BatFile | None = Field(
         None, description="the bat as it was measured, when this one is that bat changed; like = ... writes it"
@@ -185,13 +212,13 @@ class BatFile(FileTable):
     note: str | None = Field(None, description="anything worth knowing about this bat")
 
 
-def read_toml(path: Path) -> dict[str, Any]:
+def read_toml(path: Path) -> TomlTable:
     """Return a TOML file's content; a missing, huge or malformed file is an `InputError`."""
     text = read_text(path, most=MAX_BYTES, advice="a bat file is TOML text of a few lines")
     return table_of_text(text, str(path))
 
 
-def table_of_text(text: str, where: str) -> dict[str, Any]:
+def table_of_text(text: str, where: str) -> TomlTable:
     """Return the table that a TOML text describes; ``where`` names its origin in messages."""
     if DEEP_KEY.search(text):  # the reader's time grows with the square of their number
         raise InputError(f"{where} holds a key of more than {DEEPEST_KEY} parts; a bat has a few lines")
@@ -204,7 +231,7 @@ def table_of_text(text: str, where: str) -> dict[str, Any]:
         raise InputError(f"{where} holds tables inside tables beyond all need; a bat has a few lines") from None
 
 
-def bat_of_table(table: dict[str, Any], where: str) -> Bat:
+def bat_of_table(table: TomlTable, where: str) -> Bat:
     """Return the bat that a table describes by itself; ``where`` names the file in messages."""
     if table.get("kind", "bat") != "bat":
         kind = str(table["kind"]).replace("-", " ")
@@ -220,24 +247,20 @@ def bat_of_table(table: dict[str, Any], where: str) -> Bat:
     try:
         if table.get("sport", "baseball") != "baseball":
             check_sport(str(unwrapped(table["sport"])), kind="bat")
-        merged = with_fitted(table)
         with insisting(insisted() or "calibration" in table):  # what was fitted to a checked drawing need not be usual
-            return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in merged.items()})))
+            return checked_drawing(_bat(BatFile(**unwrapped_table(with_fitted(table)))))
     except InputError as error:
         message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
         raise InputError(f"{where}: {message}") from None
 
 
-def with_fitted(table: dict[str, Any]) -> dict[str, Any]:
+def with_fitted(table: TomlTable) -> TomlTable:
     """Return a file's table that says under ``fitted`` what its records say was fitted, also of the original bat."""
     original = table.get("original")
-    changed = {**table, "original": with_fitted(original)} if isinstance(original, dict) else table
-    by_record = [name for name in MEASURED if isinstance(record := table.get(name), dict) and _is_fitted(record)]
+    changed = {**table, "original": with_fitted(original)} if isinstance(original, Mapping) else table
+    records = {name: record for name in MEASURED if isinstance(record := table.get(name), Mapping)}
+    by_record = [name for name, record in records.items() if record.get("kind") == "fitted"]
     return {**changed, "fitted": by_record} if by_record else changed
-
-
-def _is_fitted(record: dict[str, Any]) -> bool:
-    return record.get("kind") == "fitted"
 
 
 def checked_drawing(bat: Bat) -> Bat:
@@ -263,45 +286,36 @@ def checked_drawing(bat: Bat) -> Bat:
     return bat
 
 
-AS_WRITTEN = (
-    "name", "sport", "length", "profile", "linear_density", "density_gradient", "mass", "balance_point", "moi",
-    "moi_axis", "fitted", "choke",
-)  # fmt: skip
-"""Fields of a bat that are those of its file in SI."""
-
-
 def _bat(file: BatFile) -> Bat:
-    given = in_si(file, implement="bat")
-    of_wood = _material(file.material, measured=file.calibration is not None)
-    outlines = [name for name in ("profile", "turned", "linear_density") if given[name] is not None]
+    own = _material(file.material, measured=file.calibration is not None)
+    length = in_si(file.length, "length", "length", "bat")
+    outlines = [name for name in ("profile", "turned", "linear_density") if getattr(file, name) is not None]
     if len(outlines) != 1:
         among = " and ".join(outlines) or "none of them"
         raise InputError(f"the outline is given as {among}; give exactly one of profile, turned, linear_density")
-    if file.turned is not None:
-        sizes = in_si(file.turned, "turned", implement="bat")
-        end = sizes["taper_end"] / given["length"]
-        check(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
-        given["profile"] = turned_profile(length=given["length"], **sizes)
     original = None if file.original is None else _bat(file.original)
-    shell = None if file.shell is None else _shell(file.shell, of_wood, length=file.length)
-    bat = Bat(
-        **{name: given[name] for name in AS_WRITTEN},
-        material=of_wood,
-        bores=tuple(Bore(**_of_materials(bore, "bore")) for bore in file.bore),
-        cup=None if file.cup is None else Cup(**in_si(file.cup, "cup", implement="bat")),
-        shell=shell,
-        point_masses=tuple(PointMass(**in_si(weight, "point_mass", implement="bat")) for weight in file.point_mass),
-        original=original,
-        calibrated=file.calibration is not None,
-    )
-    if shell is None:
+    shell = file.shell
+    if shell is not None and isinstance(shell.wall, str):
+        shell = shell.model_copy(update={"wall": (("0 in", shell.wall), (file.length, shell.wall))})
+        file = file.model_copy(update={"shell": shell})
+    turned = {} if file.turned is None else {"profile": _turned(file.turned, length)}
+    given = {"material": own, "original": original, "calibrated": file.calibration is not None, **turned}
+    bat = made(Bat, file, implement="bat", own=own, given=given)
+    if shell is None or bat.shell is None:
         return bat
     if original is not None and original.shell is not None and original.drawn_shell is not None:
-        bat = _made_alike(bat, shell, original.shell, original.drawn_shell).replaced(remark=original.remark)
+        bat = _made_alike(bat, bat.shell, original.shell, original.drawn_shell).replaced(remark=original.remark)
     if bat.calibrated:
         return bat
-    matched = weight_matched(bat, None if file.shell is None else file.shell.weight_by)
+    matched = weight_matched(bat, shell.weight_by)
     return matched if matched is bat else matched.replaced(drawn_shell=bat.shell)
+
+
+def _turned(table: TurnedTable, length: float) -> Stations:
+    sizes = made(Turned, table, "turned", implement="bat", given={"length": length})
+    end = sizes.taper_end / length
+    check(end, "end of the taper", f"{table.taper_end}, {end:.2f} of the length")
+    return sizes.profile()
 
 
 def _made_alike(bat: Bat, shell: Shell, made: Shell, drawn: Shell) -> Bat:
@@ -316,43 +330,14 @@ def _made_alike(bat: Bat, shell: Shell, made: Shell, drawn: Shell) -> Bat:
     return bat.replaced(shell=shell.replaced(**same), drawn_shell=shell)
 
 
-def _of_materials(table: FileTable, what: str, default: Material | None = None) -> dict[str, Any]:
-    """Return a table's fields in SI, with materials and laminates for names; ``default`` where no material is named."""
-    values = in_si(table, what, implement="bat")
-    for name in {"material", "handle_material", "fill"} & values.keys():
-        values[name] = (default if name == "material" else None) if values[name] is None else material(values[name])
-    if values.get("laminate") is not None:
-        values["laminate"] = laminate_of(values["laminate"], f"{what}.laminate")
-    return values
-
-
-def _shell(table: ShellTable, default: Material, *, length: str) -> Shell:
-    if isinstance(table.wall, str):
-        table = table.model_copy(update={"wall": (("0 in", table.wall), (length, table.wall))})
-    values = _of_materials(table, "shell")
-    inner = (
-        None if table.inner_wall is None else InnerWall(**_of_materials(table.inner_wall, "shell.inner_wall", default))
-    )
-    rings = tuple(Ring(**_of_materials(ring, "shell.ring", default)) for ring in table.ring)
-    left_out = {"weight_by", "inner_wall", "ring"}
-    return Shell(
-        inner_wall=inner, rings=rings, **{name: value for name, value in values.items() if name not in left_out}
-    )
-
-
-def laminate_of(plies: tuple[PlyTable, ...], what: str) -> Laminate:
-    """Return the laminate of a file's plies; ``what`` holds them, for messages."""
-    return Laminate(plies=tuple(Ply(**_of_materials(ply, what)) for ply in plies))
-
-
 def _material(given: str | MaterialTable, *, measured: bool) -> Material:
     """Return the material of a file; a measured density may lie outside what its kind usually has."""
     if isinstance(given, str):
         return material(given)
     made_of = material(given.like)
-    values = in_si(given, "material", implement="bat")
-    changes = {name: value for name, value in values.items() if value is not None and name != "like"}
-    density = changes.pop("density", None)
-    if density is not None:
+    values = values_in_si(given, "material", implement="bat")
+    changes = {name: value for name, value in values.items() if value is not None and name not in ("like", "density")}
+    if given.density is not None:
+        density = in_si(given.density, "density", "material.density", "bat")
         made_of = made_of.of_density(density) if measured else made_of.replaced(density=density)
     return made_of.replaced(**changes)

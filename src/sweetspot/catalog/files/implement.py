@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
-from typing import Annotated, Any, Literal
+from collections.abc import Callable, Mapping
+from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import Field
 
-from sweetspot.catalog.files.bat import (
-    BatFile,
-    PlyTable,
-    bat_of_table,
-    laminate_of,
-    with_fitted,
-)
+from sweetspot.catalog.files.bat import BatFile, MaterialName, Plies, bat_of_table, with_fitted
 from sweetspot.catalog.files.tables import (
     FORCE,
     FREQUENCY,
@@ -24,16 +18,20 @@ from sweetspot.catalog.files.tables import (
     MOI,
     STIFFNESS,
     CalibrationTable,
+    Called,
     FileTable,
     Length,
+    Made,
     Mass,
+    Named,
     Parts,
     Sizes,
     check_sport,
     in_si,
+    made,
 )  # fmt: skip
-from sweetspot.catalog.materials import frequency_of_ra, material, rubber
-from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.materials import frequency_of_ra, rubber
+from sweetspot.catalog.records import TomlTable, unwrapped, unwrapped_table
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, FaceOutline, StringBed
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
@@ -44,13 +42,15 @@ from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.plausibility import check, insisted, insisting
 
+Tool = TypeVar("Tool", bound=Implement)
+
 
 class AddedTable(FileTable):
     """[[point_mass]]: a small weight, for example lead tape."""
 
     position: Length = Field(description="from the butt end")
     mass: Mass
-    beside: Length = Field("0 cm", description="from the middle line, either side")
+    beside: Annotated[str, LENGTH, Called("lateral")] = Field("0 cm", description="from the middle line, either side")
 
 
 class CommonTable(FileTable):
@@ -69,12 +69,11 @@ class CommonTable(FileTable):
     fitted: tuple[str, ...] = Field((), description="which of mass, balance_point and moi were not measured but fitted")
     choke: Length = Field("0 cm", description="how far the grip is moved up from the butt end")
     note: str | None = Field(None, description="anything worth knowing about it")
-    point_mass: tuple[AddedTable, ...] = Field(
-        (),
-        description="small weights, lead tape; mass is that before them, but with like = ... with them",
+    point_mass: Annotated[tuple[AddedTable, ...], Made(AddedMass, AddedTable), Called("added")] = Field(
+        (), description="small weights, lead tape; mass is that before them, but with like = ... with them"
     )
     calibration: CalibrationTable | None = None
-    original: dict[str, Any] | None = Field(
+    original: Mapping[str, Any] | None = Field(
         None, description="it as it was measured, when this one is that one changed; like = ... writes it"
     )
 
@@ -108,7 +107,7 @@ class RacketFile(CommonTable):
 
     kind: Literal["racket"]
     head: HeadTable
-    strings: StringsTable | None = None
+    strings: Annotated[StringsTable | None, Made(StringBed, StringsTable)] = None
     first_frequency: Annotated[str | None, FREQUENCY] = Field(None, description="of bending mode 1, hung freely")
     ra: float | None = Field(None, description="stiffness as shops tell it; in place of first_frequency")
     damping: float = Field(0.01, description="fraction of critical damping, hung freely")
@@ -123,8 +122,8 @@ class CricketBatFile(CommonTable):
     """A cricket bat."""
 
     kind: Literal["cricket-bat"]
-    material: str = Field(description="of the blade; name in the catalogue")
-    handle_material: str
+    material: MaterialName = Field(description="of the blade; name in the catalogue")
+    handle_material: MaterialName
     handle: Sizes = Field(description="pairs of position and diameter, from the top to the shoulders")
     width: Sizes = Field(description="pairs of position and width of the blade, from the shoulders to the toe")
     spine: Sizes = Field(description="pairs of position and depth in the middle of the blade")
@@ -139,7 +138,7 @@ class HockeyStickFile(CommonTable):
     """A field-hockey stick."""
 
     kind: Literal["hockey-stick"]
-    material: str
+    material: MaterialName
     width: Sizes = Field(description="pairs of position and width across the ball's path, over the whole length")
     depth: Sizes = Field(description="pairs of position and thickness along the ball's path")
     wall: Sizes = Field(description="pairs of position and wall thickness")
@@ -159,16 +158,20 @@ class ClubHeadTable(FileTable):
     face_width: Length
     moi: Annotated[str, MOI] = Field(description="about the axis from heel to toe")
     roll_moi: Annotated[str, MOI] = Field(description="about the shaft's direction")
-    face_stiffness: Annotated[str | None, STIFFNESS] = Field(None, description="of the plate under the ball")
-    face_mass: Annotated[str | None, MASS] = Field(None, description="that moves with the ball")
-    face_restitution: float = Field(1.0, description="of a hard ball on the face held fast")
+    face_stiffness: Annotated[str | None, STIFFNESS, Called("stiffness")] = Field(
+        None, description="of the plate under the ball"
+    )
+    face_mass: Annotated[str | None, MASS, Called("moving_mass")] = Field(None, description="that moves with the ball")
+    face_restitution: Annotated[float, Called("restitution")] = Field(
+        1.0, description="of a hard ball on the face held fast"
+    )
 
 
 class GolfClubFile(CommonTable):
     """A golf club, weighed by its parts."""
 
     kind: Literal["golf-club"]
-    material: str = Field(description="of the shaft; name in the catalogue")
+    material: MaterialName = Field(description="of the shaft; name in the catalogue")
     diameter: Sizes = Field(description="pairs of position and outer diameter of the shaft")
     wall: Sizes = Field(description="pairs of position and wall thickness of the shaft")
     head: ClubHeadTable
@@ -177,22 +180,25 @@ class GolfClubFile(CommonTable):
     first_frequency: FirstFrequency = None
 
 
+RubberName = Annotated[str | None, Named(rubber)]
+
+
 class TableTennisRacketFile(CommonTable):
     """A table-tennis racket."""
 
     kind: Literal["table-tennis-racket"]
-    blade: tuple[PlyTable, ...] = Field(description="plies from one side to the other; angle 0 along the handle")
+    blade: Plies = Field(description="plies from one side to the other; angle 0 along the handle")
     blade_length: Length
     blade_width: Length
     handle_width: Length
     handle_thickness: Length = Field(description="with the blade between the scales")
-    handle_material: str
-    front: str | None = Field(None, description="rubber of the catalogue that the ball meets")
-    back: str | None = Field(None, description="rubber of the other side")
+    handle_material: MaterialName
+    front: RubberName = Field(None, description="rubber of the catalogue that the ball meets")
+    back: RubberName = Field(None, description="rubber of the other side")
     damping: float = 0.02
 
 
-def implement_of_table(table: dict[str, Any], where: str) -> Implement:
+def implement_of_table(table: TomlTable, where: str) -> Implement:
     """Return the implement that a table describes by itself, by its ``kind``; ``where`` names the file in messages."""
     kind = table.get("kind", "bat")
     if kind == "bat":
@@ -204,7 +210,7 @@ def implement_of_table(table: dict[str, Any], where: str) -> Implement:
     try:
         check_sport(str(unwrapped(table.get("sport", ""))), kind=kind)
         with insisting(insisted() or "calibration" in table):  # what was fitted to a checked drawing need not be usual
-            return make(made_from(**{key: _unwrapped(value) for key, value in with_fitted(table).items()}))
+            return make(made_from(**unwrapped_table(with_fitted(table))))
     except InputError as error:
         message = re.sub(PREFIXES, "", str(error))
         if message.count("is missing") >= MANY_MISSING:
@@ -213,66 +219,41 @@ def implement_of_table(table: dict[str, Any], where: str) -> Implement:
         raise InputError(f"{where}: {message}") from None
 
 
-def _unwrapped(value: Any) -> Any:
-    """Return a value without provenance, tables inside it included."""
-    plain = unwrapped(value)
-    return {key: _unwrapped(item) for key, item in plain.items()} if isinstance(plain, dict) else plain
-
-
-def _common(file: CommonTable) -> dict[str, Any]:
-    left_out = ("kind", "note", "point_mass", "calibration", "original")
-    fields = {name: value for name, value in in_si(file, implement=file.kind).items() if name not in left_out}
-    fields["calibrated"] = file.calibration is not None
-    fields["original"] = None if file.original is None else implement_of_table(file.original, "original")
-    fields["added"] = added_masses(file.point_mass, file.kind)
-    return fields | {name: material(fields[name]) for name in ("material", "handle_material") if name in fields}
-
-
-def added_masses(weights: Sequence[AddedTable], kind: str) -> tuple[AddedMass, ...]:
-    """Return the weights of a file's [[point_mass]] tables; ``kind`` is that of the implement."""
-    tables = [in_si(weight, "point_mass", implement=kind) for weight in weights]
-    return tuple(AddedMass(position=table["position"], mass=table["mass"], lateral=table["beside"]) for table in tables)
+def _made(kind: type[Tool], file: CommonTable, **given: object) -> Tool:
+    """Return the implement of a file; ``given`` is what the file says in other words."""
+    original = None if file.original is None else implement_of_table(file.original, "original")
+    calibrated = file.calibration is not None
+    return made(kind, file, implement=file.kind, given={"calibrated": calibrated, "original": original, **given})
 
 
 def _racket(file: RacketFile) -> Racket:
-    given = _common(file)
-    ra = given.pop("ra")
-    if (ra is None) == (given["first_frequency"] is None):
+    if (file.ra is None) == (file.first_frequency is None):
         raise InputError("give first_frequency in Hz, or ra, the stiffness as shops tell it, and not both")
-    if ra is not None:
-        given["first_frequency"] = frequency_of_ra(ra)
-    size = in_si(file.head, "head", implement=file.kind)
-    end = given["length"] - size["rim"]
-    given["head"] = FaceOutline(start=end - size["length"], end=end, width=size["width"])
-    given["strings"] = (
-        None if file.strings is None else StringBed(**in_si(file.strings, "strings", implement=file.kind))
+    of_ra = {} if file.ra is None else {"first_frequency": frequency_of_ra(file.ra)}
+    head = file.head
+    length, width, rim = (
+        in_si(getattr(head, name), "length", f"head.{name}", file.kind) for name in ("length", "width", "rim")
     )
-    return Racket(**given)
+    end = in_si(file.length, "length", "length", file.kind) - rim
+    return _made(Racket, file, head=FaceOutline(start=end - length, end=end, width=width), **of_ra)
 
 
 def _golf_club(file: GolfClubFile) -> GolfClub:
-    head = in_si(file.head, "head", implement=file.kind)
-    face = Face(
-        stiffness=head.pop("face_stiffness"),
-        moving_mass=head.pop("face_mass"),
-        restitution=head.pop("face_restitution"),
-        edge="plate",
-    )
-    return GolfClub(**{**_common(file), "head": ClubHead(face=face, **head)})
+    face = made(Face, file.head, "head", implement=file.kind, given={"edge": "plate"})
+    return _made(GolfClub, file, head=made(ClubHead, file.head, "head", implement=file.kind, given={"face": face}))
 
 
 def _table_tennis_racket(file: TableTennisRacketFile) -> TableTennisRacket:
-    sides = {side: rubber(name) for side, name in (("front", file.front), ("back", file.back)) if name is not None}
-    blade = laminate_of(file.blade, "blade")
-    thickness = sum(ply.thickness for ply in blade.plies)
+    racket = _made(TableTennisRacket, file)
+    thickness = sum(ply.thickness for ply in racket.blade.plies)
     check(thickness, "blade", f"{1e3 * thickness:.3g} mm")
-    return TableTennisRacket(**{**_common(file), "blade": blade, **sides})
+    return racket
 
 
 KINDS: dict[str, tuple[type[FileTable], Callable[[Any], Implement]]] = {
     "racket": (RacketFile, _racket),
-    "cricket-bat": (CricketBatFile, lambda file: CricketBat(**_common(file))),
-    "hockey-stick": (HockeyStickFile, lambda file: HockeyStick(**_common(file))),
+    "cricket-bat": (CricketBatFile, lambda file: _made(CricketBat, file)),
+    "hockey-stick": (HockeyStickFile, lambda file: _made(HockeyStick, file)),
     "golf-club": (GolfClubFile, _golf_club),
     "table-tennis-racket": (TableTennisRacketFile, _table_tennis_racket),
 }

@@ -6,15 +6,15 @@ what it is made of, and the weight follows. What the file itself says was measur
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from sweetspot.catalog.files.bat import MEASURED, read_toml, with_fitted
-from sweetspot.catalog.files.implement import AddedTable, added_masses, implement_of_table
+from sweetspot.catalog.files.implement import AddedTable, implement_of_table
+from sweetspot.catalog.files.tables import made
 from sweetspot.catalog.files.write import implement_table
-from sweetspot.catalog.records import FOLDER, canonical, entry, unwrapped
+from sweetspot.catalog.records import FOLDER, TomlTable, TomlValue, canonical, entry, unwrapped_table
 from sweetspot.catalog.scaled_implements import Measures, scaled_to
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -42,10 +42,8 @@ UNITS: dict[str, tuple[Kind, str]] = {
     "moi": ("moi", "kg*m^2"),
 }
 
-Table = dict[str, Any]
 
-
-def resolved(table: Table, where: str, folder: Path | None = None, before: tuple[Path, ...] = ()) -> Table:
+def resolved(table: TomlTable, where: str, folder: Path | None = None, before: tuple[Path, ...] = ()) -> TomlTable:
     """Return a file's table with all that it leaves out taken from the parent that ``like`` names.
 
     Tables inside it are completed the same way. Holes, rings and weights are added to the parent's; other lists are
@@ -69,7 +67,7 @@ def resolved(table: Table, where: str, folder: Path | None = None, before: tuple
     name = table.get("like")
     if not isinstance(name, str):
         return table
-    changes = _plain(with_fitted({field: value for field, value in table.items() if field != "like"}))
+    changes = unwrapped_table(with_fitted({field: value for field, value in table.items() if field != "like"}))
     try:
         return _changed(_parent(name, folder, before), changes)
     except InputError as error:
@@ -81,7 +79,7 @@ def names_file(like: str) -> bool:
     return like.lower().endswith(".toml") or "/" in like or "\\" in like
 
 
-def _parent(name: str, folder: Path | None, before: tuple[Path, ...]) -> Table:
+def _parent(name: str, folder: Path | None, before: tuple[Path, ...]) -> TomlTable:
     """Return the whole table of a parent, without provenance."""
     if names_file(name):
         if folder is None:
@@ -99,26 +97,20 @@ def _parent(name: str, folder: Path | None, before: tuple[Path, ...]) -> Table:
     if path in before:
         ring = " is like ".join(file.name for file in (*before[before.index(path) :], path))
         raise InputError(f"{ring}: that has no beginning. Let one of them describe its bat without like")
-    table = _plain(with_fitted(read_toml(path)))
+    table = unwrapped_table(with_fitted(read_toml(path)))
     whole = resolved(table, str(path), path.parent, (*before, path))
     if names_file(name):
         implement_of_table(whole, str(path))  # it says itself what is wrong in it
     return whole
 
 
-def _plain(value: Any) -> Any:
-    """Return a value without provenance, tables inside it included."""
-    plain = unwrapped(value)
-    return {key: _plain(item) for key, item in plain.items()} if isinstance(plain, dict) else plain
-
-
-def _changed(parent: Table, changes: Table) -> Table:
+def _changed(parent: TomlTable, changes: TomlTable) -> TomlTable:
     """Return the whole table of what was changed from a parent."""
     was_measured = any(name in parent for name in MEASURED) or "original" not in parent
     measured_on = parent if was_measured else parent["original"]
     before, after = parent.get("material"), changes.get("material")
     changes = {**changes, **_whole_material(before, after)}
-    base = {**_base(_without(parent, *OF_THE_PARENT), changes), "name": _name(str(parent.get("name", "")))}
+    base: TomlTable = {**_base(_without(parent, *OF_THE_PARENT), changes), "name": _name(str(parent.get("name", "")))}
     if OUTLINES & changes.keys():
         base = _without(base, *OUTLINES)
     if {"ra", "first_frequency"} & changes.keys():  # one of them is enough
@@ -132,10 +124,10 @@ def _changed(parent: Table, changes: Table) -> Table:
     return table if parent.get("kind", "bat") == "bat" else {**table, **_before_added(table)}
 
 
-def _base(parent: Table, changes: Table) -> Table:
+def _base(parent: TomlTable, changes: TomlTable) -> TomlTable:
     """Return the parent's table, at the length of the changed one, and measured as that where its kind needs it."""
-    length = parse(changes["length"], "length", "length") if "length" in changes else None
-    if length == parse(parent["length"], "length", "length"):
+    length = _quantity(changes, "length", "length")
+    if length == _quantity(parent, "length", "length"):
         length = None
     if parent.get("kind") in KNOWN_BY_MEASURES and (length is not None or set(MEASURED) & changes.keys()):
         return _scaled_to(parent, changes, length)
@@ -145,10 +137,10 @@ def _base(parent: Table, changes: Table) -> Table:
     return {**_kept(parent), **_without(longer, "original")}
 
 
-def _scaled_to(parent: Table, changes: Table, length: float | None) -> Table:
+def _scaled_to(parent: TomlTable, changes: TomlTable, length: float | None) -> TomlTable:
     """Return the table of a racket or club like its parent that has, with all its weights on it, what was measured."""
     tool = implement_of_table(parent, "its parent")
-    more = _weights(changes, parent["kind"])
+    more = _weights(changes, str(parent["kind"]))
     weights = more if changes.get("point_mass") == [] else (*tool.added, *more)
     whole = rigid_body(beam_model(tool)).mass + sum(weight.mass for weight in more)
     bare = _bare(weights, changes, whole, tool.moi_axis)
@@ -159,9 +151,9 @@ def _scaled_to(parent: Table, changes: Table, length: float | None) -> Table:
     return {**_kept(parent), **implement_table(made.replaced(fitted=tuple(fitted)))}
 
 
-def _before_added(table: Table) -> Table:
+def _before_added(table: TomlTable) -> TomlTable:
     """Return the measured quantities of an implement with added weights, converted to those without them."""
-    given, weights = set(MEASURED) & table.keys(), _weights(table, table["kind"])
+    given, weights = set(MEASURED) & table.keys(), _weights(table, str(table["kind"]))
     if not given or not weights:
         return {}
     whole = rigid_body(beam_model(implement_of_table(_without(table, *MEASURED), "its parent"))).mass
@@ -169,7 +161,7 @@ def _before_added(table: Table) -> Table:
     return {name: f"{getattr(bare, name)!r} {UNITS[name][1]}" for name in given}
 
 
-def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float) -> Measures:
+def _bare(weights: Sequence[AddedMass], table: TomlTable, whole: float, axis: float) -> Measures:
     """Return the measures that a file gives for an implement, reduced to those without its added weights.
 
     Parameters
@@ -177,10 +169,9 @@ def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float)
     whole : kg, with the weights, where the file does not say it.
     axis : m from the butt end, of a moment of inertia, where the file does not say it.
     """
-    mass, balance, moi = (
-        parse(table[name], kind, name) if name in table else None for name, (kind, _) in UNITS.items()
-    )
-    axis = parse(table["moi_axis"], "length", "moi_axis") if "moi_axis" in table else axis
+    mass, balance, moi = (_quantity(table, name, kind) for name, (kind, _) in UNITS.items())
+    given_axis = _quantity(table, "moi_axis", "length")
+    axis = axis if given_axis is None else given_axis
     added = sum(weight.mass for weight in weights)
     bare_mass = (whole if mass is None else mass) - added
     if balance is not None:
@@ -190,34 +181,39 @@ def _bare(weights: Sequence[AddedMass], table: Table, whole: float, axis: float)
     return Measures(mass=None if mass is None else bare_mass, balance_point=balance, moi=moi, moi_axis=axis)
 
 
-def _weights(table: Table, kind: str) -> tuple[AddedMass, ...]:
-    return added_masses(
-        [AddedTable(**weight) for weight in _listed(table.get("point_mass", [])) if isinstance(weight, dict)], kind
-    )
+def _weights(table: TomlTable, kind: str) -> tuple[AddedMass, ...]:
+    tables = (AddedTable(**weight) for weight in _listed(table.get("point_mass", [])) if isinstance(weight, Mapping))
+    return tuple(made(AddedMass, each, "point_mass", implement=kind) for each in tables)
 
 
-def _is_other_material(parent: Any, child: Any) -> bool:
+def _quantity(table: TomlTable, name: str, kind: Kind) -> float | None:
+    """Return a quantity of a table in SI; None where there is none."""
+    value = table.get(name)
+    return None if value is None else parse(value if isinstance(value, (str, int, float)) else str(value), kind, name)
+
+
+def _is_other_material(parent: TomlValue | None, child: TomlValue | None) -> bool:
     """Return whether a material's name or density differs from the parent's; stiffer wood is still the same piece."""
     if child is None or parent is None:
         return False
-    before, after = (part if isinstance(part, dict) else {"like": part} for part in (parent, child))
+    before, after = (part if isinstance(part, Mapping) else {"like": part} for part in (parent, child))
     name = after.get("like", before.get("like"))
     return canonical(str(name)) != canonical(str(before.get("like"))) or "density" in after
 
 
-def _whole_material(parent: Any, child: Any) -> Table:
+def _whole_material(parent: TomlValue | None, child: TomlValue | None) -> TomlTable:
     """Return a file's [material] with the parent's name where it gives values alone."""
-    if not isinstance(child, dict) or "like" in child or parent is None:
+    if not isinstance(child, Mapping) or "like" in child or parent is None:
         return {}
-    return {"material": {**(parent if isinstance(parent, dict) else {"like": parent}), **child}}
+    return {"material": {**(parent if isinstance(parent, Mapping) else {"like": parent}), **child}}
 
 
-def _completed(base: Table, changes: Table) -> Table:
+def _completed(base: TomlTable, changes: TomlTable) -> TomlTable:
     table = dict(base)
     for key, value in changes.items():
         of_base = table.get(key)
-        like = of_base.get("like") if isinstance(of_base, dict) else None
-        if isinstance(of_base, dict) and isinstance(value, dict) and value.get("like", like) == like:
+        like = of_base.get("like") if isinstance(of_base, Mapping) else None
+        if isinstance(of_base, Mapping) and isinstance(value, Mapping) and value.get("like", like) == like:
             table[key] = _completed(of_base, value)
         elif key in ADDED_TO and value and of_base:
             table[key] = [*_listed(of_base), *_listed(value)]
@@ -230,15 +226,15 @@ def _name(parent: str) -> str:
     return parent if parent.endswith(CHANGED) else f"{parent}{CHANGED}"[:100]
 
 
-def _kept(parent: Table) -> Table:
+def _kept(parent: TomlTable) -> TomlTable:
     """Return the tables of a parent's file that the text of its implement lacks: calibration and added weights."""
     return {name: parent[name] for name in ("calibration", "point_mass") if name in parent}
 
 
-def _without(table: Table, *names: str) -> Table:
+def _without(table: TomlTable, *names: str) -> TomlTable:
     return {field: value for field, value in table.items() if field not in names}
 
 
-def _listed(value: Any) -> list[Any]:
+def _listed(value: TomlValue) -> list[TomlValue]:
     """Return one table as a list of one, as files may have it."""
     return list(value) if isinstance(value, (list, tuple)) else [value]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import warnings
 from pathlib import Path
-from typing import Any
 
 from sweetspot.catalog.files.bat import bat_of_table, read_toml
 from sweetspot.catalog.files.implement import implement_of_table
 from sweetspot.catalog.files.like import resolved
+from sweetspot.catalog.records import TomlTable
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
@@ -91,14 +91,14 @@ def read_implement(path: Path) -> Implement:
     return implement
 
 
-def whole_table(path: Path) -> dict[str, Any]:
+def whole_table(path: Path) -> TomlTable:
     """Return a TOML file's content with what it takes from the one that it is ``like``."""
     here = path.resolve()
     folder = Path() if path == STANDARD_INPUT else here.parent
     return resolved(read_toml(path), str(path), folder, (here,))
 
 
-def bat_from_table(table: dict[str, Any], where: str) -> Bat:
+def bat_from_table(table: TomlTable, where: str) -> Bat:
     """Return the bat that a table describes, perhaps like one of the catalogue; no file of the reader's is opened.
 
     Parameters
@@ -108,6 +108,6 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     return bat_of_table(resolved(table, where), where)
 
 
-def implement_from_table(table: dict[str, Any], where: str) -> Implement:
+def implement_from_table(table: TomlTable, where: str) -> Implement:
     """Return the implement that a table describes by its ``kind``; see `bat_from_table`."""
     return implement_of_table(resolved(table, where), where)

@@ -1,20 +1,26 @@
-"""Tables of a TOML file whose fields say what quantity each text is, and become numbers in SI by themselves."""
+"""Tables of a TOML file: each field says what quantity, name or part it is, for reading and for writing alike."""
 
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable, Container, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal
+from types import MappingProxyType
+from typing import Annotated, Literal, TypeVar
 
 from pydantic import ConfigDict, Field, PositiveFloat
+from pydantic.fields import FieldInfo
 
 from sweetspot.catalog.records import FOLDER, canonical, read_table
 from sweetspot.equipment.base import Validated
+from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import check_count
 from sweetspot.errors import InputError
 from sweetspot.plausibility import check, parse
 from sweetspot.units import Kind
+
+Part = TypeVar("Part", bound=Validated)
 
 
 @dataclass(frozen=True)
@@ -32,6 +38,31 @@ class PairsOf:
     second: Kind
 
 
+@dataclass(frozen=True)
+class Named:
+    """Loader of what a field's text names in the catalogue; ``own``: where it names none, it is the bat's material."""
+
+    function: Callable[[str], object]
+    own: bool = False
+
+
+@dataclass(frozen=True)
+class Made:
+    """Part that a field's table describes, or each of its tables, and what holds these parts together."""
+
+    part: type[Validated]
+    table: type[FileTable]
+    whole: Callable[[tuple[Validated, ...]], object] = tuple
+
+
+@dataclass(frozen=True)
+class Called:
+    """Name of a field in the thing, where it is not that in the file."""
+
+    name: str
+
+
+Meaning = Of | PairsOf | Named | Made
 LENGTH, MASS, MOI, FORCE = Of("length"), Of("mass"), Of("moi"), Of("force")
 FREQUENCY, STIFFNESS, LINEAR_DENSITY = Of("frequency"), Of("stiffness"), Of("linear density")
 ANGLE, DENSITY, PRESSURE = Of("angle"), Of("density"), Of("pressure")
@@ -50,39 +81,88 @@ class FileTable(Validated):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
 
 
-def parsed(text: str, kind: Kind, what: str, implement: str) -> float:
+def meaning_of(field: FieldInfo) -> Meaning | None:
+    """Return what a field holds; None: a text, a number or a table as it is."""
+    return next((mark for mark in field.metadata if isinstance(mark, Meaning)), None)
+
+
+def called(name: str, field: FieldInfo) -> str:
+    """Return the name in the thing of a file's field."""
+    return next((mark.name for mark in field.metadata if isinstance(mark, Called)), name)
+
+
+def in_si(text: str, kind: Kind, what: str, implement: str) -> float:
     """Return a quantity of a file in SI; one far from usual for this kind of implement is refused."""
     value = parse(text, kind, what)
     check(value, what, text, quantity=f"{implement} {what}")
     return value
 
 
-def in_si(table: FileTable, what: str = "", *, implement: str) -> dict[str, Any]:
-    """Return the fields of a table with every text that is a quantity as a number in SI; None where there is none.
+def made(
+    part: type[Part],
+    table: FileTable,
+    what: str = "",
+    *,
+    implement: str,
+    own: Material | None = None,
+    given: Mapping[str, object] = MappingProxyType({}),
+) -> Part:
+    """Return the thing or the part that a table describes: texts become numbers in SI, names and tables what they mean.
 
     Parameters
     ----------
-    table : its fields are annotated with `Of` or `PairsOf`; others, tables among them, are left as they are.
     what : the table's name in its file, for messages.
     implement : its kind, whose sizes are known to be usual or not.
+    own : material of the bat, for parts that name none.
+    given : fields of the thing that the table says in other words.
     """
-    values: dict[str, Any] = {}
-    for name, field in type(table).model_fields.items():
-        value, label = getattr(table, name), f"{what}.{name}" if what else name
-        for meaning in field.metadata:
-            if value is not None and isinstance(meaning, Of):
-                value = parsed(value, meaning.kind, label, implement)
-            elif value is not None and isinstance(meaning, PairsOf):
-                check_count(value, label)
-                pairs = [
-                    (parse(first, meaning.first, f"{label} position"), parse(second, meaning.second, f"{label} size"))
-                    for first, second in value
-                ]
-                for (_, size), (_, text) in zip(pairs, value, strict=True):
-                    check(size, label, text, quantity=f"{implement} {label}")
-                value = tuple(pairs)
-        values[name] = value
-    return values
+    values = values_in_si(table, what, implement=implement, own=own, left_out=given.keys())
+    return part(**{name: value for name, value in values.items() if name in part.model_fields}, **given)
+
+
+def values_in_si(
+    table: FileTable, what: str = "", *, implement: str, own: Material | None = None, left_out: Container[str] = ()
+) -> dict[str, object]:
+    """Return what the fields of a table mean, by their names in the thing, but for those that are known; see `made`."""
+    return {
+        called(name, field): _meant(
+            getattr(table, name), meaning_of(field), f"{what}.{name}" if what else name, implement, own
+        )
+        for name, field in type(table).model_fields.items()
+        if called(name, field) not in left_out
+    }
+
+
+def _meant(value: object, meaning: Meaning | None, label: str, implement: str, own: Material | None) -> object:
+    """Return what the value of a field means."""
+    match value, meaning:
+        case None, Named(own=True):
+            value = own
+        case str(), Of():
+            value = in_si(value, meaning.kind, label, implement)
+        case str(), Named():
+            value = meaning.function(value)
+        case tuple(), PairsOf():
+            value = _pairs(value, meaning, label, implement)
+        case FileTable(), Made():
+            value = made(meaning.part, value, label, implement=implement, own=own)
+        case tuple(), Made():
+            parts = (made(meaning.part, table, label, implement=implement, own=own) for table in value)
+            value = meaning.whole(tuple(parts))
+    return value
+
+
+def _pairs(
+    value: tuple[tuple[str, str | float], ...], meaning: PairsOf, label: str, implement: str
+) -> tuple[tuple[float, float], ...]:
+    check_count(value, label)
+    pairs = tuple(
+        (parse(first, meaning.first, f"{label} position"), parse(second, meaning.second, f"{label} size"))
+        for first, second in value
+    )
+    for (_, size), (_, text) in zip(pairs, value, strict=True):
+        check(size, label, text, quantity=f"{implement} {label}")
+    return pairs
 
 
 class MeasuredTable(FileTable):
@@ -147,6 +227,6 @@ def _kinds() -> dict[str, frozenset[str]]:
             table = tomllib.loads(path.read_text(encoding="utf-8"))
             kind_of[path.stem] = str(table.get("kind", "bat"))
             kinds.setdefault(canonical(str(table.get("sport", "baseball"))), set()).add(kind_of[path.stem])
-    for sport, table in read_table("sports.toml").items():
-        kinds.setdefault(canonical(sport), set()).update(kind_of[name] for name in table.get("implements", ()))
+    for sport, entry in read_table("sports.toml").items():
+        kinds.setdefault(canonical(sport), set()).update(kind_of[name] for name in entry.texts("implements"))
     return {sport: frozenset(those) for sport, those in kinds.items() if those}

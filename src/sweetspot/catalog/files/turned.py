@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from sweetspot.equipment.base import Positive, Validated
+from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
 from sweetspot.units import INCH
 
@@ -16,34 +18,34 @@ TIP = ((2.5, 1.0), (1.2, 0.975), (0.5, 0.91), (0.15, 0.80), (0.0, 0.66))
 """(inches from the tip, part of the barrel's diameter): a rounded end."""
 
 
-def turned_profile(
-    *, length: float, knob: float, handle: float, barrel: float, taper_start: float, taper_end: float
-) -> tuple[tuple[float, float], ...]:
-    """Return (position, diameter) stations of a bat with knob, straight handle, smooth taper, barrel and round end.
+class Turned(Validated):
+    """The sizes that people know of a turned bat, m; positions from the knob end, the other three are diameters."""
 
-    The taper follows 3 t^2 - 2 t^3 from ``taper_start`` to ``taper_end``. The shapes of knob and end are typical
-    ones (assumed), scaled by their diameters.
+    length: Positive
+    knob: Positive
+    handle: Positive
+    barrel: Positive
+    taper_start: float
+    taper_end: float
 
-    Parameters
-    ----------
-    length, knob, handle, barrel : m; the last three are diameters.
-    taper_start, taper_end : m from the knob end.
+    def profile(self) -> Stations:
+        """Return (position, diameter) stations of a bat with knob, straight handle, smooth taper, barrel and round end.
 
-    Raises
-    ------
-    InputError
-        when knob flare, taper and end do not follow one another.
-    """
-    flare, end = HANDLE_START * INCH, length - TIP[0][0] * INCH
-    if not flare < taper_start < taper_end <= end:
-        raise InputError(
-            f"the taper runs from {taper_start:.4g} m to {taper_end:.4g} m; allowed is from more than {flare:.4g} m "
-            f"to at most {end:.4g} m on this bat, start before end"
-        )
-    stations = [(inches * INCH, part * knob) for inches, part in KNOB]
-    stations.append((flare, handle))
-    part = np.linspace(0, 1, TAPER_STATIONS + 2)
-    rise = handle + (barrel - handle) * (3 * part**2 - 2 * part**3)
-    stations += zip((taper_start + (taper_end - taper_start) * part).tolist(), rise.tolist(), strict=True)
-    stations += [(length - inches * INCH, part * barrel) for inches, part in TIP if length - inches * INCH > taper_end]
-    return tuple(stations)
+        The taper follows 3 t^2 - 2 t^3 from its start to its end. The shapes of knob and end are typical ones
+        (assumed), scaled by their diameters. Raises `InputError` when knob flare, taper and end do not follow one
+        another.
+        """
+        flare, end = HANDLE_START * INCH, self.length - TIP[0][0] * INCH
+        start, stop = self.taper_start, self.taper_end
+        if not flare < start < stop <= end:
+            raise InputError(
+                f"the taper runs from {start:.4g} m to {stop:.4g} m; allowed is from more than {flare:.4g} m "
+                f"to at most {end:.4g} m on this bat, start before end"
+            )
+        stations = [(inches * INCH, part * self.knob) for inches, part in KNOB]
+        stations.append((flare, self.handle))
+        part = np.linspace(0, 1, TAPER_STATIONS + 2)
+        rise = self.handle + (self.barrel - self.handle) * (3 * part**2 - 2 * part**3)
+        stations += zip((start + (stop - start) * part).tolist(), rise.tolist(), strict=True)
+        places = [(self.length - inches * INCH, part * self.barrel) for inches, part in TIP]
+        return (*stations, *((place, size) for place, size in places if place > stop))

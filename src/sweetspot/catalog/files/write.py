@@ -4,30 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import Any
 
-from sweetspot.catalog.files.bat import (
-    BatFile,
-    BoreTable,
-    CupTable,
-    InnerWallTable,
-    MaterialTable,
-    PlyTable,
-    PointMassTable,
-    RingTable,
-    ShellTable,
-)
-from sweetspot.catalog.files.implement import KINDS, AddedTable, ClubHeadTable, HeadTable, StringsTable
-from sweetspot.catalog.files.tables import FileTable, Of, PairsOf
+from sweetspot.catalog.files.bat import MEASURED, BatFile, MaterialTable
+from sweetspot.catalog.files.implement import KINDS, ClubHeadTable, HeadTable
+from sweetspot.catalog.files.tables import FileTable, Made, Meaning, Of, PairsOf, called, meaning_of
 from sweetspot.catalog.materials import keys_by_name, material, rubber_key
-from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
-from sweetspot.equipment.face import Rubber, StringBed
+from sweetspot.catalog.records import TomlValue
+from sweetspot.equipment.base import Validated
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.face import Rubber
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
-from sweetspot.equipment.laminate import Laminate, Ply
+from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.racket import Racket
-from sweetspot.equipment.shell import InnerWall, Ring, Shell
 from sweetspot.errors import InputError
 from sweetspot.units import Kind
 
@@ -43,17 +33,7 @@ UNITS: Mapping[Kind, str] = {
     "density": "kg/m^3",
     "pressure": "Pa",
 }
-TABLES: Mapping[type, type[FileTable]] = {
-    Bore: BoreTable,
-    Cup: CupTable,
-    Shell: ShellTable,
-    InnerWall: InnerWallTable,
-    Ring: RingTable,
-    Ply: PlyTable,
-    PointMass: PointMassTable,
-    StringBed: StringsTable,
-}
-"""What a part is written as."""
+Written = dict[str, TomlValue]
 
 
 def bat_toml(bat: Bat) -> str:
@@ -74,23 +54,15 @@ def implement_toml(implement: Implement) -> str:
     return tomli_w.dumps(implement_table(implement))
 
 
-def bat_table(bat: Bat) -> dict[str, Any]:
-    """Return the bat file's content as `sweetspot.catalog.files.read.bat_from_table` takes it.
-
-    Raises
-    ------
-    InputError
-        when the bat holds a material that no bat file can describe.
-    """
-    values = {**_values(bat), "bore": bat.bores, "point_mass": bat.point_masses, "material": _material(bat.material)}
+def bat_table(bat: Bat) -> Written:
+    """Return the content of a bat's file; see `implement_table`."""
+    left_out: dict[str, object] = {} if bat.sport != Bat.model_fields["sport"].default else {"sport": None}
     if bat.moi is None:
-        values["moi_axis"] = None
-    if bat.sport == Bat.model_fields["sport"].default:
-        values["sport"] = None
-    return written(BatFile, values)
+        left_out["moi_axis"] = None
+    return written(BatFile, bat, material=_material(bat.material), **left_out)
 
 
-def implement_table(implement: Implement) -> dict[str, Any]:
+def implement_table(implement: Implement) -> Written:
     """Return the file's content as `sweetspot.catalog.files.read.implement_from_table` takes it.
 
     Raises
@@ -103,62 +75,98 @@ def implement_table(implement: Implement) -> dict[str, Any]:
     kind = re.sub("(?<=[a-z])(?=[A-Z])", "-", type(implement).__name__).lower()
     if kind not in KINDS:
         raise InputError(f"{implement.name} is of a kind whose file is not written; write it by hand")
-    values = {**_values(implement), "kind": kind}
-    values["point_mass"] = [
-        written(AddedTable, {**_values(weight), "beside": weight.lateral}) for weight in implement.added
-    ]
+    head: object = None
     if isinstance(implement, Racket):
-        head = implement.head
-        sizes = {"length": head.end - head.start, "width": head.width, "rim": implement.length - head.end}
-        values |= {"head": written(HeadTable, sizes), "strings": implement.bed}
+        outline = implement.head
+        size, rim = outline.end - outline.start, implement.length - outline.end
+        head = written(HeadTable, outline, length=size, rim=rim)
     elif isinstance(implement, GolfClub):
-        face = implement.head.face
-        plate = {"face_stiffness": face.stiffness, "face_mass": face.moving_mass, "face_restitution": face.restitution}
-        values["head"] = written(ClubHeadTable, {**_values(implement.head), **plate})
-    return written(KINDS[kind][0], values)
+        head = written(ClubHeadTable, implement.head, implement.head.face)
+    return written(KINDS[kind][0], implement, kind=kind, head=head)
 
 
-def _values(part: Any) -> dict[str, Any]:
-    return {name: getattr(part, name) for name in type(part).model_fields}
-
-
-def written(table: type[FileTable], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the fields of a file's table as they are written, from values in SI; what is not there is left out.
+def written(table: type[FileTable], *parts: Validated, **given: object) -> Written:
+    """Return the fields of a file's table as they are written; what is not there is left out.
 
     Parameters
     ----------
-    table : whose fields say what quantity each is; see `in_si`, which reads them.
-    values : by the names of its fields.
+    table : whose fields say what each is; see `made`, which reads them.
+    parts : what is written, in SI.
+    given : fields that are not the parts' own.
     """
     texts = {}
     for name, field in table.model_fields.items():
-        value = values.get(name)
+        key = called(name, field)
+        value = next((getattr(part, key) for part in parts if key in type(part).model_fields), None)
+        value = given.get(name, value)
         nothing = not field.is_required() and (not field.default or str(field.default).startswith("0 "))
         if value is not None and (value or not nothing):
-            texts[name] = _text(value, next(iter(field.metadata), None))
+            texts[name] = _text(value, meaning_of(field))
     return texts
 
 
-def _text(value: Any, meaning: Any = None) -> Any:
+def _text(value: object, meaning: Meaning | None = None) -> TomlValue:
     match value:
         case Material():
-            value = material_key(value)
+            text: TomlValue = material_key(value)
         case Rubber():
-            value = rubber_key(value)
+            text = rubber_key(value)
         case Implement():
-            value = implement_table(value)
+            text = implement_table(value)
         case Laminate():
-            value = _text(value.plies)
-        case _ if isinstance(meaning, Of):
-            value = f"{value!r} {UNITS[meaning.kind]}"
-        case _ if isinstance(meaning, PairsOf):
+            text = _text(value.plies, meaning)
+        case Validated() if isinstance(meaning, Made):
+            text = written(meaning.table, value)
+        case tuple() if isinstance(meaning, PairsOf):
             kinds = Of(meaning.first), None if meaning.second == "ratio" else Of(meaning.second)
-            value = [[_text(part, kind) for part, kind in zip(pair, kinds, strict=True)] for pair in value]
-        case tuple() | list():
-            value = [_text(part) for part in value]
-        case _ if type(value) in TABLES:
-            value = written(TABLES[type(value)], {**_values(value), "ring": getattr(value, "rings", None)})
-    return value
+            text = [[_text(part, kind) for part, kind in zip(pair, kinds, strict=True)] for pair in value]
+        case tuple():
+            text = [_text(part, meaning) for part in value]
+        case float() if isinstance(meaning, Of):
+            text = f"{value!r} {UNITS[meaning.kind]}"
+        case dict() | str() | int() | float():
+            text = value
+        case _:
+            raise TypeError(f"no file holds a {type(value).__name__}")
+    return text
+
+
+def changes_table(implement: Implement, pattern: Implement, *, like: str) -> Written:
+    """Return the content of a file that names an entry of the catalogue and says only what is different.
+
+    Parameters
+    ----------
+    pattern, like : the entry and its name; of the same kind.
+
+    Raises
+    ------
+    InputError
+        see `implement_toml`.
+
+    >>> from sweetspot import catalog
+    >>> racket = catalog.implement("tennis-racket")
+    >>> changes = changes_table(racket.replaced(mass=0.305), racket, like="tennis-racket")
+    >>> changes["mass"], changes["balance_point"]  # written again: measurements hold for one weight
+    ('0.305 kg', '0.325 m')
+    """
+    if implement.added:
+        raise InputError(f"{implement.name} has weights on it; describe it without them, and add [[point_mass]]")
+    table = implement_table(implement)
+    changed = _different(table, implement_table(pattern))
+    measured = {name: table[name] for name in (*MEASURED, "moi_axis") if name in table} if changed else {}
+    return {"like": like, **changed, **measured}
+
+
+def _different(table: Mapping[str, TomlValue], pattern: Mapping[str, TomlValue]) -> Written:
+    """Return the entries of a table that differ from the pattern's, recursively."""
+    changed: Written = {}
+    for name, value in table.items():
+        before = pattern.get(name)
+        if isinstance(value, Mapping) and isinstance(before, Mapping) and value != before:
+            changed[name] = _different(value, before)
+        elif value != before:
+            changed[name] = value
+    return changed
 
 
 def legible(text: str, *, digits: int = 9) -> str:
@@ -181,7 +189,7 @@ def legible(text: str, *, digits: int = 9) -> str:
     return re.sub(r'\[\s*("[^"\n]*"),\s*("[^"\n]*"),\s*\]', r"[\1, \2]", short)
 
 
-def _material(made_of: Material) -> str | dict[str, Any]:
+def _material(made_of: Material) -> str | Written:
     """Return a material's name, or a table of what it has of its own where the catalogue's values were changed."""
     key = _key(made_of)
     standard = material(key)
@@ -191,7 +199,7 @@ def _material(made_of: Material) -> str | dict[str, Any]:
     changed = {name: getattr(made_of, name) for name in names if getattr(made_of, name) != getattr(standard, name)}
     if standard.of_density(made_of.density).replaced(**changed) != made_of or None in changed.values():
         raise InputError(f"{made_of.name} differs from the catalogue's in ways that a bat file cannot describe")
-    return written(MaterialTable, {"like": key, **changed})
+    return written(MaterialTable, like=key, **changed)
 
 
 def material_key(made_of: Material) -> str:

@@ -154,7 +154,7 @@ def _sports(row: Row) -> set[str]:
     """Return the sports of the catalogue's implements that a row names."""
     tables = {canonical(key): table for key, table in implement_tables().items()}
     named = [canonical(text) for text in row.inputs.values() if isinstance(text, str)]
-    return {canonical(tables[name].get("sport", DEFAULT_SPORT)) for name in named if name in tables}
+    return {canonical(tables[name].text("sport", DEFAULT_SPORT)) for name in named if name in tables}
 
 
 def _predicts(row: Row) -> bool:

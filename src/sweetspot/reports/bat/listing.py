@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sweetspot import catalog
@@ -50,7 +50,7 @@ def catalogue_document() -> Document:
 def _assumed_balances(bats: Sequence[tuple[str, Bat]]) -> str:
     """Return which bats' balance points follow from an outline that was assumed."""
     outlines = ((key, implement_tables()[key].get("profile")) for key, bat in bats if bat.balance_point is None)
-    names = [key for key, outline in outlines if isinstance(outline, dict) and outline["kind"] == "assumed"]
+    names = [key for key, outline in outlines if isinstance(outline, Mapping) and outline["kind"] == "assumed"]
     return f"Assumed outlines, and with them balance points: {', '.join(names)}."
 
 

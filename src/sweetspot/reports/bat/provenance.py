@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis
@@ -9,8 +10,7 @@ from sweetspot.catalog.balls import FILE as BALL_FILE
 from sweetspot.catalog.balls import ball
 from sweetspot.catalog.implements import implement, implement_tables
 from sweetspot.catalog.materials import FILE as MATERIAL_FILE
-from sweetspot.catalog.materials import FILE as RUBBER_FILE
-from sweetspot.catalog.materials import material
+from sweetspot.catalog.materials import RUBBERS, material
 from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.ball import Ball
@@ -73,7 +73,7 @@ def bat_records(described: Implement) -> list[Record]:
     records = []
     for key in filter(None, map(_key_of, described.lineage())):
         entry = implement_tables()[key]
-        tables = {f"{key}.{name}": table for name, table in entry.items() if isinstance(table, dict)}
+        tables = {f"{key}.{name}": table for name, table in entry.items() if isinstance(table, Mapping)}
         records += all_records(entry, key)
         records += [record for name, table in tables.items() for record in all_records(table, name)]
     return records
@@ -81,7 +81,7 @@ def bat_records(described: Implement) -> list[Record]:
 
 def _key_of(described: Implement) -> str | None:
     """Return the key of a catalogue bat; None for any other."""
-    named = (key for key, entry in implement_tables().items() if entry.get("name") == described.name)
+    named = (key for key, entry in implement_tables().items() if entry.name == described.name)
     return next((key for key in named if implement(key) == described), None)
 
 
@@ -119,8 +119,8 @@ def assumed_of_ball(used: Ball) -> list[str]:
 
 def rubber_records(used: Rubber) -> list[Record]:
     """Return the records of a table-tennis rubber; none when its name is not in the catalogue."""
-    table = read_table(RUBBER_FILE)
-    return next((all_records(entry, key) for key, entry in table.items() if entry["name"] == used.name), [])
+    table = read_table(RUBBERS)
+    return next((all_records(entry, key) for key, entry in table.items() if entry.name == used.name), [])
 
 
 def sources_of(records: dict[str, list[Record]]) -> list[str]:
@@ -148,11 +148,11 @@ def shown(value: Any) -> str:
 
 
 def _material_key(made_of: Material) -> str | None:
-    return next((key for key, entry in read_table(MATERIAL_FILE).items() if entry["name"] == made_of.name), None)
+    return next((key for key, entry in read_table(MATERIAL_FILE).items() if entry.name == made_of.name), None)
 
 
 def _ball_key(used: Ball) -> str | None:
-    return next((key for key, entry in read_table(BALL_FILE).items() if entry["name"] == used.name), None)
+    return next((key for key, entry in read_table(BALL_FILE).items() if entry.name == used.name), None)
 
 
 def _changes(what: str, used: Material | Ball, original: Material | Ball) -> list[str]:
