@@ -139,11 +139,12 @@ PASSED_ON = {
     *("int", "int | None", "bool", "str", "str | None", "str | Path", "tuple[int, ...]", "Sequence[str] | None"),
     *("Friction", "ContactLaw | None", "PatchLaw", "Choices | None", "Side", "Support", "tuple[str, ...]"),
     *("Path | str", "Path | str | None", "Path | None", "Mapping[str, str] | str | None", "Sequence[str]", "GoalName"),
+    *("BatCell", "FlightCell"),
     *("Mapping[str, float] | None", "Mapping[str, float | Measured] | None"),
     *("Sequence[Searched]", "str | Park | None", "Literal['concrete', 'rigid']"),
 }
 """Annotations of what is handed on as it is."""
-PURE_NUMBERS = {"exponent", "wall_doubt", "patch_factor", "diameter_error", "line"}
+PURE_NUMBERS = {"exponent", "wall_doubt", "patch_factor", "diameter_error", "line", "vary"}
 
 
 def test_every_parameter_of_every_public_function_is_known() -> None:

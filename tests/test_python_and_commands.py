@@ -58,6 +58,14 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
         "fly --ball tennis --exit-speed 30m/s --launch-angle 8deg --height 1m",
         lambda: door.fly(ball="tennis", exit_speed="30m/s", launch_angle="8deg", height="1m"),
     ),
+    (
+        "fly --exit-speed 40m/s:45m/s:2 --wind-speed 0m/s:5m/s:2 --launch-angle 28deg --cell hang-time",
+        lambda: door.fly_table({"exit_speed": ["40 m/s", "45 m/s"], "wind_speed": [0, "5 m/s"]}, launch_angle="28 deg"),
+    ),
+    (
+        "compare mlb-a --rows mass=0.85kg:0.9kg:2 --columns cup-depth=0cm:2cm:2 --bat-speed 68mph",
+        lambda: door.what_if("mlb-a", {"mass": ["0.85 kg", 0.9], "cup_depth": ["0 cm", "2 cm"]}, bat_speed="68 mph"),
+    ),
     ("compare r161-ash youth-30 --same-speed", lambda: door.compare(R161, "youth-30", same_speed=True)),
     (
         "compare r161-ash --what-if cork --bore-depth 8in",
@@ -136,4 +144,6 @@ def test_python_answers_as_the_command(
 def test_every_question_is_tried() -> None:
     asked = {words.split()[0].replace("-", "_") for words, _ in ASKED}
     doors = {name: getattr(door, name) for name in door.__all__ if inspect.isfunction(getattr(door, name))}
-    assert asked | {"compare_corked"} == {name for name, ask in doors.items() if ".ask_" in ask.__wrapped__.__module__}
+    assert asked | {"compare_corked", "fly_table", "what_if"} == {
+        name for name, ask in doors.items() if ".ask_" in ask.__wrapped__.__module__
+    }

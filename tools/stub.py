@@ -29,6 +29,10 @@ WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b")
 PUBLIC = {
     "Loaded": "Tool",
     "Loaded | None": "Tool | None",
+    "Mapping[str, ArrayLike]": "Mapping[str, Sequence[Amount]]",
+    "BatCell": 'Literal["exit_speed", "collision_efficiency", "bbcor", "bat_speed", "mass", "balance_point", "moi", '
+    '"frequency"]',
+    "FlightCell": 'Literal["carry", "hang_time", "apex", "landing_angle", "landing_speed"]',
     "GoalName": 'Literal["exit-speed", "carry", "line"]',
     "tuple[str, ...]": "str | Sequence[str]",
     "tuple[float, ...]": "Sequence[Amount]",

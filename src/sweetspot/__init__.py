@@ -15,8 +15,9 @@ wanted, its name in the catalogue or its file will do, and what is left out is a
 Questions, with the same answers as the commands of these names; ``uncertainty=True`` gives every number its interval:
 
 - where it hits best and why: `report`; one collision: `hit`; bats side by side: `compare`, `compare_corked`;
-- whether rules let it pass: `certify`; from the pitch to the fence: `play`; a ball in the air: `fly`; the best swing
-  and launch: `optimum`;
+  one bat with one or two things varied: `what_if`;
+- whether rules let it pass: `certify`; from the pitch to the fence: `play`; a ball in the air: `fly`, `fly_table`; the
+  best swing and launch: `optimum`;
 - the laboratory: `drop`, `pendulum`; the implemented paper: `paper`;
 - what was measured: `season`, `fit_player`, `rank`, `calibrate`, `tap`, `outline`.
 
@@ -48,10 +49,10 @@ _HOMES: Mapping[str, str] = {
     "": "catalog units",
     "analysis.bat_analysis": "Analysis analyse",
     "analysis.full_play": "plays",
-    "answers.ask_bat": "certify compare compare_corked hit paper report",
+    "answers.ask_bat": "certify compare compare_corked hit paper report what_if",
     "answers.ask_bench": "drop pendulum",
     "answers.ask_design": "design",
-    "answers.ask_flight": "fly optimum play",
+    "answers.ask_flight": "fly fly_table optimum play",
     "answers.ask_measured": "calibrate fit_player outline rank season tap",
     "answers.certify": "CertifyAnswer",
     "answers.compare": "CompareAnswer",
@@ -70,6 +71,7 @@ _HOMES: Mapping[str, str] = {
     "answers.pendulum": "PendulumAnswer",
     "answers.play": "PlayAnswer",
     "answers.report": "ReportAnswer",
+    "answers.what_if": "FlyTableAnswer WhatIfAnswer",
     "calibration.measured": "Measured",
     "catalog.bats": "bat",
     "catalog.implements": "implement",

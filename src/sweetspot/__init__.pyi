@@ -29,6 +29,8 @@ from .answers.rank import RankAnswer as RankAnswer
 from .answers.report import ReportAnswer as ReportAnswer
 from .answers.season import SeasonAnswer as SeasonAnswer
 from .answers.tap import TapAnswer as TapAnswer
+from .answers.what_if import FlyTableAnswer as FlyTableAnswer
+from .answers.what_if import WhatIfAnswer as WhatIfAnswer
 from .calibration.measured import Measured as Measured
 from .catalog.bats import bat as bat
 from .catalog.implements import Loaded
@@ -100,6 +102,7 @@ __all__ = [
     "Flight",
     "FlightConditions",
     "FlyAnswer",
+    "FlyTableAnswer",
     "Friction",
     "Hands",
     "HitAnswer",
@@ -126,6 +129,7 @@ __all__ = [
     "SwingPath",
     "Swings",
     "TapAnswer",
+    "WhatIfAnswer",
     "Wind",
     "all_modes",
     "analyse",
@@ -145,6 +149,7 @@ __all__ = [
     "fit_player",
     "fly",
     "fly_all_parks",
+    "fly_table",
     "held_modes",
     "hit",
     "hits",
@@ -170,6 +175,7 @@ __all__ = [
     "tap",
     "trajectory",
     "units",
+    "what_if",
 ]
 
 Tool = Implement | Analysis | Loaded | str | Path
@@ -316,6 +322,32 @@ def fly(
     calm_below: Amount = 0.0,
     park: str | Park | None = None,
 ) -> FlyAnswer: ...
+def fly_table(
+    vary: Mapping[str, Sequence[Amount]],
+    *,
+    show: Literal["carry", "hang_time", "apex", "landing_angle", "landing_speed"] = "carry",
+    exit_speed: Amount = 44.704,
+    launch_angle: Amount = 0.4886921905584123,
+    spray: Amount | None = None,
+    bearing: Amount | None = None,
+    backspin: Amount | None = None,
+    sidespin: Amount | None = None,
+    gyrospin: Amount = 0.0,
+    height: Amount = 0.9144000000000001,
+    forward: Amount = 0.6096,
+    bats: Literal["right", "left"] = "right",
+    ball: str = "baseball",
+    law: str | None = None,
+    temperature: Amount = 21.11111111111111,
+    humidity: Amount = 0.5,
+    pressure: Amount = 101320.74811900273,
+    elevation: Amount | None = None,
+    wind_speed: Amount = 0.0,
+    wind_direction: Amount = 0.0,
+    wind_profile: Amount = 0.0,
+    calm_below: Amount = 0.0,
+    park: str | Park | None = None,
+) -> FlyTableAnswer: ...
 def hit(
     implement: Tool,
     *,
@@ -498,3 +530,22 @@ def tap(
     implement: Tool | None = None,
     at: Amount | None = None,
 ) -> TapAnswer: ...
+def what_if(
+    bat: Tool,
+    vary: Mapping[str, Sequence[Amount]],
+    *,
+    swing_law: str | None = None,
+    show: Literal[
+        "exit_speed", "collision_efficiency", "bbcor", "bat_speed", "mass", "balance_point", "moi", "frequency"
+    ] = "exit_speed",
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+    bat_speed_at: Amount | None = None,
+    pivot: Amount | None = None,
+    hands: Amount | None = None,
+    ball: str | None = None,
+    ball_cor: Amount | None = None,
+    ball_humidity: Amount | None = None,
+    ball_temperature: Amount | None = None,
+    same_speed: bool = False,
+) -> WhatIfAnswer: ...

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.implement import Implement
 
-NUMBERS = {"float", "float | None", "ArrayLike", "Real"}
+NUMBERS = {"float", "float | None", "ArrayLike", "Real", "Mapping[str, ArrayLike]"}
 """Annotations of parameters that are converted by their name."""
 WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b|tuple\[float")
 """The same of numbers that may have an error, or be a place from the tip."""

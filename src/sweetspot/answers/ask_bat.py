@@ -5,8 +5,9 @@ The command line and the public functions of the same names (`sweetspot.hit`, ..
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import starmap
 from typing import TYPE_CHECKING
 
 from sweetspot import catalog
@@ -16,6 +17,8 @@ from sweetspot.errors import InputError
 from sweetspot.papers.choices import Choices
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from sweetspot.analysis.certification.shots import Shots
     from sweetspot.answers.certify import CertifyAnswer
     from sweetspot.answers.compare import CompareAnswer
@@ -23,6 +26,8 @@ if TYPE_CHECKING:
     from sweetspot.answers.paper import PaperAnswer
     from sweetspot.answers.report import ReportAnswer, ReportQuestion
     from sweetspot.answers.unhit import UnhitAnswer
+    from sweetspot.answers.what_if import BatCell, WhatIfAnswer, WhatIfQuestion
+    from sweetspot.motion.swing_law import SwingLaw
 
 
 def report(implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool = False) -> ReportAnswer:
@@ -128,8 +133,7 @@ def compare(
     """
     if not implements:
         raise InputError("no bat was given; name one or more, for example r161-ash and youth-30")
-    law = None if setup.same_speed else swing_law or catalog.sport(implements[0].implement.sport).swing_law
-    return _compared(implements, law, setup, drawn=uncertainty)
+    return _compared(implements, _law(implements[0], swing_law, setup), setup, drawn=uncertainty)
 
 
 def compare_corked(
@@ -143,13 +147,74 @@ def compare_corked(
     """Put a bat beside itself drilled, corked, and filled with rubber or foam; see `compare`."""
     from sweetspot.catalog.bats import LABELS
 
-    law = None if setup.same_speed else swing_law or catalog.sport(bat.implement.sport).swing_law
     variants = [Loaded(variant) for variant in corking.variants(round_bat(bat))]
-    return _compared(variants, law, setup, drawn=uncertainty, labels=LABELS)
+    return _compared(variants, _law(bat, swing_law, setup), setup, drawn=uncertainty, labels=LABELS)
+
+
+def what_if(
+    bat: Loaded,
+    vary: Mapping[str, ArrayLike],
+    *,
+    swing_law: str | None = None,
+    setup: HitSetup = AS_USUAL,
+    show: BatCell = "exit_speed",
+) -> WhatIfAnswer:
+    """Compute a what-if table of a bat: one or two things are varied, every cell has the best hit and its numbers.
+
+    Parameters
+    ----------
+    bat : a round bat, its name in the catalogue, or its file.
+    vary : values by what they are of, down the table's side and across: mass, bore_diameter, bore_depth, cup_depth,
+        wall_factor (of the wall's thickness), bat_speed or pitch_speed.
+    swing_law : name of the law by which speed depends on the bat; None: the sport's.
+    show : the answer that is printed, a name of `answers`.
+
+    Raises
+    ------
+    InputError
+        for anything else to be varied. A cell whose bat cannot be has no numbers, and ``failures`` say why.
+
+    >>> import sweetspot
+    >>> table = sweetspot.what_if("r161-ash", {"mass": ["29 oz", "33 oz"], "bore_depth": ["0 in", "10 in"]})
+    >>> table.answers.exit_speed.round(1)  # m/s
+    array([[46.1, 45.7],
+           [46.7, 46.4]])
+    """
+    from sweetspot.answers.what_if import what_if_answer
+
+    return what_if_answer(what_if_question(bat, vary, swing_law=swing_law, setup=setup, show=show))
+
+
+def what_if_question(
+    bat: Loaded, vary: Mapping[str, ArrayLike], *, swing_law: str | None, setup: HitSetup, show: BatCell
+) -> WhatIfQuestion:
+    """Return the question of `what_if`."""
+    from sweetspot.analysis.two_way import Axis
+    from sweetspot.answers.what_if import WhatIfQuestion, two_sides
+
+    described, (rows, *columns) = round_bat(bat), starmap(Axis, two_sides(vary))
+    return WhatIfQuestion(
+        bat=described,
+        rows=rows,
+        columns=columns[0] if columns else None,
+        conditions=setup.conditions(described),
+        law=_law(bat, swing_law, setup),
+        shown=show,
+    )
+
+
+def _law(first: Loaded, name: str | None, setup: HitSetup) -> SwingLaw | None:
+    """Return how the speed of a swing depends on the bat; None: not at all."""
+    return None if setup.same_speed else catalog.swing_law(name or catalog.sport(first.implement.sport).swing_law)
 
 
 def _compared(
-    implements: Sequence[Loaded], law: str | None, setup: HitSetup, *, drawn: bool, labels: Sequence[str] | None = None
+    implements: Sequence[Loaded],
+    law: SwingLaw | None,
+    setup: HitSetup,
+    *,
+    drawn: bool,
+    labels: Sequence[str] | None = None,
 ) -> CompareAnswer:
     from sweetspot.answers.compare import CompareQuestion, compare_answer
 
@@ -158,7 +223,7 @@ def _compared(
     question = CompareQuestion(
         [loaded.implement for loaded in implements],
         conditions,
-        None if law is None else catalog.swing_law(law),
+        law,
         labels=labels,
         sources=[each.sources(loaded, conditions) for each, loaded in zip(asked, implements, strict=True)],
         drawn=drawn,

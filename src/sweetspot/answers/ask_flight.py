@@ -5,9 +5,9 @@ The command line and the public functions of the same names (`sweetspot.play`, .
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from sweetspot import catalog
 from sweetspot.answers.flight_setups import (
@@ -34,9 +34,12 @@ from sweetspot.errors import InputError
 from sweetspot.units import MPH
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from sweetspot.answers.fly import FlyAnswer
     from sweetspot.answers.optimum import OptimumAnswer, ParkSearch, SwingSearch
     from sweetspot.answers.play import PlayAnswer
+    from sweetspot.answers.what_if import FlightCell, FlyTableAnswer
     from sweetspot.flight.conditions import FlightConditions
     from sweetspot.motion.swing import Conditions
 
@@ -150,6 +153,47 @@ def fly(
         sources=sources,
     )
     return fly_answer(question)
+
+
+def fly_table(
+    vary: Mapping[str, ArrayLike],
+    *,
+    launch: LaunchSetup = LaunchSetup(),
+    weather: Weather = FAIR_WEATHER,
+    show: FlightCell = "carry",
+) -> FlyTableAnswer:
+    """Compute a table of flights of a hit ball: one or two of its numbers are varied, every cell has every answer.
+
+    Parameters
+    ----------
+    vary : values by what they are of, down the table's side and across: exit_speed, launch_angle, spray, bearing,
+        backspin, sidespin, gyrospin, height, or temperature, humidity, pressure, elevation, wind_speed, wind_direction.
+    show : the answer that is printed: "carry", "hang_time", "apex", "landing_angle" or "landing_speed".
+
+    Raises
+    ------
+    InputError
+        for numbers that no hit or air can have in any cell, or anything else to be varied.
+
+    >>> import sweetspot
+    >>> table = sweetspot.fly_table({"exit_speed": ["90 mph", "100 mph"], "launch_angle": ["20 deg", "28 deg"]})
+    >>> table.answers.carry.round()  # m
+    array([[ 94., 103.],
+           [110., 118.]])
+    """
+    from sweetspot.answers.what_if import FlyTableQuestion, fly_table_answer, two_sides
+
+    rows, *columns = two_sides(vary)
+    first: dict[str, Any] = {name: values[0] for name, values in (rows, *columns)}
+    question = FlyTableQuestion(
+        hit=replace(launch.hit(weather), **first),
+        rows=rows,
+        columns=columns[0] if columns else None,
+        ball=catalog.ball(launch.ball),
+        aerodynamics=catalog.aerodynamics_in(weather.field, launch.aerodynamics),
+        shown=show,
+    )
+    return fly_table_answer(question)
 
 
 def optimum(

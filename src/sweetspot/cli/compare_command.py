@@ -17,7 +17,6 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
-    from sweetspot.motion.swing_law import SwingLaw
 
 
 @Parameter(name="*")
@@ -28,12 +27,6 @@ class EffortOptions:
     swing_law: Annotated[
         str | None, Parameter(help="How bat speed depends on the bat: baseball or slow-pitch; default: its sport's.")
     ] = None
-
-    def law(self, bat: Implement, *, same_speed: bool) -> SwingLaw | None:
-        """Return how the speed depends on the bat; None: not at all."""
-        from sweetspot import catalog
-
-        return None if same_speed else catalog.swing_law(self.swing_law or catalog.sport(bat.sport).swing_law)
 
 
 @Parameter(name="*")
@@ -66,10 +59,11 @@ def compare(
 ) -> int:
     """Put bats side by side for one player's swing: what each gains or loses, and how surely."""
     from sweetspot.answers.ask_bat import compare as asked
-    from sweetspot.answers.ask_bat import compare_corked
+    from sweetspot.answers.ask_bat import compare_corked, what_if_question
     from sweetspot.answers.setups import CorkSetup
+    from sweetspot.answers.what_if import what_if_answer
     from sweetspot.catalog.implements import loaded_implement
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import patience, present, progress
     from sweetspot.reports.comparison.document import compare_document
 
     if not bats:
@@ -83,7 +77,12 @@ def compare(
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
         if uncertainty:
             raise InputError("--uncertainty applies to bats side by side; leave it out, or leave out --rows")
-        return present(table.document(_bat(first), effort.law(first, same_speed=swing.same_speed), swing), output)
+        _bat(first)
+        question = what_if_question(
+            loaded[0], table.sides(), swing_law=law, setup=swing.setup(first, errors=False), show=table.shown
+        )
+        with patience(), progress("cells") as report:
+            return present(what_if_answer(question, progress=report), output)
     refuse_unused(given(table, "cell"), "a what-if table", "add --rows, for example --rows mass=29oz:33oz:5")
     if corked and len(bats) != 1:
         raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")

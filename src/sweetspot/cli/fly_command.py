@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 from cyclopts import Parameter
 
@@ -16,9 +16,7 @@ from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.answers.flight_setups import LaunchSetup, Weather
     from sweetspot.flight.sweep import Varied
-    from sweetspot.reports.document import Document
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -70,11 +68,12 @@ def fly(
 ) -> int:
     """Say how far a hit ball carries. Any one or two options may be ranges (from:to:count); the answer is a table."""
     from sweetspot.answers.ask_flight import fly as asked
+    from sweetspot.answers.ask_flight import fly_table
     from sweetspot.answers.flight_setups import LaunchSetup
     from sweetspot.answers.reading import Owner
     from sweetspot.catalog import ball_sport
     from sweetspot.cli.options.weather import setup_of
-    from sweetspot.cli.output import present
+    from sweetspot.cli.output import patience, present
     from sweetspot.plausibility import check
 
     if launch.spray is not None and launch.bearing is not None:
@@ -99,7 +98,9 @@ def fly(
     weather = setup_of(_without(ranges, air))
     if not ranges:
         return present(asked(launch=asked_of, weather=weather, uncertainty=uncertainty), output)
-    return present(_table(asked_of, weather, ranges, cell), output)
+    with patience():
+        table = fly_table(dict(ranges), launch=asked_of, weather=weather, show=cell.replace("-", "_"))  # type: ignore[arg-type]
+    return present(table, output)
 
 
 def _ranges(options: LaunchOptions | AirOptions, sport: str) -> list[Varied]:
@@ -121,21 +122,3 @@ def _without(ranges: list[Varied], options: Options) -> Options:
     default = type(options)()
     usual = {name: getattr(default, name) for name, _ in ranges if hasattr(default, name)}
     return replace(options, **usual)
-
-
-def _table(launch: LaunchSetup, weather: Weather, ranges: list[Varied], cell: str) -> Document:
-    from sweetspot import catalog
-    from sweetspot.cli.output import patience
-    from sweetspot.flight.sweep import flight_table
-    from sweetspot.reports.flight.many import sweep_document
-
-    first: dict[str, Any] = {name: values[0] for name, values in ranges}
-    with patience():
-        table = flight_table(
-            replace(launch.hit(weather), **first),
-            rows=ranges[0],
-            columns=ranges[1] if len(ranges) > 1 else None,
-            ball=catalog.ball(launch.ball),
-            aerodynamics=catalog.aerodynamics_in(weather.field, launch.aerodynamics),
-        )
-    return sweep_document(table, cell.replace("-", "_"))

@@ -16,14 +16,9 @@ def sports(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """List the sports with their balls, implements, speeds and rules, and how sure each number is."""
-    from sweetspot.catalog.sports import sport
+    from sweetspot.answers.catalogued import sport_answer, sports_answer
     from sweetspot.cli.output import patience, present
-    from sweetspot.papers.sports import sport_rows
-    from sweetspot.reports.sports import sport_document, sports_document
 
-    if name is None:
-        return present(sports_document(), output)
-    described = sport(name)
     with patience():
-        rows = sport_rows(described)
-    return present(sport_document(described, rows), output)
+        answer = sports_answer() if name is None else sport_answer(name)
+    return present(answer, output)

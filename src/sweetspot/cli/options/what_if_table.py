@@ -11,17 +11,7 @@ from sweetspot.cli.options.ranges import spread
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.analysis.two_way import Axis, Variation
-    from sweetspot.cli.options.swing import SwingOptions
-    from sweetspot.equipment.bat import Bat
-    from sweetspot.motion.swing_law import SwingLaw
-    from sweetspot.reports.document import Document
-    from sweetspot.units import Kind
-
-KINDS: dict[Variation, Kind] = {
-    "mass": "mass", "bore_diameter": "length", "bore_depth": "length", "cup_depth": "length", "wall_factor": "ratio",
-    "bat_speed": "speed", "pitch_speed": "speed",
-}  # fmt: skip
+    from sweetspot.answers.what_if import BatCell
 
 
 @Parameter(name="*")
@@ -41,31 +31,34 @@ class TableOptions:
         str, Parameter(help="What cells and picture show: exit-speed, bbcor, collision-efficiency, mass, ...")
     ] = "exit-speed"
 
-    def document(self, bat: Bat, law: SwingLaw | None, swing: SwingOptions) -> Document:
-        """Return the table of a bat."""
-        from sweetspot import catalog
-        from sweetspot.analysis.two_way import TableCell, what_if_table
-        from sweetspot.cli.options.swing import conditions_for
-        from sweetspot.cli.output import patience, progress
-        from sweetspot.reports.comparison.two_way import two_way_document
+    def sides(self) -> dict[str, tuple[float, ...]]:
+        """Return what is varied down the table and across it, with the values."""
+        columns = [] if self.columns is None else [_axis(self.columns, "--columns")]
+        return _only_once([_axis(self.rows, "--rows"), *columns])
 
-        answer = self.cell.replace("-", "_")
-        if answer not in TableCell.__dataclass_fields__:
-            allowed = ", ".join(name.replace("_", "-") for name in TableCell.__dataclass_fields__)
+    @property
+    def shown(self) -> BatCell:
+        """The answer that cells show."""
+        from sweetspot.answers.what_if import BAT_CELLS
+
+        answer = next((name for name in BAT_CELLS if name == self.cell.replace("-", "_")), None)
+        if answer is None:
+            allowed = ", ".join(name.replace("_", "-") for name in BAT_CELLS)
             raise InputError(f"--cell was given as {self.cell}; allowed is one of {allowed}")
-        columns = None if self.columns is None else _axis(self.columns, "--columns")
-        with patience(), progress("cells") as report:
-            table = what_if_table(
-                bat, rows=_axis(self.rows, "--rows"), columns=columns,
-                conditions=conditions_for(bat, swing), law=law, fill=catalog.material("cork"), progress=report,
-            )  # fmt: skip
-        return two_way_document(table, answer, bat.name)
+        return answer
 
 
-def _axis(text: str | None, what: str) -> Axis:
+def _only_once(sides: list[tuple[str, tuple[float, ...]]]) -> dict[str, tuple[float, ...]]:
+    if len(sides) > 1 and sides[0][0] == sides[1][0]:
+        raise InputError(f"rows and columns both vary {sides[0][0]}; vary two different things")
+    return dict(sides)
+
+
+def _axis(text: str | None, what: str) -> tuple[str, tuple[float, ...]]:
     """Return an axis written as ``mass=29oz:33oz:5``: what is varied, from, to, and how many values."""
-    from sweetspot.analysis.two_way import VARIATIONS, Axis
+    from sweetspot.analysis.two_way import VARIATIONS
     from sweetspot.plausibility import check
+    from sweetspot.units.quantities import KIND_OF
 
     name, _, span = (text or "").partition("=")
     variation = next((quantity for quantity in VARIATIONS if quantity == name.strip().replace("-", "_")), None)
@@ -75,7 +68,7 @@ def _axis(text: str | None, what: str) -> Axis:
             f"{what} was given as {text!r}; write what varies ({allowed}), then from, to and how many values: "
             "mass=29oz:33oz:5"
         )
-    values = spread(span, KINDS[variation], what)
+    values = spread(span, KIND_OF.get(variation, "ratio"), what)
     for value, given in zip((values[0], values[-1]), span.split(":"), strict=False):
         check(value, name.strip(), given)
-    return Axis(variation, values)
+    return variation, values

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from sweetspot.answers.records import plain_data
+from sweetspot.answers.what_if import FlyTableAnswer
 from sweetspot.flight.kernel import Flights
-from sweetspot.flight.sweep import FlightTable, cells_of
-from sweetspot.numerics.arrays import Array
 from sweetspot.reports.document import Document, Paragraph, Picture
 from sweetspot.reports.grid.document import grid_document
 from sweetspot.reports.grid.grid import Grid
+from sweetspot.reports.json_shapes import cells_as_columns
 from sweetspot.reports.quantities import Reader, key
 from sweetspot.reports.sentences import Sentence, Slot, Span, say
 from sweetspot.units import grouped
@@ -56,44 +56,9 @@ def _drawn(flown: Flights, reading: Reader) -> Any:
     return flights_figure(flown, reading)
 
 
-def answers(table: FlightTable) -> dict[str, Array]:
-    """Return the results of every cell, row by row, SI; nan where a ball did not land."""
-    flown = table.flights
-    return {
-        "carry": flown.carry,
-        "hang_time": flown.hang_time,
-        "apex": flown.apex_height,
-        "landing_angle": flown.landing_angle,
-        "landing_speed": np.linalg.norm(flown.landing_velocity, axis=1),
-    }
-
-
-def sweep_document(table: FlightTable, answer: str) -> Document:
-    """Return a table of flights as a document.
-
-    Parameters
-    ----------
-    answer : what its cells show, a name of `answers`.
-    """
-    values = np.array([list(row) for row in table.values(answers(table)[answer])], dtype=float)
-    grid = Grid(answer, table.rows, table.columns, values)
-    return grid_document(grid, name="fly", kind="Table of flights", data=_json(table), rows=_rows(table))
-
-
-def _json(table: FlightTable) -> dict[str, Any]:
-    return dict(
-        plain_data(
-            {
-                "rows": {key(table.rows[0]): list(table.rows[1])},
-                "columns": {} if table.columns is None else {key(table.columns[0]): list(table.columns[1])},
-                "answers": {key(name): table.values(values) for name, values in answers(table).items()},
-            }
-        )
-    )
-
-
-def _rows(table: FlightTable) -> dict[str, list[Any]]:
-    """Return one row per cell, as columns."""
-    cells = cells_of(table.rows, table.columns)
-    sides = {key(name): [dict(cell)[name] for cell in cells] for name, _ in cells[0]}
-    return dict(plain_data(sides | {key(name): values for name, values in answers(table).items()}))
+def fly_table_document(answer: FlyTableAnswer) -> Document:
+    """Return a table of flights as a document."""
+    shown, down, data = answer.question.shown, answer.rows.varied, answer.to_dict()
+    assert down is not None
+    grid = Grid(shown, down, answer.columns.varied, getattr(answer.answers, shown))
+    return grid_document(grid, name="fly", kind="Table of flights", data=data, rows=cells_as_columns(data))

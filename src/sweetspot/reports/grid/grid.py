@@ -15,7 +15,7 @@ EXACT = {"ratio": 2, "pressure": 2, "angle": 1, "speed": 1, "mass": 1, "length":
 DIGITS = {"hang_time": 2, "landing_angle": 0, "landing_speed": 0}
 """Digits of answers, where others than usual."""
 
-Side = tuple[str, Sequence[float]]
+Side = tuple[str, Sequence[float] | Array]
 """What is varied, a name of `QUANTITIES`, and its values in SI."""
 
 
