@@ -125,7 +125,7 @@ def _view_route(api: APIRouter, view: View, answers: AnswerPool) -> None:
             path,
             name=name,
             response_class=JSONResponse,
-            response_model=dict[str, object],
+            response_model=dict[str, object] | None if aside else dict[str, object],  # there may be nothing to add
             responses={503: {"model": Refusal, "description": unfinished, "headers": seconds}},
             tags=["views"],
         )(endpoint)
