@@ -97,11 +97,7 @@ class Comparison(ShownInNotebooks, Generic[Tool_co]):
 
 
 def compare(
-    bats: Sequence[Given],
-    *,
-    conditions: Conditions,
-    law: SwingLaw | None,
-    labels: Sequence[str] | None = None,
+    bats: Sequence[Given], *, conditions: Conditions, law: SwingLaw | None, labels: Sequence[str] | None = None
 ) -> Comparison[Given]:
     """Return any number of bats under one player's swing.
 

@@ -52,12 +52,7 @@ class BestLaunch:
 
 
 def best_launch(
-    exit_speed: float,
-    conditions: FlightConditions,
-    *,
-    backspin: float,
-    sidespin: float = 0.0,
-    spray: float = 0.0,
+    exit_speed: float, conditions: FlightConditions, *, backspin: float, sidespin: float = 0.0, spray: float = 0.0
 ) -> BestLaunch:
     """Return the launch angle that carries farthest at one exit speed and spin, with the carry.
 

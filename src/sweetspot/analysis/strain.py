@@ -157,11 +157,7 @@ def _curvature(beam: BeamModel, modes: Modes, places: Array) -> Array:
 
 
 def _warnings(
-    strain: float,
-    limit: float | None,
-    material: Material,
-    wall: float | None,
-    wall_limit: float | None,
+    strain: float, limit: float | None, material: Material, wall: float | None, wall_limit: float | None
 ) -> list[str]:
     warnings = []
     low, high = PUBLISHED_FAILURE_STRAIN

@@ -12,16 +12,7 @@ import numpy as np
 from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus, modelled_tones, moduli_along, named_bar
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.naming import (
-    SILENT,
-    ModeFamily,
-    ModeName,
-    NamedTone,
-    any_bat,
-    expected_of,
-    misfit,
-    named,
-)
+from sweetspot.calibration.naming import SILENT, ModeFamily, ModeName, NamedTone, any_bat, expected_of, misfit, named
 from sweetspot.calibration.recording import BAT_BAND, FrequencyBand, Recording
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_faults import HEARD, HELD

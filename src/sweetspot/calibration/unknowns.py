@@ -59,11 +59,7 @@ def as_described(implement: Implement) -> BeamModel:
     if not isinstance(implement, Racket):
         written["first_frequency"] = float(bending_frequencies(beam, count=1)[0])
     if not isinstance(implement, (Racket, GolfClub)):
-        written |= {
-            "mass": body.mass,
-            "balance_point": body.balance_point,
-            "moi": body.moi(implement.moi_axis),
-        }
+        written |= {"mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(implement.moi_axis)}
     return beam_model(implement.replaced(calibrated=True, original=None, **written))
 
 

@@ -11,13 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.analysis.strain import (
-    AFTER,
-    HANDLE_PART,
-    PUBLISHED_FAILURE_STRAIN,
-    linear_limit,
-    wall_curving,
-)
+from sweetspot.analysis.strain import AFTER, HANDLE_PART, PUBLISHED_FAILURE_STRAIN, linear_limit, wall_curving
 from sweetspot.collision.impact import Impacts
 from sweetspot.designs.batter import Batter, usual_places
 from sweetspot.dynamics.batch.beams import BeamRow, Beams

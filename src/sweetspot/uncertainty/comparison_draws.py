@@ -66,11 +66,7 @@ class DrawnComparison:
 
 
 def drawn_comparison(
-    comparison: Comparison[Implement],
-    sources: Sequence[Sources],
-    *,
-    count: int = DRAWS,
-    normal: Array | None = None,
+    comparison: Comparison[Implement], sources: Sequence[Sources], *, count: int = DRAWS, normal: Array | None = None
 ) -> DrawnComparison:
     """Return the answers of draws to a comparison.
 

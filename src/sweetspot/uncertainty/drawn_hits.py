@@ -87,13 +87,7 @@ class Draws:
 
 
 def draws_of(
-    beam: BeamModel,
-    conditions: Conditions,
-    sources: Sources,
-    *,
-    count: int,
-    seed: int = 1,
-    normal: Array | None = None,
+    beam: BeamModel, conditions: Conditions, sources: Sources, *, count: int, seed: int = 1, normal: Array | None = None
 ) -> Draws:
     """Return draws of what is not known, after one of everything as described.
 

@@ -197,9 +197,7 @@ class ShotStatistics:
             "bbcor": self._finding(self.bbcor, fast or few),
             "besr": Finding(besr(self.efficiency.mean), fast, (low, high), doubt_within=self.doubt_within),
             "batted_ball_speed": Finding(
-                self.batted_ball_speed.mean,
-                self._speed_doubt(self.swung.closing_speed),
-                doubt_within=self.doubt_within,
+                self.batted_ball_speed.mean, self._speed_doubt(self.swung.closing_speed), doubt_within=self.doubt_within
             ),
             "bpf": Finding(None, slow or "the file has no ball_cor, which BPF is a ratio to"),
         }

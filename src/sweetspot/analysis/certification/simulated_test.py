@@ -287,13 +287,7 @@ def _bpf_of(slow: BatTest) -> float:
 
 
 def bat_test(
-    beam: BeamModel,
-    *,
-    body: RigidBody,
-    modes: Modes,
-    ball: Ball,
-    closing_speed: float,
-    positions: Array | None = None,
+    beam: BeamModel, *, body: RigidBody, modes: Modes, ball: Ball, closing_speed: float, positions: Array | None = None
 ) -> BatTest:
     """Return a scan along the barrel with the ball at ``closing_speed`` and the bat at rest.
 
