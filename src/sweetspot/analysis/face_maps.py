@@ -77,10 +77,8 @@ def face_map(
     swing, ball = conditions.swing, conditions.ball
     bat_speed = swing.angular_speed * (places[inside] - swing.pivot)
     modes = held_modes(reduced.modes, conditions.hands)
-    outcome = hits_with_motion(
-        modes, ball=ball, position=places[inside], lateral=across[inside],
-        closing_speed=conditions.pitch.speed + bat_speed,
-    )  # fmt: skip
+    closing = conditions.pitch.speed + bat_speed
+    outcome = hits_with_motion(modes, ball=ball, position=places[inside], lateral=across[inside], closing_speed=closing)
     efficiency = outcome.collision_efficiency
     speed = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
     felt = sting(modes, hands=conditions.hands, displacement=outcome.displacement, velocity=outcome.velocity)

@@ -313,7 +313,9 @@ def _climbed(tried: Tried, *, length: float, held: Held) -> Array:
     none = np.zeros(len(moving))
     simplex = np.vstack([none, 2 * np.eye(len(moving))])
     minimum = minimize(
-        shortfall, none, method="Nelder-Mead",
+        shortfall,
+        none,
+        method="Nelder-Mead",
         options={"xatol": SHARP, "fatol": SHARP, "maxiter": MOST_STEPS, "initial_simplex": simplex},
-    )  # fmt: skip
+    )
     return placed(minimum.x)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -171,3 +171,20 @@ def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -
     amplitude = velocity**2 + (modes.angular_frequency * displacement) ** 2
     shapes = modes.shape_at(np.array(hands.places)) ** 2
     return np.asarray(np.sqrt(amplitude @ (felt * shapes.mean(axis=0)) / 2))
+
+
+class Ringing(Protocol):
+    """Many implements that ring after a hit."""
+
+    @property
+    def angular_frequency(self) -> Array: ...
+    def shapes_at(self, position: Array) -> Array: ...
+
+
+def stings(bats: Ringing, impacts: Impacts, *, hands: Hands) -> Array:
+    """Return the vibration at the hands in m/s of hits of many implements, shape (bats, places); see `sting`."""
+    omega = bats.angular_frequency
+    amplitude = impacts.velocity**2 + (omega[:, None, :] * impacts.displacement) ** 2
+    shapes = bats.shapes_at(np.tile(np.array(hands.places), (len(omega), 1))) ** 2
+    felt = velocity_weight(omega / (2 * np.pi)) ** 2 * shapes.mean(axis=1)
+    return np.asarray(np.sqrt(np.einsum("bpm,bm->bp", amplitude, felt) / 2))

@@ -16,7 +16,7 @@ from sweetspot.designs.constraints import Limit, findings_of, kept_limits
 from sweetspot.designs.gain import Gain, HandleBending, gain_of, handle_bending, present_measured
 from sweetspot.designs.local_search import designed
 from sweetspot.designs.measures import Bench, MeasuredDesigns, bench_of
-from sweetspot.designs.pareto import GENERATIONS, POPULATION, DesignSearch, Front, measured_rows, resumed
+from sweetspot.designs.pareto import GENERATIONS, POPULATION, DesignSearch, Front, resumed
 from sweetspot.designs.spaces import space_of
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -178,7 +178,7 @@ def designed_bat(
     if not 1 <= pick <= len(front):
         raise InputError(f"bat {pick} of the front was asked for, which has {len(front)}; allowed is 1 to {len(front)}")
     row, present = pick - 1, bench.space.present
-    chosen, now = measured_rows(front.measured, [row]), present_measured(bench)
+    chosen, now = front.measured.rows([row]), present_measured(bench)
     bat = bench.space.made(front.numbers[row], f"{present.name}, designed")
     checks: list[Check] = []
     if league is not None:

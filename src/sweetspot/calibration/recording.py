@@ -240,8 +240,15 @@ LOUDNESS = 0.5
 """Of full scale, the loudest sample of the loudest tap."""
 
 
-def tap_sound(modes: Modes, *, position: float, listened: float, duration: float = SOFT_TAP, seconds: float = 1.0,
-              rate: float = RATE) -> Array:  # fmt: skip
+def tap_sound(
+    modes: Modes,
+    *,
+    position: float,
+    listened: float,
+    duration: float = SOFT_TAP,
+    seconds: float = 1.0,
+    rate: float = RATE,
+) -> Array:
     """Return the sound of one tap from its beginning on, in any unit, shape (n,).
 
     ``position``, ``listened``: m from the knob end, where it is tapped and where the microphone is. ``duration``: of
@@ -260,9 +267,15 @@ def tap_sound(modes: Modes, *, position: float, listened: float, duration: float
 
 
 def synthesised(
-    modes: Modes, *, position: float, listened: float, taps: int = 3, apart: float = 1.0, noise: float = 0.002,
+    modes: Modes,
+    *,
+    position: float,
+    listened: float,
+    taps: int = 3,
+    apart: float = 1.0,
+    noise: float = 0.002,
     seed: int = 1,
-) -> Recording:  # fmt: skip
+) -> Recording:
     """Return a recording of several taps of different strength in white noise.
 
     ``position``, ``listened``: m from the knob end, where it is tapped and where the microphone is. ``apart``: s from

@@ -159,10 +159,7 @@ def _refined(parameters: Array, samples: Array, time: Array, *, trials: int) -> 
     def misses(unknowns: Array) -> Array:
         return _model(unpacked(unknowns), time) - samples
 
-    fit = least_squares(
-        misses,
-        start.ravel(), jac=jacobian, method="lm", x_scale="jac", max_nfev=trials, ftol=1e-10,
-    )  # fmt: skip
+    fit = least_squares(misses, start.ravel(), jac=jacobian, method="lm", x_scale="jac", max_nfev=trials, ftol=1e-10)
     return unpacked(fit.x)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -180,15 +180,11 @@ def tap_test(
             return TapTest(tuple(recordings), tuple(taps), tones, moduli_along=moduli_along(bar, tones))
         fit = bar_modulus(bar, tones)
         return TapTest(tuple(recordings), tuple(taps), tones, (modelled_tones(bar, fit),), fit)
-    expected = [any_bat()]
-    if modes is not None:
-        expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
-    tones = named(heard, expected)
-    return TapTest(
-        tuple(recordings), tuple(taps), _like_a_bat(tones) if modes is None else tones, tuple(expected),
-        free_damping=free_damping(modes), misfit=0.0 if modes is None else misfit(heard, expected),
-        by_ratios=modes is None,
-    )  # fmt: skip
+    test = TapTest(tuple(recordings), tuple(taps), (), free_damping=free_damping(modes))
+    if modes is None:
+        return replace(test, tones=_like_a_bat(named(heard, [any_bat()])), expected=(any_bat(),), by_ratios=True)
+    expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
+    return replace(test, tones=named(heard, expected), expected=tuple(expected), misfit=misfit(heard, expected))
 
 
 def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:

@@ -342,12 +342,13 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
     if not used:
         faults = "; ".join(f"{tap.recording} at {tap.start:.2f} s {tap.fault}" for tap in taps)
         raise InputError(f"no tap can be used: {faults or 'there is none'}")
-    heard = sorted(
-        (_Heard(sinusoid, number, sinusoid.amplitude / max(other.amplitude for other in fit.sinusoids),
-                stands_out(sinusoid, fit.sinusoids))
-         for number, (fit, _) in enumerate(used) for sinusoid in fit.sinusoids),
-        key=lambda entry: entry.tone.frequency.value,
-    )  # fmt: skip
+    heard = []
+    for number, (fit, _) in enumerate(used):
+        loudest = max((tone.amplitude for tone in fit.sinusoids), default=1.0)
+        heard += [
+            _Heard(tone, number, tone.amplitude / loudest, stands_out(tone, fit.sinusoids)) for tone in fit.sinusoids
+        ]
+    heard.sort(key=lambda entry: entry.tone.frequency.value)
     groups: list[list[_Heard]] = []
     for entry in heard:
         near = groups and entry.tone.frequency.value < (1 + SAME) * groups[-1][-1].tone.frequency.value

@@ -14,7 +14,7 @@ from sweetspot.analysis.certification.simulated_test import Certification, certi
 from sweetspot.designs.gain import present_measured
 from sweetspot.designs.measures import MEASURES, Bench, MeasuredDesigns, weights_of
 from sweetspot.designs.turned import TurnedSpace
-from sweetspot.designs.variables import sizes_of
+from sweetspot.designs.variables import ranges, sizes_of
 from sweetspot.dynamics.batch.bending import mass_properties
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -137,7 +137,7 @@ def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
     from scipy.optimize import minimize
 
     variables = bench.space.variables
-    low, high = (np.array([getattr(variable, end) for variable in variables]) for end in ("low", "high"))
+    low, high = ranges(variables)
     width = high - low
 
     def misses(parts: Array) -> Array:
@@ -256,7 +256,7 @@ def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int
     Array
         numbers, shape (variables,); whether every limit is kept is for `Limit.excess` to say.
     """
-    low, high = (np.array([getattr(variable, end) for variable in bench.space.variables]) for end in ("low", "high"))
+    low, high = ranges(bench.space.variables)
     width = high - low
     parts = np.clip((np.asarray(numbers, float) - low) / width, 0.0, 1.0)
     ready = np.ones(len(parts))

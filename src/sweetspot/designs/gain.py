@@ -19,7 +19,7 @@ from sweetspot.designs.durability import Handles, breaking_of
 from sweetspot.designs.measures import Bench, MeasuredDesigns
 from sweetspot.designs.spaces import willows
 from sweetspot.designs.turned import TurnedSpace, knob_of
-from sweetspot.designs.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, sizes_of
+from sweetspot.designs.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, ranges, sizes_of
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_beams, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
@@ -140,15 +140,10 @@ class Gain:
     @property
     def turning_place(self) -> float | None:
         """Where gain turns into loss, m from the tip: nearer the tip the present bat is better; None: nowhere."""
-        losing = np.flatnonzero(self.curve < 0)
-        if len(losing) == 0 or (losing[-1] == len(self.curve) - 1 and np.all(self.curve < 0)):
-            return None
-        outer = losing[losing < len(self.curve) / 2]
-        if len(outer) == 0:
+        outer = np.flatnonzero(self.curve[: math.ceil(len(self.curve) / 2)] < 0)
+        if len(outer) == 0 or self.curve[outer[-1] + 1] < 0:
             return None
         i = int(outer[-1])
-        if i + 1 >= len(self.curve) or self.curve[i + 1] < 0:
-            return None
         part = self.curve[i] / (self.curve[i] - self.curve[i + 1])
         return float(FROM_TIP[i] + part * (FROM_TIP[i + 1] - FROM_TIP[i]))
 
@@ -250,7 +245,7 @@ def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     assert isinstance(space, ImplementSpace)
     count = len(numbers)
     steps = TURNED_ALIKE * np.diag(numbers)
-    low, high = (np.array([getattr(variable, end) for variable in space.variables]) for end in ("low", "high"))
+    low, high = ranges(space.variables)
     more, less = np.clip(numbers + steps, low, high), np.clip(numbers - steps, low, high)  # what can be made
     made = space.all_made(np.concatenate([more, less]))
     pairs = list(zip(made[:count], made[count:], strict=True))

@@ -11,6 +11,7 @@ import numpy as np
 from sweetspot.designs.constraints import Limit, check_limits
 from sweetspot.designs.measures import MEASURES, Bench, MeasuredDesigns
 from sweetspot.designs.pareto import DesignSearch, Front, front_of, search
+from sweetspot.designs.variables import ranges
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -41,7 +42,7 @@ def polished(
     from scipy.optimize import minimize
 
     most = LOOKS if looks is None else min(looks, LOOKS)
-    low, high = _ends(bench)
+    low, high = ranges(bench.space.variables)
     want, sign = question.wants[0], MEASURES[question.wants[0]].better
     size = 100 * MEASURES[want].grain
     cached: dict[bytes, tuple[Array, Array]] = {}
@@ -110,7 +111,7 @@ def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) 
     """
     if measure not in MEASURES:
         raise InputError(f"{measure!r} is no measure; allowed are {', '.join(MEASURES)}")
-    low, high = _ends(bench)
+    low, high = ranges(bench.space.variables)
     values = bench.measured(_either_side(numbers, low, high, step)).values[measure]
     count = len(numbers)
     return np.asarray((values[:count] - values[count:]) / (2 * step * (high - low)))
@@ -119,7 +120,7 @@ def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) 
 def _with_slopes(bench: Bench, numbers: Array, limits: Sequence[Limit], want: str) -> tuple[Array, Array]:
     """Return the want and every limit's excess of a bat, and their slopes by the parts of the ranges."""
     count = len(numbers)
-    every = bench.measured(np.concatenate([numbers[None], _either_side(numbers, *_ends(bench), STEP)]))
+    every = bench.measured(np.concatenate([numbers[None], _either_side(numbers, *ranges(bench.space.variables), STEP)]))
     rows = _rows(limits, every, want)
     return rows[:, 0], (rows[:, 1 : count + 1] - rows[:, count + 1 :]) / (2 * STEP)
 
@@ -140,11 +141,6 @@ def _margins(limits: Sequence[Limit], measured: MeasuredDesigns) -> Array:
     return np.array([limit.excess(measured.values[limit.measure]) for limit in limits]).reshape(
         len(limits), len(measured)
     )
-
-
-def _ends(bench: Bench) -> tuple[Array, Array]:
-    variables = bench.space.variables
-    return np.array([variable.low for variable in variables]), np.array([variable.high for variable in variables])
 
 
 def starts_of(bench: Bench, question: DesignSearch, *, progress: Callable[[int, Front], None] | None = None) -> Array:
@@ -223,14 +219,5 @@ def best_value(front: Front, want: str) -> float:
 
 def _with_first(front: Front, numbers: Array, measured: MeasuredDesigns) -> Front:
     """Return a front with another first bat; those that it beats in everything are left out by the caller's eye."""
-    others: Sequence[int] = range(1, len(front))
-    values = {
-        name: np.concatenate([value, front.measured.values[name][list(others)]])
-        for name, value in measured.values.items()
-    }
-    both = MeasuredDesigns(
-        values,
-        np.concatenate([measured.curve, front.measured.curve[1:]]),
-        np.concatenate([measured.worth, front.measured.worth[1:]]),
-    )
+    both = measured.followed_by(front.measured.rows(range(1, len(front))))
     return Front(np.concatenate([numbers[None], front.numbers[1:]]), both, front.generation, front.population)

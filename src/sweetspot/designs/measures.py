@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sweetspot.analysis.certification.simulated_test import BPF_SPEED, bpf, swung_test
-from sweetspot.analysis.position_scan import velocity_weight
+from sweetspot.analysis.position_scan import stings
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.kernel import STEP, struck
@@ -24,8 +24,9 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.interpolants import tops
 from sweetspot.units import INCH, OUNCE
 
 if TYPE_CHECKING:
@@ -98,6 +99,18 @@ class MeasuredDesigns:
     def __len__(self) -> int:
         return len(self.curve)
 
+    def rows(self, index: Sequence[int] | IntArray) -> MeasuredDesigns:
+        """Return some of the bats."""
+        chosen = np.asarray(index, int)
+        values = {name: value[chosen] for name, value in self.values.items()}
+        return MeasuredDesigns(values, self.curve[chosen], self.worth[chosen])
+
+    def followed_by(self, others: MeasuredDesigns) -> MeasuredDesigns:
+        """Return these bats and then others."""
+        values = {name: np.concatenate([value, others.values[name]]) for name, value in self.values.items()}
+        both = ((self.curve, others.curve), (self.worth, others.worth))
+        return MeasuredDesigns(values, *map(np.concatenate, both))
+
 
 @dataclass(frozen=True)
 class Bench:
@@ -159,13 +172,13 @@ class Bench:
         efficiency = np.where(np.isfinite(impacts.collision_efficiency), impacts.collision_efficiency, -1.0)
         curve = efficiency * pitch + (1 + efficiency) * speed
         worth = np.maximum(curve, 0.0) * self.retained_of(widths)
-        best, place = _tops(curve)
+        steps, best = tops(curve)
         values = dict(shapes) | {
             "exit_speed": worth @ self.batter.weight,
             "best": best,
-            "best_from_tip": place,
+            "best_from_tip": FROM_TIP[0] + steps * (FROM_TIP[1] - FROM_TIP[0]),
             "zone": _zone(curve, best - ZONE_LOSS),
-            "sting": self._sting(bats, impacts.displacement, impacts.velocity) @ self.batter.weight,
+            "sting": stings(bats, impacts, hands=self.conditions.hands) @ self.batter.weight,
             "bat_speed": turning * (bending.length - self.batter.speed_from_tip - pivot),
             "swing_time": SWING_TIME / ratio,
             **weights_of(bending),
@@ -184,7 +197,7 @@ class Bench:
         ball = self.conditions.ball
         fired = struck(bats, ball=ball, position=position, closing_speed=0 * position + speed, step=self.step)
         recoil = ball.mass * (position - STANDARD_AXIS) ** 2 / bats.bending.moi(STANDARD_AXIS)[:, None]
-        return _tops(restitution_from_efficiency(fired.collision_efficiency, recoil=recoil))[0]
+        return tops(restitution_from_efficiency(fired.collision_efficiency, recoil=recoil))[1]
 
     def speed_ratio(self, bats: ReducedBats, exponent: float | None = None) -> Array:
         """Return angular speed over that with the present bat, shape (n,)."""
@@ -210,15 +223,6 @@ class Bench:
         return PchipInterpolator(
             WIDTHS, retained_at_widths(self.sine, self.retained, batter=self.batter, ball=self.conditions.ball)
         )
-
-    def _sting(self, bats: ReducedBats, displacement: Array, velocity: Array) -> Array:
-        """Return the vibration at the hands, m/s of shape (n, places); see `position_scan.sting`."""
-        omega = bats.angular_frequency
-        felt = velocity_weight(omega / (2 * np.pi)) ** 2
-        amplitude = velocity**2 + (omega[:, None, :] * displacement) ** 2
-        hands = np.tile(np.array(self.conditions.hands.places), (len(bats), 1))
-        shapes = (bats.shapes_at(hands) ** 2).mean(axis=1) * felt
-        return np.asarray(np.sqrt(np.einsum("npm,nm->np", amplitude, shapes) / 2))
 
 
 def weights_of(bending: BendingBatch) -> dict[str, Array]:
@@ -270,18 +274,6 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
     built = space.made(space.start, present.name) if durable else None
     breaking = breaking_of(built, batter) if isinstance(built, Bat) else None
     return Bench(space, batter, conditions, body.moi(axis), sine, retained, step, tested=hollow, breaking=breaking)
-
-
-def _tops(curve: Array) -> tuple[Array, Array]:
-    """Return the top of every curve over `FROM_TIP` by a parabola through three points, and where it lies."""
-    index = np.clip(np.argmax(curve, axis=1), 1, curve.shape[1] - 2)
-    rows = np.arange(len(curve))
-    before, here, after = (curve[rows, index + shift] for shift in (-1, 0, 1))
-    bend = before - 2 * here + after
-    shift = np.where(bend < 0, 0.5 * (before - after) / np.where(bend < 0, bend, -1.0), 0.0)
-    shift = np.clip(shift, -1, 1)
-    step = FROM_TIP[1] - FROM_TIP[0]
-    return here - 0.25 * (before - after) * shift, FROM_TIP[index] + shift * step
 
 
 def _zone(curve: Array, least: Array) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from sweetspot.designs.constraints import Limit, near_words
 from sweetspot.designs.measures import MEASURES, Bench, MeasuredDesigns
+from sweetspot.designs.variables import ranges
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -85,7 +86,7 @@ def search(
     done and the front so far.
     """
     variables = bench.space.variables
-    low, high = (np.array([getattr(variable, end) for variable in variables]) for end in ("low", "high"))
+    low, high = ranges(variables)
     generation_done, numbers = after or (0, _first(question, np.atleast_2d(starts), low, high))
     measured = bench.measured(numbers)
     front = _front(question, numbers, measured, generation_done)
@@ -221,10 +222,10 @@ def _next_generation(
     seen = bench.measured(fresh)
     children.set("F", wanted(question, seen), "G", excesses(question, seen))
     _evaluated(children)
-    every, both = np.concatenate([numbers, fresh]), _together(measured, seen)
+    every, both = np.concatenate([numbers, fresh]), measured.followed_by(seen)
     algorithm.tell(infills=children)
     rows = _rows(every, np.asarray(algorithm.pop.get("X"), float))
-    return every[rows], measured_rows(both, rows)
+    return every[rows], both.rows(rows)
 
 
 def _rows(every: Array, some: Array) -> list[int]:
@@ -246,19 +247,4 @@ def _front(question: DesignSearch, numbers: Array, measured: MeasuredDesigns, ge
     _, once = np.unique(np.round(wanted(question, measured)[best], 12), axis=0, return_index=True)
     best = best[np.sort(once)]
     order = best[np.argsort(wanted(question, measured)[best, 0], kind="stable")]
-    return Front(numbers[order], measured_rows(measured, order.tolist()), generation, numbers)
-
-
-def measured_rows(measured: MeasuredDesigns, rows: Sequence[int]) -> MeasuredDesigns:
-    """Return some of many measured bats."""
-    index = np.array(rows, int)
-    return MeasuredDesigns(
-        {name: value[index] for name, value in measured.values.items()}, measured.curve[index], measured.worth[index]
-    )
-
-
-def _together(first: MeasuredDesigns, second: MeasuredDesigns) -> MeasuredDesigns:
-    values = {name: np.concatenate([value, second.values[name]]) for name, value in first.values.items()}
-    return MeasuredDesigns(
-        values, np.concatenate([first.curve, second.curve]), np.concatenate([first.worth, second.worth])
-    )
+    return Front(numbers[order], measured.rows(order), generation, numbers)

@@ -51,6 +51,11 @@ class Variable:
             )
 
 
+def ranges(variables: Sequence[Variable]) -> tuple[Array, Array]:
+    """Return the least and the greatest of every variable, shape (variables,) each."""
+    return np.array([variable.low for variable in variables]), np.array([variable.high for variable in variables])
+
+
 class Space(Protocol):
     """Bats that a few numbers describe."""
 

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.analysis.position_scan import velocity_weight
+from sweetspot.analysis.position_scan import stings
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
 from sweetspot.collision.impact import Impact, Impacts
 from sweetspot.collision.kernel import STEP, struck
@@ -74,9 +74,8 @@ class Draws:
         shape = np.broadcast_shapes(position.shape, closing_speed.shape, (len(self), 1))
         places, speeds = (np.ascontiguousarray(np.broadcast_to(values, shape)) for values in (position, closing_speed))
         return struck(
-            self.bats, ball=self.balls, position=places, closing_speed=speeds,
-            keep_motion=keep_motion, step=self._step,
-        )  # fmt: skip
+            self.bats, ball=self.balls, position=places, closing_speed=speeds, keep_motion=keep_motion, step=self._step
+        )
 
     @cached_property
     def _step(self) -> float:
@@ -98,8 +97,8 @@ def draws_of(
     off = sources.deviations(normal)
     off[0] = 0.0
     bats = len(sources.unknowns)
-    of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): sources.of(name, off).tolist()
-               for name in sources.names if name.startswith(OF_BALL)}  # fmt: skip
+    columns = {name: sources.of(name, off).tolist() for name in sources.names if name.startswith(OF_BALL)}
+    of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): column for name, column in columns.items()}
     ball = conditions.ball
     balls = tuple(
         ball.deviated({name: values[row] for name, values in of_ball.items()}) if of_ball else ball
@@ -113,10 +112,13 @@ def draws_of(
     radii = patch * np.array([contact_patch(kind) for kind in balls]) / contact_patch(ball)
     # a patch goes as v^(1 / (n + 1)): another radius at this speed is that of another speed
     pressing = (radii ** (ball.exponent + 1))[:, None]
-    return Draws(
-        sources, normal, beam, conditions, replace(drawn_ones, pressing=pressing), balls, patch,
-        np.clip(swung, SLOWEST, MAX_SPEED), np.clip(thrown, 0.0, MAX_SPEED),
-    )  # fmt: skip
+    drawn_ones = replace(drawn_ones, pressing=pressing)
+    swung, thrown = np.clip(swung, SLOWEST, MAX_SPEED), np.clip(thrown, 0.0, MAX_SPEED)
+    return Draws(sources, normal, beam, conditions, drawn_ones, balls, patch, swung, thrown)
+
+
+OF_HITS = (*("collision_efficiency", "contact_time", "peak_force", "peak_compression", "displacement", "velocity"),)
+"""What `HitsAlong` has of the hits as they are."""
 
 
 @dataclass(frozen=True)
@@ -153,15 +155,18 @@ def hits_along(draws: Draws, places: Array) -> HitsAlong:
     held = 1 - (body.mass * (body.balance_point - hands.position) / body.moi(hands.position))[:, None] * (
         places - hands.position
     )
+    rigid = _rigid(draws, places, closing)
     return HitsAlong(
-        position=places, closing_speed=closing, collision_efficiency=efficiency,
+        position=places,
+        closing_speed=closing,
         bbcor=restitution_from_efficiency(efficiency, recoil=recoil),
         exit_speed=exit_speed(efficiency, ball_speed=0.0, bat_speed=closing) - thrown,  # seen by the flying ball
-        rigid_exit_speed=exit_speed(_rigid(draws, places, closing), ball_speed=0.0, bat_speed=closing) - thrown,
-        bat_speed=bat, hand_impulse=held * mass * closing * (1 + efficiency),
-        sting=_sting(draws, outcome), contact_time=outcome.contact_time, peak_force=outcome.peak_force,
-        peak_compression=outcome.peak_compression, displacement=outcome.displacement, velocity=outcome.velocity,
-    )  # fmt: skip
+        rigid_exit_speed=exit_speed(rigid, ball_speed=0.0, bat_speed=closing) - thrown,
+        bat_speed=bat,
+        hand_impulse=held * mass * closing * (1 + efficiency),
+        sting=stings(draws.bats, outcome, hands=hands),
+        **{name: getattr(outcome, name) for name in OF_HITS},
+    )
 
 
 def _rigid(draws: Draws, places: Array, closing: Array) -> Array:
@@ -172,16 +177,6 @@ def _rigid(draws: Draws, places: Array, closing: Array) -> Array:
     on_wall = closing / (1 + recoil) ** 0.5
     restitution = np.array([ball.restitution.at(speed) for ball, speed in zip(draws.balls, on_wall, strict=True)])
     return np.asarray(np.where(closing > 0, collision_efficiency(restitution, recoil=recoil), np.nan))
-
-
-def _sting(draws: Draws, impacts: Impacts) -> Array:
-    """Return the vibration at the hands in m/s of every hit; see `position_scan.sting`."""
-    omega = draws.bats.angular_frequency
-    amplitude = impacts.velocity**2 + (omega[:, None, :] * impacts.displacement) ** 2
-    places = np.broadcast_to(np.array(draws.conditions.hands.places), (len(draws), 2))
-    shapes = draws.bats.shapes_at(np.ascontiguousarray(places)) ** 2
-    weights = velocity_weight(omega / (2 * np.pi)) ** 2 * shapes.mean(axis=1)
-    return np.asarray(np.sqrt(np.einsum("bpm,bm->bp", amplitude, weights) / 2))
 
 
 KINDS = ("translation", "rotation", "bending", "hoop", "face")
@@ -217,14 +212,13 @@ def _motions(draws: Draws, along: HitsAlong, column: int) -> dict[str, Array]:
     velocity, displacement = along.velocity[:, column], along.displacement[:, column]
     each = (velocity**2 + (bats.angular_frequency * displacement) ** 2) / 2
     bending = bats.bending.omega.shape[1]
-    families = (
-        ("translation", "rotation", *["bending"] * bending, *["hoop"] * (each.shape[1] - 2 - bending))
-        if bats.whole is None
-        else tuple("translation" if i == 0 else "rotation" if family == "rigid" else family
-                   for i, family in enumerate(bats.whole.families))
-    )  # fmt: skip
+    families = ("rigid", "rigid", *["bending"] * bending, *["hoop"] * (each.shape[1] - 2 - bending))
+    if bats.whole is not None:
+        families = bats.whole.families
+    rigid = iter(KINDS)
+    kinds = [next(rigid) if family == "rigid" else family for family in families]
     return {
-        kind: each[:, [index for index, family in enumerate(families) if family == kind]].sum(axis=1) for kind in KINDS
+        kind: each[:, [index for index, its_kind in enumerate(kinds) if its_kind == kind]].sum(axis=1) for kind in KINDS
     }
 
 

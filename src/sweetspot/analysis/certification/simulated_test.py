@@ -262,16 +262,13 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
 
     usual, *others = (all_modes(beam, ball, patch_factor=factor) for factor in (1.0, *PATCH_SPREAD))
     moi, doubt = body.moi(CLAMP), REACH * moi_doubt(bat, body, CLAMP)
-    walls = [] if bat.shell is None or not wall_doubt else [
-        beam_model(with_barrel_wall(bat, 1 + change)) for change in (-wall_doubt, wall_doubt)
-    ]  # fmt: skip
+    changes = (-wall_doubt, wall_doubt) if bat.shell is not None and wall_doubt else ()
+    walls = [beam_model(with_barrel_wall(bat, 1 + change)) for change in changes]
     turning = [turning_as(beam, moi + change, axis=CLAMP) for change in (-doubt, doubt) if doubt]
-    return Certification(
-        bat, ball, body, swung, *both(usual, body),
-        other_patches=tuple(both(modes, body) for modes in others),
-        other_mois=tuple(both(_bending_as(usual, turned), rigid_body(turned)) for turned in turning),
-        other_walls=tuple(both(all_modes(wall, ball), rigid_body(wall)) for wall in walls),
-    )  # fmt: skip
+    patches = tuple(both(modes, body) for modes in others)
+    mois = tuple(both(_bending_as(usual, turned), rigid_body(turned)) for turned in turning)
+    thicknesses = tuple(both(all_modes(wall, ball), rigid_body(wall)) for wall in walls)
+    return Certification(bat, ball, body, swung, *both(usual, body), patches, mois, thicknesses)
 
 
 def _bending_as(modes: Modes, beam: BeamModel) -> Modes:

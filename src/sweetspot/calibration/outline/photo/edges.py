@@ -63,9 +63,13 @@ class Edges:
     unsettled: Array
     scatter: float
     bend: float
-    length: float
     start: Array
     end: Array
+
+    @property
+    def length(self) -> float:
+        """From end to end."""
+        return float(np.hypot(*(self.end - self.start)))
 
 
 def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -> Edges:
@@ -92,11 +96,8 @@ def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -
     scatter = float(np.sqrt(np.median((left - smooth_left) ** 2 + (right - smooth_right) ** 2) / 2) * ROBUST_SCALE)
     middle = (smooth_left + smooth_right)[inner] / 2
     straight = np.polyval(np.polyfit(np.arange(len(middle)), middle, 1), np.arange(len(middle)))
-    return Edges(
-        place=np.arange(len(left), dtype=np.float64) + 0.5,
-        width=np.maximum(smooth_right - smooth_left, 0.0), unsettled=unsettled, scatter=scatter,
-        bend=float(np.std(middle - straight)), length=float(np.hypot(*(end - start))), start=start, end=end,
-    )  # fmt: skip
+    place, width = np.arange(len(left), dtype=np.float64) + 0.5, np.maximum(smooth_right - smooth_left, 0.0)
+    return Edges(place, width, unsettled, scatter, float(np.std(middle - straight)), start, end)
 
 
 def _directions(start: Array, end: Array) -> tuple[Array, Array]:

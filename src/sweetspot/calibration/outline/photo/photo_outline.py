@@ -120,7 +120,7 @@ def read_photo(
         scale, scale_error = ruler / reach, float(np.hypot(RULER_ERROR / ruler, 1.0 / reach))
     lens = None if picture.focal_length is None else picture.focal_length * scale
     away = camera_distance if camera_distance is not None else lens
-    outline = _measured(picture, edges, scale, scale_error, length=length, away=away, on_ground=ruler is not None)
+    outline = _measured(picture, edges, scale, scale_error, length=length, away=away)
     return outline if by_hue is None else replace(outline, notes=(SHADOWED, *outline.notes))
 
 
@@ -185,16 +185,15 @@ def _check_seen(edges: Edges, name: str) -> None:
 
 
 def _measured(
-    picture: Photograph, edges: Edges, scale: float, scale_error: float, *, length: float | None, away: float | None,
-    on_ground: bool,
-) -> PhotoOutline:  # fmt: skip
+    picture: Photograph, edges: Edges, scale: float, scale_error: float, *, length: float | None, away: float | None
+) -> PhotoOutline:
     """Return the outline in metres, with the errors of its places and diameters.
 
-    ``scale``: m of a pixel, with its relative error. ``length``: m of the bat, where it gave the scale. ``away``: m
-    from camera to bat; None: not known. ``on_ground``: whether the scale is that of the ground, on which a ruler lies.
+    ``scale``: m of a pixel, with its relative error. ``length``: m of the bat, where it gave the scale; None: a ruler
+    on the ground did. ``away``: m from camera to bat; None: not known.
     """
     excess = np.array(_excess(picture, edges, scale, away or USUAL_DISTANCE))
-    if on_ground:  # the bat's axis is nearer to the camera than the ruler
+    if length is None:  # the bat's axis is nearer to the camera than the ruler
         height = scale * float(edges.width.max()) / 2
         scale *= 1 - height / (away or USUAL_DISTANCE)
         scale_error = float(np.hypot(scale_error, 0.0 if away else height / USUAL_DISTANCE / 2))
@@ -230,11 +229,16 @@ def _measured(
     edge = np.hypot(edge, width * np.hypot(lean, lens))
     error = _errors(place, width, edge, scale_error, np.hypot(at, TILT * along), 0.0 if length is None else unseen)
     return PhotoOutline(
-        profile=profile, notes=tuple(_notes(float(excess.sum()), away, hooked)), pixel=scale,
+        profile=profile,
+        notes=tuple(_notes(float(excess.sum()), away, hooked)),
+        pixel=scale,
         edge_scatter=scale * edges.scatter,
-        axis_bend=scale * edges.bend, diameter_error=tuple(np.interp([x for x, _ in profile], place, error).tolist()),
-        place_error=float(np.hypot(at, scale_error * reach)), camera_distance=away, hooked=hooked,
-    )  # fmt: skip
+        axis_bend=scale * edges.bend,
+        diameter_error=tuple(np.interp([x for x, _ in profile], place, error).tolist()),
+        place_error=float(np.hypot(at, scale_error * reach)),
+        camera_distance=away,
+        hooked=hooked,
+    )
 
 
 def _notes(excess: float, away: float | None, hooked: float) -> Iterator[str]:
