@@ -16,6 +16,7 @@ from sweetspot.calibration.posterior import BatPosterior
 from sweetspot.calibration.unknowns import OF_BALL, Unknown, UnknownName, deviated, deviated_bodies
 from sweetspot.catalog.files.implement import ClubHeadTable
 from sweetspot.catalog.files.write import bat_table, implement_table, written
+from sweetspot.catalog.records import TomlTable, TomlValue
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
 from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
@@ -116,6 +117,11 @@ def material_values(posterior: BatPosterior) -> dict[str, CalibratedValue]:
 
 
 SOURCE = "own_measurement"
+UNITS = {
+    **{"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"},
+    **{"longitudinal_modulus": "Pa", "shear_modulus": "Pa", "density": "kg/m^3"},
+}
+"""Of the values that a calibrated file has."""
 
 
 def calibrated_bat(posterior: BatPosterior, damping: Measured | None) -> Bat:
@@ -133,70 +139,63 @@ def calibrated_bat(posterior: BatPosterior, damping: Measured | None) -> Bat:
     if damping is not None:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(
-        name=f"{bat.name}, calibrated", material=material, mass=body.mass, balance_point=body.balance_point,
-        moi=body.moi(STANDARD_AXIS), moi_axis=STANDARD_AXIS, fitted=fitted_names(posterior), density_gradient=gradient,
+        name=f"{bat.name}, calibrated",
+        material=material,
+        mass=body.mass,
+        balance_point=body.balance_point,
+        moi=body.moi(STANDARD_AXIS),
+        moi_axis=STANDARD_AXIS,
+        fitted=fitted_names(posterior),
+        density_gradient=gradient,
         calibrated=True,
-    )  # fmt: skip
+    )
 
 
-def calibrated_table(posterior: BatPosterior, damping: Measured | None) -> dict[str, Any]:
+def calibrated_table(posterior: BatPosterior, damping: Measured | None) -> TomlTable:
     """Return the content of a bat file with half widths of 90 % intervals, and the covariance of the unknowns."""
     if not isinstance(posterior.beam.bat, Bat):
         return _implement_table(posterior, damping)
-    table = bat_table(calibrated_bat(posterior, damping))
-    units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2"}
+    table = dict(bat_table(calibrated_bat(posterior, damping)))
     for name, found in properties(posterior).items():
-        table[name] = _record(table[name], found, units[name])
-    material = table["material"] if isinstance(table["material"], dict) else {"like": table["material"]}
-    units = {"longitudinal_modulus": "Pa", "shear_modulus": "Pa", "density": "kg/m^3"}
+        table[name] = _record(table[name], found, UNITS[name])
+    wood = table["material"]
+    material: dict[str, TomlValue] = dict(wood) if isinstance(wood, Mapping) else {"like": wood}
     for name, found in material_values(posterior).items():
-        written = material.get(name, f"{found.value.value!r} {units[name]}")
-        material[name] = _record(written, found, units[name])
+        material[name] = _record(material.get(name, f"{found.value.value!r} {UNITS[name]}"), found, UNITS[name])
     if damping is not None:
         material["damping_ratio"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
-    table["material"] = material
-    return {**table, "calibration": _calibration_table(posterior)}
+    return {**table, "material": material, "calibration": _calibration_table(posterior)}
 
 
-def _calibration_table(posterior: BatPosterior) -> dict[str, Any]:
-    """Return the calibration table of a bat file: the measurements and the covariance of the bat's unknowns.
-
-    The ball's part is left out: it belongs to the balls that were shot.
-    """
+def _calibration_table(posterior: BatPosterior) -> TomlTable:
+    """Return the measurements and the covariance of the unknowns, but the ball's: it belongs to the balls shot."""
     of_bat = [index for index, entry in enumerate(posterior.unknowns) if entry.name != OF_BALL]
+    values: list[TomlValue] = []
+    for measurement in posterior.measurements:
+        if measurement.shooting is None:
+            value: dict[str, TomlValue] = {"quantity": measurement.kind, "measured": measurement.value.value}
+            value["error"] = measurement.value.error
+            if measurement.kind in ("moi", "period"):
+                value["axis"] = measurement.axis
+            if measurement.mode is not None:
+                value |= {"family": measurement.mode.family, "harmonic": measurement.mode.harmonic}
+            values.append(value)
     return {
         "measured": [measurement.name for measurement in posterior.measurements],
-        "value": [
-            _measurement_table(measurement) for measurement in posterior.measurements if measurement.shooting is None
-        ],
+        "value": values,
         "unknowns": [posterior.unknowns[index].name for index in of_bat],
         "covariance": posterior.covariance[np.ix_(of_bat, of_bat)].tolist(),
     }
 
 
-def _measurement_table(measurement: Measurement) -> dict[str, Any]:
-    """Return a measurement as a file has it; see `bat_folder.measured_of`."""
-    of_mode = (
-        {} if measurement.mode is None else {"family": measurement.mode.family, "harmonic": measurement.mode.harmonic}
-    )
-    of_axis = {"axis": measurement.axis} if measurement.kind in ("moi", "period") else {}
-    return {
-        "quantity": measurement.kind,
-        "measured": measurement.value.value,
-        "error": measurement.value.error,
-        **of_axis,
-        **of_mode,
-    }
-
-
-def _implement_table(posterior: BatPosterior, damping: Measured | None) -> dict[str, Any]:
+def _implement_table(posterior: BatPosterior, damping: Measured | None) -> TomlTable:
     """Return the content of the file of a racket, club or stick; a club has head and grip for its weight."""
     implement = posterior.beam.bat
-    table = implement_table(implement.replaced(name=f"{implement.name}, calibrated", fitted=fitted_names(posterior)))
-    units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"}
+    named = implement.replaced(name=f"{implement.name}, calibrated", fitted=fitted_names(posterior))
+    table = dict(implement_table(named))
     for name, found in {**properties(posterior), **material_values(posterior)}.items():
         if name in table:
-            table[name] = _record(f"{found.value.value!r} {units[name]}", found, units[name])
+            table[name] = _record(f"{found.value.value!r} {UNITS[name]}", found, UNITS[name])
     if damping is not None and "damping" in table:
         table["damping"] = _record(damping.value, CalibratedValue(damping, "measured"), "")
     if isinstance(implement, GolfClub):
@@ -208,7 +207,7 @@ def _implement_table(posterior: BatPosterior, damping: Measured | None) -> dict[
     return {**table, "calibration": _calibration_table(posterior)}
 
 
-def _record(written: Any, value: CalibratedValue, unit: str) -> dict[str, Any]:
+def _record(written: TomlValue, value: CalibratedValue, unit: str) -> TomlTable:
     half = value.value.half_width
     spread = f"{half:.6g} {unit}" if unit else float(f"{half:.6g}")
     where = "`sweetspot calibrate`: half width of the 90 % interval"

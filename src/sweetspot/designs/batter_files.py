@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from statistics import NormalDist
 from typing import Any
@@ -139,7 +140,7 @@ def fitted_player(path: Path) -> dict[str, float]:
     return values
 
 
-def _learned(numbers: dict[str, Any], start: str = "value") -> float:
+def _learned(numbers: Mapping[str, float | str], start: str = "value") -> float:
     """Return the value of a parameter, or an end of its interval, whatever unit its key ends in."""
     for key, value in numbers.items():
         if key.startswith(start):

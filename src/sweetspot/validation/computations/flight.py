@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from typing import Any, Literal
@@ -46,7 +47,7 @@ def _path(hit: BattedBall, law: str) -> Flight:
     )
 
 
-def _hit(changes: dict[str, Any], law: str = "baseball") -> BattedBall:
+def _hit(changes: Mapping[str, Any], law: str = "baseball") -> BattedBall:
     return replace(USUAL, line=usual_spin_line(law), **changes)
 
 
