@@ -68,8 +68,8 @@ def test_break_even_breaks_even(found: Comparison) -> None:
         swing = analysis.conditions.swing.replaced(bat_speed=other.break_even)
         (speed,) = best_exit_speeds(
             analysis.modes,
-            positions=analysis.scan.position[analysis.scan.position > analysis.body.balance_point],
-            swung=[analysis.conditions.replaced(swing=swing)],
+            analysis.scan.position[analysis.scan.position > analysis.body.balance_point],
+            [analysis.conditions.replaced(swing=swing)],
         )
         assert speed == pytest.approx(found.reference.exit_speed.value, abs=1e-8)
 

@@ -8,9 +8,9 @@ bat that it was.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import partial
 from typing import Generic
 
 import numpy as np
@@ -28,7 +28,7 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw, turned_faster
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interpolants import peak, top
+from sweetspot.numerics.interpolants import peak
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.plausibility import insisted
@@ -39,8 +39,6 @@ ACCURACY = 1e-9
 LAST_STEP = 1e-6
 """m/s of bat speed below which a step is not tried: the slope that it follows is known to far better than 1e-3."""
 TRIALS = 30
-NEARBY, RIVAL = 7, 3.0
-"""Places on either side of the best one that another swing is tried at, and m/s below it from which tops are rivals."""
 USUAL_SLOPE = 1.2
 """About 1 + q: exit speed gained by bat speed, where no two swings tell."""
 
@@ -203,98 +201,46 @@ def swung_conditions(
     return conditions.replaced(swing=swung, hands=hands.replaced(position=hands.position + moved))
 
 
-def best_exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditions]) -> list[float]:
+def best_exit_speeds(modes: Modes, positions: Array, swung: Sequence[Conditions]) -> list[float]:
     """Return the greatest exit speed in m/s of hits at ``positions`` (m from the knob end, increasing), swing by swing.
 
     All swings meet the same ball.
     """
-    return [peak(curve) for curve in _exit_speeds(modes, positions=positions, swung=swung)]
-
-
-def _exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditions]) -> list[Array]:
-    """Return the exit speeds of the same, swing by swing."""
     bat_speeds = [bat.swing.angular_speed * (positions - bat.swing.pivot) for bat in swung]
     pitches = [bat.pitch.speed for bat in swung]
     closing = np.concatenate([pitch + speed for pitch, speed in zip(pitches, bat_speeds, strict=True)])
     outcome = hits(modes, ball=swung[0].ball, position=np.tile(positions, len(swung)), closing_speed=closing)
     shared = np.split(outcome.collision_efficiency, len(swung))
     return [
-        exit_speed(efficiency, ball_speed=pitch, bat_speed=speed)
+        peak(exit_speed(efficiency, ball_speed=pitch, bat_speed=speed))
         for efficiency, pitch, speed in zip(shared, pitches, bat_speeds, strict=True)
     ]
 
 
-@dataclass(frozen=True)
-class _Barrel:
-    """Best hits of a bat with other swings than the one it was scanned with.
+def _break_even_speed(
+    best: Callable[[Sequence[Conditions]], list[float]],
+    *,
+    swung: Sequence[Conditions],
+    exits: Interval,
+    exit_speed: float,
+) -> float:
+    """Return the bat speed in m/s, where the swing measures it, that gives this greatest exit speed; nan where none.
 
-    The best place moves by millimetres with the swing, so hits at `NEARBY` places on either side suffice; where the top
-    is not inside them, or the curve has other tops nearly as high, the whole barrel is hit.
-
-    ``positions``: m from the knob end, increasing. ``exit_speed``: m/s, there with the swing of the scan.
+    The secant method, from the most likely, slowest and fastest swing with their greatest exit speeds.
     """
-
-    modes: Modes
-    positions: Array
-    exit_speed: Array
-
-    def best(self, swung: Sequence[Conditions]) -> list[float]:
-        """Return the greatest exit speed in m/s, swing by swing."""
-        near = self._near
-        curves = _exit_speeds(self.modes, positions=self.positions[near], swung=swung)
-        if all(self._inside(near, top(curve)[0]) for curve in curves):
-            return [peak(curve) for curve in curves]
-        return best_exit_speeds(self.modes, positions=self.positions, swung=swung)
-
-    @cached_property
-    def _near(self) -> slice:
-        at, _, height = top(self.exit_speed)
-        inner, last = self.exit_speed[1:-1], len(self.exit_speed)
-        rivals = 1 + np.flatnonzero(
-            (inner > height - RIVAL) & (inner >= self.exit_speed[:-2]) & (inner >= self.exit_speed[2:])
-        )
-        if np.any(np.abs(rivals - at) > NEARBY) or np.isnan(self.exit_speed).any():
-            return slice(0, last)
-        first = max(0, min(at - NEARBY, last - 2 * NEARBY - 1))
-        return slice(first, min(first + 2 * NEARBY + 1, last))
-
-    def _inside(self, near: slice, index: int) -> bool:
-        """Return whether a top of hits nearby is one of the whole barrel too: not at an end that is none there."""
-        first, last = near.start == 0, near.stop == len(self.exit_speed)
-        return bool((index > 0 or first) and (near.start + index < near.stop - 1 or last))
-
-
-def _break_even_speed(barrel: _Barrel, *, swung: Sequence[Conditions], exits: Interval, exit_speed: float) -> float:
-    """Return the bat speed in m/s, where the swing measures it, that gives this greatest exit speed.
-
-    It is nan when no bat speed that a swing may have does.
-    """
-
-    def excess(bat_speed: float) -> float:
-        swing = swung[0].swing.replaced(bat_speed=bat_speed)
-        return barrel.best([swung[0].replaced(swing=swing)])[0] - exit_speed
-
-    speeds = [bat.swing.bat_speed for bat in swung]
-    changes = sorted(zip(speeds, (each - exit_speed for each in (exits.value, exits.low, exits.high)), strict=True))
-    speed, miss, bend = speeds[0], exits.value - exit_speed, 0.0
-    (slowest, least), (fastest, most) = changes[0], changes[-1]
-    slope = (most - least) / (fastest - slowest) if fastest > slowest else USUAL_SLOPE
-    if slowest < speed < fastest:  # three swings tell how the slope changes
-        before, after = ((miss - there) / (speed - at) for at, there in ((slowest, least), (fastest, most)))
-        bend = (after - before) / (fastest - slowest)
-        slope = before + bend * (speed - slowest)
+    speeds = [conditions.swing.bat_speed for conditions in swung]
+    apart, speed, miss = max(speeds) - min(speeds), speeds[0], exits.value - exit_speed
+    slope = (exits.high - exits.low) / apart if apart else USUAL_SLOPE
     for _ in range(TRIALS):
-        if abs(miss) < ACCURACY:
-            break
         step = -miss / slope
-        step = -miss / (slope + bend * step)  # where the parabola comes to zero, nearly
-        if not 0 < speed + step <= MAX_SPEED:
-            return math.nan
+        if abs(miss) < ACCURACY or not 0 < speed + step <= MAX_SPEED:
+            break
         if abs(step) < LAST_STEP:
             return speed + step
-        after = excess(speed + step)
-        slope, speed, miss = (after - miss) / step + bend * step, speed + step, after
-    return speed
+        faster = swung[0].replaced(swing=swung[0].swing.replaced(bat_speed=speed + step))
+        after = best([faster])[0] - exit_speed
+        slope, speed, miss = (after - miss) / step, speed + step, after
+    return speed if abs(miss) < ACCURACY else math.nan
 
 
 def _compared(
@@ -302,10 +248,10 @@ def _compared(
 ) -> Compared[Given]:
     body, along = analysis.body, analysis.scan
     outer = along.position > body.balance_point
-    barrel = _Barrel(analysis.modes, along.position[outer], along.exit_speed[outer])
-    fastest = peak(barrel.exit_speed)
+    best = partial(best_exit_speeds, analysis.modes, along.position[outer])
+    fastest = peak(along.exit_speed[outer])
     alike = all(bat.swing == swung[0].swing for bat in swung)  # the reference's are, and all at the same speed
-    exits = Interval(fastest, fastest, fastest) if alike else Interval(fastest, *barrel.best(swung[1:]))
+    exits = Interval(fastest, fastest, fastest) if alike else Interval(fastest, *best(swung[1:]))
     reference_speed = exits.value if reference is None else reference.exit_speed.value
     return Compared(
         label=label,
@@ -315,7 +261,7 @@ def _compared(
         bat_speed=Interval(*(conditions.swing.bat_speed for conditions in swung)),
         exit_speed=exits,
         change=exits.shifted(-reference_speed),
-        break_even=_break_even_speed(barrel, swung=swung, exits=exits, exit_speed=reference_speed),
+        break_even=_break_even_speed(best, swung=swung, exits=exits, exit_speed=reference_speed),
     )
 
 
