@@ -11,6 +11,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
+from fontTools.misc.transform import Transform
 
 from sweetspot.calibration.outline.curves import MOST_POINTS, check_drawn
 from sweetspot.errors import InputError
@@ -32,7 +33,6 @@ LARGEST_SVG = 20_000_000
 """Bytes of a drawing; a picture may lie in it."""
 LONGEST_CURVES = 300_000
 """Letters of all its curves."""
-IDENTITY = np.eye(3)
 
 
 def svg_curves(path: Path) -> tuple[list[Array], float | None]:
@@ -46,7 +46,7 @@ def svg_curves(path: Path) -> tuple[list[Array], float | None]:
         raise InputError(f"{path} is not an SVG drawing: it begins with <{_tag(root)}>")
     try:
         with np.errstate(all="ignore"):  # `check_drawn` refuses what is no number
-            elements = list(_shapes(root, IDENTITY))
+            elements = list(_shapes(root, Transform()))
         chosen = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED] or elements
         if not chosen and any(_tag(element) == "use" for element in root.iter()):
             raise InputError(
@@ -85,46 +85,38 @@ def _unit(root: ElementTree.Element) -> float | None:
     return fits[0] if root.get("preserveAspectRatio") == "none" else min(fits)
 
 
-def _shapes(element: ElementTree.Element, matrix: Array) -> Iterator[tuple[ElementTree.Element, Array]]:
+def _shapes(element: ElementTree.Element, matrix: Transform) -> Iterator[tuple[ElementTree.Element, Transform]]:
     """Yield what is drawn, with its transformation."""
     hidden = "display:none" in element.get("style", "").replace(" ", "") or element.get("display") == "none"
     if hidden or _tag(element) in UNSEEN:
         return
-    matrix = matrix @ _transformation(element.get("transform", ""))
+    matrix = matrix.transform(_transformation(element.get("transform", "")))
     if _tag(element) in ("path", "line", "polyline", "polygon"):
         yield element, matrix
     for child in element:
         yield from _shapes(child, matrix)
 
 
-def _transformation(text: str) -> Array:
-    matrix = IDENTITY
+def _transformation(text: str) -> Transform:
+    """Return what an element's transform attribute does, the last part first."""
+    whole = Transform()
     for name, inside in TRANSFORM.findall(text):
-        matrix = matrix @ _one_transformation(name, [float(number) for number in NUMBERS.findall(inside)])
-    return matrix
+        given = [float(number) for number in NUMBERS.findall(inside)]
+        turn = math.radians(given[0])
+        if name == "rotate":
+            x, y = given[1:3] or (0.0, 0.0)
+            part = Transform().translate(x, y).rotate(turn).translate(-x, -y)
+        elif name == "matrix":
+            part = Transform(*np.reshape(given, 6))  # or it is no matrix
+        elif name in ("translate", "scale"):
+            part = getattr(Transform(), name)(*given)
+        else:
+            part = Transform().skew(**{name[-1].lower(): turn})
+        whole = whole.transform(part)
+    return whole
 
 
-def _one_transformation(name: str, given: list[float]) -> Array:
-    if name == "matrix":
-        a, b, c, d, e, f = given
-        return np.array([[a, c, e], [b, d, f], [0, 0, 1]])
-    if name == "translate":
-        return np.array([[1, 0, given[0]], [0, 1, given[1] if len(given) > 1 else 0.0], [0, 0, 1]])
-    if name == "scale":
-        return np.diag([given[0], given[-1], 1.0])
-    turn = math.radians(given[0])
-    if name != "rotate":
-        x, y = (math.tan(turn), 0.0) if name == "skewX" else (0.0, math.tan(turn))
-        return np.array([[1, x, 0], [y, 1, 0], [0, 0, 1]])
-    cosine, sine = math.cos(turn), math.sin(turn)
-    rotation = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1.0]])
-    given = [*given[:3], 0.0, 0.0][:3]  # without a centre it is the origin
-    there, back = np.eye(3), np.eye(3)
-    there[:2, 2], back[:2, 2] = given[1:3], [-given[1], -given[2]]
-    return np.asarray(there @ rotation @ back)
-
-
-def _curves(element: ElementTree.Element, matrix: Array) -> Iterator[Array]:
+def _curves(element: ElementTree.Element, matrix: Transform) -> Iterator[Array]:
     """Yield an element's curves as polylines."""
     if _tag(element) == "path":
         lines = _path(element.get("d", ""))
@@ -136,7 +128,7 @@ def _curves(element: ElementTree.Element, matrix: Array) -> Iterator[Array]:
         lines = [np.vstack([points, points[:1]]) if _tag(element) == "polygon" else points]
     for line in lines:
         if len(line) > 1:
-            yield (np.column_stack([line, np.ones(len(line))]) @ matrix.T)[:, :2]
+            yield np.array(matrix.transformPoints(line.tolist()))
 
 
 def _path(text: str) -> list[Array]:
@@ -154,17 +146,10 @@ def _path(text: str) -> list[Array]:
             lines.append([points[0]])
         elif command == "lineTo":
             lines[-1].append(points[0])
-        elif command == "curveTo":
-            p0, (p1, p2, p3) = lines[-1][-1], points
-            lines[-1] += list(
-                (1 - along) ** 3 * p0
-                + 3 * (1 - along) ** 2 * along * p1
-                + 3 * (1 - along) * along**2 * p2
-                + along**3 * p3
-            )
-        elif command == "qCurveTo":
-            p0, (p1, p2) = lines[-1][-1], points
-            lines[-1] += list((1 - along) ** 2 * p0 + 2 * (1 - along) * along * p1 + along**2 * p2)
+        elif command in ("curveTo", "qCurveTo"):
+            ends, degree = [lines[-1][-1], *points], len(points)
+            parts = (math.comb(degree, k) * (1 - along) ** (degree - k) * along**k for k in range(degree + 1))
+            lines[-1] += list(sum(part * end for part, end in zip(parts, ends, strict=True)))
         elif command == "closePath":
             lines[-1].append(lines[-1][0])
     return [np.array(line) for line in lines]
