@@ -187,7 +187,7 @@ def test_two_planes_of_one_mode_widen_it() -> None:
 
 
 def test_draws_follow_the_covariance(posterior: BatPosterior) -> None:
-    draws = posterior.draws(4000, seed=2)
+    draws = posterior.draws(4000, np.random.default_rng(2))
     np.testing.assert_allclose(np.cov(draws.T), posterior.covariance, atol=0.06 * np.max(posterior.covariance))
 
 

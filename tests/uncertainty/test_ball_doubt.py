@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
-from sweetspot.calibration.speed_response import response_of_efficiency
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.uncertainty.ranking_draws import response_of_efficiency
 from sweetspot.uncertainty.sources import speed_by_ball
 
 

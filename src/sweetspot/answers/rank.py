@@ -1,7 +1,7 @@
 """Bats of one model in order of how fast the same player would hit with each, and whether they really differ.
 
 Every bat is known up to its own covariance; the ball is the same for all. Exit speeds along the barrel are those of
-`speed_response` for draws of all bats and the ball: the part of the draws in which a bat is first is its probability of
+`ranking_draws` for draws of all bats and the ball: the part of the draws in which a bat is first is its probability of
 being best.
 """
 
@@ -21,7 +21,6 @@ from sweetspot.calibration.calibrated_file import properties
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import BatPosterior, calibrate
-from sweetspot.calibration.speed_response import SpeedResponse, response_of_speed
 from sweetspot.calibration.unknowns import DIAMETER_SPREAD, described, unknowns_of
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -30,10 +29,9 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import LEVEL
+from sweetspot.uncertainty.ranking_draws import drawn_ranking, response_of_speed
 from sweetspot.units.dimensions import LENGTH, MASS, MOI, SPEED
 
-DRAWS = 4000
-"""A probability of 1/2 is then known to 0.008."""
 PLACES = 25
 """Along the barrel or the face."""
 REACHED = (0.08, 0.26)
@@ -216,18 +214,11 @@ def rank_bats(
     model = first.prior.bat
     places = barrel_places(model)
     response = response_of_speed(first.prior, conditions, unknowns=first.unknowns, positions=places, law=law)
-    generator = np.random.default_rng(seed)
-    of_ball = response.efficiency.spreads[len(first.unknowns) :]
-    ball = generator.standard_normal((DRAWS, len(of_ball))) * of_ball
-    drawn = {name: _drawn(posterior, ball, response, generator) for name, posterior in posteriors.items()}
-    won = np.argmax(np.array([drawn[name].with_ball for name in sound]), axis=0)
-    chances = dict(zip(sound, (np.bincount(won, minlength=len(sound)) / DRAWS).tolist(), strict=True))
-    spreads = np.array([unknown.spread for unknown in first.unknowns])
-    wood = generator.standard_normal((DRAWS, len(spreads))) * spreads
-    by_nature = float(response.at(np.hstack([wood, 0 * ball])).max(axis=1).std())
+    drawn = drawn_ranking(posteriors, response, seed=seed)
+    chances = drawn.chances(sound)
     found = {name: _properties(posterior) for name, posterior in posteriors.items()}
     compared = {name: found[name].by_name for name in sound}
-    fastest_first = sorted(drawn.items(), key=lambda item: -item[1].exit_speed.value)
+    fastest_first = sorted(drawn.bats.items(), key=lambda item: -item[1].exit_speed.value)
     bats = [
         RankedBat(
             name=name,
@@ -251,8 +242,8 @@ def rank_bats(
         scatter=scatter,
         not_known=not_known,
         by_chance=by_chance,
-        wood=by_nature,
-        wood_by_chance=greatest_scatter(len(ranked)) * by_nature,
+        wood=drawn.by_nature,
+        wood_by_chance=greatest_scatter(len(ranked)) * drawn.by_nature,
         beyond_doubt=scatter > by_chance,
         bats=(*ranked, *(bat for bat in bats if bat.name not in sound)),
     )
@@ -262,35 +253,6 @@ def _turning(model: Implement, moi: float) -> dict[str, float]:
     if isinstance(model, Bat):
         return {"moi_6in": moi}
     return {"swing_weight": moi, "moi_axis": model.moi_axis}
-
-
-@dataclass(frozen=True)
-class _DrawnSpeeds:
-    """Exit speeds of one bat as it may be, the ball the same for all bats.
-
-    Parameters
-    ----------
-    with_ball : m/s at the best place of every draw, the ball as it may be too, shape (draws,).
-    exit_speed : median and standard deviation of the same with the mean ball, m/s.
-    best : index of the place that is best on average.
-    """
-
-    with_ball: Array
-    exit_speed: Measured
-    best: int
-
-
-def _drawn(
-    posterior: BatPosterior, ball: Array, response: SpeedResponse, generator: np.random.Generator
-) -> _DrawnSpeeds:
-    deviations = generator.multivariate_normal(
-        posterior.deviations, posterior.covariance, size=DRAWS, method="cholesky"
-    )
-    with_ball = response.at(np.hstack([deviations, ball])).max(axis=1)
-    curves = response.at(np.hstack([deviations, 0 * ball]))
-    mean_ball = curves.max(axis=1)
-    speed = Measured(float(np.median(mean_ball)), float(mean_ball.std()))
-    return _DrawnSpeeds(with_ball, speed, int(np.argmax(curves.mean(axis=0))))
 
 
 def _agreeing(posteriors: Mapping[str, BatPosterior]) -> list[str]:

@@ -95,9 +95,8 @@ class BatPosterior:
         shares = self.gains[index] ** 2 / self.covariance[index, index]
         return dict(sorted(zip(self.sources, shares.tolist(), strict=True), key=lambda entry: -entry[1]))
 
-    def draws(self, count: int, *, seed: int) -> Array:
+    def draws(self, count: int, generator: np.random.Generator) -> Array:
         """Return deviations drawn from the posterior, shape (count, n)."""
-        generator = np.random.default_rng(seed)
         return generator.multivariate_normal(self.deviations, self.covariance, size=count, method="cholesky")
 
 

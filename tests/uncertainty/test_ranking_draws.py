@@ -13,7 +13,6 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.speed_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -23,6 +22,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.uncertainty.implement_doubt import expected_deviations
+from sweetspot.uncertainty.ranking_draws import EfficiencyResponse, response_of_efficiency
 
 PLACES = np.linspace(0.57, 0.80, 24)
 PLACE = 0.69
