@@ -385,7 +385,7 @@ def test_a_hard_shadow_beside_a_black_bat(tmp_path: Path) -> None:
     assert np.abs(misses(outline)).max() < 1.1e-3
 
     width = np.full(400, 40.0)
-    edges = Edges(place=np.arange(400.0) + 0.5, width=width, unsettled=0 * width, scatter=0.1, bend=0.0, length=400.0,
+    edges = Edges(place=np.arange(400.0) + 0.5, width=width, unsettled=0 * width, scatter=0.1, bend=0.0,
                   start=np.array([50.0, 50.0]), end=np.array([450.0, 50.0]))  # fmt: skip
     tint, bat = np.zeros((100, 500, 3)), np.full((100, 500), -3.4)
     shadowed, lit, uneven = bat.copy(), bat.copy(), bat.copy()
