@@ -12,6 +12,7 @@ import pytest
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import is_larger
 from sweetspot.player import swing_table
+from sweetspot.player.columns import columns_of
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.swing_table import ScannedTable, open_swings
 from sweetspot.player.swings import batters, read_swings
@@ -71,8 +72,6 @@ def test_only_what_is_needed_is_read(small: Path, tmp_path: Path) -> None:
     """A column that means nothing and rows of others are not among the cells."""
     path = tmp_path / "swings.parquet"
     pl.read_csv(small, infer_schema=False).write_parquet(path)
-    from sweetspot.player.columns import columns_of
-
     table = open_swings(path)
     columns = columns_of(table.headings, file_name="swings.parquet")
     rows = table.rows(columns, "592450")
@@ -97,7 +96,11 @@ def test_what_is_no_table_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     with pytest.raises(InputError, match="unpacks to more than"):
         is_larger(bomb, most=1000)
     monkeypatch.setattr(swing_table, "MOST_TABLE_BYTES", 100)
+    above = tmp_path / "above.csv"
+    above.write_text("Player: Ann\n\nbat_speed_mph;batter\n" + 20 * "70,5;Ann\n", encoding="utf-8")
+    table = open_swings(above)
+    assert table.rows(columns_of(table.headings, file_name="above.csv"))[0] == (4, ["70.5", "Ann"])
     preamble = tmp_path / "preamble.csv"
     preamble.write_text("Player: Ann\n" + 20 * "a,b,c\n", encoding="utf-8")
-    with pytest.raises(InputError, match="its first line names no column"):
+    with pytest.raises(InputError, match="none of its first lines names a column"):
         batters(preamble)

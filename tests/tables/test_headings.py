@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
 import pytest
 
+from sweetspot.analysis.certification.shots import read_shots
+from sweetspot.calibration.bat_table import read_bats
 from sweetspot.errors import InputError
 from sweetspot.player.columns import SWINGS, columns_of
+from sweetspot.player.swings import read_swings
 from sweetspot.seasons.headings import BALLS, headings_of
 from sweetspot.tables.headings import GivenColumns, Headings, maybe_heading, read_headings
 from sweetspot.tables.unit_words import UNITS, UNMEASURED
@@ -83,6 +90,50 @@ def test_all_faults_of_a_file_are_told_at_once() -> None:
     for words in ("columns ev and bat_speed have no unit", "--file-units us", "--column exit_speed=ev:mph",
                   "the unit mph, which is no spin", "an unknown unit, knots"):  # fmt: skip
         assert words in told, words
+
+
+READERS: dict[str, Callable[..., object]] = {
+    "swings": partial(read_swings, length=0.84),
+    "shots": partial(read_shots, length=0.84),
+    "bats": read_bats,
+}
+
+
+@pytest.mark.parametrize(
+    ("reader", "text", "faults"),
+    [
+        ("swings", "bat_speed_kn,exit_speed,pitch_speed_mph\n70,95,85", ["unknown unit, kn", "exit_speed has no unit"]),
+        (
+            "swings",
+            "bat_speed_mph,bat speed (km/h),exit_speed\n70,110,95",
+            ["both give bat_speed", "exit_speed has"],
+        ),
+        ("shots", "ball_in_kn,ball_out\n60,20", ["unknown unit, kn", "no column for position", "ball_out has no unit"]),
+        ("bats", "name,mass_oz,weight_g,moi\nA,31,880,11000", ["both give mass", "moi has no unit"]),
+        (
+            "bats",
+            "name,mass_oz,balance_point_in\nA,x,22\nB,31,y\nA,31,22",
+            ["line 2, mass", "line 3, bal", "line 4"],
+        ),
+    ],
+)
+def test_all_faults_of_other_tables_are_told_at_once(reader: str, text: str, faults: list[str], tmp_path: Path) -> None:
+    table = tmp_path / "table.csv"
+    table.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        READERS[reader](table)
+    assert [words for words in faults if words not in str(caught.value)] == []
+
+
+def test_what_a_message_says_of_a_missing_column_is_enough(tmp_path: Path) -> None:
+    table = tmp_path / "shots.csv"
+    table.write_text("ball_in_mph,back,place\n60,20,6", encoding="utf-8")
+    given: dict[str, str] = {}
+    for name, heading in (("ball_out", "back"), ("position", "place")):
+        with pytest.raises(InputError, match=f"--column {name}=HEADING:") as caught:
+            read_shots(table, length=0.84, given=GivenColumns(given))
+        given[name] = str(caught.value).partition(f"{name}=")[2].partition(".")[0].replace("HEADING", heading)
+    assert read_shots(table, length=0.84, given=GivenColumns(given)).shots
 
 
 @pytest.mark.parametrize("wanted", [SWINGS, BALLS])

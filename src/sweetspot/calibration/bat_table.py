@@ -42,6 +42,7 @@ from sweetspot.tables.headings import (
     NOTHING_GIVEN,
     GivenColumns,
     Headings,
+    TableColumn,
     maybe_heading,
     names_one_of,
     read_headings,
@@ -89,6 +90,8 @@ THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
 MOISTURE_UNKNOWN = 0.015
 """One sigma of the moisture of a bat that was kept with others but not measured (assumed)."""
 MOST_BATS = 200
+MOST_FAULTS = 8
+"""Faults of a table that a message lists."""
 
 
 def read_bats(
@@ -107,13 +110,11 @@ def read_bats(
     rows = list(table_rows(text, path, is_heading=is_heading))
     if not rows or not is_heading(rows[0][1]):
         raise InputError(f"{path} has no line of headings with a column name; give for example {HINT}")
-    headings = _headings([cell.strip() for cell in rows[0][1]], given, path)
-    lettered = swing_weight(sport).zero is not None and headings.has("moi") and headings.columns["moi"].has_no_unit
-    measured = {name: column for name, column in headings.columns.items() if not (lettered and name == "moi")}
-    require_units(rows[1:], replace(headings, columns=measured), str(path))
+    headings, lettered = _headings([cell.strip() for cell in rows[0][1]], rows[1:], sport, given, path)
     if len(rows) - 1 > MOST_BATS:
         raise InputError(f"{path} has {len(rows) - 1} bats; allowed are {MOST_BATS}")
     bats: dict[str, dict[str, Measured]] = {}
+    faults: list[str] = []
     for line, (_, cells) in enumerate(rows[1:], start=2):
         texts = {
             name: cells[column.index].strip()
@@ -122,22 +123,38 @@ def read_bats(
         }
         name = texts.pop("piece", f"bat {line - 1}")
         if name in bats:
-            raise InputError(f"{path}, line {line}: there are two bats of the name {name!r}; give each its own")
+            faults.append(f"line {line}: there are two bats of the name {name!r}; give each its own")
+            continue
         swung = texts.pop("moi", None) if lettered else None
-        bats[name] = _values(texts, headings, f"{path}, line {line}")
+        bats[name] = {}
+        for quantity, cell in texts.items():
+            try:
+                bats[name][quantity] = _value(cell, headings.columns[quantity], f"line {line}")
+            except InputError as error:
+                faults.append(str(error))
         if swung is not None:
-            what = f"{path}, line {line}, swing weight"
-            measurement = of_swing_weight(swung, sport, mass=bats[name].get("mass"), what=what)
+            what = f"line {line}, swing weight"
+            try:
+                measurement = of_swing_weight(swung, sport, mass=bats[name].get("mass"), what=what)
+            except InputError as error:
+                faults.append(str(error))
+                continue
             if bats[name].setdefault(measurement.kind, measurement.value) is not measurement.value:
-                raise InputError(f"{what} tells the {measurement.name}, which was given too; give one of them")
-        if not bats[name].keys() - {"moisture"}:
-            raise InputError(f"{path}, line {line}: nothing was measured on {name}; its columns may be {HINT}")
+                faults.append(f"{what} tells the {measurement.name}, which was given too; give one of them")
+        if not (swung or texts.keys() - {"moisture"}):
+            faults.append(f"line {line}: nothing was measured on {name}; its columns may be {HINT}")
+    refuse_faults(faults[:MOST_FAULTS] + ["…"] * (len(faults) > MOST_FAULTS), str(path))
     usual = _usual_moisture(bats, path)
     return {name: _measurements(values, usual, axis) for name, values in bats.items()}
 
 
-def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
-    """Return the meaning of the columns; a heading that looks misspelled is refused, others cause a warning."""
+def _headings(
+    names: list[str], rows: list[tuple[int, list[str]]], sport: str, given: GivenColumns, path: Path
+) -> tuple[Headings, bool]:
+    """Return the meaning of the columns, and whether swing weights are a letter and a number of their sport.
+
+    A heading that looks misspelled is refused, others cause a warning.
+    """
     found = read_headings(names, wanted=BATS, given=given, once=True, file_name=str(path))
     unread = [name for name in found.passed if name and name not in found.spare]
     slips = [hint for name in unread if "did you mean" in (hint := maybe_heading(name, BATS))]
@@ -147,14 +164,16 @@ def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
         if PER_MINUTE.search(simplified(name))
     ]
     misspelled = [f"columns are not understood: {', '.join(slips)}; mend the heading, or rename it"] if slips else []
-    refuse_faults([*found.faults.values(), *per_minute, *misspelled], str(path))
+    lettered = swing_weight(sport).zero is not None and found.has("moi") and found.columns["moi"].has_no_unit
+    measured = found.only(*(name for name in found.columns if not (lettered and name == "moi")))
+    require_units(rows, measured, str(path), faults=(*found.faults.values(), *per_minute, *misspelled))
     if unread:
         warnings.warn(
             f"{path}: not understood and not used: {', '.join(unread)}; columns may be {HINT}",
             UnusualWarning,
             stacklevel=3,
         )
-    return found
+    return found, lettered
 
 
 def _usual_moisture(bats: Mapping[str, Mapping[str, Measured]], path: Path) -> Measured | None:
@@ -177,23 +196,22 @@ def _is_blank(cell: str) -> bool:
     return cell.strip().lower() in BLANKS
 
 
-def _values(texts: Mapping[str, str], headings: Headings, what: str) -> dict[str, Measured]:
-    """Return the cells of a row as values with errors, SI, by quantity."""
-    values = {}
-    for name, cell in texts.items():
-        column = headings.columns[name]
-        if THOUSANDS.search(cell):
-            raise InputError(f"{cell!r} was given; write thousands without a comma, or decimals after a point")
-        written = with_unit(cell, column)
-        values[name] = parse_measured(written, cast("Kind", column.kind), f"{what}, {name}")
-        check(values[name].value, {"pendulum": "period"}.get(name, name), f"{written} ({what})")
-    moisture = values.get("moisture")
-    if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
+def _value(cell: str, column: TableColumn, what: str) -> Measured:
+    """Return a cell as a value with its error, SI."""
+    name = column.quantity
+    if THOUSANDS.search(cell):
+        raise InputError(
+            f"{what}, {name}: {cell!r} was given; write thousands without a comma, or decimals after a point"
+        )
+    written = with_unit(cell, column)
+    value = parse_measured(written, cast("Kind", column.kind), f"{what}, {name}")
+    check(value.value, {"pendulum": "period"}.get(name, name), f"{written} ({what})")
+    if name == "moisture" and not MOISTURES[0] <= value.value <= MOISTURES[1]:
         low, high = (100 * share for share in MOISTURES)
         raise InputError(
-            f"{what}: the moisture is {100 * moisture.value:.3g} %; allowed is {low:g} to {high:g} % of the dry wood"
+            f"{what}: the moisture is {100 * value.value:.3g} %; allowed is {low:g} to {high:g} % of the dry wood"
         )
-    return values
+    return value
 
 
 def _measurements(values: Mapping[str, Measured], usual: Measured | None, axis: float) -> list[Measurement]:

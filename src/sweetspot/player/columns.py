@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from datetime import date, datetime
 
-from sweetspot.errors import InputError
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
     GivenColumns,
@@ -14,6 +13,7 @@ from sweetspot.tables.headings import (
     closest,
     maybe_heading,
     names_one_of,
+    no_unit,
     read_headings,
     refuse_faults,
 )
@@ -45,12 +45,15 @@ def columns_of(headings: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, 
     """
     names = [heading.strip() for heading in headings]
     found = read_headings(names, wanted=SWINGS, given=given, once=True, file_name=file_name)
-    if not found.faults and not any(found.has(name) for name in NEEDED):
-        raise InputError(
-            f"{file_name}: no column for bat speed or exit speed; give for example bat_speed_mph and exit_speed_mph, "
-            f"or say --column exit_speed=HEADING:mph. The file has: {closest(names, SWINGS)}"
+    faults = list(found.faults.values())
+    if not any(name in found.columns or name in found.faults for name in NEEDED):
+        faults.append(
+            "no column for bat speed or exit speed; give for example bat_speed_mph and exit_speed_mph, or say --column "
+            f"exit_speed=HEADING:mph. The file has: {closest(names, SWINGS)}"
         )
-    refuse_faults(found.faults.values(), file_name)
+    if faults:
+        vague = no_unit([column for column in found.columns.values() if column.has_no_unit])
+        refuse_faults(filter(None, (*faults, vague)), file_name)
     columns = {name: column for name, column in found.columns.items() if name not in (*WHO, *OUTCOME)}
     for quantity, names_of in (("batter", _who(found)), ("outcome", OUTCOME)):
         if column := next((found.columns[name] for name in names_of if name in found.columns), None):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import csv
 import io
-import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
@@ -21,7 +20,7 @@ from sweetspot.numerics.text_files import MOST_TABLE_BYTES, is_larger, read_text
 from sweetspot.numerics.whole_parquet import reading_parquet
 from sweetspot.player.columns import columns_of, is_heading_line
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
-from sweetspot.tables.text_encoding import opened, pointed, separator_of, table_rows
+from sweetspot.tables.text_encoding import heading_lines, pointed, separator_of, table_rows
 from sweetspot.tables.vocabulary import simplified, systems
 
 if TYPE_CHECKING:
@@ -279,7 +278,13 @@ def _scanned_csv(path: Path, named: frozenset[str]) -> SwingTable:
     """Return a large CSV file: every cell as text, for the same rules as a small one's are to hold."""
     import polars as pl
 
-    separator = _separator(path, named)
+    above = heading_lines(path, is_heading=partial(is_heading_line, named=named))
+    if not above:
+        raise InputError(
+            f"{path} is larger than {MOST_TABLE_BYTES / 1e6:g} MB and none of its first lines names a column for bat "
+            "speed or exit speed; begin it with its column names, for example bat_speed_mph,exit_speed_mph"
+        )
+    separator = separator_of(above[-1])
     try:
         frame = pl.scan_csv(
             path,
@@ -287,28 +292,13 @@ def _scanned_csv(path: Path, named: frozenset[str]) -> SwingTable:
             infer_schema=False,
             truncate_ragged_lines=True,
             encoding="utf8-lossy",
+            skip_lines=len(above) - 1,
             row_index_name=ScannedTable.LINE,
-            row_index_offset=2,
+            row_index_offset=len(above) + 1,
         )
         return ScannedTable(path, frame, commas=separator != ",")
     except (pl.exceptions.PolarsError, OSError) as error:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
-
-
-def _separator(path: Path, named: frozenset[str]) -> str:
-    """Return the separator of the cells of a large CSV file, which begins with its headings."""
-    try:
-        with opened(path) as file:
-            first = file.readline(MOST_TABLE_BYTES).decode("utf-8-sig", "replace").strip()
-    except (OSError, EOFError, zlib.error) as error:
-        raise InputError(f"{path} is damaged: {error}") from None
-    separator = separator_of(first)
-    if is_heading_line(first.split(separator), named):
-        return separator
-    raise InputError(
-        f"{path} is larger than {MOST_TABLE_BYTES / 1e6:g} MB and its first line names no column for bat speed or exit "
-        "speed; begin it with its column names, for example bat_speed_mph,exit_speed_mph"
-    )
 
 
 def narrow_csv(path: Path) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from sweetspot.plausibility import parse_position
 from sweetspot.tables.headings import Headings, TableColumn, no_unit, refuse_faults
@@ -82,24 +82,22 @@ def place_in_si(cell: str, column: TableColumn, length: float) -> float:
     return parse_position(f"{cell.strip()}{end}", length=length)
 
 
-def require_units(rows: Sequence[tuple[int, Sequence[str]]], headings: Headings, file_name: str) -> None:
-    """Refuse columns of plain numbers without a unit, all of them in one message.
+def require_units(
+    rows: Sequence[tuple[int, Sequence[str]]], headings: Headings, file_name: str, *, faults: Iterable[str] = ()
+) -> None:
+    """Refuse columns of plain numbers without a unit, all of them in one message with what else is wrong.
 
     Parameters
     ----------
     rows : line and cells of each.
-
-    Raises
-    ------
-    InputError
-        when there are such columns.
+    faults : of the headings.
     """
     vague = [
         column
         for column in headings.columns.values()
         if column.has_no_unit and any(_is_number(cells[column.index : column.index + 1]) for _, cells in rows)
     ]
-    refuse_faults(filter(None, (no_unit(vague),)), file_name)
+    refuse_faults(filter(None, (*faults, no_unit(vague))), file_name)
 
 
 def _is_number(cell: Sequence[str]) -> bool:

@@ -236,13 +236,29 @@ def no_unit(columns: Sequence[TableColumn]) -> str:
     if not columns:
         return ""
     several = len(columns) > 1
-    first, names = columns[0], " and ".join(column.heading.strip() for column in columns)
+    first, names = columns[0], _and([column.heading.strip() for column in columns])
     return (
         f"column{'s' * several} {names} ha{'ve' if several else 's'} no "
         f"unit; write it into the heading{'s' * several}, for example {first.heading_with_unit}, or say "
         f"--file-units us (mph, feet, inches) or metric (m/s, m, cm), or of one "
         f"column --column {first.quantity}={first.heading.strip()}:{first.example_unit}"
     )
+
+
+def no_column(missing: Sequence[str], names: Sequence[str], wanted: tuple[str, ...]) -> str:
+    """Return advice on quantities that no column of a table gives; "" where none is missing."""
+    if not missing:
+        return ""
+    units = [next(iter(UNITS[quantities()[quantity].kind])) for quantity in missing]
+    examples = ", ".join(f"{quantity}_{unit}" for quantity, unit in zip(missing, units, strict=True))
+    return (
+        f"no column for {_and(missing)}; give for example {examples}, or say --column "
+        f"{missing[0]}=HEADING:{units[0]}. The table has: {closest(names, wanted)}"
+    )
+
+
+def _and(names: Sequence[str]) -> str:
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
 def closest(names: Sequence[str], wanted: tuple[str, ...]) -> str:
@@ -373,11 +389,11 @@ def _given(
 ) -> dict[str, tuple[str, str]]:
     """Return quantity and unit of the columns that a person has named, by heading."""
     columns = {}
-    faults = []
+    faults, of_units = [], []
     for name, text in given.headings.items():
         quantity = name if name in wanted else quantity_by_name(wanted).get(joined(simplified(name)))
         if quantity is None:
-            near = nearest_names(name, [*wanted, *spelled_names(wanted)])
+            near = nearest_names(name, list(dict.fromkeys([*wanted, *spelled_names(wanted)])))
             listed = near if "mean" in near else f"Allowed: {', '.join(wanted)}"
             faults.append(f"{name} is no quantity of a table. {listed}")
             continue
@@ -388,7 +404,11 @@ def _given(
         kind = quantities()[quantity].kind
         unit = simplified(unit) or next((cut for _, cut in _cuts(simplified(heading)) if cut in UNITS[kind]), "")
         columns[heading] = quantity, unit or ("" if given.units else _default_unit(quantity))
-    refuse_faults(faults, file_name)
+        try:
+            _made(*columns[heading][:1], heading, columns[heading][1], 0)
+        except InputError as error:
+            of_units.append(str(error))
+    refuse_faults([*faults, *of_units] if faults else (), file_name)
     return columns
 
 

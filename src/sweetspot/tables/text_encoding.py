@@ -92,6 +92,29 @@ def in_utf8(path: Path, staging: Path, *, is_heading: IsHeading) -> tuple[Path, 
     return copy, replace(copied, encoding=ends.encoding)
 
 
+def heading_lines(path: Path, *, is_heading: IsHeading) -> list[str]:
+    """Return the lines of a file, also a packed one, down to its headings; none where no line is theirs.
+
+    Raises
+    ------
+    InputError
+        when the file is damaged.
+    """
+    try:
+        with opened(path) as file:
+            lines = _down_to_headings(file, is_heading)
+    except (OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path} is damaged: {error}; get it anew") from None
+    return [_text(line) for line in lines] if _is_heading(lines[-1], is_heading) else []
+
+
+def _down_to_headings(file: IO[bytes], is_heading: IsHeading) -> list[bytes]:
+    lines = [file.readline(TAIL)]
+    while len(lines) <= MOST_ABOVE and not _is_heading(lines[-1], is_heading) and (line := file.readline(TAIL)):
+        lines.append(line)
+    return lines
+
+
 def opened(path: Path) -> IO[bytes]:
     """Return a file as a stream of bytes, unpacked where it is packed."""
     with path.open("rb") as file:
@@ -104,12 +127,10 @@ def _ends(path: Path, is_heading: IsHeading) -> TextEnds:
     encoding, decoder = "utf-8", codecs.getincrementaldecoder("utf-8")()
     try:
         with opened(path) as file:
-            lines = [file.readline(TAIL)]
+            lines = _down_to_headings(file, is_heading)
             wide = lines[0].startswith(WIDE)
             if len(lines[0]) == TAIL and b"\r" not in lines[0]:
                 raise InputError(f"{path} begins with a line of more than {TAIL / 1e6:.0f} MB; give a table")
-            while len(lines) <= MOST_ABOVE and not _is_heading(lines[-1], is_heading) and (line := file.readline(TAIL)):
-                lines.append(line)
             first = b"".join(lines)
             tail, unpacked, quotes = lines[-1], 0, 0
             for block in chain([first], iter(lambda: file.read(TAIL), b"")):

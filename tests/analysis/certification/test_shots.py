@@ -313,7 +313,7 @@ def test_a_person_says_what_columns_of_shots_mean(tmp_path: Path) -> None:
     plain = read_shots(written(tmp_path, HEADINGS, GOOD), length=BAT.length).shots[0]
     found = read_shots(written(tmp_path, "ein,aus,Ort", GOOD), length=BAT.length, given=said).shots[0]
     assert found == plain
-    with pytest.raises(InputError, match=r"no column for ball_in and ball_out and position.*--column ball_in=HEADING"):
+    with pytest.raises(InputError, match=r"no column for ball_in, ball_out and position.*--column ball_in=HEADING:mph"):
         read_shots(written(tmp_path, "ein,aus,Ort", GOOD), length=BAT.length)
     with pytest.raises(InputError, match=r"unknown unit, knots.*; columns ball_out_mph and rebound_mph both give"):
         read_shots(

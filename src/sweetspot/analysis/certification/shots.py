@@ -21,16 +21,12 @@ from sweetspot.tables.cells import cell_in_si, place_in_si, require_units
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
     GivenColumns,
-    Headings,
     TableColumn,
-    closest,
     names_one_of,
+    no_column,
     read_headings,
-    refuse_faults,
 )
 from sweetspot.tables.text_encoding import table_rows
-from sweetspot.tables.unit_words import UNITS
-from sweetspot.tables.vocabulary import quantities
 from sweetspot.units import format_length
 
 SHOTS = ("ball_in", "ball_out", "bat_speed", "position", "ball_cor", "ball_stiffness", "ball_mass")
@@ -92,8 +88,11 @@ def read_shots(path: Path, *, length: float, given: GivenColumns = NOTHING_GIVEN
     if not rows:
         raise InputError(f"{path} is empty; it needs a line of column names: {COLUMNS_HINT}")
     names, rows = rows[0][1], rows[1:]
-    headings = _headings(names, given, path)
-    require_units(rows, headings, str(path))
+    headings = read_headings(
+        [name.strip() for name in names], wanted=SHOTS, given=given, once=True, file_name=str(path)
+    )
+    missing = [quantity for quantity in NEEDED if not headings.has(quantity) and quantity not in headings.faults]
+    require_units(rows, headings, str(path), faults=(*headings.faults.values(), no_column(missing, names, SHOTS)))
     good, bad = [], []
     for line, cells in rows:
         try:
@@ -117,21 +116,6 @@ def _rows(path: Path, given: GivenColumns) -> list[tuple[int, list[str]]]:
         return has_header or all(names_one_of(cells, (needed,)) for needed in NEEDED)
 
     return list(table_rows(text, path, is_heading=is_heading))
-
-
-def _headings(names: list[str], given: GivenColumns, path: Path) -> Headings:
-    names = [name.strip() for name in names]
-    found = read_headings(names, wanted=SHOTS, given=given, once=True, file_name=str(path))
-    missing = [quantity for quantity in NEEDED if not found.has(quantity) and quantity not in found.faults]
-    faults = list(found.faults.values())
-    if missing:
-        examples = ", ".join(f"{quantity}_{next(iter(UNITS[quantities()[quantity].kind]))}" for quantity in missing)
-        faults.append(
-            f"no column for {' and '.join(missing)}; give for example {examples}, or say --column "
-            f"{missing[0]}=HEADING. The file has: {closest(names, SHOTS)}"
-        )
-    refuse_faults(faults, str(path))
-    return found
 
 
 def _shot(line: int, cells: list[str], columns: Mapping[str, TableColumn], *, width: int, length: float) -> Shot:

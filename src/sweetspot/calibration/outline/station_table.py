@@ -136,8 +136,8 @@ def _columns(
         both = " and ".join(found.columns[name].heading for name in sizes)
         faults.append(f"columns {both} all say how thick it is; keep one, or say which with --column")
     if faults:
-        refuse_faults([*faults, f"the table has: {closest(names, STATIONS)}"], str(path))
-    require_units(rows, found.only("station", *sizes), str(path))
+        faults.append(f"the table has: {closest(names, STATIONS)}")
+    require_units(rows, found.only("station", *sizes), str(path), faults=faults)
     return found.columns["station"], found.columns[sizes[0]]
 
 
