@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import multiprocessing
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -14,18 +17,18 @@ from sweetspot.web import answers, first_answers
 from sweetspot.web.views import VIEWS
 
 
-def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     def no_process(*_: Any, **__: Any) -> None:
         raise OSError(errno.EAGAIN, "Resource temporarily unavailable")
 
-    kept: dict[first_answers.Question, bytes] = {}
-    monkeypatch.setattr(first_answers, "ProcessPoolExecutor", no_process)
-    monkeypatch.setattr(first_answers, "kept_answer", lambda *question: kept.get(question))
-    monkeypatch.setattr(first_answers, "keep", lambda question, answer: kept.update({question: answer}))
+    monkeypatch.setattr(multiprocessing, "get_context", lambda _: SimpleNamespace(Process=no_process))
+    monkeypatch.setattr(first_answers, "kernel_folder", lambda: tmp_path)
     words: list[str] = []
     first_answers.prepare(lambda name, *_: name.encode(), words.append)
-    assert kept == {question: question[0].encode() for question in first_answers.first_questions()}
-    assert "in this process alone" in words[-1]
+    for name in VIEWS:
+        for question in first_answers.first_questions(name):
+            assert first_answers.kept_answer(name, *question) == name.encode()
+    assert words[-1] == "the solver is ready" and len(words) == len(VIEWS) + 2
 
 
 def test_kernels_are_loaded_behind_the_first_picture(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -35,7 +38,7 @@ def test_kernels_are_loaded_behind_the_first_picture(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(answers, "kept_answer", lambda *_: b"{}")
     monkeypatch.setattr(answers, "load_lists", begun.set)
     monkeypatch.setattr(answers, "answer_json", lambda *_: b"{}")
-    monkeypatch.setattr(answers, "work_out", lambda *_: ())
+    monkeypatch.setattr(answers, "work_out", lambda *_: None)
     found = answers.AnswerPool()
     with ThreadPoolExecutor(2) as pool:
         preparing = pool.submit(found.prepare)
@@ -53,7 +56,7 @@ def test_without_kept_pictures_kernels_are_loaded_at_once(monkeypatch: pytest.Mo
     monkeypatch.setattr(answers, "kept_answer", lambda *_: None)
     monkeypatch.setattr(answers, "load_lists", lambda: None)
     monkeypatch.setattr(answers, "answer_json", lambda *_: b"{}")
-    monkeypatch.setattr(answers, "work_out", lambda *_: ())
+    monkeypatch.setattr(answers, "work_out", lambda *_: None)
     found = answers.AnswerPool()
     found.prepare()
     assert found.prepared

@@ -14,7 +14,7 @@ from playwright.sync_api import Page, expect
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.web.controls import CARRIED
-from sweetspot.web.first_answers import first_questions, keep, kept_answer
+from sweetspot.web.first_answers import first_questions, kept_answer, work_out
 from sweetspot.web.views import VIEWS
 
 Answered = Callable[..., int]
@@ -241,16 +241,16 @@ def test_first_answers_are_kept_for_this_state_of_the_package_only(
     from sweetspot.web import first_answers
 
     monkeypatch.setattr(first_answers, "kernel_folder", lambda: tmp_path)
-    questions = [*first_questions()]
-    name, state, _ = first = questions[0]
-    assert ("player", VIEWS["player"].state(), "fit") in questions  # what comes apart, and takes longest
-    assert kept_answer(*first) is None
-    keep(first, b"{}")
-    assert kept_answer(name, state) == b"{}"
-    assert kept_answer(name, state, "why") is None
-    assert kept_answer(name, state.model_copy(update={"pitch_speed_mph": 80.0})) is None
+    name, state = "player", VIEWS["player"].state()
+    assert (state, "fit") in first_questions(name)  # what comes apart, and takes longest
+    assert kept_answer(name, state) is None
+    work_out(lambda *_: b"{}", name)
+    assert kept_answer(name, state) == kept_answer(name, state, "fit") == b"{}"
+    assert kept_answer("explorer", VIEWS["explorer"].state()) is None
+    assert kept_answer(name, state.model_copy(update={"bat": "mlb-a"})) is None
     monkeypatch.setattr(first_answers, "_package_digest", lambda: "another")
     assert kept_answer(name, state) is None
-    keep(first, b"{1}")
+    work_out(lambda *_: b"{1}", name)
+    assert kept_answer(name, state) == b"{1}"
     monkeypatch.undo()
-    assert len([*tmp_path.iterdir()]) == 1
+    assert len([*tmp_path.glob("*.json")]) == len([*first_questions(name)])

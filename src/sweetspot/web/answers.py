@@ -74,7 +74,7 @@ class AnswerPool:
         """
         works: list[Callable[[], object]] = [load_lists]
         works += [partial(answer_json, name, view.state()) for name, view in VIEWS.items()]  # also where one is kept
-        works += [partial(work_out, answer_json, (name,)) for name in VIEWS]
+        works += [partial(work_out, answer_json, name) for name in VIEWS]
         if all(kept_answer(name, view.state()) is not None for name, view in VIEWS.items()):
             self._asked.wait(UNASKED)
         try:
