@@ -14,7 +14,7 @@ from playwright.sync_api import Page, expect
 from sweetspot.answers.records import to_dict
 from sweetspot.units import MPH
 from sweetspot.web.views import VIEWS, compare, explorer, flight
-from sweetspot.web.views.flight_recipe import flight_lines
+from sweetspot.web.views.compare_state import CompareState
 from sweetspot.web.views.flight_state import FlightState
 
 CHANGES: list[dict[str, Any]] = [
@@ -31,7 +31,7 @@ def explored(**controls: Any) -> dict[str, Any]:
 def test_a_changed_bat_is_swung_as_compare_swings_it(change: dict[str, Any]) -> None:
     """With the bat as it was as bat 1, the comparison says the same of the changed one."""
     bat = change.get("bat", "r161-ash")
-    beside = compare.CompareState.model_validate({"bat": bat, "others": [{"bat": bat, **change}]})
+    beside = CompareState.model_validate({"bat": bat, "others": [{"bat": bat, **change}]})
     _, other = to_dict(compare.answer(beside))["bats"]
     found = explored(**change)
     assert found["conditions"]["bat_speed_m_s"] == pytest.approx(other["bat_speed_m_s"]["value"], rel=1e-7)
@@ -85,15 +85,15 @@ def test_the_copied_commands_agree(
                 Path("bat.toml" if name == "toml" else name).write_text(text, encoding="utf-8")
         return run_json(*shlex.split(lines["command"].splitlines()[0])[1:])
 
-    drilled = compare.CompareState.model_validate({"bat": "corked-r161", "same": same})
+    drilled = CompareState.model_validate({"bat": "corked-r161", "same": same})
     first = told(compare.recipe(drilled))["bats"][0]["bat_speed_m_s"]["value"]
     assert first == pytest.approx(to_dict(compare.answer(drilled))["bats"][0]["bat_speed_m_s"]["value"], rel=1e-9)
-    side_by_side = compare.CompareState.model_validate({**change, "same": same})
+    side_by_side = CompareState.model_validate({**change, "same": same})
     found = told(compare.recipe(side_by_side))
     for row, expected in zip(found["bats"], to_dict(compare.answer(side_by_side))["bats"], strict=True):
         assert row["exit_speed_m_s"]["value"] == pytest.approx(expected["exit_speed_m_s"]["value"], rel=1e-6)
     state = FlightState.model_validate({**change, "same": same, "start": "swing", "offset_in": 0.5})
-    played = told(flight_lines(state))
+    played = told(flight.recipe(state))
     assert played["flight"]["carry_m"] == pytest.approx(to_dict(flight.answer(state))["flight"]["carry_m"], rel=1e-4)
 
 

@@ -15,7 +15,7 @@ from sweetspot import catalog
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.units import MPH
 from sweetspot.web.bats import conditions_of, described, swung
-from sweetspot.web.views.compare import CompareState
+from sweetspot.web.views.compare_state import CompareState
 from sweetspot.web.views.explorer import ExplorerState
 from sweetspot.web.views.explorer_curves import along
 from sweetspot.web.views.optimum import OptimumState

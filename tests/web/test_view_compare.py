@@ -19,7 +19,8 @@ from sweetspot.numerics.interval import REACH, interval_of
 from sweetspot.reports.comparison.words import changes
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views import compare as compare_view
-from sweetspot.web.views.compare import VIEW, CompareState, rules_sure, sure
+from sweetspot.web.views.compare import VIEW, rules_sure, sure
+from sweetspot.web.views.compare_state import CompareState
 
 
 def answer(state: CompareState) -> dict[str, Any]:

@@ -6,7 +6,7 @@ for people to copy and run, and a state may come from anybody's link.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from shlex import quote
 
@@ -14,15 +14,17 @@ from sweetspot import catalog
 from sweetspot.analysis.comparison import Changed
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.units import MPH
-from sweetspot.web.bats import changed_bat, conditions_of, described, swung, usual
-from sweetspot.web.controls import BatState, SwungState
+from sweetspot.web.bats import changed_bat, conditions_of, described, usual
+from sweetspot.web.controls import BatState, PlacedState, SwungState, ViewState
 
 BAT_FILE = "bat.toml"
 ENOUGH = 12
 """Decimals of a bat's lengths and masses with which its file gives the page's numbers to nine figures."""
 _FIRST = BatState()
-Options = Mapping[str, str | bool | None]
-"""By the name of the parameter of Python's function; the command line has hyphens in it."""
+Options = dict[str, str | bool | Sequence[str] | None]
+"""By the name of the parameter of Python's function; the command line has hyphens in it, and repeats an option."""
+UNITS = {"degf": "degF", "inhg": "inHg"} | {unit: unit for unit in ("mph", "deg", "rpm", "ft", "in", "m")}
+"""By the end of a control's name: its unit as options have it."""
 
 
 def bat_name(state: BatState) -> str:
@@ -100,6 +102,24 @@ def lines_of(*asks: Ask) -> dict[str, str]:
     return {"command": "\n".join(ask.command for ask in asks), "python": python}
 
 
+def options_of(state: ViewState, *fields: str, **renamed: str) -> Options:
+    """Return controls as options: a field is called as its option, with the unit behind it.
+
+    Parameters
+    ----------
+    renamed : fields by the name of the option, where that is another one.
+    """
+    options: Options = {}
+    for name in (*fields, *renamed):
+        control = renamed.get(name, name)
+        stem, _, unit = control.rpartition("_")
+        value = getattr(state, control)
+        if isinstance(value, float | int):
+            value = number(value, UNITS.get(unit, ""))
+        options[stem if name == control and unit in UNITS else name] = value
+    return options
+
+
 def as_text(options: Options) -> str:
     """Return options as the command line writes them; a value may begin like an option itself.
 
@@ -108,14 +128,15 @@ def as_text(options: Options) -> str:
     """
     text = ""
     for name, value in options.items():
+        word = f"--{name.replace('_', '-')}"
         if value is True:
-            text += f" --{name.replace('_', '-')}"
+            text += f" {word}"
         elif value:
-            text += " " + option(f"--{name.replace('_', '-')}", str(value))
+            text += "".join(f" {option(word, each)}" for each in ([value] if isinstance(value, str) else value))
     return text
 
 
-def swing_options(state: SwungState, *, beside: bool = False) -> dict[str, str | bool | None]:
+def swing_options(state: SwungState, *, beside: bool = False) -> Options:
     """Return the options for pitch, swing and ball; those that have their usual value are left out.
 
     Parameters
@@ -126,7 +147,7 @@ def swing_options(state: SwungState, *, beside: bool = False) -> dict[str, str |
     return {"pitch_speed": pitch} | stroke_options(state, beside=beside)
 
 
-def stroke_options(state: SwungState, *, beside: bool = False) -> dict[str, str | bool | None]:
+def stroke_options(state: SwungState, *, beside: bool = False) -> Options:
     """Return the options for swing and ball alone; see `swing_options`."""
     moved, bat = state.hands_in != SwungState.model_fields["hands_in"].default, described(state)
     is_changed = bat.before_changes() is not bat  # else it is refused
@@ -139,6 +160,11 @@ def stroke_options(state: SwungState, *, beside: bool = False) -> dict[str, str 
         "ball_humidity": number(state.ball_humidity),
         "ball_temperature": number(state.ball_temperature_degf, "degF"),
     }
+
+
+def place_option(state: PlacedState) -> Options:
+    """Return the option for the place where the ball meets the bat."""
+    return {"at": f"{state.impact_from_tip_in:.12g}in-from-tip"}
 
 
 def number(value: float | None, unit: str = "") -> str | None:
@@ -162,41 +188,16 @@ def _speed_to_give(state: SwungState, *, beside: bool) -> float | None:
     return None if given == usual(bat).bat_speed_mph and state.bat_speed_mph is None else given
 
 
-def conditions_lines(state: SwungState) -> str:
-    """Return Python lines that make ``bat`` and ``conditions``."""
-    state = swung(state)
-    speed = state.bat_speed_mph
-    if changed_bat(state) is not None:
-        speed = round(conditions_of(state, described(state)).swing.bat_speed / MPH, 12)
-    source = f"catalog.bat({state.bat!r})" if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
-    ball = f"catalog.ball({state.ball!r})"
-    if state.ball_cor is not None:
-        ball += f".with_restitution({state.ball_cor!r})"
-    if state.ball_humidity is not None or state.ball_temperature_degf is not None:
-        warm = None if state.ball_temperature_degf is None else (state.ball_temperature_degf - 32) / 1.8
-        ball += f".conditioned(humidity={state.ball_humidity!r}, temperature={warm!r})"
-    return (
-        "from sweetspot import Conditions, Hands, Pitch, Swing, analyse, catalog\n"
-        "from sweetspot.analysis.bat_analysis import hit_at\n"
-        "from sweetspot.units import INCH, MPH\n\n"
-        f"bat = {source}\n"
-        "conditions = Conditions(\n"
-        f"    pitch=Pitch(speed={state.pitch_speed_mph!r} * MPH),\n"
-        f"    swing=Swing(bat_speed={speed!r} * MPH, measured_at=bat.length - 6 * INCH, "
-        "pivot=bat.choke),\n"
-        f"    hands=Hands(position=bat.choke + {state.hands_in!r} * INCH),\n"
-        f"    ball={ball},\n"
-        ")\n"
-    )
-
-
-def modes_line(*, held: bool) -> str:
-    """Return Python lines that make ``modes`` of ``bat`` and ``conditions``, held by typical hands or free."""
-    if not held:
-        return "modes = all_modes(beam_model(bat), conditions.ball)\n"
-    return (
-        "from sweetspot import held_modes\n"
-        "from sweetspot.analysis.bat_analysis import TYPICAL_HAND\n\n"
-        "hands = conditions.hands.replaced(**TYPICAL_HAND)\n"
-        "modes = held_modes(all_modes(beam_model(bat), conditions.ball), hands)\n"
-    )
+def setup_lines(state: SwungState, *, held: bool) -> str:
+    """Return Python lines that make ``bat``, ``conditions`` and ``modes``, held by typical hands or free."""
+    lines = [
+        "import sweetspot",
+        "from sweetspot.analysis.bat_analysis import TYPICAL_HAND, hit_at",
+        "from sweetspot.units import INCH",
+        "",
+        Ask("report", (bat_source(state),), swing_options(state)).python,
+        "bat, conditions, modes = report.analysis.bat, report.analysis.conditions, report.analysis.modes",
+    ]
+    if held:
+        lines.append("modes = sweetspot.held_modes(modes, conditions.hands.replaced(**TYPICAL_HAND))")
+    return "\n".join([*lines, ""])

@@ -49,7 +49,7 @@ from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, in
 from sweetspot.web.drawings import BallPicture, BatPicture, BatShape, ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import about
 from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
-from sweetspot.web.recipes import Ask, bat_source, bat_text, is_catalogued, lines_of, number, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, is_catalogued, lines_of, number, options_of, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.compare_state import (
     CompareState,
@@ -349,11 +349,8 @@ def recipe(state: CompareState) -> dict[str, str]:
     options = swing_options(state, beside=True) | {"same_speed": state.same == "speed", "swing_law": state.swing_law}
     ask = Ask("compare", tuple(names), options)
     if state.what_if == "cork":
-        hole = {
-            "bore_diameter": number(state.hole_diameter_in, "in"),
-            "bore_depth": number(state.hole_depth_in, "in"),
-            "plug": number(min(1.0, state.hole_depth_in / 2), "in"),
-        }
+        hole = options_of(state, bore_diameter="hole_diameter_in", bore_depth="hole_depth_in")
+        hole["plug"] = number(min(1.0, state.hole_depth_in / 2), "in")
         ask = replace(ask, options=options | hole, function="compare_corked", chosen={"what_if": "cork"})
     tests = [Ask("certify", (name,), {"league": swung(state).league}).command for name in names]
     return {

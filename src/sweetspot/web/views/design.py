@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from shlex import quote
 from typing import Annotated, TypeVar
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules
@@ -53,10 +52,11 @@ from sweetspot.web.drawings import (
 )
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
-from sweetspot.web.recipes import ENOUGH, as_text, bat_name, swing_options
+from sweetspot.web.recipes import ENOUGH, Ask, bat_source, options_of, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.design_search import search
 from sweetspot.web.views.design_state import (
+    LOCKS,
     USUAL_LEAGUE,
     BatterControls,
     DesignState,
@@ -378,32 +378,17 @@ def recipe(state: DesignState) -> dict[str, str]:
 
     That has every digit: which bats a search finds follows from the last one.
     """
-    locks = {
-        "keep_mass": "mass",
-        "keep_moi": "moi",
-        "keep_wood": "wood",
-        "keep_balance": "balance",
-        "keep_grip": "grip",
+    keep = [field.removeprefix("keep_") for field in LOCKS if getattr(state, field)]
+    options = {
+        "want": [want.replace("_", "-") for want in dict.fromkeys((state.want, state.also_want))],
+        "keep": keep or ["nothing"],
+        **options_of(state, "contact_in", "contact_spread_in", doubt="contact_doubt_in", offset="miss_in"),
+        **options_of(state, "seed", "generations", offset_spread="miss_spread_in", cup="deepest_cup_in"),
+        "swing_law": None if state.swing_law == "baseball" else "none",
+        "league": None if state.league == USUAL_LEAGUE else state.league,
     }
-    keep = [word for field, word in locks.items() if getattr(state, field)] or ["nothing"]
-    wants = dict.fromkeys((state.want, state.also_want))
-    options = [
-        *(f"--want {want.replace('_', '-')}" for want in wants),
-        *(f"--keep {name}" for name in keep),
-        f"--contact {state.contact_in:.12g}in",
-        f"--contact-spread {state.contact_spread_in:.12g}in",
-        f"--doubt {state.contact_doubt_in:.12g}in",
-        f"--offset {state.miss_in:.12g}in",
-        f"--offset-spread {state.miss_spread_in:.12g}in",
-        f"--cup {state.deepest_cup_in:.12g}in",
-        f"--seed {state.seed}",
-        f"--generations {state.generations}",
-        *([] if state.swing_law == "baseball" else ["--swing-law none"]),
-        *([] if state.league == USUAL_LEAGUE else [f"--league {quote(state.league)}"]),
-    ]
-    swing = as_text(swing_options(state, beside=True))
-    command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing} --out design"
-    return {"command": command, "toml": bat_toml(described(state))}
+    ask = Ask("design", (bat_source(state),), options | swing_options(state, beside=True) | {"out": "design"})
+    return {"command": ask.command, "toml": bat_toml(described(state))}
 
 
 VIEW = View(

@@ -31,7 +31,7 @@ from sweetspot.web.controls import HitState
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, in_either_system, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.publications import Publication, published
-from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, options_of, place_option, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import (
     CurvesOfHits,
@@ -222,12 +222,12 @@ def sure(state: ExplorerState) -> ReadDocument:
 def recipe(state: ExplorerState) -> dict[str, str]:
     """Return the lines that give the hit, and the curves of a ball met in the middle."""
     bat, options = (bat_source(state),), swing_options(state)
-    place = {"at": f"{state.impact_from_tip_in:.12g}in-from-tip"}
+    place = place_option(state)
     if state.offset_in == 0:
         asks = [Ask("report", bat, options), Ask("hit", bat, place | options)]
     else:
         level = {"attack_angle": "0deg", "tilt": "0deg", "approach_angle": "0deg", "pitch_backspin": "0rpm"}
-        off = place | {"offset": f"{state.offset_in:.12g}in"} | level | options
+        off = place | options_of(state, "offset_in") | level | options
         note = f"of the ball met {abs(state.offset_in):.12g} in off the bat's axis"
         asks = [
             Ask("report", bat, options, note="all along the bat, of a ball met in the middle"),

@@ -42,6 +42,7 @@ from sweetspot.web.bats import ball_of, conditions_of, described, place_of, redu
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError, about
+from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, options_of, place_option, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import (
     CarryMap,
@@ -54,7 +55,6 @@ from sweetspot.web.views.flight_parks import (
     outlines,
     parks_of,
 )
-from sweetspot.web.views.flight_recipe import flight_lines
 from sweetspot.web.views.flight_state import FlightState
 
 FORWARD = USUAL_CONTACT[1]
@@ -358,6 +358,24 @@ def _path(flown: Flights, row: int) -> DrawnPath:
     return DrawnPath(*(np.round(values, 4) for values in columns))
 
 
-VIEW = View(
-    "flight", "Flight", FlightState, answer, flight_lines, asides={"map": carry_map, "fences": fences, "sure": sure}
-)
+def recipe(state: FlightState) -> dict[str, str]:
+    """Return command line and Python line, and the bat's file where a bat is swung."""
+    air = options_of(state, "temperature_degf", "pressure_inhg", "elevation_ft", "wind_speed_mph")
+    wind = options_of(state, "wind_direction_deg") if state.wind_speed_mph else {}
+    weather = {"park": swung(state).park, **options_of(state, humidity="relative_humidity"), **air, **wind}
+    at = {**options_of(state, "height_ft"), "forward": "2ft"}
+    if state.start == "ball":
+        direction = "bearing" if state.direction == "landing" else "spray"
+        ball = options_of(
+            state, "exit_speed_mph", "launch_angle_deg", "backspin_rpm", "sidespin_rpm", **{direction: "spray_deg"}
+        )
+        other = swung(state).ball
+        return lines_of(Ask("fly", options=ball | {"ball": None if other == "baseball" else other} | at | weather))
+    path = options_of(state, "attack_angle_deg", "attack_direction_deg", "tilt_deg", bats="batter")
+    pitch = options_of(state, "pitch_backspin_rpm", approach_angle="pitch_angle_deg")
+    contact = place_option(state) | options_of(state, "offset_in") | path | pitch
+    ask = Ask("play", (bat_source(state),), contact | at | swing_options(state) | weather)
+    return {**lines_of(ask), "toml": bat_text(state)}
+
+
+VIEW = View("flight", "Flight", FlightState, answer, recipe, asides={"map": carry_map, "fences": fences, "sure": sure})

@@ -38,7 +38,7 @@ from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
 from sweetspot.web.controls import HeldState, PlacedState
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
-from sweetspot.web.recipes import Ask, bat_source, bat_text, conditions_lines, modes_line, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, place_option, setup_lines, swing_options
 from sweetspot.web.view import View
 
 PLACES = 61
@@ -272,17 +272,14 @@ def _short(values: Array, digits: int) -> Array:
 
 def recipe(state: HitFilmState) -> dict[str, str]:
     """Return the lines that give the hit and its film; the command line knows no hands that weigh something."""
-    place = f"{state.impact_from_tip_in:.12g}in-from-tip"
-    python = conditions_lines(state) + (
-        "from sweetspot import all_modes, beam_model\n"
+    python = setup_lines(state, held=state.held) + (
         "from sweetspot.collision.time_history import arrival_time, history_of\n\n"
-        f"{modes_line(held=state.held)}"
         f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=modes, conditions=conditions)\n"
         f"scene = history_of(impact, modes=modes, ball=conditions.ball, duration={state.duration_ms!r} * 1e-3)\n"
         "scene.times, scene.force, scene.energy.bending  # s, N, J\n"
         "arrival_time(scene, modes=modes, position=conditions.hands.position)  # s\n"
     )
-    command = Ask("hit", (bat_source(state),), {"at": place} | swing_options(state)).command
+    command = Ask("hit", (bat_source(state),), place_option(state) | swing_options(state)).command
     return {"python": python, "toml": bat_text(state)} | ({} if state.held else {"command": command})
 
 

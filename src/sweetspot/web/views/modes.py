@@ -26,7 +26,7 @@ from sweetspot.web.controls import HeldState, Place, SwungState
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError
-from sweetspot.web.recipes import Ask, bat_source, bat_text, conditions_lines, modes_line, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, setup_lines, swing_options
 from sweetspot.web.view import View
 
 PLACES = 101
@@ -272,10 +272,8 @@ def _signed_largest(shape: Array) -> float:
 
 def recipe(state: ModesState) -> dict[str, str]:
     """Return the lines that give the motions and the tap; the command line knows no hands that weigh something."""
-    python = conditions_lines(state) + (
-        "from sweetspot import all_modes, beam_model\n"
+    python = setup_lines(state, held=state.held) + (
         "from sweetspot.dynamics.modes import tapped\n\n"
-        f"{modes_line(held=state.held)}"
         "modes.frequency, modes.damping_ratio, modes.nodes(2)  # Hz, ratios, m from the knob end\n"
         f"tapped(modes, position=bat.length - {state.tap_from_tip_in!r} * INCH, duration={state.tap_ms!r} * 1e-3)\n"
     )

@@ -25,7 +25,7 @@ from sweetspot.web.controls import HoleDepth, HoleDiameter, Name, SwungState
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
-from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, number, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, options_of, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.paper_pictures import (
     PICTURES,
@@ -157,18 +157,10 @@ def choices_of(state: PaperState) -> Choices:
 
 def recipe(state: PaperState) -> dict[str, str]:
     """Return command line, Python line and the bat's file that give the same numbers."""
-    options = {
-        "entry_angle": number(state.entry_angle_deg, "deg"),
-        "rod_hands": number(state.rod_hands_in, "in"),
-        "hands_moved": number(state.hands_moved_in, "in"),
-        "bore_diameter": number(state.hole_diameter_in, "in"),
-        "bore_depth": number(state.hole_depth_in, "in"),
-        "fill": state.hole_fill,
-        "drop_height": number(state.drop_height_m, "m"),
-        "block_thickness": number(state.block_thickness_m, "m"),
-        "block_support": state.block_support,
-        **{name: number(getattr(state, name)) for name in RATIOS},
-    }
+    options = options_of(state, "entry_angle_deg", "rod_hands_in", "hands_moved_in", *RATIOS)
+    hole = options_of(state, bore_diameter="hole_diameter_in", bore_depth="hole_depth_in", fill="hole_fill")
+    block = options_of(state, "drop_height_m", "block_thickness_m", "block_support")
+    options |= hole | block
     return {**lines_of(Ask("paper", (bat_source(state),), options | swing_options(state))), "toml": bat_text(state)}
 
 

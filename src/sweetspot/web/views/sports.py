@@ -36,7 +36,7 @@ from sweetspot.web.bats import implement_of
 from sweetspot.web.controls import Name, Toml, ViewState, within
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.recipes import Ask, lines_of, number
+from sweetspot.web.recipes import Ask, lines_of, number, options_of
 from sweetspot.web.view import View
 
 ALONG, ACROSS = 48, 30
@@ -261,7 +261,7 @@ def recipe(state: SportsState) -> dict[str, str]:
     """Return command line and Python lines that give the same numbers, and the file they read, if there is one."""
     things = (state.implement if state.implement_toml is None else FILE,)
     coming = "tee" if state.incoming_mph == 0 else number(state.incoming_mph, "mph")
-    options = {"bat_speed": number(state.swing_mph, "mph"), "pitch_speed": coming}
+    options = options_of(state, bat_speed="swing_mph") | {"pitch_speed": coming}
     asks = [Ask("report", things, options)]
     if state.met_from_tip_in is not None and not state.aside_in:  # the command meets the ball on the middle line
         asks.append(Ask("hit", things, {"at": f"{state.met_from_tip_in:.12g}in-from-tip", **options}))
