@@ -15,7 +15,7 @@ from sweetspot.answers.season import season_answer
 from sweetspot.answers.season_question import SeasonQuestion
 from sweetspot.errors import InputError
 from sweetspot.reports.season.document import season_document
-from sweetspot.seasons import csv_copy, duplicates, plan, rows
+from sweetspot.seasons import duplicates, plan, rows, table_copies
 from sweetspot.seasons.balls import balls_of
 from sweetspot.seasons.batters import require_batter
 from sweetspot.seasons.rows import REASONS, USED, rows_of
@@ -356,7 +356,7 @@ def test_columns_are_what_all_lines_make_them(
     path.write_text("\n".join(["launch_speed,launch_angle,bat_speed", *rows]), "utf-8")
     read = []
     for lines in (4, 1000):
-        monkeypatch.setattr(csv_copy, "BEGUN", lines)
+        monkeypatch.setattr(table_copies, "BEGUN", lines)
         read.append(open_table(path, staging=tmp_path / str(lines)).part(0, 9))
     assert read[0].equals(read[1], null_equal=True)
     assert late == "inf" or read[0].schema == read[1].schema  # no number by its look

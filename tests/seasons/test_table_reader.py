@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import BinaryIO
 from unittest.mock import patch
 
 import polars as pl
 import pytest
 
-from sweetspot.errors import UnwritableError
-from sweetspot.seasons import parquet_pieces, table_file, table_reader
-from sweetspot.seasons.parquet_pieces import footer_of
+from sweetspot.errors import InputError, UnwritableError
+from sweetspot.seasons import table_copies, table_file, table_reader
 from sweetspot.seasons.season_table import analyse_season, season_setting
 from sweetspot.seasons.survey import survey_tables
+from sweetspot.seasons.table_copies import row_groups_of
 from sweetspot.seasons.table_file import TableFile, open_table
 from sweetspot.seasons.table_look import TableLook
 from sweetspot.seasons.table_reader import TableReader
@@ -25,20 +26,21 @@ from tests.seasons.conftest import files_of, made_up
 def test_row_groups_are_those_that_were_written(rows: int, tmp_path: Path) -> None:
     table = tmp_path / "table.parquet"
     made_up(400).write_parquet(table, row_group_size=rows, statistics="full")
-    groups = footer_of(table).row_groups
+    groups = tuple(group.rows for group in row_groups_of(table))
     assert groups == tuple(len(part) for part in made_up(400).iter_slices(rows))
 
 
 def test_ranges_are_those_of_the_columns(tmp_path: Path) -> None:
-    """Those told in every piece, and of no column that has nothing, or nothing finite, in one of them."""
+    """Of no column that has nothing, or something that is not finite; a piece may have nothing."""
     nowhere, table = pl.int_range(pl.len()) < 150, tmp_path / "table.parquet"
     frame = made_up(400).with_columns(
         hc_x=pl.when(~nowhere).then("hc_x"),
+        vz0=pl.lit(None, pl.Float64),
         hc_y=pl.when(pl.int_range(pl.len()) == 3).then(float("inf")).otherwise("hc_y"),
     )
     frame.write_parquet(table, row_group_size=100)
-    ranges = footer_of(table).ranges
-    assert {"launch_speed", "vx0", "plate_x"} < set(ranges) and not {"hc_x", "hc_y", "events"} & set(ranges)
+    ranges = open_table(table, staging=tmp_path).ranges
+    assert {"launch_speed", "vx0", "plate_x", "hc_x"} < set(ranges) and not {"vz0", "hc_y", "events"} & set(ranges)
     assert all(ranges[name] == (frame[name].min(), frame[name].max()) for name in ranges)
 
 
@@ -59,7 +61,7 @@ def test_no_footer_no_row_groups(torn: int, tmp_path: Path) -> None:
     table.write_bytes(
         held[: -8 - size // 2] + (size // 2).to_bytes(4, "little") + b"PAR1" if torn == 200 else held[:torn]
     )
-    assert footer_of(table) == ((), (), {})
+    assert row_groups_of(table) == ()
 
 
 @pytest.mark.parametrize("group", [70, 100, 256, 1000])
@@ -102,7 +104,7 @@ def test_wide_tables_are_worked_on_by_fewer_rows_with_the_same_answers(name: str
     frame.write_csv(tmp_path / name) if name.endswith("csv") else frame.write_parquet(tmp_path / name)
     setting = season_setting(contact=False)
     usual = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "usual")
-    with patch.object(parquet_pieces, "MOST_CELLS", 40 * frame.width):
+    with patch.object(table_copies, "MOST_CELLS", 40 * frame.width):
         wide = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "wide")
     assert len(files_of(tmp_path / "usual" / "balls")) == 1 and len(files_of(tmp_path / "wide" / "balls")) == 8
     assert wide.balls().collect().equals(usual.balls().collect())
@@ -119,16 +121,16 @@ def test_tables_in_large_row_groups_are_laid_out_anew_with_the_same_answers(tmp_
     setting = season_setting(contact=False)
     usual = analyse_season([tmp_path / "table.parquet"], setting=setting, folder=tmp_path / "usual")
     read = []
-    whole = parquet_pieces.joined
+    whole = table_copies.joined
 
     def counted(strips: Sequence[Path], start: int, count: int, **asked: list[str] | None) -> pl.DataFrame:
         read.append(len(strips))
         return whole(strips, start, count, **asked)
 
-    sizes = footer_of(tmp_path / "table.parquet").sizes
+    sizes = [group.size for group in row_groups_of(tmp_path / "table.parquet")]
     with (
-        patch.object(parquet_pieces, "MOST_PACKED", max(sizes) - 1),
-        patch.object(parquet_pieces, "MOST_CELLS", 40 * frame.width),
+        patch.object(table_copies, "MOST_PACKED", max(sizes) - 1),
+        patch.object(table_copies, "MOST_CELLS", 40 * frame.width),
         patch.object(table_file, "joined", counted),
     ):
         strips = analyse_season([tmp_path / "table.parquet"], setting=setting, folder=tmp_path / "strips")
@@ -139,11 +141,26 @@ def test_tables_in_large_row_groups_are_laid_out_anew_with_the_same_answers(tmp_
     assert strips.survey.warnings == usual.survey.warnings
 
 
+def test_what_the_writer_of_tables_does_not_name_the_system_does(tmp_path: Path) -> None:
+    """A full disk shows as a fault of transport; one that is not full is not made one."""
+
+    def broken(self: pl.LazyFrame, file: BinaryIO, **_: object) -> None:
+        raise pl.exceptions.ComputeError("transport error")
+
+    table = tmp_path / "table.csv"
+    made_up(30).write_csv(table)
+    with patch.object(pl.LazyFrame, "sink_parquet", broken):
+        with pytest.raises(InputError, match="cannot be read as a table: transport error"):
+            open_table(table, staging=tmp_path / "copies")
+        with no_file_beyond(100_000), pytest.raises(UnwritableError, match="file too large; make room"):
+            open_table(table, staging=tmp_path / "copies")
+
+
 def test_no_room_to_lay_a_table_out_anew_is_not_the_table_s_fault(tmp_path: Path) -> None:
     table = tmp_path / "table.parquet"
     made_up(300).write_parquet(table)
     with (
-        patch.object(parquet_pieces, "MOST_PACKED", 1),
+        patch.object(table_copies, "MOST_PACKED", 1),
         no_file_beyond(1000),
         pytest.raises(
             UnwritableError, match=r"written: file too large; make room .* row groups of a few thousand rows"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import threading
 from collections.abc import Iterator
@@ -38,14 +39,24 @@ def reading_parquet(path: Path) -> Iterator[None]:
         raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
 
 
-def unpack_all(frame: pl.LazyFrame) -> None:
+def unpack_all(frame: pl.LazyFrame) -> dict[str, tuple[float, float]]:
     """Unpack every page of a scanned file and discard it, so that later reads meet no damage.
 
     It takes about 2 s for 150 MB (70 million cells) and no more memory than some row groups do.
+
+    Returns
+    -------
+    dict
+        the least and greatest value of every column of numbers with a point, where both are finite.
     """
     import polars as pl
 
-    frame.select(pl.all().null_count()).collect(engine="streaming")
+    names = [name for name, kind in frame.collect_schema().items() if kind.is_float()]
+    ends = {"least": pl.col(names).min(), "most": pl.col(names).max()}
+    several = (values.name.prefix(f"{end} ") for end, values in ends.items()) if names else ()
+    found = frame.select(pl.all().null_count(), *several).collect(engine="streaming").row(0, named=True)
+    ranges = {name: (found[f"least {name}"], found[f"most {name}"]) for name in names}
+    return {name: both for name, both in ranges.items() if None not in both and all(map(math.isfinite, both))}
 
 
 @contextmanager

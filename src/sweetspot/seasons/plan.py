@@ -27,9 +27,9 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.whole_files import file_digest, refusal, sweep, written_whole
 from sweetspot.seasons.ball_columns import SeasonSetting, answer_columns, answers_of
 from sweetspot.seasons.duplicates import with_duplicates
-from sweetspot.seasons.parquet_pieces import MOST_CELLS, rows_together
 from sweetspot.seasons.rows import USED, rows_of
 from sweetspot.seasons.stat_rows import counted_rows
+from sweetspot.seasons.table_copies import MOST_CELLS, rows_together
 from sweetspot.seasons.table_file import TableFile
 from sweetspot.seasons.table_reader import TableReader
 

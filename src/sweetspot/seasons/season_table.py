@@ -32,7 +32,6 @@ from sweetspot.seasons.ball_columns import (
 )
 from sweetspot.seasons.balls import balls_of, together
 from sweetspot.seasons.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
-from sweetspot.seasons.csv_copy import LEFT_OUT
 from sweetspot.seasons.duplicates import with_duplicates
 from sweetspot.seasons.flight_columns import FlightSetting
 from sweetspot.seasons.place_relation import PlaceRelation
@@ -50,6 +49,7 @@ from sweetspot.seasons.plan import (
 from sweetspot.seasons.plane_hits import bat_in_plane
 from sweetspot.seasons.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.seasons.survey import Survey, survey_tables
+from sweetspot.seasons.table_copies import LEFT_OUT
 from sweetspot.seasons.table_file import frame_headings
 from sweetspot.seasons.table_look import ENOUGH
 from sweetspot.seasons.table_reader import PART, parts

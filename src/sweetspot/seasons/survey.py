@@ -16,8 +16,8 @@ from sweetspot.errors import InputError
 from sweetspot.flight.bearing import HOME_X, HOME_Y
 from sweetspot.numerics.threads import in_order
 from sweetspot.seasons.duplicates import duplicate_rows
-from sweetspot.seasons.parquet_pieces import strips_of
 from sweetspot.seasons.rows import USED
+from sweetspot.seasons.table_copies import strips_of
 from sweetspot.seasons.table_file import TableFile, open_table
 from sweetspot.seasons.table_look import TableLook
 from sweetspot.seasons.table_reader import PART, TableReader, part_of

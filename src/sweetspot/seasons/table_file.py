@@ -17,10 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 from sweetspot.errors import InputError, first_line
 from sweetspot.numerics.text_files import near_file
 from sweetspot.numerics.whole_parquet import reading_parquet, unpack_all
-from sweetspot.seasons.csv_copy import BESIDE, copied_csv
 from sweetspot.seasons.headings import headings_of, names_balls, told_by_rows, with_player_name
-from sweetspot.seasons.parquet_pieces import Footer, copying, footer_of, joined
 from sweetspot.seasons.rows import ABSENT
+from sweetspot.seasons.table_copies import BESIDE, copied_csv, copying, joined, row_groups_of
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings
 from sweetspot.tables.text_encoding import cells_of, in_utf8, is_number, separator_of
 from sweetspot.units import grouped
@@ -55,6 +54,7 @@ class TableFile:
     first : number of its first row: of CSV as a spreadsheet shows it, lines above and headings counted; else 1.
     before : for each line left out, how many rows stand above it, in order.
     strips : files of some columns each, read instead of `data` where its row groups are too large (`strips_of`).
+    ranges : least and greatest number of columns of numbers with a point; of none that hold nothing, or nothing finite.
     """
 
     path: Path
@@ -68,6 +68,7 @@ class TableFile:
     first: int = 1
     before: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64), compare=False)
     strips: tuple[Path, ...] = ()
+    ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict, compare=False)
 
     def numbers(self, rows: ArrayLike) -> NDArray[np.int64]:
         """Return the numbers by which people find rows in the file, however many lines were left out above them.
@@ -97,13 +98,8 @@ class TableFile:
     @cached_property
     def row_groups(self) -> tuple[int, ...]:
         """Rows of the pieces of its data that are unpacked whole; one piece where the file does not tell."""
-        groups = (footer_of(self.strips[0]) if self.strips else self.footer).row_groups
+        groups = tuple(group.rows for group in row_groups_of(self.strips[0] if self.strips else self.data))
         return groups if sum(groups) == self.rows else (self.rows,)
-
-    @cached_property
-    def footer(self) -> Footer:
-        """Footer of its data."""
-        return footer_of(self.data)
 
     def part(self, start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:
         """Return some rows, columns as they are; an empty measurement is a number that is missing.
@@ -240,11 +236,11 @@ def _parquet(path: Path, given: GivenColumns) -> TableFile:
             raise InputError(
                 f"{path} claims {grouped(rows)} rows in {grouped(path.stat().st_size)} bytes; give a row per ball"
             )
-        unpack_all(frame)
+        ranges = unpack_all(frame)
         headings = frame_headings(frame, given=given, name=str(path))
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
-    return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
+    return TableFile(path, path, headings, rows, torn=False, notes=headings.notes, ranges=ranges)
 
 
 def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
@@ -269,6 +265,7 @@ def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
         raise InputError(f"{path} has column names and no row; give one row per ball")
     texts = [column.heading for column in copy.headings.columns.values() if column.kind != "text"]
     held = pl.scan_parquet(target).select(pl.col(texts).is_null().all()).collect().row(0, named=True)
+    ranges = unpack_all(pl.scan_parquet(target))
     headings, more = told_by_rows(copy.headings, pl.scan_parquet(target))
     notes += more
     if len(above) > 1:
@@ -285,4 +282,4 @@ def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
         notes.append(f"{', '.join(twice)} stands twice in the headings; the first one is used")
     return TableFile(path, target, headings, copy.rows, torn=torn, notes=(*headings.notes, *notes),
                      empty=tuple(name for name, nothing in held.items() if nothing), left_out=left_out,
-                     first=len(above) + 1, before=copy.before)  # fmt: skip
+                     first=len(above) + 1, before=copy.before, ranges=ranges)  # fmt: skip

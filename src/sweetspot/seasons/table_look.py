@@ -355,9 +355,9 @@ def _surely_possible(table: TableFile, schema: pl.Schema) -> set[str]:
     """
     sure = set()
     for name, column in table.headings.columns.items():
-        if name in POSSIBLE and name not in ASKED_ALWAYS and column.heading in table.footer.ranges:
+        if name in POSSIBLE and name not in ASKED_ALWAYS and column.heading in table.ranges:
             least, most = POSSIBLE[name]
-            ends = sorted(column.zero + column.factor * end for end in table.footer.ranges[column.heading])
+            ends = sorted(column.zero + column.factor * end for end in table.ranges[column.heading])
             in_degrees = name not in ANGLES or max(-ends[0], ends[1]) > LEVEL  # else they may be radians
             if in_degrees and least <= ends[0] <= ends[1] <= most and schema[column.heading].is_float():
                 sure.add(name)

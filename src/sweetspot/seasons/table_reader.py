@@ -16,8 +16,8 @@ from itertools import pairwise
 import numpy as np
 import polars as pl
 
-from sweetspot.seasons.parquet_pieces import rows_together
 from sweetspot.seasons.rows import rows_of
+from sweetspot.seasons.table_copies import rows_together
 from sweetspot.seasons.table_file import TableFile
 
 CELLS = 5_000_000

@@ -16,11 +16,11 @@ from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, P
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.season.left_over import left_over_words, own_drag_words
 from sweetspot.reports.sentences import Sentence, Slot, say, within
-from sweetspot.seasons.csv_copy import LEFT_OUT
 from sweetspot.seasons.rows import REASONS
 from sweetspot.seasons.season_drag import DragOfMonth
 from sweetspot.seasons.standings import MEASURES, Standing
 from sweetspot.seasons.stat_rows import WITH
+from sweetspot.seasons.table_copies import LEFT_OUT
 from sweetspot.seasons.table_file import is_parquet
 from sweetspot.seasons.table_warnings import WARNINGS
 from sweetspot.units import grouped
