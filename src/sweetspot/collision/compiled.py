@@ -45,9 +45,7 @@ ROUGH = 0.02
 QUIET = -230.0
 """Logarithm of a force that moves nothing, far above the numbers that make processors slow."""
 
-SEPARATED, STILL_IN_CONTACT, NO_CONTACT = (
-    int(Outcome.SEPARATED), int(Outcome.STILL_IN_CONTACT), int(Outcome.NO_CONTACT),
-)  # fmt: skip
+SEPARATED, STILL_IN_CONTACT, NO_CONTACT, _ = map(int, Outcome)
 
 # rows of the lanes' state
 CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
@@ -77,31 +75,24 @@ _unloading_power = register_jitable(contact_law.unloading_power)
 register_jitable(restitution_at)
 
 
+_inlined = inner(forceinline=True, _nrt=False, error_model="numpy", fastmath={"contract", "nsz"})
+
+
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def solve(
     lane_count: int, closing_speed: Array, bat: BatNumbers, ball: BallNumbers, steps: Steps, output: HitOutput
 ) -> None:
-    """Fill ``output`` for n hits.
+    """Fill ``output`` for n hits with these closing speeds in m/s, ``lane_count`` of them side by side.
 
-    Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another.
-    One long function on purpose: with its last loops in a function of their own it is a tenth slower.
+    Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another. The parts
+    of a step are functions that are compiled into this one; with the kick as one of them it is a tenth slower.
 
     The force at approach w solves u + C F(u) = w. The forces of the last two kicks foretell u to about (h / T)^2; from
     there one step of Chebyshev's method along the curve leaves 1e-8 of the force, for one power per kick. Where C F is
     large beside u, under a soft surface, the forecast may be no use: lanes that it leaves further than `ROUGH` from the
     root are solved to the end (`pressed`).
-
-    Parameters
-    ----------
-    lane_count : hits side by side.
-    closing_speed : (n,) m/s.
-    ball : of every hit.
-    steps : their length and number.
     """
-    step, limit = steps.step, steps.limit
-    drift, dashpots, half_dash = bat.drift, bat.dashpots, bat.half_dash
     size = bat.shapes.shape[1]
-    mass = ball.mass
     # rows as long as the most lanes, whose distances the compiler then knows: it need not ask whether they overlap
     lanes = Lanes(
         np.zeros((STATE_ROWS, LANES)),
@@ -110,75 +101,24 @@ def solve(
         np.empty((size, LANES)),
         np.empty(lane_count, np.int64),
     )
-    state = lanes.state
+    state, step, mass = lanes.state, steps.step, ball.mass
     following, busy = 0, 0
     for lane in range(lane_count):
         following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
         busy += lanes.hit_of[lane] >= 0
-    ball_position, ball_speed, surface = state[BALL_POSITION], state[BALL_SPEED], state[SURFACE]
-    approach, before, earlier = state[APPROACH], state[BEFORE], state[EARLIER]
-    peak, rising, kicks, event = state[PEAK], state[RISING], state[KICKS], state[EVENT]
-    offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
-    force, former, contact = state[FORCE], state[FORMER], state[CONTACT]
-    give, pushed, until, left_out = state[GIVE], state[PUSHED], state[UNTIL], state[MISSING]
-    rate, stray = np.zeros(LANES), np.zeros(LANES)
-    shapes, places, speeds = lanes.shape, lanes.displacement, lanes.velocity
-    approach[:] = 0.0  # before first touch
+    state[APPROACH][:] = 0.0  # before first touch
+    ball_position, ball_speed, force, former = state[BALL_POSITION], state[BALL_SPEED], state[FORCE], state[FORMER]
+    kicks, contact, pushed, largest = state[KICKS], state[CONTACT], state[PUSHED], state[LARGEST]
+    event, impulse, left_out = state[EVENT], state[IMPULSE], state[MISSING]
+    drift, dashpots, half_dash, rate, stray = bat.drift, bat.dashpots, bat.half_dash, np.zeros(LANES), np.zeros(LANES)
     while busy > 0:
-        any_event = 0
-        for lane in range(lane_count):
-            earlier[lane] = before[lane]
-            before[lane] = approach[lane]
-            approach[lane] = ball_position[lane] - surface[lane]
-            surface[lane] = 0.0
-            kicks[lane] += 1.0
-            level = 0.0 if earlier[lane] > 0.0 else -np.inf  # before the third kick there is no parabola
-            falling = 3.0 * approach[lane] - 4.0 * before[lane] + earlier[lane] < level
-            turned = 1.0 if (approach[lane] < before[lane]) | falling else 0.0
-            again = 1.0 if approach[lane] >= peak[lane] else 0.0
-            over = 1.0 if (approach[lane] <= 0.0) | (kicks[lane] > limit) else 0.0
-            event[lane] = max(turned if rising[lane] > 0.0 else again, over)
-            peak[lane] = max(peak[lane], approach[lane])
-        for lane in range(lane_count):
-            any_event |= event[lane] > 0.0
-        if any_event:
+        if _look(lane_count, steps.limit, state):
             for lane in range(lane_count):
-                if event[lane] == 0.0:
-                    continue
-                if approach[lane] <= 0 or kicks[lane] > limit:
-                    if until[lane] == 0.0:
-                        _finish(lane, ball, steps, lanes, output)
-                        until[lane] = min(limit, kicks[lane] + _kicks_within_reach(lane, bat.omega, step, limit, lanes))
-                        offset[lane] = QUIET
-                    if kicks[lane] >= until[lane]:
-                        following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
-                        kicks[lane] += 1.0
-                        busy -= lanes.hit_of[lane] < 0
-                    else:  # the bat may catch up: go on without a force; any touch is an event
-                        approach[lane], peak[lane], rising[lane] = 1.0, 0.0, 0.0
-                elif until[lane] > 0.0:
-                    _touch(lane, ball, state)
-                else:
-                    _turn(lane, ball, step, state)
-        rough = 0
-        for lane in range(lane_count):
-            guess = max(approach[lane] - give[lane] * (2.0 * force[lane] - former[lane]), 0.25 * approach[lane])
-            pushing = exp(offset[lane] + power[lane] * log(guess))
-            missing = approach[lane] - guess - give[lane] * pushing
-            inverse = 1.0 / guess
-            steepness = power[lane] * pushing * inverse
-            bend = (0.5 * power[lane] - 0.5) * steepness * inverse
-            softened = 1.0 / (1.0 + give[lane] * steepness)
-            missing *= softened
-            stray[lane] = abs(missing) * inverse
-            rough |= stray[lane] > ROUGH
-            missing *= 1.0 - give[lane] * bend * missing * softened
-            pushed[lane] = pushing + missing * (steepness + bend * missing)
-        if rough:
-            for lane in range(lane_count):
-                if stray[lane] > ROUGH:
-                    foretold = 2.0 * force[lane] - former[lane]
-                    _, pushed[lane] = pressed(approach[lane], give[lane], foretold, offset[lane], power[lane])
+                if event[lane] > 0.0 and _follow(lane, bat, ball, steps, lanes, output):
+                    following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
+                    kicks[lane] += 1.0
+                    busy -= lanes.hit_of[lane] < 0
+        _push(lane_count, stray, state)
         for lane in range(lane_count):
             largest[lane] = max(largest[lane], pushed[lane])
             threshold = CONTACT_FORCE * largest[lane]
@@ -197,16 +137,95 @@ def solve(
                     lanes.velocity[i, lane] += lanes.shape[i, lane] * impulse[lane]
             impulse[:] = 0.0
             _dash(lanes.velocity, dashpots, half_dash, rate)
-        for i in range(size):
-            a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
-            for lane in range(lane_count):
-                place, start = places[i, lane], speeds[i, lane] + shapes[i, lane] * impulse[lane]
-                moved = a * place + b * start
-                speeds[i, lane] = c * place + d * start
-                places[i, lane] = moved
-                surface[lane] += shapes[i, lane] * moved
+        _drift(lane_count, drift, lanes)
         if len(half_dash) > 0:
             _dash(lanes.velocity, dashpots, half_dash, rate)
+
+
+@_inlined
+def _look(lane_count: int, limit: float, state: Array) -> bool:
+    """Return whether anything happens in a lane beside the next kick: the ball turns or leaves, or time is up."""
+    any_event = 0
+    for lane in range(lane_count):
+        state[EARLIER, lane] = state[BEFORE, lane]
+        state[BEFORE, lane] = state[APPROACH, lane]
+        state[APPROACH, lane] = state[BALL_POSITION, lane] - state[SURFACE, lane]
+        state[SURFACE, lane] = 0.0
+        state[KICKS, lane] += 1.0
+        level = 0.0 if state[EARLIER, lane] > 0.0 else -np.inf  # before the third kick there is no parabola
+        falling = 3.0 * state[APPROACH, lane] - 4.0 * state[BEFORE, lane] + state[EARLIER, lane] < level
+        turned = 1.0 if (state[APPROACH, lane] < state[BEFORE, lane]) | falling else 0.0
+        again = 1.0 if state[APPROACH, lane] >= state[PEAK, lane] else 0.0
+        over = 1.0 if (state[APPROACH, lane] <= 0.0) | (state[KICKS, lane] > limit) else 0.0
+        state[EVENT, lane] = max(turned if state[RISING, lane] > 0.0 else again, over)
+        state[PEAK, lane] = max(state[PEAK, lane], state[APPROACH, lane])
+    for lane in range(lane_count):
+        any_event |= state[EVENT, lane] > 0.0
+    return any_event > 0
+
+
+@_inlined
+def _follow(lane: int, bat: BatNumbers, ball: BallNumbers, steps: Steps, lanes: Lanes, output: HitOutput) -> bool:
+    """Do what an event asks for; return whether the lane's hit has ended."""
+    state, limit = lanes.state, steps.limit
+    kicks = state[KICKS, lane]
+    if state[APPROACH, lane] <= 0 or kicks > limit:
+        if state[UNTIL, lane] == 0.0:
+            _finish(lane, ball, steps, lanes, output)
+            more = _kicks_within_reach(lane, bat.omega, steps.step, limit, lanes)
+            state[UNTIL, lane], state[OFFSET, lane] = min(limit, kicks + more), QUIET
+        if kicks >= state[UNTIL, lane]:
+            return True
+        # the bat may catch up: go on without a force; any touch is an event
+        state[APPROACH, lane], state[PEAK, lane], state[RISING, lane] = 1.0, 0.0, 0.0
+    elif state[UNTIL, lane] > 0.0:
+        _touch(lane, ball, state)
+    else:
+        _turn(lane, ball, steps.step, state)
+    return False
+
+
+@_inlined
+def _push(lane_count: int, stray: Array, state: Array) -> None:
+    """Solve for the force of every lane, at its approach."""
+    rough = 0
+    for lane in range(lane_count):
+        guess = max(
+            state[APPROACH, lane] - state[GIVE, lane] * (2.0 * state[FORCE, lane] - state[FORMER, lane]),
+            0.25 * state[APPROACH, lane],
+        )
+        pushing = exp(state[OFFSET, lane] + state[POWER, lane] * log(guess))
+        missing = state[APPROACH, lane] - guess - state[GIVE, lane] * pushing
+        inverse = 1.0 / guess
+        steepness = state[POWER, lane] * pushing * inverse
+        bend = (0.5 * state[POWER, lane] - 0.5) * steepness * inverse
+        softened = 1.0 / (1.0 + state[GIVE, lane] * steepness)
+        missing *= softened
+        stray[lane] = abs(missing) * inverse
+        rough |= stray[lane] > ROUGH
+        missing *= 1.0 - state[GIVE, lane] * bend * missing * softened
+        state[PUSHED, lane] = pushing + missing * (steepness + bend * missing)
+    if rough:
+        for lane in range(lane_count):
+            if stray[lane] > ROUGH:
+                foretold = 2.0 * state[FORCE, lane] - state[FORMER, lane]
+                _, state[PUSHED, lane] = pressed(
+                    state[APPROACH, lane], state[GIVE, lane], foretold, state[OFFSET, lane], state[POWER, lane]
+                )
+
+
+@_inlined
+def _drift(lane_count: int, drift: Array, lanes: Lanes) -> None:
+    """Kick every mode of every lane and let it move for a step; add up where the surface is."""
+    shapes, places, speeds = lanes.shape, lanes.displacement, lanes.velocity
+    for i in range(len(drift)):
+        a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
+        for lane in range(lane_count):
+            place, start = places[i, lane], speeds[i, lane] + shapes[i, lane] * lanes.state[IMPULSE, lane]
+            moved = a * place + b * start
+            speeds[i, lane] = c * place + d * start
+            places[i, lane] = moved
+            lanes.state[SURFACE, lane] += shapes[i, lane] * moved
 
 
 @inner(_nrt=False)
@@ -301,15 +320,10 @@ def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
 
 @inner(_nrt=False)
 def pressed(approach: float, give: float, force: float, offset: float, power: float) -> tuple[float, float]:
-    """Return a ball's compression u in m and its force F in N, u + C F(u) = w, by Halley's method.
+    """Return a ball's compression u in m and its force F in N, u + C F(u) = w, by Halley's method from about a force.
 
     See `contact_law.pressed_in_series`. F = exp(offset) u^power is convex, so that no step leads out of 0 < u <= w;
     C F <= w bounds the start where the surface is soft.
-
-    Parameters
-    ----------
-    approach, give : w in m and C in m/N, > 0.
-    force : about the one expected, N.
     """
     most = min(approach, exp((log(approach / give) - offset) / power))
     compression = min(max(approach - give * force, 0.25 * approach), most)
@@ -329,10 +343,7 @@ def pressed(approach: float, give: float, force: float, offset: float, power: fl
 
 @inner(_nrt=False)
 def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lanes: Lanes) -> float:
-    """Return after how many kicks a ball that has just left is beyond all that vibrations together can reach.
-
-    See `_Flow.overtaken` in `coupled`.
-    """
+    """Return after how many kicks a ball is out of reach of all vibrations together: `_Flow.overtaken` of `coupled`."""
     state = lanes.state
     speed, push, energy = -state[BALL_SPEED, lane], 0.0, 0.0
     for i in range(len(omega)):
@@ -349,10 +360,8 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
         if omega[i] >= SLOW:
             p, from_place = lanes.velocity[i, lane], omega[i] * lanes.displacement[i, lane]
             fastest += abs(lanes.shape[i, lane]) * math.sqrt(p * p + from_place * from_place)
-    if speed > fastest:
-        return 0.0
-    if speed <= 0:
-        return limit
+    if speed > fastest or speed <= 0:
+        return 0.0 if speed > fastest else limit
     distance, reach = -state[BALL_POSITION, lane], 0.0
     for i in range(len(omega)):
         shape, q, p = lanes.shape[i, lane], lanes.displacement[i, lane], lanes.velocity[i, lane]
