@@ -18,7 +18,7 @@ from sweetspot.flight.kernel import flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.quantities import US
-from sweetspot.reports.season.left_over import left_over_words
+from sweetspot.reports.season.words import left_over_words
 from sweetspot.seasons.balls import balls_of, fields_of
 from sweetspot.seasons.flight_columns import CLOSE, STEP, flown_balls
 from sweetspot.seasons.headings import headings_of

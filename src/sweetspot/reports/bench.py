@@ -25,8 +25,9 @@ def drop_document(answer: DropAnswer) -> Document:
     blocks: list[Block] = [Table("", [Column(""), Column("value", right=True)], _rows(answer))]
     if float(answer.deflection) > float(answer.thickness):
         bent = say(
-            "Beware: the block deflects by {deflection}, more than its thickness: real plates are stiffer then.",
-            deflection=Slot(answer.deflection, "pressed"),
+            "Beware: the block deflects by {deflection:pressed}, more than its thickness: real plates are stiffer "
+            "then.",
+            deflection=answer.deflection,
         )
         blocks.append(Paragraph(bent, "warning"))
     if answer.uncertainty is not None:
@@ -47,11 +48,11 @@ def drop_document(answer: DropAnswer) -> Document:
 
 def _rows(answer: DropAnswer) -> list[tuple[Cell, Cell]]:
     made_of = say(
-        "{material}, {thickness} thick, {mass}, {support}",
+        "{material}, {thickness:pressed} thick, {mass:mass}, {support}",
         material=answer.material,
         support=SUPPORTS[answer.support],
-        thickness=Slot(answer.thickness, "pressed"),
-        mass=Slot(answer.block_mass, "mass"),
+        thickness=answer.thickness,
+        mass=answer.block_mass,
     )
     rows: list[tuple[Cell, Cell]] = [
         ("block", made_of),
@@ -74,18 +75,14 @@ def _rows(answer: DropAnswer) -> list[tuple[Cell, Cell]]:
     ]
     incoming = float(answer.energy.incoming)
     for name, joules in vars(answer.energy).items():
-        size = say(
-            "{joules}, {part}",
-            joules=Slot(joules, "energy", 3),
-            part=Slot(float(joules) / incoming, "share", 1),
-        )
+        size = say("{joules:energy, 3}, {part:share, 1}", joules=joules, part=float(joules) / incoming)
         rows.append((f"energy: {name.replace('_', ' ')}", size))
     return rows
 
 
 def pendulum_document(answer: PendulumAnswer) -> Document:
     """Return a hanging bat as a document."""
-    about = say("moment of inertia about {pivot}", pivot=Slot(answer.pivot, "place", round=True))
+    about = say("moment of inertia about {pivot:place, round}", pivot=answer.pivot)
     rows: list[tuple[Cell, Cell]] = [
         ("period", Slot(answer.period, "time", 4)),
         (about, Slot(answer.moi, "moi")),

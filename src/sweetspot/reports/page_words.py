@@ -25,24 +25,24 @@ FEW = 1e-4
 def hits_fastest(name: str, from_tip: float, exit_speed: float, *, words: Terms) -> Sentence:
     """Return the place of the greatest exit speed, m from the tip, and that speed, m/s."""
     return in_words(
-        "{name} hits fastest {place} from the {tip}: {speed}.",
+        "{name} hits fastest {place:place} from the {tip}: {speed:speed}.",
         words,
         name=name,
-        place=Slot(from_tip, "place"),
-        speed=Slot(exit_speed, "speed"),
+        place=from_tip,
+        speed=exit_speed,
     )
 
 
 def place_words(from_tip: float, *, words: Terms) -> Sentence:
     """Return where on an implement a place lies, m from the tip."""
-    return in_words("{place} from the {tip}", words, place=Slot(from_tip, "place"))
+    return in_words("{place:place} from the {tip}", words, place=from_tip)
 
 
 def leaves_here(
     from_tip: float, exit_speed: float | None, *, ends: str, words: Terms, aside: float = 0.0, backwards: bool = False
 ) -> Sentence:
     """Return how fast a ball leaves a place, m from the tip and aside; ``ends`` says what happens where it does not."""
-    off = say(" and {aside} off the line", aside=Slot(abs(aside), "place")) if aside else ""
+    off = say(" and {aside:place} off the line", aside=abs(aside)) if aside else ""
     return in_words(
         "Here, {place} from the {tip}{off}: {speed}" + (", fouled back." if backwards else "."),
         words,
@@ -78,8 +78,8 @@ def film_energy_words(incoming: float, last: Mapping[str, float], words: Terms) 
         in_words(FILM_NAMES[name] + " {energy}", words, energy=Slot(energy, "energy")) for name, energy in last.items()
     ]
     return say(
-        "Where the {incoming} of incoming energy are over time. At the end: {parts}.",
-        incoming=Slot(incoming, "energy"),
+        "Where the {incoming:energy} of incoming energy are over time. At the end: {parts}.",
+        incoming=incoming,
         parts=joined(parts, ", "),
     )
 
@@ -127,15 +127,14 @@ def wave_words(name: str, *, contact_time: float, arrival: float | None, given: 
     arrival : s, of the wave at the top hand; None: none arrives.
     given : part of the push that the ball has had by then.
     """
-    push = say(
-        "{name}: the push is over {time} after first touch.", name=name, time=Slot(contact_time, "contact", digits=2)
-    )
+    push = say("{name}: the push is over {time:contact, 2} after first touch.", name=name, time=contact_time)
     if arrival is None or given is None:
         return [push, say("No wave to speak of reaches the top hand in this film.")]
     wave = say(
-        "The wave reaches the top hand {time} after first touch, when the ball has had {share} of its push.",
-        time=Slot(arrival, "contact", digits=2),
-        share=Slot(given, "share"),
+        "The wave reaches the top hand {time:contact, 2} after first touch, when the ball has had {share:share} of "
+        "its push.",
+        time=arrival,
+        share=given,
     )
     late = "too late." if 2 * arrival > contact_time else "while ball and bat still push each other."
     back = say(
@@ -163,7 +162,7 @@ def motion_words(
     tap : m from the tip, and the part of the vibration's energy that it gives; None: it is no vibration.
     """
     (around, along), (place, share) = waves, tap
-    head = name if family == "rigid" else say("{name}, {tone}", name=name, tone=Slot(frequency, "frequency"))
+    head = name if family == "rigid" else say("{name}, {tone:frequency}", name=name, tone=frequency)
     halves = f"{along} half {'wave' if along == 1 else 'waves'}"
     kinds = {
         "rigid": "{head}: the bat moves without bending.",
@@ -172,18 +171,18 @@ def motion_words(
     }
     words = [say(kinds.get(family, "{head}."), head=head)]
     if nodes:
-        *others, last = [say("{place}", place=Slot(node, "length")) for node in nodes]
+        *others, last = [say("{place:length}", place=node) for node in nodes]
         places = joined([joined(others, ", "), last], " and ")
         words.append(say("It stands still {places} from the tip.", places=places))
     else:
         words.append(say("It stands still nowhere along the bat."))
     if share is not None:
         digits = 2 if share < 0.01 else 1
-        part = say("less than {few}", few=Slot(FEW, "share", digits=2)) if 0 < share < FEW else ""
+        part = say("less than {few:share, 2}", few=FEW) if 0 < share < FEW else ""
         words.append(
             say(
-                "The tap {place} from the tip gives it {share} of the vibration's energy.",
-                place=Slot(place, "length"),
+                "The tap {place:length} from the tip gives it {share} of the vibration's energy.",
+                place=place,
                 share=part or Slot(share, "share", digits=digits),
             )
         )
@@ -228,7 +227,7 @@ def chance_words(chance: float) -> list[Sentence]:
     """Return how many balls that are hit alike are home runs, where that is not all or none."""
     if not SURE < chance < 1 - SURE:
         return []
-    return [say("Of a hundred like it {count} are home runs.", count=Slot(100 * chance, "count"))]
+    return [say("Of a hundred like it {count:count} are home runs.", count=100 * chance)]
 
 
 def parks_words(count: int, of: int) -> Sentence:
@@ -256,14 +255,14 @@ def leaving_words(ball: BallLeaving) -> Sentence:
 
 def bat_speed_words(speed: float) -> Sentence:
     """Return how fast the bat moves where it meets the ball."""
-    return say("The bat moves at {speed} where they meet.", speed=Slot(speed, "speed"))
+    return say("The bat moves at {speed:speed} where they meet.", speed=speed)
 
 
 def carries_farthest(exit_speed: float, launch_angle: float, carry: float) -> Sentence:
     """Return the launch angle at which a ball so fast carries farthest."""
     return say(
-        "A ball at {speed} carries farthest at {angle}: {carry}.",
-        speed=Slot(exit_speed, "speed"),
-        angle=Slot(launch_angle, "angle"),
-        carry=Slot(carry, "distance"),
+        "A ball at {speed:speed} carries farthest at {angle:angle}: {carry:distance}.",
+        speed=exit_speed,
+        angle=launch_angle,
+        carry=carry,
     )

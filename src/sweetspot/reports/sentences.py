@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 import string
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
-from sweetspot.numerics.interval import REACH, Interval, Number
+from sweetspot.numerics.interval import REACH, Interval, Number, interval_of
 from sweetspot.reports.quantities import NOTHING, US, Reader
 from sweetspot.units import grouped
 
@@ -183,29 +185,70 @@ Words = str | Sentence
 """What a document takes for a text."""
 
 
-def say(template: str, **slots: Part | float | Sentence) -> Sentence:
+FIELDS = string.Formatter()
+WHOLE = re.compile(r"-?\d+")
+
+
+def say(template: str, **slots: object) -> Sentence:
     """Return a template's words with its slots filled.
 
     Parameters
     ----------
-    template : words with names in braces.
-    slots : by name: a `Slot`, the name of a unit, a sentence, a word, or a number that is written as it is.
+    template : words with names in braces; behind a colon how a number is shown, "scale, digits, sign, bare, round,
+        ends": a name of `SCALES`, and any of the fields of `Slot`, without a unit, or with the ends of its interval.
+    slots : by name: a number in SI, a `Slot`, the name of a unit, a sentence, a word; a record's fields have dots.
 
-    >>> say("hits {place} from the {tip}", place=Slot(0.1524, "place"), tip="toe").read(US)
-    'hits 6.0 in from the toe'
+    >>> say("hits {place:place, 0} from the {tip}", place=0.1524, tip="toe").read(US)
+    'hits 6 in from the toe'
     """
     parts: list[Part] = []
-    for words, name, _, _ in string.Formatter().parse(template):
+    for words, name, shown_as, _ in FIELDS.parse(template):
         if words:
             parts.append(words)
         if name is not None:
-            slot = slots[name]
-            parts += (
-                slot.parts
-                if isinstance(slot, Sentence)
-                else [slot if isinstance(slot, (Slot, Span, UnitName, Doubtful, Bounds)) else str(slot)]
-            )
+            parts += _filled(FIELDS.get_field(name, (), slots)[0], shown_as or "")
     return Sentence(tuple(parts))
+
+
+def _filled(slot: Any, shown_as: str) -> Sequence[Part]:
+    """Return what stands in the place of a slot."""
+    if isinstance(slot, Sentence):
+        return slot.parts
+    if isinstance(slot, (Slot, Span, UnitName, Doubtful, Bounds)):
+        return (slot,)
+    if not shown_as:
+        return (str(slot),)
+    scale, *options = shown_as.split(", ")
+    digits = next((int(option) for option in options if WHOLE.fullmatch(option)), None)
+    number = Slot(slot, scale, digits, "sign" in options, "bare" not in options, "round" in options)
+    if "ends" not in options:
+        return (number,)
+    ends = interval_of(slot)
+    return replace(number, value=ends.value), Bounds(replace(number, value=ends.value), ends.low, ends.high)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A row of a table of sentences: words, the fact with which they are said, and the one with which they are not."""
+
+    words: str
+    when: str = ""
+    unless: str = ""
+
+
+def tell(lines: Iterable[Line], **facts: object) -> Sentence:
+    """Return the words of the lines whose facts hold, one after the other, with the facts in their slots.
+
+    >>> lines = (Line("it leaves "), Line("{change:speed_change} slower", "loss"), Line("as before", unless="loss"))
+    >>> tell(lines, loss=True, change=0.44704).read(US), tell(lines, loss=False).read(US)
+    ('it leaves 1.0 mph slower', 'it leaves as before')
+    """
+    holding = (line for line in lines if _holds(line, facts))
+    return Sentence(tuple(part for line in holding for part in say(line.words, **facts).parts))
+
+
+def _holds(line: Line, facts: Mapping[str, object]) -> bool:
+    return bool(not line.when or facts[line.when]) and not (line.unless and facts[line.unless])
 
 
 def joined(sentences: Iterable[Words | Slot], between: str = " ") -> Sentence:

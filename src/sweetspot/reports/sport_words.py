@@ -9,7 +9,7 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import Number
 from sweetspot.reports.quantities import Reader, reader
-from sweetspot.reports.sentences import Part, Sentence, Slot, Words, say
+from sweetspot.reports.sentences import Sentence, Slot, Words, say
 
 LIGHT = 0.02
 """kg below which a mass is shown to a tenth of a gram."""
@@ -25,7 +25,7 @@ def reader_of(name: str) -> Reader:
     return reader(None, words_of(name))
 
 
-def in_words(template: str, words: Terms, **slots: Part | float | Sentence) -> Sentence:
+def in_words(template: str, words: Terms, **slots: object) -> Sentence:
     """Return a template's words, its slots filled with a sport's words too.
 
     >>> in_words("from the {tip} of the {implement}", Terms(tip="toe")).read(reader(None, Terms()))

@@ -10,7 +10,7 @@ from sweetspot.reports.bench import paper_table
 from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.reports.json_shapes import as_columns
 from sweetspot.reports.quantities import SI, reader
-from sweetspot.reports.sentences import Sentence, Slot, say
+from sweetspot.reports.sentences import Sentence, say
 
 
 def sports_document(answer: SportsAnswer) -> Document:
@@ -76,7 +76,7 @@ def _stroke(described: Sport) -> Table:
     stroke, words = described.stroke, described.words
     place: str | Sentence = f"at the {words.tip}"
     if stroke.from_tip:
-        place = say("{distance} from the {tip}", distance=Slot(stroke.from_tip, "place"), tip=words.tip)
+        place = say("{distance:place} from the {tip}", distance=stroke.from_tip, tip=words.tip)
     swing = say("{name}, {place}", name=stroke.swing_speed.name, place=place)
     rows: list[list[Cell]] = [
         [swing, *_cells(stroke.swing_speed)], [stroke.ball_speed.name, *_cells(stroke.ball_speed)]
@@ -107,4 +107,4 @@ def _cells(fact: Fact) -> tuple[str, str, str]:
 
 
 def _speed(speed: float, kind: str) -> Sentence:
-    return say("{speed}{mark}", speed=Slot(speed, "speed"), mark="*" if kind == "assumed" else "")
+    return say("{speed:speed}{mark}", speed=speed, mark="*" if kind == "assumed" else "")

@@ -7,7 +7,7 @@ from dataclasses import replace
 from sweetspot.answers.setups import SwungWith
 from sweetspot.numerics.interval import NO_SPEED
 from sweetspot.reports.document import Document, Paragraph
-from sweetspot.reports.sentences import Sentence, Slot, say
+from sweetspot.reports.sentences import Sentence, say
 
 
 def effort_words(swung: SwungWith) -> Sentence:
@@ -16,24 +16,24 @@ def effort_words(swung: SwungWith) -> Sentence:
     if swung.same == "speed":
         other = swung.changed.with_same_effort(swung.conditions).swing.bat_speed
         return say(
-            "{name}: swung at the same speed as before the change, {speed}; with the same effort it would move at "
-            "{other}.",
+            "{name}: swung at the same speed as before the change, {speed:speed}; with the same effort it would move "
+            "at {other:speed}.",
             name=name,
-            speed=Slot(speed, "speed"),
-            other=Slot(other, "speed"),
+            speed=speed,
+            other=other,
         )
     before = float(swung.bat_speed_before)
     if abs(speed - before) < NO_SPEED:
         return say(
-            "{name}: swung with the same effort as before the change, which leaves its speed at {speed}.",
+            "{name}: swung with the same effort as before the change, which leaves its speed at {speed:speed}.",
             name=name,
-            speed=Slot(speed, "speed"),
+            speed=speed,
         )
     return say(
-        "{name}: swung with the same effort as before the change, at {speed} in place of {before}.",
+        "{name}: swung with the same effort as before the change, at {speed:speed} in place of {before:speed}.",
         name=name,
-        speed=Slot(speed, "speed"),
-        before=Slot(before, "speed"),
+        speed=speed,
+        before=before,
     )
 
 

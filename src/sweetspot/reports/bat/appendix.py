@@ -61,8 +61,7 @@ def _face(analysis: Analysis[Implement]) -> Sentence:
     if "hoop" in analysis.modes.families:
         return say(
             "The wall of this hollow bat deflects in hoop modes, felt through a round patch under the ball; the size "
-            "of that patch is uncertain and is worth about {change} either way.", change=Slot(PATCH, "speed", 0),
-        )  # fmt: skip
+            "of that patch is uncertain and is worth about {change:speed, 0} either way.", change=PATCH)  # fmt: skip
     if analysis.bat.face is not None and analysis.bat.face.stiffness is not None:
         return say("The face is one spring and damper under the ball, softer or stiffer by its place.")
     return say("The face is rigid. What it gives and returns itself is contained in the ball's restitution.")
@@ -187,7 +186,7 @@ def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = N
         else ()
     )
     soft = [
-        say("{name} {speed}", name=each.name, speed=Slot(value, "speed", round=True))
+        say("{name} {speed:speed, round}", name=each.name, speed=value)
         for each, value in used
         if each.kind == "assumed" and each.value == value
     ]

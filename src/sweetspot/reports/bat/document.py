@@ -83,10 +83,14 @@ def _sizes(report: ReportAnswer) -> Sentence:
     bat, ball = report.analysis.bat, report.analysis.conditions.ball
     other = "" if ball == standard_conditions(bat).ball else f"; hit by: {ball.name}"
     return in_words(
-        "{length} long, {mass}, {made_of}, balance {balance} from the {butt}{other}", words_of(bat.sport), other=other,
-        length=Slot(bat.length, "length"), mass=Slot(report.bat.mass, "mass"), made_of=made_of_words(bat),
-        balance=Slot(report.bat.balance_point, "place"),
-    )  # fmt: skip
+        "{length:length} long, {mass:mass}, {made_of}, balance {balance:place} from the {butt}{other}",
+        words_of(bat.sport),
+        other=other,
+        length=bat.length,
+        mass=report.bat.mass,
+        made_of=made_of_words(bat),
+        balance=report.bat.balance_point,
+    )
 
 
 def _cards(report: ReportAnswer) -> Cards:
@@ -119,9 +123,12 @@ def _overview(report: ReportAnswer) -> Picture:
     words = words_of(bat.sport)
     label = in_words(
         "{name} drawn to scale, its sweet spots marked. Below it curves of exit speed, collision efficiency, jolt at "
-        "the hand, sting and bending modes along it. {exit_speed} is greatest, {speed}, {place} from the {tip}.", words,
-        name=bat.name, speed=Slot(report.best_hit.exit_speed, "speed"), place=from_tip(report, spots.max_exit_speed),
-    )  # fmt: skip
+        "the hand, sting and bending modes along it. {exit_speed} is greatest, {speed:speed}, {place} from the {tip}.",
+        words,
+        name=bat.name,
+        speed=report.best_hit.exit_speed,
+        place=from_tip(report, spots.max_exit_speed),
+    )
     shaded = "" if spots.zone is None else in_words(" Shaded: the {zone}.", words)
     caption = in_words("The {implement} to scale and, place for place, what a hit there does.", words) + shaded
     return Picture("overview", partial(_drawn_overview, report), label, caption, partial(_drawn_sheet, report))

@@ -41,9 +41,10 @@ def spots_table(report: ReportAnswer) -> Table:
     words = words_of(bat.sport)
     table = places_table({field: getattr(spots, field) for field in SPOTS}, words, bat.length)
     measure = say(
-        "within {loss} of the best, and less than {sting} of the mean sting", loss=Slot(ZONE_LOSS, "speed", round=True),
-        sting=Slot(ZONE_STING, "share"),
-    )  # fmt: skip
+        "within {loss:speed, round} of the best, and less than {sting:share} of the mean sting",
+        loss=ZONE_LOSS,
+        sting=ZONE_STING,
+    )
     zone: list[Cell]
     if spots.zone is None:
         zone = [Marked(words.zone, "zone"), "none", "none", say("no place is {measure}", measure=measure)]
@@ -136,7 +137,7 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
     mass : its numbers, with the intervals that are known.
     """
     words = words_of(bat.sport)
-    standard = in_words("{axis} from the {butt}", words, axis=Slot(STANDARD_AXIS, "place", round=True))
+    standard = in_words("{axis:place, round} from the {butt}", words, axis=STANDARD_AXIS)
     axes = (
         (standard, STANDARD_AXIS, mass.moi_6in), (f"{words.butt} end", 0.0, mass.moi_knob),
         ("balance point", body.balance_point, mass.moi_cm),
@@ -166,9 +167,8 @@ def moment(moi: Number, doubt: float) -> Sentence:
 def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> tuple[Cell, Cell]:
     """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
     name = in_words(
-        "{name}, about {axis} from the {butt}", words_of(bat.sport), name=convention.name,
-        axis=Slot(convention.axis, "place"),
-    )  # fmt: skip
+        "{name}, about {axis:place} from the {butt}", words_of(bat.sport), name=convention.name, axis=convention.axis
+    )
     return name, convention.text_of(body).replace("^2", "²")
 
 
@@ -192,10 +192,12 @@ def conditions_table(report: ReportAnswer) -> Table:
     """Return pitch, swing, hands and ball."""
     hit, words, hands = report.conditions, words_of(report.analysis.bat.sport), report.analysis.conditions.hands
     bounce = say(
-        "{e} at {speed}, {slope} per {step} faster", e=Slot(hit.ball_restitution, "ratio"),
-        speed=Slot(hit.ball_restitution_speed, "speed", round=True),
-        slope=Slot(-10 * MPH * hit.ball_restitution_slope, "ratio", 4), step=Slot(10 * MPH, "speed", round=True),
-    )  # fmt: skip
+        "{e:ratio} at {speed:speed, round}, {slope:ratio, 4} per {step:speed, round} faster",
+        e=hit.ball_restitution,
+        speed=hit.ball_restitution_speed,
+        slope=-10 * MPH * hit.ball_restitution_slope,
+        step=10 * MPH,
+    )
     held = any((hands.mass, hands.stiffness, hands.damping))
     rows: list[tuple[Cell, Cell]] = [
         (f"{words.incoming} comes at", Slot(hit.pitch_speed, "speed")),

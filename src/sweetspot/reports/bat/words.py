@@ -67,32 +67,41 @@ def _sure(report: ReportAnswer, words: Terms) -> Sentence:
         return doubt_words(report.doubt, words)
     if report.half_by_ball is None:
         return say("")
-    return in_words(", give or take {half} by the {ball} alone", words, half=Slot(report.half_by_ball, "speed"))
+    return in_words(", give or take {half:speed} by the {ball} alone", words, half=report.half_by_ball)
 
 
 def _where(report: ReportAnswer, words: Terms) -> Sentence:
     spots, best = report.sweet_spots, report.best_hit
     text = in_words(
-        "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}{doubt}.", words,
-        place=from_tip(report, spots.max_exit_speed), coming=arriving(words, float(report.conditions.pitch_speed)),
-        speed=Slot(best.exit_speed, "speed"), doubt=_sure(report, words),
-    )  # fmt: skip
+        "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed:speed}{doubt}.",
+        words,
+        place=from_tip(report, spots.max_exit_speed),
+        coming=arriving(words, float(report.conditions.pitch_speed)),
+        speed=best.exit_speed,
+        doubt=_sure(report, words),
+    )
     if words.smash_factor and best.smash_factor is not None:
         text += in_words(
-            " Its {smash_factor}, {exit_speed} over {implement} speed, is {ratio}.", words,
-            ratio=Slot(best.smash_factor, "ratio", 2),
-        )  # fmt: skip
+            " Its {smash_factor}, {exit_speed} over {implement} speed, is {ratio:ratio, 2}.",
+            words,
+            ratio=best.smash_factor,
+        )
     if spots.zone is None or spots.zone_width is None:
         return text + in_words(" No stretch is both fast and quiet: there is no {zone} by our measure.", words)
     inner, outer = spots.zone[0], spots.zone[1]
-    return text + in_words(
-        " The {zone}, within {loss} of that and with less than half the mean vibration at the {hands}, reaches from "
-        "{outer} to {inner} from the {tip}, {width} wide.", words,
-        loss=Slot(ZONE_LOSS, "speed", round=True),
-        outer=from_tip(report, outer).bare,
-        inner=from_tip(report, inner),
-        width=Slot(spots.zone_width, "place"),
-    ) + _outside(float(spots.max_exit_speed), (float(inner), float(outer)), words)  # fmt: skip
+    return (
+        text
+        + in_words(
+            " The {zone}, within {loss:speed, round} of that and with less than half the mean vibration at the "
+            "{hands}, reaches from {outer} to {inner} from the {tip}, {width:place} wide.",
+            words,
+            loss=ZONE_LOSS,
+            outer=from_tip(report, outer).bare,
+            inner=from_tip(report, inner),
+            width=spots.zone_width,
+        )
+        + _outside(float(spots.max_exit_speed), (float(inner), float(outer)), words)
+    )
 
 
 def _outside(best: float, zone: tuple[float, float], words: Terms) -> Sentence:
@@ -111,11 +120,13 @@ def _bounce(report: ReportAnswer, words: Terms) -> Sentence:
     if words.strongest:
         parts.append(
             in_words(
-                "The {strongest} is {place} from the {tip}, where a {implement} at rest gives back {share} of the "
-                "speed.", words, place=from_tip(report, report.sweet_spots.max_collision_efficiency),
-                share=Slot(report.greatest_efficiency, "share"),
+                "The {strongest} is {place} from the {tip}, where a {implement} at rest gives back {share:share} of "
+                "the speed.",
+                words,
+                place=from_tip(report, report.sweet_spots.max_collision_efficiency),
+                share=report.greatest_efficiency,
             )
-        )  # fmt: skip
+        )
     analysis = report.analysis
     dead = dead_spot(analysis)
     if words.deadest and dead is not None:
@@ -160,14 +171,12 @@ def _why_not_the_end(report: ReportAnswer, words: Terms) -> Sentence:
 
 def _miss(report: ReportAnswer, words: Terms) -> Sentence:
     drawn = report.uncertainty is not None
-    costs = [
-        in_words(
-            "{distance}: {inside} towards the {hands}, {outside} towards the {tip}", words,
-            distance=Slot(miss.distance, "place", round=True), inside=cost(miss.inside, drawn=drawn),
-            outside=f"off the {words.implement}" if np.isnan(float(miss.outside)) else cost(miss.outside, drawn=drawn),
-        )
-        for miss in report.misses
-    ]  # fmt: skip
+    costs = []
+    for miss in report.misses:
+        off = f"off the {words.implement}" if np.isnan(float(miss.outside)) else cost(miss.outside, drawn=drawn)
+        sides = {"inside": cost(miss.inside, drawn=drawn), "outside": off}
+        template = "{miss.distance:place, round}: {inside} towards the {hands}, {outside} towards the {tip}"
+        costs.append(in_words(template, words, miss=miss, **sides))
     if not costs:
         return Sentence(())
     return joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), why_intervals(words, drawn=drawn)])
@@ -199,9 +208,9 @@ def _wall(report: ReportAnswer) -> Sentence:
         return Sentence(())
     share = report.best_hit.energy_share.hoop
     return say(
-        "It is hollow: its wall deflects and springs back, and rings at {frequency} (lowest hoop mode). Of the energy "
-        "of its best hit {left} stay in the wall's ringing.",
-        frequency=Slot(report.lowest_hoop, "frequency"),
+        "It is hollow: its wall deflects and springs back, and rings at {frequency:frequency} (lowest hoop mode). Of "
+        "the energy of its best hit {left} stay in the wall's ringing.",
+        frequency=report.lowest_hoop,
         left=Slot(share, "share", 1) if float(share) >= LEAST_SHARE else "less than 0.1 %",
     )
 
@@ -297,43 +306,33 @@ def why_here(
     here, there = float(effective_mass(body, place)), float(effective_mass(body, best))
     if abs(place - best) < NEAR:
         this = "This is" if in_the_middle else "For a {ball} met in the middle this is"
-        return in_words(
-            this + " the best place along the {implement}: further out it moves faster but recoils more and bends "
-            "more, further in it moves slower. The {ball} meets {mass} of {whole}.", words,
-            mass=weight(here), whole=weight(body.mass),
-        )  # fmt: skip
-    swing = conditions.swing
-    faster = swing.speed_at(place) - swing.speed_at(best)
-    parts = [
-        in_words(
-            f"Against the best place the {{implement}} moves {{change}} {'faster' if faster > 0 else 'slower'} here "
-            "({cost})", words, change=Slot(abs(faster), "speed"), cost=Slot(difference.motion, "speed", sign=True),
-        ),
-        in_words(
-            "the {ball} meets {here} instead of {there} of it ({cost})", words,
-            here=weight(here), there=weight(there), cost=Slot(difference.giving, "speed", sign=True),
-        ),
-    ]  # fmt: skip
-    if abs(difference.keeping) > LITTLE:
-        parts.append(
-            in_words(
-                f"it keeps {'more' if difference.keeping < 0 else 'less'} as vibration ({{cost}})", words,
-                cost=Slot(difference.keeping, "speed", sign=True),
-            )
-        )  # fmt: skip
-    total = in_words("together {whole}.", words, whole=Slot(difference.whole, "speed", sign=True))
+        template = this + (
+            " the best place along the {implement}: further out it moves faster but recoils more and bends more, "
+            "further in it moves slower. The {ball} meets {mass} of {whole}."
+        )
+        return in_words(template, words, mass=weight(here), whole=weight(body.mass))
+    faster = conditions.swing.speed_at(place) - conditions.swing.speed_at(best)
+    way, keeps = "faster" if faster > 0 else "slower", "more" if difference.keeping < 0 else "less"
+    reasons = [
+        f"Against the best place the {{implement}} moves {{change:speed}} {way} here ({{parts.motion:speed, sign}})",
+        "the {ball} meets {here} instead of {there} of it ({parts.giving:speed, sign})",
+        f"it keeps {keeps} as vibration ({{parts.keeping:speed, sign}})",
+    ]
+    facts = {"change": abs(faster), "parts": difference, "here": weight(here), "there": weight(there)}
+    reasons = reasons if abs(difference.keeping) > LITTLE else reasons[:-1]
+    parts = [in_words(reason, words, **facts) for reason in reasons]
+    total = in_words("together {whole:speed, sign}.", words, whole=difference.whole)
     return joined([joined([*parts[:-1], "and"], ", ") + " " + parts[-1] + ":", total])
 
 
 def why_off_axis(offset: float, cost: float, *, words: Terms) -> Sentence:
     """Return the cost (m/s) of a ball whose centre lies ``offset`` (m) off the implement's axis."""
-    template = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
-    if abs(cost) <= LITTLE:
-        return in_words(template + "leaves as fast as from the middle.", words, offset=Slot(abs(offset), "length"))
-    return in_words(
-        template + f"gets {'less' if cost < 0 else 'more'} of the swing ({{cost}}).",
-        words, offset=Slot(abs(offset), "length"), cost=Slot(cost, "speed", sign=True),
-    )  # fmt: skip
+    side, amount = "above" if offset > 0 else "below", "less" if cost < 0 else "more"
+    result = "leaves as fast as from the middle."
+    if abs(cost) > LITTLE:
+        result = f"gets {amount} of the swing ({{cost:speed, sign}})."
+    template = f"Met {{offset:length}} {side} the middle, the {{ball}} {result}"
+    return in_words(template, words, offset=abs(offset), cost=cost)
 
 
 def why_backwards(offset: float, *, words: Terms) -> Sentence:

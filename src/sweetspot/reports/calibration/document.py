@@ -67,9 +67,9 @@ def calibration_document(answer: CalibrateAnswer) -> Document:
     else:  # what contradicts itself says nothing of a bat
         blocks.append(_measured(answer))
     sigma = say(
-        "Plus or minus: {level} intervals. Sigma: distance from all other sources together, one for the measurement's "
-        "and the model's error.",
-        level=Slot(answer.interval_level, "share"),
+        "Plus or minus: {level:share} intervals. Sigma: distance from all other sources together, one for the "
+        "measurement's and the model's error.",
+        level=answer.interval_level,
     )
     blocks.append(Paragraph(sigma, "note"))
     fitted = answer.posterior.beam.bat
@@ -113,7 +113,7 @@ def axis_words(axis: float, butt: str) -> Sentence:
     """Return about which axis something turns, ``axis`` m from the end that the hand holds."""
     if axis == 0:
         return say("the {butt}", butt=butt)
-    return say("{axis} from the {butt}", axis=Slot(axis, "place", round=True), butt=butt)
+    return say("{axis:place, round} from the {butt}", axis=axis, butt=butt)
 
 
 def _unknowns(answer: CalibrateAnswer) -> Table:
@@ -121,7 +121,7 @@ def _unknowns(answer: CalibrateAnswer) -> Table:
     for unknown in answer.unknowns:
         before, after = parts_of(unknown)
         words = unknown_words(unknown.name, answer.posterior.beam.bat)
-        rows.append((words, say("± {spread}", spread=Slot(before.half_width, "share", 1)), _percent(after)))
+        rows.append((words, say("± {spread:share, 1}", spread=before.half_width), _percent(after)))
     columns = [Column("what was not known"), Column("before", right=True), Column("off the description by", right=True)]
     return Table("What the measurements changed", columns, rows)
 
@@ -149,11 +149,7 @@ def as_part(name: str, off: Measured) -> Measured:
 
 
 def _percent(value: Measured) -> Sentence:
-    return say(
-        "{value} ± {half}",
-        value=Slot(value.value, "share", 1, sign=True).bare,
-        half=Slot(value.high - value.value, "share", 1),
-    )
+    return say("{value:share, 1, sign, bare} ± {half:share, 1}", value=value.value, half=value.high - value.value)
 
 
 def _measured(answer: CalibrateAnswer) -> Table:
@@ -237,13 +233,13 @@ def budget_words(answer: CalibrateAnswer) -> Sentence:
     stiffness = answer.bat.longitudinal_modulus or answer.bat.first_frequency
     if stiffness is not None and stiffness.kind == "assumed":
         return say(
-            "{what} was not measured and stays as described, give or take {half}. Tap the {bat} to know it.",
+            "{what} was not measured and stays as described, give or take {half:share}. Tap the {bat} to know it.",
             what=what[0].upper() + what[1:],
-            half=Slot(posterior.deviation(unknown).half_width, "share"),
+            half=posterior.deviation(unknown).half_width,
             bat=_noun(answer),
         )
     shares = (
-        say("{name} {share}", name=source_words(name, bat), share=Slot(share, "share"))
+        say("{name} {share:share}", name=source_words(name, bat), share=share)
         for name, share in answer.budget[unknown].items()
         if share >= LEAST_SHARE
     )

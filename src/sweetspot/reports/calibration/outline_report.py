@@ -59,15 +59,16 @@ def photo_words(answer: PhotoOutlineAnswer) -> Sentence:
     errors = np.sort(answer.diameter_error)
     usual, most = (REACH * float(errors[int(part * (len(errors) - 1))]) for part in (0.5, 0.9))
     return say(
-        "From the photograph: a pixel is {pixel}; its edges scatter by {scatter} (rms) and the axis is straight to "
-        "{bend}. Half of the diameters are sure to ± {usual}, nine tenths to ± {most}, places along the bat to ± "
-        "{place}: where it is steep, these decide (90 % intervals).",
-        pixel=Slot(answer.pixel, "compression", 2),
-        scatter=Slot(answer.edge_scatter, "compression", 2),
-        bend=Slot(answer.axis_bend, "compression", 2),
-        usual=Slot(usual, "compression"),
-        most=Slot(most, "compression"),
-        place=Slot(REACH * answer.place_error, "compression"),
+        "From the photograph: a pixel is {pixel:compression, 2}; its edges scatter by {scatter:compression, 2} (rms) "
+        "and the axis is straight to {bend:compression, 2}. Half of the diameters are sure to ± {usual:compression}, "
+        "nine tenths to ± {most:compression}, places along the bat to ± {place:compression}: where it is steep, these "
+        "decide (90 % intervals).",
+        pixel=answer.pixel,
+        scatter=answer.edge_scatter,
+        bend=answer.axis_bend,
+        usual=usual,
+        most=most,
+        place=REACH * answer.place_error,
     )
 
 
@@ -83,11 +84,11 @@ def outline_words(answer: OutlineAnswer) -> Sentence:
     )
     words = [
         say(
-            "{count} stations: handle {thin}, barrel {thick}, length {length}.",
+            "{count} stations: handle {thin:length}, barrel {thick:length}, length {length:length}.",
             count=len(sizes),
-            thin=Slot(float(beyond_knob.min()), "length"),
-            thick=Slot(float(beyond_knob.max()), "length"),
-            length=Slot(bat.length, "length"),
+            thin=float(beyond_knob.min()),
+            thick=float(beyond_knob.max()),
+            length=bat.length,
         ),
         say(
             weighs,

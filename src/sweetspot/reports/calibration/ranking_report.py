@@ -105,14 +105,13 @@ def ranking_words(answer: RankAnswer) -> Sentence:
     """Return in words who is first, how surely, and whether bats differ by more than wood or making does."""
     ranked, model = answer.ranked, answer.model
     first, last = ranked[0], ranked[-1]
-    words = [
-        say(
-            "{name} comes first: {speed}, with a chance of {chance} of being the best of {count}; {last} comes last, "
-            "{apart} behind.", name=first.name, speed=Slot(first.exit_speed.value, "speed"),
-            chance=Slot(first.best_chance or 0.0, "share"), count=len(ranked), last=last.name,
-            apart=Slot(first.exit_speed.value - last.exit_speed.value, "speed_change"),
-        )
-    ]  # fmt: skip
+    first_words = (
+        "{first.name} comes first: {speed:speed}, with a chance of {chance:share} of being the best of {count}; "
+        "{last.name} comes last, {apart:speed_change} behind."
+    )
+    speed, chance = first.exit_speed.value, first.best_chance or 0.0
+    facts = {"speed": speed, "chance": chance, "count": len(ranked), "apart": speed - last.exit_speed.value}
+    words = [say(first_words, first=first, last=last, **facts)]
     likeliest = max(ranked, key=lambda bat: bat.best_chance or 0.0)
     if likeliest is not first:
         more = Slot(likeliest.best_chance or 0.0, "share")

@@ -113,7 +113,7 @@ def _passing(answer: CertifyAnswer, wall: WallThatPasses) -> Sentence:
         "The wall that just passes {measure} {limit} ({league}): {thickness} in the middle of the barrel, {factor} "
         "times as thick as drawn. The bat would weigh {mass} instead of {before}." + less,
         measure=wall.measure.upper(), limit=Slot(wall.limit, "ratio", 3), league=wall.league_name,
-        thickness=say("{size} mm", size=Slot(1e3 * wall.thickness, "ratio", 2)), factor=Slot(wall.factor, "ratio", 2),
+        thickness=say("{size:ratio, 2} mm", size=1e3 * wall.thickness), factor=Slot(wall.factor, "ratio", 2),
         mass=Slot(wall.mass, "mass"), before=Slot(answer.body.mass, "mass"),
     )  # fmt: skip
 
@@ -201,8 +201,7 @@ def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
         ["collision efficiency q", Slot(test.collision_efficiency, "ratio", 4), *none, _place(fast, length), "there"],
         *([besr] if test.swung == BASEBALL_TEST else []),
         ["BPF", Slot(test.bpf, "ratio"), *ranges("bpf", digits=3), _place(slow, length),
-         say("ball at {speed}, whose own restitution is {own}", speed=Slot(slow.closing_speed, "speed", 0),
-             own=Slot(slow.ball_restitution, "ratio", 4))],
+         say("ball at {of.closing_speed:speed, 0}, whose own restitution is {of.ball_restitution:ratio, 4}", of=slow)],
         ["batted-ball speed", Slot(test.batted_ball_speed, "speed"), *ranges("batted_ball_speed", "speed", 1),
          _place(fast, length), _swung(test.swung)],
         ["MOI", turning, *none, "", "the clamp's axis"],
@@ -262,7 +261,7 @@ def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
     if shots.bpf is not None:
         rows.append(_estimate("BPF", shots.bpf, digits=3))
     heading = say(
-        "{count} shots {place} from the tip", count=len(shots.rows), place=Slot(length - shots.best_position, "length")
+        "{count} shots {place:length} from the tip", count=len(shots.rows), place=length - shots.best_position
     )
     columns = [Column("measure"), *(Column(name, right=True) for name in ("mean", "standard error", "90 % interval"))]
     places: list[list[Cell]] = [

@@ -52,12 +52,13 @@ def tolerance_words(design: Designed) -> Sentence | None:
     thicker[: len(HANDLES)] += TOLERANCE
     measures = design.bench.measured(thicker)
     return say(
-        "Tolerance: ± {tolerance} of diameter. Thicker by that all along, the bat weighs {mass} more, its moment of "
-        "inertia grows by {moi} and the exit speed over these contacts changes by {speed}.",
-        tolerance=Slot(TOLERANCE, "length", 3),
-        mass=Slot(float(measures.values["mass"][0]) - design.value("mass"), "mass"),
-        moi=Slot(float(measures.values["moi"][0]) - design.value("moi"), "moi"),
-        speed=Slot(float(measures.values["exit_speed"][0]) - design.value("exit_speed"), "speed_change", 2, sign=True),
+        "Tolerance: ± {tolerance:length, 3} of diameter. Thicker by that all along, the bat weighs {mass:mass} more, "
+        "its moment of inertia grows by {moi:moi} and the exit speed over these contacts changes by "
+        "{speed:speed_change, 2, sign}.",
+        tolerance=TOLERANCE,
+        mass=float(measures.values["mass"][0]) - design.value("mass"),
+        moi=float(measures.values["moi"][0]) - design.value("moi"),
+        speed=float(measures.values["exit_speed"][0]) - design.value("exit_speed"),
     )
 
 

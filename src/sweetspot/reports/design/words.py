@@ -42,7 +42,7 @@ def gained_words(change: float | None, gain: Gain | None = None) -> Sentence:
         return say("This is the present bat still: pull a round handle, or let the search find better.")
     doubt = verdict = say("")
     if gain is not None:
-        doubt = say(", give or take {doubt} (90 %)", doubt=Slot(gain.doubt, "speed_change"))
+        doubt = say(", give or take {doubt:speed_change} (90 %)", doubt=gain.doubt)
         verdict = say(": {verdict}", verdict=gain.verdict.value)
     return say(
         "Over these contacts the ball leaves {change}{doubt}{verdict}.",
@@ -55,9 +55,9 @@ def gained_words(change: float | None, gain: Gain | None = None) -> Sentence:
 def weight_words(weights: MassProperties, moi_doubt: float) -> Sentence:
     """Return what a bat weighs and how it balances; ``moi_doubt`` is the standard deviation of its swing weight."""
     return say(
-        "{mass}, balance {balance} from the knob, swing weight {moi}.",
-        mass=Slot(weights.mass, "mass"),
-        balance=Slot(weights.balance_point, "place"),
+        "{mass:mass}, balance {balance:place} from the knob, swing weight {moi}.",
+        mass=weights.mass,
+        balance=weights.balance_point,
         moi=with_doubt(float(weights.moi_6in), moi_doubt, "moi"),
     )
 
@@ -87,16 +87,17 @@ def moved_words(design: Designed) -> Sentence:
         place = say("The best place stays where it is")
     else:
         way = "towards the hands" if gain.shift > 0 else "towards the tip"
-        place = say("The best place moves {shift} {way}", shift=Slot(abs(gain.shift), "length"), way=way)
+        place = say("The best place moves {shift:length} {way}", shift=abs(gain.shift), way=way)
     zone = say(
-        ", to {place} from the tip; the zone within {near} of the best is {width} wide, {wider} {more}.",
-        near=Slot(ZONE_LOSS, "speed", round=True),
-        place=Slot(design.value("best_from_tip"), "place"),
-        width=Slot(design.value("zone"), "place"),
-        wider=Slot(abs(gain.wider), "length"),
+        ", to {place:place} from the tip; the zone within {near:speed, round} of the best is {width:place} wide, "
+        "{wider:length} {more}.",
+        near=ZONE_LOSS,
+        place=design.value("best_from_tip"),
+        width=design.value("zone"),
+        wider=abs(gain.wider),
         more="wider" if gain.wider >= 0 else "narrower",
     )
-    top = say(" The greatest exit speed changes by {change}.", change=Slot(gain.greatest, "speed_change", sign=True))
+    top = say(" The greatest exit speed changes by {change:speed_change, sign}.", change=gain.greatest)
     return place + zone + top
 
 
@@ -104,11 +105,11 @@ def worth_words(design: Designed) -> Sentence:
     """Return the gain of the design for this batter, beside the scatter that could hide it."""
     gain, batter = design.gain, design.bench.batter
     first = say(
-        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt} (90 %): "
-        "{verdict}; faster in {odds} of 100 such pairs.",
-        place=Slot(batter.mean_contact, "place"),
+        "For contacts around {place:place} from the tip the ball leaves {gain} on average, give or take "
+        "{doubt:speed_change} (90 %): {verdict}; faster in {odds} of 100 such pairs.",
+        place=batter.mean_contact,
         gain=_faster(gain.expected),
-        doubt=Slot(gain.doubt, "speed_change"),
+        doubt=gain.doubt,
         verdict=gain.verdict.value,
         odds=_of_100(gain.odds),
     )
@@ -132,9 +133,9 @@ def _balls(design: Designed) -> list[Sentence]:
         return []
     count = f"{gain.balls:.0f} {'ball tells' if round(gain.balls) == 1 else 'balls tell'}"
     sample = say(
-        "{count} of the contacts, beside what is known of all batters, and that adds {sample}",
+        "{count} of the contacts, beside what is known of all batters, and that adds {sample:speed_change}",
         count=count[0].upper() + count[1:],
-        sample=Slot(gain.sample, "speed_change"),
+        sample=gain.sample,
     )
     if gain.balls_needed is not None:
         return [
@@ -152,7 +153,7 @@ def _about(count: int) -> str:
 
 
 def _faster(change: float) -> Sentence:
-    return say("{size} {way}", size=Slot(abs(change), "speed_change"), way="faster" if change >= 0 else "slower")
+    return say("{size:speed_change} {way}", size=abs(change), way="faster" if change >= 0 else "slower")
 
 
 def _doubts(design: Designed) -> Sentence:
@@ -166,9 +167,9 @@ def _doubts(design: Designed) -> Sentence:
         )
         parts.append(
             say(
-                "Two of one model differ by {wood} (one standard deviation: every number that is changed by {alike}"
-                "{willow}; assumed).",
-                wood=Slot(gain.wood, "speed_change"),
+                "Two of one model differ by {wood:speed_change} (one standard deviation: every number that is changed "
+                "by {alike}{willow}; assumed).",
+                wood=gain.wood,
                 alike=_spread(TURNED_ALIKE),
                 willow=willow if isinstance(design.bench.space.present, CricketBat) else say(""),
             )
@@ -176,32 +177,33 @@ def _doubts(design: Designed) -> Sentence:
     else:
         parts.append(
             say(
-                "Two bats of one shape differ by {wood} (one standard deviation: density {density}, stiffness "
-                "{modulus}; {weighed} chosen by weight), or by {pair}: best and worst of a dozen by up to {shipment}.",
-                wood=Slot(gain.wood, "speed_change"),
+                "Two bats of one shape differ by {wood:speed_change} (one standard deviation: density {density}, "
+                "stiffness {modulus}; {weighed:speed_change} chosen by weight), or by {pair:speed_change}: best and "
+                "worst of a dozen by up to {shipment:speed, 0, round}.",
+                wood=gain.wood,
                 density=_spread(DENSITY_SPREAD),
                 modulus=_spread(MODULUS_SPREAD),
-                weighed=Slot(gain.by_weight, "speed_change"),
-                shipment=Slot(SHIPMENT, "speed", 0, round=True),
-                pair=Slot(gain.shipment, "speed_change"),
+                weighed=gain.by_weight,
+                shipment=SHIPMENT,
+                pair=gain.shipment,
             )
         )
     law = design.bench.batter.law
     swing = (
-        say("The swing law adds {law}; ", law=Slot(gain.law, "speed_change"))
+        say("The swing law adds {law:speed_change}; ", law=gain.law)
         if law is not None
         else say("All are swung alike; ")
     )
     contact = say(
-        "the place of contact, known to {doubt}, adds {contact}.",
-        doubt=Slot(design.bench.batter.doubt, "place"),
-        contact=Slot(gain.contact, "speed_change"),
+        "the place of contact, known to {doubt:place}, adds {contact:speed_change}.",
+        doubt=design.bench.batter.doubt,
+        contact=gain.contact,
     )
     return joined([*parts, swing + contact])
 
 
 def _spread(part: float) -> Sentence:
-    return say("{part}", part=Slot(part, "share"))
+    return say("{part:share}", part=part)
 
 
 def warning_words(design: Designed) -> Sentence:
@@ -212,9 +214,10 @@ def warning_words(design: Designed) -> Sentence:
     place = Slot(float(FROM_TIP[worst]), "place")
     if not outer.any() or gain.curve[worst] >= 0:
         return say(
-            "Who should not use it: by exit speed, no one; {place} from the tip it still gains {gain}.",
-            place=Slot(TOWARDS_END, "place"),
-            gain=Slot(gain.at(TOWARDS_END), "speed_change"),
+            "Who should not use it: by exit speed, no one; {place:place} from the tip it still gains "
+            "{gain:speed_change}.",
+            place=TOWARDS_END,
+            gain=gain.at(TOWARDS_END),
         )
     tool = tool_of(design)
     turning = say("Towards the tip the present {tool} is better", tool=tool)
@@ -222,9 +225,10 @@ def warning_words(design: Designed) -> Sentence:
         near = Slot(gain.turning_place, "place")
         turning = say("Nearer the tip than {turning} the present {tool} is better", turning=near, tool=tool)
     return turning + say(
-        ": {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use it.",
+        ": {place} from the tip the design costs {cost:speed_change}. Who meets the ball out there, or is late, "
+        "should not use it.",
         place=place,
-        cost=Slot(-float(gain.curve[worst]), "speed_change"),
+        cost=-float(gain.curve[worst]),
     )
 
 
@@ -237,11 +241,11 @@ def breaking_words(design: Designed) -> list[Sentence]:
         return []
     return [
         say(
-            "Its handle is bent further: up to {after} against {now} over these contacts, by a ball met {place} from "
-            "the tip. Bats break there; a thicker grip (--handle) costs weight, not speed.",
-            after=Slot(after.strain, "strain"),
-            now=Slot(now.strain, "strain"),
-            place=Slot(after.from_tip, "place"),
+            "Its handle is bent further: up to {after:strain} against {now:strain} over these contacts, by a ball met "
+            "{place:place} from the tip. Bats break there; a thicker grip (--handle) costs weight, not speed.",
+            after=after.strain,
+            now=now.strain,
+            place=after.from_tip,
         )
     ]
 
@@ -293,9 +297,7 @@ def wall_words(design: Designed) -> list[Sentence]:
         say(
             "{label} {place}from {before} to {after}",
             label=variable.label,
-            place=say("{place} from the tip ", place=Slot(variable.from_tip, "place"))
-            if variable.from_tip is not None
-            else "",
+            place=say("{place:place} from the tip ", place=variable.from_tip) if variable.from_tip is not None else "",
             before=Slot(variable.start, variable.scale, 2).bare,
             after=Slot(value, variable.scale, 2),
         )
@@ -311,11 +313,12 @@ def effort_words(design: Designed) -> Sentence:
         return say("All are swung at the same speed.")
     low, high = sorted(_time(design, exponent) for exponent in (law.exponents.low, law.exponents.high))
     return say(
-        "Time to contact changes by {time} ({low} to {high}) of {whole}, by the law of {law}.",
-        time=Slot(gain.time, "contact", 2, sign=True),
-        low=Slot(low, "contact", 2, sign=True).bare,
-        high=Slot(high, "contact", 2, sign=True),
-        whole=Slot(_swing_time(), "contact", 0),
+        "Time to contact changes by {time:contact, 2, sign} ({low:contact, 2, sign, bare} to {high:contact, 2, sign}) "
+        "of {whole:contact, 0}, by the law of {law}.",
+        time=gain.time,
+        low=low,
+        high=high,
+        whole=_swing_time(),
         law=law.name,
     )
 

@@ -92,11 +92,12 @@ def _bend(flown: FlightNumbers, *, windy: bool) -> Sentence:
     if flight.outcome is not FlightOutcome.LANDED or abs(bent) < DEGREE:
         return Sentence(())
     return say(
-        "Its spin {bend} it {angle} to the {side}: it lands {where}.",
+        "Its spin {bend} it {angle:angle, 0} to the {side}: it lands {where}.",
         bend="and the wind bend" if windy else "bends",
-        angle=Slot(abs(bent), "angle", digits=0), side="right" if bent > 0 else "left",
+        angle=abs(bent),
+        side="right" if bent > 0 else "left",
         where=direction_words(flight.bearing),
-    )  # fmt: skip
+    )
 
 
 def _weather(answer: FlyAnswer) -> Sentence:
@@ -108,10 +109,14 @@ def _weather(answer: FlyAnswer) -> Sentence:
         where = wind_words(hit.wind_direction, ballpark=answer.question.sport.key in BALLPARKS)
         wind = say("wind {speed} {where}", speed=blowing, where=where)
     return say(
-        "Air {temperature}, {humidity} humid, {elevation} above the sea: {density}; {wind}.",
-        temperature=Slot(hit.temperature, "temperature"), humidity=Slot(hit.humidity, "share"),
-        elevation=Slot(hit.elevation, "elevation"), density=Slot(hit.air.density, "air_density", 4), wind=wind,
-    )  # fmt: skip
+        "Air {temperature:temperature}, {humidity:share} humid, {elevation:elevation} above the sea: "
+        "{density:air_density, 4}; {wind}.",
+        temperature=hit.temperature,
+        humidity=hit.humidity,
+        elevation=hit.elevation,
+        density=hit.air.density,
+        wind=wind,
+    )
 
 
 def _note(answer: FlyAnswer) -> Sentence:
@@ -171,12 +176,13 @@ def flight_words(flown: FlightNumbers) -> Sentence:
     if outcome is not FlightOutcome.LANDED:
         return say(outcome.sentence[0].upper() + outcome.sentence[1:] + ".")
     return say(
-        "It carries {carry} in {time}, at most {apex} high, and comes down {angle} steep at {speed}.",
-        carry=Slot(flown.carry, "distance"),
-        time=Slot(flown.hang_time, "time"),
-        apex=Slot(flown.apex, "distance"),
-        angle=Slot(flown.landing_angle, "angle", digits=0),
-        speed=Slot(flown.landing_speed, "speed", digits=0),
+        "It carries {carry:distance} in {time:time}, at most {apex:distance} high, and comes down {angle:angle, 0} "
+        "steep at {speed:speed, 0}.",
+        carry=flown.carry,
+        time=flown.hang_time,
+        apex=flown.apex,
+        angle=flown.landing_angle,
+        speed=flown.landing_speed,
     )
 
 
@@ -200,9 +206,9 @@ def fence_words(end: FlightEnd, *, chance: float | None = None) -> Sentence:
     if chance is not None and (outcome == "home run") != is_likely(chance):
         outcome = f"such balls {'go out' if is_likely(chance) else 'stay in'} more often than not"
     return say(
-        "At {park} it reaches the fence {distance} away {clearance} {side} its top: {outcome}.",
+        "At {park} it reaches the fence {distance:distance} away {clearance} {side} its top: {outcome}.",
         park=end.park,
-        distance=Slot(end.distance, "distance"),
+        distance=end.distance,
         clearance=small_or_far(clearance),
         side="over" if clearance > 0 else "below",
         outcome=outcome,
@@ -217,9 +223,9 @@ def alike_words(half: Number, *, spin_known: bool) -> Sentence:
     half : of their interval, m.
     """
     return say(
-        "{what} differ: nine in ten that leave like it come down within {reach} of that.",
+        "{what} differ: nine in ten that leave like it come down within {reach:distance, 0} of that.",
         what="Balls and weather" if spin_known else "Balls, spin and weather",
-        reach=Slot(half, "distance", digits=0),
+        reach=half,
     )
 
 
@@ -231,8 +237,8 @@ def launch_words(ball: BallLeaving, *, ballpark: bool = True) -> Sentence:
     ballpark : as in `direction_words`.
     """
     return say(
-        "at {speed}, {up} and {aside}, with {spin}",
-        speed=Slot(ball.exit_speed, "speed"),
+        "at {speed:speed}, {up} and {aside}, with {spin}",
+        speed=ball.exit_speed,
         up=signed(ball.launch_angle, "angle", "up", "down"),
         aside=direction_words(ball.spray, ballpark=ballpark),
         spin=spin_words(ball),
@@ -260,7 +266,7 @@ def wind_words(angle: float, *, ballpark: bool) -> Sentence:
     if min(abs(angle), abs(abs(angle) - 180 * DEGREE)) < STRAIGHT:
         return direction_words(angle, ballpark=ballpark)
     side, ahead = "right" if angle > 0 else "left", "centre field" if ballpark else "straight ahead"
-    return say("{angle} to the {side} of {ahead}", angle=Slot(abs(angle), "angle", 0), side=side, ahead=ahead)
+    return say("{angle:angle, 0} to the {side} of {ahead}", angle=abs(angle), side=side, ahead=ahead)
 
 
 def spin_words(ball: BallLeaving) -> Sentence:

@@ -15,7 +15,7 @@ from sweetspot.reports.grid.document import grid_document
 from sweetspot.reports.grid.grid import Grid
 from sweetspot.reports.json_shapes import cells_as_columns
 from sweetspot.reports.quantities import Reader, key
-from sweetspot.reports.sentences import Sentence, Slot, Span, say
+from sweetspot.reports.sentences import Sentence, Span, say
 from sweetspot.units import grouped
 
 
@@ -43,11 +43,15 @@ def _words(flown: Flights) -> Sentence:
         return say("{count} {balls}, none of which came down.", count=grouped(count), balls=balls)
     carry, time = flown.carry[flown.landed], flown.hang_time[flown.landed]
     return say(
-        "{count} {balls}, {landed} of which came down: {far} from home plate, half of them beyond {middle}, after "
-        "{time}.",
-        count=grouped(count), balls=balls, landed=grouped(landed), far=Span(carry.min(), carry.max(), "distance"),
-        middle=Slot(float(np.median(carry)), "distance"), time=Span(time.min(), time.max(), "time"),
-    )  # fmt: skip
+        "{count} {balls}, {landed} of which came down: {far} from home plate, half of them beyond {middle:distance}, "
+        "after {time}.",
+        count=grouped(count),
+        balls=balls,
+        landed=grouped(landed),
+        far=Span(carry.min(), carry.max(), "distance"),
+        middle=float(np.median(carry)),
+        time=Span(time.min(), time.max(), "time"),
+    )
 
 
 def _drawn(flown: Flights, reading: Reader) -> Any:

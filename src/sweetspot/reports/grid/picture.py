@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from sweetspot.numerics.arrays import Array
 from sweetspot.reports.grid.grid import Grid, varied
 from sweetspot.reports.pictures.panels import Panel, frame
 from sweetspot.reports.pictures.style import INK, LARGE, MUTED, PAPER, SMALL, fitted, styled
@@ -59,7 +60,7 @@ def _cells(axes: Axes, grid: Grid, reading: Reader) -> None:
         axes.text(column, row, words, ha="center", va="center", size=SMALL, color=PAPER if dark else colour)
 
 
-def _some(values: Sequence[float]) -> list[int]:
+def _some(values: Sequence[float] | Array) -> list[int]:
     """Return the places of the values that are named on an axis."""
     step = -(-len(values) // MOST_NUMBERS)
     return list(range(0, len(values), step))

@@ -34,7 +34,7 @@ def hit_document(answer: HitAnswer) -> Document:
     """Return a hit as a document."""
     implement, conditions, impact = answer.question.implement, answer.question.conditions, answer.impact
     words = words_of(implement.sport)
-    place = in_words("hit {place} from the {tip}", words, place=Slot(implement.length - impact.position, "place"))
+    place = in_words("hit {place:place} from the {tip}", words, place=implement.length - impact.position)
     picture = hit_picture(impact, words, title=say("{name}, {place}", name=implement.name, place=place))
     masses = masses_words(answer.bat.mass, answer.ball_mass, words)
     data = answer.to_dict()
@@ -61,7 +61,7 @@ def hit_document(answer: HitAnswer) -> Document:
 
 def masses_words(tool: Number, ball: Number, words: Terms) -> Sentence:
     """Return the masses that met, kg, in words."""
-    return in_words("{implement} {tool}, {ball} {thrown}", words, tool=Slot(tool, "mass"), thrown=weight(ball))
+    return in_words("{implement} {tool:mass}, {ball} {thrown}", words, tool=tool, thrown=weight(ball))
 
 
 def by_ball(half: Number | None, words: Terms) -> list[Sentence]:
@@ -85,7 +85,7 @@ def impact_document(impact: Impact) -> Document:
     """Return a collision alone as a document, without its bat's name or swing speed."""
     bare, words = collision_of(impact), Terms()
     data = to_dict(bare)
-    title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
+    title = say("Hit {place:place} from the end of the grip", place=impact.position)
     picture = hit_picture(impact, words, title=title)
     rows: Rows = [
         ("closing speed", Slot(bare.closing_speed, "speed")),
@@ -129,9 +129,8 @@ def hit_picture(impact: Impact, words: Terms, caption: str | Sentence = "", *, t
     """
     heat = impact.energy.heat / impact.energy.incoming if impact.energy.incoming else 0.0
     label = in_words(
-        "Force of the hit: it rises to {force} and lasts {time}. Of the energy, {heat} become heat in the {ball}.",
-        words, force=_force(impact.peak_force), time=Slot(impact.contact_time, "contact", 2), heat=Slot(heat, "share"),
-    )  # fmt: skip
+        "Force of the hit: it rises to {force} and lasts {time:contact, 2}. Of the energy, {heat:share} become heat "
+        "in the {ball}.", words, force=_force(impact.peak_force), time=impact.contact_time, heat=heat)  # fmt: skip
     return Picture("hit", lambda reading: _drawn(impact, words, read(title, reading)), label, caption)
 
 
@@ -162,7 +161,7 @@ def _energy_rows(hit: Collision, words: Terms) -> Rows:
         energy = Slot(joules, "energy", digits)
         rows.append((in_words(f"energy: {name}", words), say("{joules}, {part}", joules=energy, part=part)))
     missed = abs(hit.energy_imbalance)
-    text = say("less than {part}", part=Slot(TOLD, "share", 1)) if missed < TOLD else Slot(missed, "share", 1)
+    text = say("less than {part:share, 1}", part=TOLD) if missed < TOLD else Slot(missed, "share", 1)
     return [*rows, ("energy: what the sum misses", text)]
 
 
@@ -171,17 +170,18 @@ def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:
     if strains is None:
         return []
     text = in_words(
-        "Greatest bending strain of the handle {strain}, {place} from the {butt}", words,
-        strain=Slot(strains.handle_strain, "strain"), place=Slot(strains.handle_position, "place"),
-    )  # fmt: skip
+        "Greatest bending strain of the handle {strain:strain}, {place:place} from the {butt}",
+        words,
+        strain=strains.handle_strain,
+        place=strains.handle_position,
+    )
     if strains.wall_strain is not None:
-        text += say("; of the barrel's wall {strain}", strain=Slot(strains.wall_strain, "strain"))
+        text += say("; of the barrel's wall {strain:strain}", strain=strains.wall_strain)
     limit = strains.handle_strain_limit
     if limit is not None and float(strains.handle_strain) > limit and not strains.warnings:
         text += say(
-            ". In a slow test its wood reaches its strength at {limit}; in a blow it bears two or three times as much",
-            limit=Slot(limit, "strain"),
-        )  # fmt: skip
+            ". In a slow test its wood reaches its strength at {limit:strain}; in a blow it bears two or three times "
+            "as much", limit=limit)  # fmt: skip
     return [Paragraph(text + "."), *(Paragraph(f"Warning: {words}", "warning") for words in strains.warnings)]
 
 
@@ -223,9 +223,11 @@ def touched_again(impact: Impact, words: Terms) -> list[Sentence]:
         return [in_words(PRESSED_AGAIN + ": it springs on as it was.", words, where="The")]
     gain = impact.unrecovered_gain
     otherwise = in_words(
-        "; had it not recovered at all, it would leave {gain} {faster}", words, gain=Slot(abs(gain), "speed"),
+        "; had it not recovered at all, it would leave {gain:speed} {faster}",
+        words,
+        gain=abs(gain),
         faster="slower" if gain < 0 else "faster",
-    )  # fmt: skip
+    )
     return [in_words(AGAIN, words, where="The", otherwise=otherwise)]
 
 

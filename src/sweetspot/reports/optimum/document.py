@@ -60,29 +60,30 @@ def _drawn(answer: OptimumAnswer, reading: Reader) -> Any:
 def _swing_words(best: FarthestSwing, *, length: float) -> Sentence:
     below = float(best.undercut) >= 0
     return say(
-        "A {pitch}, {speed} at the plate, carries farthest, {carry}, met {place} from the tip with the bat's axis "
-        "{offset} {side} the ball's centre and rising at {attack}.",
+        "A {pitch}, {speed:speed, 0} at the plate, carries farthest, {carry:distance}, met {place:place} from the tip "
+        "with the bat's axis {offset:offset} {side} the ball's centre and rising at {attack:angle}.",
         pitch=best.pitch,
-        speed=Slot(float(best.pitch_speed), "speed", 0),
-        carry=Slot(best.carry, "distance"),
-        place=Slot(length - best.position, "place"),
-        offset=Slot(best.undercut if below else -best.undercut, "offset"),
+        speed=float(best.pitch_speed),
+        carry=best.carry,
+        place=length - best.position,
+        offset=best.undercut if below else -best.undercut,
         side="below" if below else "above",
-        attack=Slot(best.attack_angle, "angle"),
+        attack=best.attack_angle,
     )
 
 
 def _park_words(parks: Sequence[SlowestHomeRun]) -> Sentence:
     easiest = min(parks, key=lambda park: float(park.exit_speed))
     return say(
-        "{lead} {park}: a ball of {speed} at {angle}, {where}, just clears a fence {far} away and {high} high.",
+        "{lead} {park}: a ball of {speed:speed} at {angle:angle}, {where}, just clears a fence {far:distance} away "
+        "and {high:distance} high.",
         lead="Easiest to leave is" if len(parks) > 1 else "Easiest way out of",
         park=easiest.park,
-        speed=Slot(easiest.exit_speed, "speed"),
-        angle=Slot(easiest.launch_angle, "angle"),
+        speed=easiest.exit_speed,
+        angle=easiest.launch_angle,
         where=direction_words(easiest.direction),
-        far=Slot(easiest.fence_distance, "distance"),
-        high=Slot(easiest.fence_height, "distance"),
+        far=easiest.fence_distance,
+        high=easiest.fence_height,
     )
 
 

@@ -52,17 +52,18 @@ def _end(analysis: Analysis[Bat], _: Choices, rows: list[PaperRow]) -> Told:
     elastic, travel = (_numbers(rows, "S", column)[-1] * 1e-3 for column in ("computed", "full_model"))
     scan = analysis.scan
     words = say(
-        "The ball does shift, by {travel}, but it is hit best {place} from the tip: S is far too short to explain it. "
-        "The conclusion is right for another reason. At the tip even a rigid bat recoils by turning ({rigid}), and "
-        "the real one also bends and keeps that energy ({end}); at its best place it gives {best}.",
-        travel=Slot(travel, "length"),
+        "The ball does shift, by {travel:length}, but it is hit best {place} from the tip: S is far too short to "
+        "explain it. The conclusion is right for another reason. At the tip even a rigid bat recoils by turning "
+        "({rigid:speed}), and the real one also bends and keeps that energy ({end:speed}); at its best place it gives "
+        "{best:speed}.",
+        travel=travel,
         place=_from_tip(analysis, analysis.sweet_spots.max_exit_speed),
-        rigid=Slot(float(scan.rigid_exit_speed[-1]), "speed"),
-        end=Slot(float(scan.exit_speed[-1]), "speed"),
-        best=Slot(float(scan.exit_speed.max()), "speed"),
+        rigid=float(scan.rigid_exit_speed[-1]),
+        end=float(scan.exit_speed[-1]),
+        best=float(scan.exit_speed.max()),
     )
     limit = say("0 ≤ S ≤ v_1 sin \N{GREEK SMALL LETTER ALPHA} T = {length}", length=Slot(elastic, "length"))
-    return [words], [limit, say("S_real = {length}", length=Slot(travel, "length"))]
+    return [words], [limit, say("S_real = {length:length}", length=travel)]
 
 
 def percussion_places(analysis: Analysis[Bat], choices: Choices) -> tuple[RigidBody, float, float, float, float]:
@@ -104,8 +105,8 @@ def _percussion(analysis: Analysis[Bat], choices: Choices, __: list[PaperRow]) -
     )
     hands = analysis.conditions.hands.position
     return [words], [
-        say("b_rod = {length}", length=Slot(rod - choices.rod_hands, "place")),
-        say("b_bat = {length}", length=Slot(bat - hands, "place")),
+        say("b_rod = {length:place}", length=rod - choices.rod_hands),
+        say("b_bat = {length:place}", length=bat - hands),
     ]
 
 
@@ -153,15 +154,15 @@ def _drop(analysis: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> To
 def _energy(_: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> Told:
     (wood, metal), (wood_model, metal_model) = _numbers(rows, "W", "computed")[:2], _numbers(rows, "W")[:2]
     words = say(
-        "The formula is exact for two springs in series: e = √W is {wood} for wood and {metal} for metal here. The "
-        "full model gives {wood_model} for this bat, and {metal_model} for an aluminium bat whose wall takes a tenth "
-        "of the energy: one {wall} thick. A metal bat does hit faster. The dotted line joins aluminium bats with "
-        "thicker (left) and thinner (right) walls.",
-        wood=Slot(math.sqrt(wood), "ratio"),
-        metal=Slot(math.sqrt(metal), "ratio"),
-        wood_model=Slot(wood_model, "ratio"),
-        metal_model=Slot(metal_model, "ratio"),
-        wall=Slot(_numbers(rows, "z")[1] * 1e-3, "pressed"),
+        "The formula is exact for two springs in series: e = √W is {wood:ratio} for wood and {metal:ratio} for metal "
+        "here. The full model gives {wood_model:ratio} for this bat, and {metal_model:ratio} for an aluminium bat "
+        "whose wall takes a tenth of the energy: one {wall:pressed} thick. A metal bat does hit faster. The dotted "
+        "line joins aluminium bats with thicker (left) and thinner (right) walls.",
+        wood=math.sqrt(wood),
+        metal=math.sqrt(metal),
+        wood_model=wood_model,
+        metal_model=metal_model,
+        wall=_numbers(rows, "z")[1] * 1e-3,
     )
     ball = choices.ball_restitution
     pairs = ((choices.wood_restitution, choices.wood_share), (choices.metal_restitution, choices.metal_share))

@@ -15,14 +15,14 @@ from sweetspot.reports.flight.document import alike_words, fence_words, flight_d
 from sweetspot.reports.flight.many import flights_document
 from sweetspot.reports.hit.document import by_ball, impact_document, touched_again
 from sweetspot.reports.quantities import Reader, reader
-from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.sentences import Sentence, joined, say
 from sweetspot.reports.uncertainty.section import how_sure
 
 
 def play_document(answer: PlayAnswer) -> Document:
     """Return a play as a document."""
     words, bat, data = play_words(answer), answer.question.reduced.bat, answer.to_dict()
-    pitch = say("{speed} pitch", speed=Slot(answer.pitch_speed, "speed", digits=0))
+    pitch = say("{speed:speed, 0} pitch", speed=answer.pitch_speed)
     picture = Picture(
         "play",
         lambda reading: _drawn(answer, words, reading),
@@ -55,15 +55,15 @@ def play_words(answer: PlayAnswer) -> Sentence:
     bat, struck, launch = answer.question.reduced.bat, answer.play.strike, answer.launch
     words, below = sport(bat.sport).words, float(answer.offset) >= 0
     contact = say(
-        "{place} from the tip, {offset} {side} the ball's centre",
-        place=Slot(bat.length - answer.position, "place"),
-        offset=Slot(answer.offset if below else -answer.offset, "offset"),
+        "{place:place} from the tip, {offset:offset} {side} the ball's centre",
+        place=bat.length - answer.position,
+        offset=answer.offset if below else -answer.offset,
         side="below" if below else "above",
     )
     if launch is None or answer.flight is None:
         return say("The bat came {met}: {outcome}.", met=contact, outcome=struck.outcome.sentence)
     sentences = [
-        say("The bat meets the ball {met}, at {speed}.", met=contact, speed=Slot(answer.bat_speed, "speed")),
+        say("The bat meets the ball {met}, at {speed:speed}.", met=contact, speed=answer.bat_speed),
         say("The ball leaves {launch}.", launch=launch_words(launch)),
         *by_ball(answer.exit_speed_half_by_ball, words),
         *([] if struck.impact is None else touched_again(struck.impact, words)),

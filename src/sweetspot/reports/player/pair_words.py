@@ -6,7 +6,7 @@ from sweetspot.player.advice import Advice
 from sweetspot.player.bat_pairs import BatPair
 from sweetspot.reports.document import Cell, Column, Table
 from sweetspot.reports.player.phrases import goal_shown
-from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say, within
+from sweetspot.reports.sentences import Sentence, Words, joined, say, within
 
 PAIRS_TOLD = 6
 """Pairs that are described in words; a table has all."""
@@ -84,8 +84,8 @@ def _better(pair: BatPair, advice: Advice) -> Sentence:
         return words
     more = pair.measured.low > pair.gain.high
     return words + say(
-        ", as measured {measured}{doubt}",
-        measured=within(pair.measured, "speed_change", sign=True),
+        ", as measured {measured:speed_change, sign, ends}{doubt}",
+        measured=pair.measured,
         doubt=", which alone could not tell"
         if pair.verdict != "better"
         else ", more than the model explains"
@@ -98,11 +98,12 @@ def _unsure(pair: BatPair, advice: Advice) -> Sentence:
     gain = goal_shown(pair.gain, advice.goal, sign=True)
     if pair.measured is not None and pair.goal_is_speed and pair.measured.value < 0 < pair.gain.low:
         return say(
-            "{better} against {other} {gain} by the model and {measured} as measured: the swings cannot tell",
+            "{better} against {other} {gain} by the model and {measured:speed_change, sign, ends} as measured: the "
+            "swings cannot tell",
             better=pair.better,
             other=pair.other,
             gain=gain,
-            measured=within(pair.measured, "speed_change", sign=True),
+            measured=pair.measured,
         )
     return say(
         "{better} against {other} {gain}: the swings cannot tell", better=pair.better, other=pair.other, gain=gain
@@ -113,11 +114,11 @@ def _gainsaid(pair: BatPair, advice: Advice) -> Sentence:
     assert pair.measured is not None  # or nothing could gainsay the model
     return say(
         "Of {better} and {other} the swings say one thing and the model of ball and bat another: with {better} the "
-        "ball left {measured} slower on average, where the model expects {gain}. Believe the measurement if pitches "
-        "and days were alike, and check the bats' files.",
+        "ball left {measured:speed_change} slower on average, where the model expects {gain}. Believe the measurement "
+        "if pitches and days were alike, and check the bats' files.",
         better=pair.better,
         other=pair.other,
-        measured=Slot(-pair.measured.value, "speed_change"),
+        measured=-pair.measured.value,
         gain=goal_shown(pair.gain, advice.goal, sign=True),
     )
 

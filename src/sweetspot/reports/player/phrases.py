@@ -25,7 +25,7 @@ def goal_words(goal: Goal) -> Sentence:
     'hits beyond 300 ft'
     """
     if goal.line is not None:
-        return say("hits beyond {line}", line=Slot(goal.line, "distance"))
+        return say("hits beyond {line:distance}", line=goal.line)
     return say({"exit-speed": "exit speed", "carry": "carry"}[goal.name])
 
 
@@ -36,7 +36,7 @@ def pitch_words(speed: float) -> Sentence:
     >>> pitch_words(0.0).read(US), pitch_words(26.8).read(US)
     ('ball at rest', '60 mph pitch at the plate')
     """
-    return say("{speed} pitch at the plate", speed=Slot(speed, "speed", 0)) if speed else say("ball at rest")
+    return say("{speed:speed, 0} pitch at the plate", speed=speed) if speed else say("ball at rest")
 
 
 def goal_shown(interval: Interval, goal: Goal, *, sign: bool = False) -> Sentence:

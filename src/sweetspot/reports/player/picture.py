@@ -16,7 +16,7 @@ from sweetspot.reports.pictures.style import MUTED, NORMAL, SHEET, SMALL, fitted
 from sweetspot.reports.player.phrases import GOALS, goal_words, option_words, pitch_words
 from sweetspot.reports.player.words import changes
 from sweetspot.reports.quantities import BLUE, GREEN, RED, SKY, US, Reader, Unit
-from sweetspot.reports.sentences import say, within
+from sweetspot.reports.sentences import say
 
 
 @dataclass(frozen=True)
@@ -95,11 +95,11 @@ def _header(page: Page, advice: Advice, reading: Reader, *, player: str, day: st
     posterior = advice.posterior
     page.title(f"Training report: {player}" if player else "Training report")
     line = say(
-        "{day}{count} swings, {bat}: bat speed {speed}, {pitch}",
+        "{day}{count} swings, {bat}: bat speed {speed:speed, ends}, {pitch}",
         day=f"{day}: " if day else "",
         count=len(posterior.model.swings),
         bat=posterior.model.bats[0].bat.name,
-        speed=within(posterior.learned["bat_speed"].interval, "speed"),
+        speed=posterior.learned["bat_speed"].interval,
         pitch=pitch_words(advice.pitch_speed),
     )
     words, size = fitted(line.read(reading), width=page.across, size=NORMAL, smallest=6.0)

@@ -17,10 +17,10 @@ from sweetspot.units import INCH
 
 MEANS = say(
     "Bat speed and scatter: most likely values. Expected: the mean over the batter's swings with the bat now. Best "
-    "place: mean contact from the tip. Less scatter: what {inch} less of it along the bat brings. A bat is named only "
-    "where the 90 % interval of its gain leaves zero out; (law) stands behind it where the average player's swing law "
-    "says so and not these swings.",
-    inch=Slot(INCH, "place", round=True),
+    "place: mean contact from the tip. Less scatter: what {inch:place, round} less of it along the bat brings. A bat "
+    "is named only where the 90 % interval of its gain leaves zero out; (law) stands behind it where the average "
+    "player's swing law says so and not these swings.",
+    inch=INCH,
 )
 NO_LEAGUE = "With fewer than five batters nothing is known of how they differ; each is fitted alone."
 POOLED = {"bat_speed": "speed", "position_spread": "along", "offset_spread": "across"}

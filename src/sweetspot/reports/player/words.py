@@ -143,8 +143,8 @@ def measured(posterior: PlayerPosterior) -> Words:
         return ""
     swung.sort(key=lambda bat: -float(bat.exit_speed or 0.0))
     parts = [
-        say("{name} {ball}", name=bat.bat.name, ball=within(bat.exit_speed, "speed"))
-        + (say(" at {speed} of bat speed", speed=within(bat.bat_speed, "speed")) if bat.bat_speed else "")
+        say("{name} {ball:speed, ends}", name=bat.bat.name, ball=bat.exit_speed)
+        + (say(" at {speed:speed, ends} of bat speed", speed=bat.bat_speed) if bat.bat_speed else "")
         for bat in swung
         if bat.exit_speed
     ]
@@ -206,14 +206,14 @@ def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
     sure = advice.sign_of(best) > 0
     informed = advice.posterior.learned["exponent"].told
     return say(
-        "{lead}: {label} ({size}), {change}, better in {chance} of what {speaker}.",
+        "{lead}: {label} ({size}), {change}, better in {chance:share} of what {speaker}.",
         lead=("Best of those tried in the computer" if informed else "Not by these swings but by what is usual, best")
         if sure
         else "Of those tried in the computer none is surely better; the likeliest gain is with",
         label=option_words(best.candidate),
         size=_sizes(best),
         change=goal_shown(best.change, advice.goal, sign=True),
-        chance=Slot(best.chance, "share"),
+        chance=best.chance,
         speaker=_speaker(advice),
     )
 
@@ -221,11 +221,11 @@ def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
 def _sizes(option: Option) -> Sentence:
     bat, body = option.candidate.bat, option.candidate.body
     return say(
-        "{length}, {mass}, MOI {moi} about {axis} above the grip's end",
-        length=Slot(bat.length, "place"),
-        mass=Slot(body.mass, "mass"),
-        moi=Slot(body.moi(bat.choke + STANDARD_AXIS), "moi"),
-        axis=Slot(STANDARD_AXIS, "place", 0),
+        "{length:place}, {mass:mass}, MOI {moi:moi} about {axis:place, 0} above the grip's end",
+        length=bat.length,
+        mass=body.mass,
+        moi=body.moi(bat.choke + STANDARD_AXIS),
+        axis=STANDARD_AXIS,
     )
 
 
@@ -270,10 +270,10 @@ def _end_loaded(advice: Advice) -> Sentence:
     words = {1: "End-loaded", -1: "Balanced", 0: "These swings cannot tell"}
     verdict = sure_sign(advice.end_loaded.low, advice.end_loaded.high, nothing=advice.goal.nothing)
     return say(
-        "{answer}{law}: the same weight of {mass} at the tip instead of at the knob changes {goal} by {gain}.",
+        "{answer}{law}: the same weight of {mass:mass} at the tip instead of at the knob changes {goal} by {gain}.",
         answer=words[verdict],
         law=_by_law(advice) if verdict else "",
-        mass=Slot(OUNCE, "mass"),
+        mass=OUNCE,
         goal=goal_words(advice.goal),
         gain=goal_shown(advice.end_loaded, advice.goal, sign=True),
     )
@@ -284,27 +284,27 @@ def _choke(advice: Advice) -> Sentence:
     if option is None:
         return say("Could not be tried.")
     return say(
-        "{answer}, as far as {goal} goes: held {inch} further up, bat speed is {speed} and the change {gain}. Better "
-        "control, if there is any, is not counted; compare it with what better contact is worth.",
+        "{answer}, as far as {goal} goes: held {inch:place} further up, bat speed is {speed:speed, ends} and the "
+        "change {gain}. Better control, if there is any, is not counted; compare it with what better contact is worth.",
         answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[advice.sign_of(option)],
         goal=goal_words(advice.goal),
-        inch=Slot(INCH, "place"),
-        speed=within(option.bat_speed, "speed"),
+        inch=INCH,
+        speed=option.bat_speed,
         gain=goal_shown(option.change, advice.goal, sign=True),
     )
 
 
 def _place(advice: Advice) -> Sentence:
     text = say(
-        "On average {place} from the tip; against where it is met now that is worth {gain}.",
-        place=within(advice.contact_point, "place"),
+        "On average {place:place, ends} from the tip; against where it is met now that is worth {gain}.",
+        place=advice.contact_point,
         gain=goal_shown(advice.contact_gain, advice.goal, sign=True),
     )
     if advice.goal.name == "exit-speed":
         return text
     return text + say(
-        " And with the ball's centre {high} above the bat's axis on average, worth {more}.",
-        high=within(advice.height_point, "place"),
+        " And with the ball's centre {high:place, ends} above the bat's axis on average, worth {more}.",
+        high=advice.height_point,
         more=goal_shown(advice.height_gain, advice.goal, sign=True),
     )
 
@@ -313,7 +313,7 @@ def changes() -> dict[str, Sentence]:
     """Return the single changes whose worth is reported, in words, by key of `Advice.worth`."""
     inch, quarter = Slot(INCH, "place"), Slot(INCH / 4, "offset")
     return {
-        "bat_speed": say("{speed} more bat speed", speed=Slot(MPH, "speed_change")),
+        "bat_speed": say("{speed:speed_change} more bat speed", speed=MPH),
         "position_spread": say("{inch} less scatter along the bat", inch=inch),
         "offset_spread": say("{quarter} less scatter over and under", quarter=quarter),
         "towards_tip": say("contact {inch} nearer the tip", inch=inch),

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 import polars as pl
 
-from sweetspot.answers.season import Caution, Places, SeasonAnswer, SeasonMeans, SeasonTable
+from sweetspot.answers.season import Caution, SeasonAnswer, SeasonTable
 from sweetspot.numerics.interval import Interval
 from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.reports.quantities import Reader
-from sweetspot.reports.season.left_over import left_over_words, own_drag_words
-from sweetspot.reports.sentences import Sentence, Slot, say, within
+from sweetspot.reports.season.words import few_of_a_kind, league_words, left_over_words, untracked_words
+from sweetspot.reports.sentences import Slot, within
 from sweetspot.seasons.rows import REASONS
 from sweetspot.seasons.season_drag import DragOfMonth
 from sweetspot.seasons.standings import MEASURES, Standing
@@ -67,10 +67,10 @@ def season_document(answer: SeasonAnswer) -> Document:
         title="Season",
         kind="Season",
         blocks=[
-            *map(Paragraph, _headline(answer)),
+            *map(Paragraph, league_words(answer)),
             *(Paragraph(f"Not read: {fault}", "warning") for fault in unread_of(answer)),
             _ledger(answer.tables),
-            *_untracked(answer),
+            *map(Paragraph, untracked_words(answer)),
             _warnings(answer.warnings),
             *([] if players is None else [_players(players)]),
         ],
@@ -79,82 +79,6 @@ def season_document(answer: SeasonAnswer) -> Document:
         data=answer.to_dict(),
         rows=answer.to_frame().to_dict(as_series=False),
         passed=not answer.not_read,
-    )
-
-
-def few_of_a_kind(rare: Sequence[str]) -> list[Sentence]:
-    """Return which shares are so rare that their intervals are surer than they should be, in words."""
-    if not rare:
-        return []
-    words = (
-        "Fewer than three of a kind a player: {shares}. Such intervals of 90 % hold about 84 to 88 %, for the truth "
-        "may lie nearer 0 or 100 %."
-    )
-    return [say(words, shares="; ".join(MEASURES[name][1].partition(":")[0] for name in rare))]
-
-
-def _headline(answer: SeasonAnswer) -> list[Sentence]:
-    league, places = answer.league, answer.places
-    files = "one file" if len(answer.tables) == 1 else f"{len(answer.tables)} files"
-    rows = sum(table.rows for table in answer.tables)
-    counted = "{rows} rows in {files}; {balls} balls in play with an exit speed."
-    sentences = [say(counted, rows=grouped(rows), files=files, balls=grouped(league.balls))]
-    if league.home_runs_expected is not None and league.home_runs is not None:
-        words = "Home runs: {expected} expected in the parks they were hit in, {hit} hit."
-        sentences.append(say(words, expected=grouped(league.home_runs_expected), hit=grouped(league.home_runs)))
-        sentences += own_drag_words(league, answer.drag)
-    if league.squared_up is not None and league.from_best is not None:
-        names = answer.season.setting.bat_names
-        bats = names[0] if len(names) == 1 else f"{len(names)} bats"
-        words = "Squared up (0.80 of what the bat could give): {part} of the balls, against {bats}."
-        sentences.append(say(words, part=Slot(league.squared_up, "share"), bats=bats))
-        sentences += _by_league_formula(league)
-        words = "Balls are met {distance} from the best place on average."
-        sentences.append(say(words, distance=Slot(league.from_best, "offset")))
-    words = "With {bat} the same swings would have given {gain} of exit speed on average, over {balls} balls."
-    for other in answer.other_bats:
-        gain = within(Interval(other.gain, other.low, other.high), "speed_change", digits=1, sign=True)
-        sentences.append(say(words, bat=other.bat, gain=gain, balls=grouped(other.balls)))
-    if places is not None and places.balls:
-        sentences.append(_learned(places))
-    elif places is not None:
-        sentences.append(Sentence((NO_SPEEDS if league.squared_up is None else FEW_SPEEDS,)))
-    return sentences
-
-
-def _by_league_formula(league: SeasonMeans) -> list[Sentence]:
-    """Return the league's rate, and of how many balls where its formula lacks the speed of many pitches."""
-    if league.league_squared_up is None or league.squared_up_of_the_same is None:
-        return []
-    words, rate = "By the league's formula, which knows no bat: {league}", Slot(league.league_squared_up, "share")
-    if league.league_squared_up_balls > 0.9 * league.squared_up_balls:
-        return [say(words + ".", league=rate)]
-    words += " of the {balls} balls whose pitch has a speed, {same} of the same against the bat."
-    same = Slot(league.squared_up_of_the_same, "share")
-    return [say(words, league=rate, balls=grouped(league.league_squared_up_balls), same=same)]
-
-
-NO_SPEEDS = "No table has bat speeds, so nothing is reported about bats."
-FEW_SPEEDS = (
-    "Too few balls have a bat speed to learn from them where these batters meet the ball; where batters usually do is "
-    "taken instead, so what is reported about bats is rough."
-)
-
-
-def _learned(places: Places) -> Sentence:
-    pitch = places.a_pitch_outside
-    return say(
-        "Learnt from {balls} swings: the ball is met {mean} from the tip on average, scattering by {spread} about what "
-        "the pitch's place says; a pitch {further} further outside is met {slope} {way} the tip; exit speeds are "
-        "{level} beside the bat's and scatter by {noise} more than measuring errors do.",
-        balls=grouped(places.balls),
-        mean=Slot(places.marginal[0], "place"),
-        spread=Slot(places.spread, "place"),
-        further=Slot(pitch.outside, "distance"),
-        slope=Slot(abs(pitch.nearer_the_tip), "place"),
-        way="nearer" if pitch.nearer_the_tip >= 0 else "further from",
-        level=f"{round(100 * float(places.level_weights[0]), 1) + 0.0:+.1f} %",
-        noise=Slot(places.noise, "speed"),
     )
 
 
@@ -168,24 +92,6 @@ def _ledger(tables: Sequence[SeasonTable]) -> Table:
         names.append("all")
     rows: list[list[Cell]] = [[name, *map(grouped, numbers)] for name, numbers in zip(names, counts, strict=True)]
     return Table("Ledger: every row, and why it counts or not", columns, rows)
-
-
-def _untracked(answer: SeasonAnswer) -> list[Block]:
-    """Return in words the effect of balls without exit speed; nothing where there are none."""
-    count, bias = sum(table.ledger["untracked"] for table in answer.tables), answer.untracked
-    if not count:
-        return []
-    if bias is None:
-        words = "{balls} in play without exit speed; nothing tells how they ended, so what they would change is open."
-        return [Paragraph(say(words, balls="1 ball" if count == 1 else f"{grouped(count)} balls"))]
-    words = (
-        "{share} of the balls in play have no exit speed. Were they hit as tracked ones that ended alike, as "
-        "far out, the mean exit speed of all would be {all} instead of {tracked}; most likely they were hit less "
-        "hard still."
-    )
-    speeds = bias.mean_exit_speed_of_all, bias.mean_exit_speed_of_tracked
-    of_all, of_tracked = (Slot(speed, "speed") for speed in speeds)
-    return [Paragraph(say(words, share=Slot(bias.share, "share", 1), all=of_all, tracked=of_tracked))]
 
 
 def _warnings(cautions: Sequence[Caution]) -> Block:

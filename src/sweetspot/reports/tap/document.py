@@ -15,7 +15,7 @@ from sweetspot.reports.calibration.intervals import measured_words
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.reports.json_shapes import as_columns
 from sweetspot.reports.quantities import NOTHING, SI
-from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.sentences import Sentence, joined, say
 
 BY_RATIOS = (
     "Names come from the ratios of bats in general. Of a hollow bat, what is named bending 3 may be a hoop tone: say "
@@ -66,8 +66,7 @@ def tap_document(answer: TapAnswer) -> Document:
     if test.moduli_along is not None:
         blocks += [Paragraph(PLATE, "warning"), _along(test.moduli_along)]
     level = say(
-        "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.",
-        level=Slot(answer.interval_level, "share"),
+        "Plus or minus: {level:share} intervals. Level: loudness over the loudest tone's.", level=answer.interval_level
     )
     notes = [Paragraph(level, "note")]
     if not all(named.tone.distinct for named in test.tones):
@@ -90,17 +89,15 @@ def tap_document(answer: TapAnswer) -> Document:
 
 def _fault(test: TapTest, number: int) -> Sentence:
     tap = test.taps[number]
-    return say(
-        "{name}, {start}: {fault}", name=tap.recording, start=Slot(tap.start, "time", 2), fault=tap.fault or NOTHING
-    )
+    return say("{name}, {start:time, 2}: {fault}", name=tap.recording, start=tap.start, fault=tap.fault or NOTHING)
 
 
 def _heard_to(tap: Tap, top: float) -> Sentence:
     return say(
-        "{name}, {start}: heard below {top} only; above it has more tones than can be separated.",
+        "{name}, {start:time, 2}: heard below {top:frequency, 0} only; above it has more tones than can be separated.",
         name=tap.recording,
-        start=Slot(tap.start, "time", 2),
-        top=Slot(top, "frequency", 0),
+        start=tap.start,
+        top=top,
     )
 
 
@@ -151,9 +148,7 @@ def _along(moduli: Sequence[tuple[Tone, Measured]]) -> Table:
 
 def _budget(bar: BarModulus) -> Sentence:
     ranked = sorted(bar.budget.items(), key=lambda entry: -entry[1])
-    words = (
-        say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked if share >= LEAST_SHARE
-    )
+    words = (say("{name} {share:share}", name=name, share=share) for name, share in ranked if share >= LEAST_SHARE)
     return say("What the doubt about E comes from: {shares}.", shares=joined(words, ", "))
 
 
@@ -179,21 +174,22 @@ def unlike_words(test: TapTest) -> Sentence:
             "The names may be chance."
         )
     return say(
-        "Neither of the two lowest bending modes, described at {first} and {second}, was heard: what rang is hardly "
-        "this, or the band leaves them out. The names of the other tones may be chance.",
-        first=Slot(test.unheard[0], "frequency", 0).bare,
-        second=Slot(test.unheard[1], "frequency", 0),
+        "Neither of the two lowest bending modes, described at {first:frequency, 0, bare} and {second:frequency, 0}, "
+        "was heard: what rang is hardly this, or the band leaves them out. The names of the other tones may be chance.",
+        first=test.unheard[0],
+        second=test.unheard[1],
     )
 
 
 def touched_words(test: TapTest, tone: Tone) -> Sentence:
     """Return in words that something may touch what rang."""
     return say(
-        "At {frequency} the damping is {damping}; a freely hung one of this kind has less than {free}. A hand, a table "
-        "or a loose part may touch it, which moves its tones by some per cent: hang it from rubber bands.",
-        frequency=Slot(tone.frequency.value, "frequency", 0),
-        damping=Slot(tone.damping_ratio.value, "share", 1),
-        free=Slot(test.free_damping, "share", 1),
+        "At {frequency:frequency, 0} the damping is {damping:share, 1}; a freely hung one of this kind has less than "
+        "{free:share, 1}. A hand, a table or a loose part may touch it, which moves its tones by some per cent: hang "
+        "it from rubber bands.",
+        frequency=tone.frequency.value,
+        damping=tone.damping_ratio.value,
+        free=test.free_damping,
     )
 
 

@@ -15,6 +15,11 @@ from sweetspot.uncertainty.intervals import TOGETHER
 LEAST_SHARE = 0.005
 LONGEST_BAR = 30
 """Characters."""
+HOW_SURE = (
+    "Numbers with ±, or with ends in brackets of which nothing else is said: {drawn.interval_level:share} intervals "
+    "from {drawn.draws} draws of what is not known. What the interval of the {named} comes from (the rest of the "
+    "conditions is taken as given):"
+)
 
 
 def how_sure(uncertainty: Uncertainty, named: str) -> Section:
@@ -26,15 +31,9 @@ def how_sure(uncertainty: Uncertainty, named: str) -> Section:
     """
     shares = {name: share for name, share in uncertainty.shares.items() if share >= LEAST_SHARE}
     not_drawn = {name: 0.0 for name in uncertainty.sources if name not in uncertainty.shares}
-    return Section("how-sure", "How sure", [
-        Paragraph(say(
-            "Numbers with ±, or with ends in brackets of which nothing else is said: {level} intervals from {count} "
-            "draws of what is not known. What the interval of the {named} comes from (the rest of the conditions is "
-            "taken as given):",
-            level=Slot(uncertainty.interval_level, "share"), count=str(uncertainty.draws), named=named,
-        )),
-        shares_table({**shares, **not_drawn}, uncertainty.sources), shares_picture(shares, named),
-    ])  # fmt: skip
+    words = say(HOW_SURE, drawn=uncertainty, named=named)
+    table = shares_table({**shares, **not_drawn}, uncertainty.sources)
+    return Section("how-sure", "How sure", [Paragraph(words), table, shares_picture(shares, named)])
 
 
 def shares_table(shares: Mapping[str, float], where: Mapping[str, str]) -> Table:
@@ -81,7 +80,7 @@ def chance_words(chance: float) -> Sentence:
     ('64 %', 'less than 1 %', 'more than 99 %')
     """
     if chance < LEAST:
-        return say("less than {share}", share=Slot(0.01, "share"))
+        return say("less than {share:share}", share=0.01)
     if chance > 1 - LEAST:
-        return say("more than {share}", share=Slot(0.99, "share"))
-    return say("{share}", share=Slot(chance, "share"))
+        return say("more than {share:share}", share=0.99)
+    return say("{share:share}", share=chance)
