@@ -12,7 +12,7 @@ import numpy as np
 from benchmarks.cases import QUICK, ball, duration, measured
 from sweetspot import all_modes, beam_model, catalog, standard_conditions
 from sweetspot.analysis.certification.simulated_test import certify
-from sweetspot.analysis.two_way import Axis, what_if_table
+from sweetspot.analysis.what_if import Axis, what_if_table
 
 table_of = partial(what_if_table, law=catalog.swing_law(), fill=catalog.material("cork"))
 

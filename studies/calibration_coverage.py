@@ -17,7 +17,7 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.dynamics.beam import BeamModel

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from sweetspot import catalog
 from sweetspot.calibration.recording import FrequencyBand, Recording, tap_sound
-from sweetspot.calibration.tap_analysis import frame_modes, usual_band, usual_held
+from sweetspot.calibration.tap_analysis import frame_modes, held_damping, usual_band
 from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.dynamics.modes import Modes
 
@@ -229,7 +229,7 @@ def series(name: str, seed: int) -> tuple[tuple[Tap, ...], list[float], Modes]:
     sound = np.concatenate([piece for part in parts for piece in (part / np.abs(part).max(), gap)])
     samples = recorded(generator, sound, live=seed % 2 == 0)
     when = [LEAD + number * (len(parts[0]) + len(gap)) / RATE for number in range(taps)]
-    return find_taps(Recording(name, samples, RATE), band=usual_band(modes), held=usual_held(modes)), when, modes
+    return find_taps(Recording(name, samples, RATE), band=usual_band(modes), held=held_damping(modes)), when, modes
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

@@ -25,9 +25,9 @@ import tomli_w
 from studies.recorder_taps import Array, Body, Recorder, recorders, sound
 from studies.struck_beams import FREE, GRIPS, Beam, Grip, free_shapes, ring_frequency, shaken
 from sweetspot import catalog
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.recording import read_recording
-from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test, usual_band, usual_held
+from sweetspot.calibration.tap_analysis import TapTest, held_damping, modes_to_name, tap_test, usual_band
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 
@@ -266,7 +266,7 @@ def told(path: Path, described: Implement | None, at: float | None) -> TapTest:
     modes = None if described is None else modes_to_name(described)
     places = [] if described is None or at is None else [at * described.length]
     return tap_test(
-        [read_recording(path)], modes=modes, positions=places, band=usual_band(modes), held=usual_held(modes)
+        [read_recording(path)], modes=modes, positions=places, band=usual_band(modes), held=held_damping(modes)
     )
 
 

@@ -16,7 +16,7 @@ from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.recording import LOUDNESS, Recording, recording_bytes, tap_sound
 from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions

@@ -13,7 +13,7 @@ from sweetspot.answers.hit import HitQuestion, hit_answer
 from sweetspot.calibration.calibrated_file import calibrated_bat
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions

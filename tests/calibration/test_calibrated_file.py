@@ -14,7 +14,7 @@ from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
 from sweetspot.calibration.calibrated_file import calibrated_table, known_deviations, properties
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import as_described, described, unknowns_of
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table

@@ -11,10 +11,10 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
-from sweetspot.calibration.contradictions import Meant, meant, suspects
+from sweetspot.calibration.contradictions import IntendedReading, intended_readings, suspects
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.equipment.bat import Bat
@@ -76,19 +76,19 @@ def test_a_tone_of_another_mode_is_named(maple: Bat) -> None:
     assert "bending 2" in {slip.words for slip in slips}
 
 
-def _slips(bat: Bat, name: str, change: Change) -> list[Meant]:
+def _slips(bat: Bat, name: str, change: Change) -> list[IntendedReading]:
     """Return what is taken to have been meant when one measurement of a bat is changed."""
     right = measured(described(bat), bending=(1,))
     given = {one.name: change(one) if one.name == name else one for one in right}
     alone = suspects(fitted(bat, list(given.values())))
     assert name in alone
-    return meant(given[name], alone[name])
+    return intended_readings(given[name], alone[name])
 
 
 def test_a_tone_far_from_every_mode_has_no_name(maple: Bat) -> None:
     *of_body, first = measured(described(maple), bending=(1,))
     far = replace(first, value=Measured(40.0, 0.1))
-    assert meant(far, fitted(maple, of_body)) == []
+    assert intended_readings(far, fitted(maple, of_body)) == []
 
 
 def test_a_mislabelled_mode_is_named(maple: Bat) -> None:
@@ -107,7 +107,7 @@ def test_a_hoop_tone_of_a_hollow_bat_is_named() -> None:
     one = fitted(hollow, [*others, replace(hoop, mode=THIRD)])
     alone = suspects(one)
     assert set(alone) == {"bending 3"}
-    assert [slip.words for slip in meant(replace(hoop, mode=THIRD), alone["bending 3"])] == ["hoop n = 2"]
+    assert [slip.words for slip in intended_readings(replace(hoop, mode=THIRD), alone["bending 3"])] == ["hoop n = 2"]
 
 
 @pytest.mark.parametrize("seed", range(4))

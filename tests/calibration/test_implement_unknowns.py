@@ -14,7 +14,7 @@ from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import calibrated_table
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import as_described, described, deviated, unknowns_of
 from sweetspot.catalog.files.read import implement_from_table

@@ -13,7 +13,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones, predicted
-from sweetspot.calibration.naming import ModeName, NamedTone
+from sweetspot.calibration.mode_naming import ModeName, NamedTone
 from sweetspot.calibration.posterior import BatPosterior, calibrate, residuals
 from sweetspot.calibration.taps import Tone
 from sweetspot.calibration.unknowns import Unknown, described, deviated, unknowns_of

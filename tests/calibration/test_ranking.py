@@ -14,7 +14,7 @@ from sweetspot.answers.rank import RankAnswer, greatest_scatter, rank_bats
 from sweetspot.calibration.bat_table import STIFFER, at_usual_moisture, read_bats
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions

@@ -12,7 +12,7 @@ from studies.recorder_taps import beam_frequencies, plate_frequencies
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_factor, moduli_along, named_bar
 from sweetspot.calibration.measured import Measured, parse_measured
-from sweetspot.calibration.naming import ModeName, NamedTone, named, uniform_bar
+from sweetspot.calibration.mode_naming import ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording, synthesised, tap_sound
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, stands_out
 from sweetspot.calibration.tap_analysis import TapTest, tap_test
@@ -27,7 +27,7 @@ from sweetspot.calibration.tap_faults import (
     louder_later,
     step_of,
 )
-from sweetspot.calibration.taps import REPEATABILITY, Tap, Tone, find_taps, hum_taken_out, tones_of
+from sweetspot.calibration.taps import REPEATABILITY, Tap, Tone, find_taps, tones_of, without_hum
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.equipment.ball import Ball
@@ -138,7 +138,7 @@ def test_an_offset_that_drifts_is_neither_tap_nor_hum(sound: Recording) -> None:
     taps = find_taps(drifting, band=BAT_BAND)
     assert [tap.start for tap in taps if tap.good] == pytest.approx([0.3, 1.3, 2.3], abs=0.003)
     assert len(taps) == 3
-    assert hum_taken_out(drifting) is drifting
+    assert without_hum(drifting) is drifting
 
 
 def test_in_a_dead_room_nothing_is_left_open(sound: Recording) -> None:

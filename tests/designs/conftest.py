@@ -13,7 +13,7 @@ from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.designs.batter import Batter, normal_contact
 from sweetspot.designs.constraints import Limit, band, lathe_limits, league_limits
 from sweetspot.designs.gain import present_measured
-from sweetspot.designs.local_search import starts_of
+from sweetspot.designs.local_search import search_starts
 from sweetspot.designs.measures import Bench, bench_of
 from sweetspot.designs.pareto import DesignSearch
 from sweetspot.designs.turned import turned_space
@@ -47,7 +47,7 @@ def limits(bench: Bench) -> tuple[Limit, ...]:
 @pytest.fixture(scope="session")
 def inside_starts(bench: Bench, limits: tuple[Limit, ...]) -> Array:
     """Bats that a search begins with for who meets the ball 8 in from the tip: one that may be, and the fastest."""
-    return starts_of(met_at(bench, 8.0), DesignSearch(("exit_speed",), limits))
+    return search_starts(met_at(bench, 8.0), DesignSearch(("exit_speed",), limits))
 
 
 def met_at(bench: Bench, inches: float) -> Bench:

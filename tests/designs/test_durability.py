@@ -12,9 +12,9 @@ from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, linear_limit
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.designs.batter import FROM_TIP
 from sweetspot.designs.constraints import Limit
-from sweetspot.designs.durability import borne_strain, breaking_of
-from sweetspot.designs.gain import present_measured, usual_strains
-from sweetspot.designs.local_search import polished
+from sweetspot.designs.durability import strain_at_failure, strain_limits_of
+from sweetspot.designs.gain import present_measured, strains_of_contacts
+from sweetspot.designs.local_search import locally_best
 from sweetspot.designs.measures import Bench, bench_of
 from sweetspot.designs.pareto import DesignSearch, excesses
 from sweetspot.designs.spaces import hollow_space, racket_space
@@ -25,7 +25,7 @@ from sweetspot.errors import InputError
 
 def durable(bench: Bench) -> Bench:
     assert isinstance(bench.space.present, Bat)
-    return replace(bench, breaking=breaking_of(bench.space.present, bench.batter))
+    return replace(bench, breaking=strain_limits_of(bench.space.present, bench.batter))
 
 
 def single_hits(bench: Bench) -> float:
@@ -33,8 +33,8 @@ def single_hits(bench: Bench) -> float:
     bat = bench.space.present
     assert isinstance(bat, Bat)
     margins = []
-    for _, strains in usual_strains(bench, bat):
-        borne = borne_strain(bat.material_at(strains.handle_position))
+    for _, strains in strains_of_contacts(bench, bat):
+        borne = strain_at_failure(bat.material_at(strains.handle_position))
         assert borne is not None
         margins.append(borne / strains.handle_strain)
         if strains.wall_strain is not None and strains.wall_limit is not None:
@@ -43,11 +43,11 @@ def single_hits(bench: Bench) -> float:
 
 
 def test_wood_is_held_to_its_published_failure_and_metal_to_its_yield() -> None:
-    assert borne_strain(catalog.material("ash")) == PUBLISHED_FAILURE_STRAIN[0]
+    assert strain_at_failure(catalog.material("ash")) == PUBLISHED_FAILURE_STRAIN[0]
     alloy = catalog.bat("single-wall").material
-    assert borne_strain(alloy) == linear_limit(alloy)
+    assert strain_at_failure(alloy) == linear_limit(alloy)
     with pytest.raises(InputError, match="bears is not known"):
-        breaking_of(catalog.bat("composite"), None)  # type: ignore[arg-type]  # never asked
+        strain_limits_of(catalog.bat("composite"), None)  # type: ignore[arg-type]  # never asked
 
 
 def test_the_handles_margin_is_that_of_single_hits(bench: Bench) -> None:
@@ -73,7 +73,7 @@ def test_a_thicker_grip_is_what_durability_wants(
 ) -> None:
     monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", 20)
     own, question = durable(bench), DesignSearch(("durability",), limits)
-    numbers, measured = polished(own, question, own.space.start)
+    numbers, measured = locally_best(own, question, own.space.start)
     now = own.measured(own.space.start)
     assert measured.values["durability"][0] > 1.03 * now.values["durability"][0]
     assert measured.values["handle"][0] > now.values["handle"][0]

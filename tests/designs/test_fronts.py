@@ -12,9 +12,9 @@ from pymoo.indicators.hv import HV
 from sweetspot.designs import local_search
 from sweetspot.designs.batter import FROM_TIP
 from sweetspot.designs.constraints import Limit
-from sweetspot.designs.local_search import designed, gradient, polished, starts_of
+from sweetspot.designs.local_search import design_front, gradient, locally_best, search_starts
 from sweetspot.designs.measures import Bench
-from sweetspot.designs.pareto import DesignSearch, excesses, resumed, saved, search, wanted
+from sweetspot.designs.pareto import DesignSearch, excesses, objectives, resumed, saved, search
 from sweetspot.designs.turned import HANDLES
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, MPH
@@ -37,7 +37,7 @@ def test_who_meets_the_ball_inside_gets_a_torpedo(
     for inches in (5.5, 8.0):
         there = met_at(bench, inches)
         question = DesignSearch(("exit_speed",), limits)
-        starts = inside_starts if inches == 8.0 else starts_of(there, question)
+        starts = inside_starts if inches == 8.0 else search_starts(there, question)
         found = max(starts, key=lambda row: float(there.measured(row).values["exit_speed"][0]))
         measured = there.measured(found)
         assert (excesses(question, measured) <= 0).all()
@@ -86,7 +86,7 @@ def starts(bench: Bench, limits: tuple[Limit, ...]) -> np.ndarray:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(local_search, "BETWEEN", 3)
         heard: list[tuple[int, int]] = []
-        found = starts_of(bench, small(limits), progress=lambda done, front: heard.append((done, len(front))))
+        found = search_starts(bench, small(limits), progress=lambda done, front: heard.append((done, len(front))))
         assert [done for done, _ in heard] == [0] * 5  # two ends and three between
         assert [size for _, size in heard] == sorted(size for _, size in heard) and heard[-1][1] >= 4
         return found
@@ -100,7 +100,7 @@ def test_a_front_keeps_every_limit_and_none_beats_another(
     front = search(bench, question, starts=starts, progress=lambda done, _: heard.append(done))
     assert heard == [1, 2, 3, 4]
     assert (excesses(question, front.measured) <= 0).all()
-    want = wanted(question, front.measured)
+    want = objectives(question, front.measured)
     for one in want:
         assert not np.any((want <= one).all(axis=1) & (want < one).any(axis=1))
 
@@ -110,14 +110,16 @@ def test_the_best_is_the_same_whatever_the_seed(
 ) -> None:
     """The ends of the front are polished, so that chance moves them by no more than 0.1 mph."""
     monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", 15)  # it begins near the end
-    monkeypatch.setattr(local_search, "starts_of", lambda *_, **__: starts)  # which no seed changes
-    ends = [designed(bench, small(limits, seed, 2)).measured.values["exit_speed"][0] for seed in (1, 2)]
+    monkeypatch.setattr(local_search, "search_starts", lambda *_, **__: starts)  # which no seed changes
+    ends = [design_front(bench, small(limits, seed, 2)).measured.values["exit_speed"][0] for seed in (1, 2)]
     assert ends[0] == pytest.approx(ends[1], abs=0.1 * MPH)
 
 
 def test_the_front_is_the_same_whatever_the_seed(bench: Bench, limits: tuple[Limit, ...], starts: np.ndarray) -> None:
     """Bats between the ends are looked for one by one: what three seeds cover differs by less than a tenth."""
-    wants = [wanted(small(limits), search(bench, small(limits, seed, 2), starts=starts).measured) for seed in (1, 2, 3)]
+    wants = [
+        objectives(small(limits), search(bench, small(limits, seed, 2), starts=starts).measured) for seed in (1, 2, 3)
+    ]
     every = np.concatenate(wants)
     low, wide = every.min(axis=0), np.ptp(every, axis=0)
     covered = np.array([HV(ref_point=np.array([1.05, 1.05]))((one - low) / wide) for one in wants])
@@ -151,7 +153,7 @@ def test_polish_never_makes_worse(
 ) -> None:
     monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", looks)
     question = DesignSearch(("sting",), limits)
-    _, measured = polished(bench, question, starts[0])
+    _, measured = locally_best(bench, question, starts[0])
     assert measured.values["sting"][0] <= bench.measured(starts[0]).values["sting"][0]
     assert (excesses(question, measured) <= 0).all()
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sweetspot.catalog.rules import league
-from sweetspot.designs.constraints import KEPT, Limit, drawn_values, kept_limits, locked
+from sweetspot.designs.constraints import KEPT, Limit, drawn_values, kept_limits, nearest_within_limits
 from sweetspot.designs.measures import Bench
 
 BARREL = 7
@@ -20,7 +20,7 @@ def bands(bench: Bench, *names: str) -> tuple[Limit, ...]:
 def test_what_is_locked_stays(bench: Bench, names: tuple[str, ...]) -> None:
     pulled = bench.space.start
     pulled[BARREL] *= 1.06
-    found = locked(bench, pulled, bands(bench, *names), pulled=BARREL)
+    found = nearest_within_limits(bench, pulled, bands(bench, *names), pulled=BARREL)
     values = drawn_values(bench, found)
     assert all(float(one.excess(values[one.measure])[0]) <= 0 for one in bands(bench, *names))
     assert found[BARREL] == pytest.approx(pulled[BARREL], rel=1e-3)
@@ -30,9 +30,9 @@ def test_what_is_locked_stays(bench: Bench, names: tuple[str, ...]) -> None:
 
 def test_what_keeps_everything_is_left_alone_and_what_cannot_be_goes_as_far_as_it_can(bench: Bench) -> None:
     start = bench.space.start
-    assert np.array_equal(locked(bench, start, bands(bench, *KEPT)), start)
+    assert np.array_equal(nearest_within_limits(bench, start, bands(bench, *KEPT)), start)
     light = Limit("mass", None, 0.3, "nobody's bat")
-    found = locked(bench, start, [light])
+    found = nearest_within_limits(bench, start, [light])
     low = np.array([one.low for one in bench.space.variables])
     assert np.all(found >= low - 1e-12) and drawn_values(bench, found)["mass"][0] > 0.3
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import analyse, catalog
-from sweetspot.analysis.two_way import varied
+from sweetspot.analysis.what_if import varied
 from sweetspot.designs.batter import FROM_TIP
 from sweetspot.designs.gain import present_measured
 from sweetspot.designs.measures import Bench

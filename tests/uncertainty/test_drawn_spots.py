@@ -20,7 +20,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
 from sweetspot.uncertainty.drawn_hits import draws_of
-from sweetspot.uncertainty.drawn_spots import drawn_nodes, highest, missed, zones
+from sweetspot.uncertainty.drawn_spots import best_positions, costs_of_misses, drawn_nodes, sweet_zones
 from sweetspot.uncertainty.sources import sources_of
 
 
@@ -44,7 +44,7 @@ def curves(analysis: Analysis[Bat]) -> tuple[Array, Array]:
 
 def test_places_and_zones_are_those_of_every_bat_alone(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
     speed, sting = curves
-    found = zones(analysis.scan.position, speed, sting)
+    found = sweet_zones(analysis.scan.position, speed, sting)
     alone = [
         sweet_zone(replace(analysis.scan, exit_speed=fast, sting=stings))
         for fast, stings in zip(speed, sting, strict=True)
@@ -52,13 +52,13 @@ def test_places_and_zones_are_those_of_every_bat_alone(analysis: Analysis[Bat], 
     assert alone[4] is None and any(alone)
     expected = [zone or (np.nan, np.nan) for zone in alone]
     assert found == pytest.approx(np.array(expected), abs=3e-4, nan_ok=True)  # that one looks at places 0.2 mm apart
-    tops = highest(analysis.scan.position, speed[:3])
+    tops = best_positions(analysis.scan.position, speed[:3])
     assert tops == pytest.approx([max_exit_speed(replace(analysis.scan, exit_speed=one)) for one in speed[:3]])
 
 
 def test_misses_cost_what_they_cost_every_bat_alone(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
     speed, position = curves[0], analysis.scan.position
-    near, far = missed(position, speed, [Miss(0.05, 1.0, 1.0), Miss(0.5, 1.0, np.nan)])
+    near, far = costs_of_misses(position, speed, [Miss(0.05, 1.0, 1.0), Miss(0.5, 1.0, np.nan)])
     for row, one in enumerate(speed):
         alone = miss_cost(replace(analysis.scan, exit_speed=one), 0.05)
         assert (near["inside"][row], near["outside"][row]) == pytest.approx(alone)
@@ -70,7 +70,7 @@ def test_another_law_of_the_ball_widens_what_misses_cost(analysis: Analysis[Bat]
     speed, position = np.repeat(curves[0][:1], 65, axis=0), analysis.scan.position
     value = miss_cost(analysis.scan, 0.05)[0]
     inside, outside = Interval(value, value, value + 2.0), Interval(value, value - 2.0, value)
-    (found,) = missed(position, speed, [Miss(0.05, inside, outside)])
+    (found,) = costs_of_misses(position, speed, [Miss(0.05, inside, outside)])
     more = found["inside"] - value
     assert more[0] == pytest.approx(0.0)
     assert (more[1:].min(), more[1:].mean(), more[1:].max()) == pytest.approx((0.0, 1.0, 2.0), abs=0.05)

@@ -11,7 +11,7 @@ from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads

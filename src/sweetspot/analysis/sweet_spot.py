@@ -42,7 +42,7 @@ class SweetSpots:
 
 def sweet_spots(scan: Scan, *, body: RigidBody, modes: Modes, conditions: Conditions) -> SweetSpots:
     """Return every definition's answer for one bat and swing."""
-    held = held_exit_speed(scan)
+    held = exit_speed_without_spikes(scan)
     return SweetSpots(
         center_of_percussion=centre_of_percussion(body, pivot=conditions.hands.position),
         node_1=barrel_node(modes, harmonic=1),
@@ -74,10 +74,10 @@ def max_collision_efficiency(scan: Scan, *, body: RigidBody) -> float:
 
 def max_exit_speed(scan: Scan) -> float:
     """Return the place of greatest exit speed for this swing: further out than greatest q, as the tip moves faster."""
-    return _top(scan.position, held_exit_speed(scan))
+    return _top(scan.position, exit_speed_without_spikes(scan))
 
 
-def held_exit_speed(scan: Scan) -> Array:
+def exit_speed_without_spikes(scan: Scan) -> Array:
     """Return exit speeds in m/s, shape (positions,), without peaks too narrow to hit.
 
     Where a whippy bat swings back and pushes the ball a second time, the curve has spikes of a few millimetres. A speed
@@ -88,10 +88,10 @@ def held_exit_speed(scan: Scan) -> Array:
     >>> bool((held_exit_speed(scan) == scan.exit_speed).all())
     True
     """
-    return held_speeds(scan.exit_speed, step=float(scan.position[1] - scan.position[0]))
+    return without_spikes(scan.exit_speed, step=float(scan.position[1] - scan.position[0]))
 
 
-def held_speeds(speed: Array, *, step: float) -> Array:
+def without_spikes(speed: Array, *, step: float) -> Array:
     """Return speeds in m/s of one bat or many, shape (..., positions), without peaks too narrow to hit.
 
     ``step``: m between positions.
@@ -129,7 +129,7 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
     ``loss``: m/s that the exit speed may lie below its best. ``sting``: part of the scan's mean sting that must not be
     reached.
     """
-    return _zone(scan, held_exit_speed(scan), loss, sting)
+    return _zone(scan, exit_speed_without_spikes(scan), loss, sting)
 
 
 def _zone(scan: Scan, held: Array, loss: float, sting: float) -> tuple[float, float] | None:
@@ -155,7 +155,7 @@ def miss_cost(scan: Scan, distance: float) -> tuple[float, float]:
 
     Beyond the tip there is no bat, and beyond a face nothing to hit with: the value is then nan.
     """
-    held = held_exit_speed(scan)
+    held = exit_speed_without_spikes(scan)
     best = _top(scan.position, held)
     top = float(np.interp(best, scan.position, held))
     inside = float(np.interp(best - distance, scan.position, held, left=np.nan))

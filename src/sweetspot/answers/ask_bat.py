@@ -189,7 +189,7 @@ def what_if_question(
     bat: Loaded, vary: Mapping[str, ArrayLike], *, swing_law: str | None, setup: HitSetup, show: BatCell
 ) -> WhatIfQuestion:
     """Return the question of `what_if`."""
-    from sweetspot.analysis.two_way import Axis
+    from sweetspot.analysis.what_if import Axis
     from sweetspot.answers.what_if import WhatIfQuestion, two_sides
 
     described, (rows, *columns) = round_bat(bat), starmap(Axis, two_sides(vary))

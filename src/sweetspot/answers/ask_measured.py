@@ -224,7 +224,7 @@ def calibrate(
     """
     from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
     from sweetspot.calibration.measurements import MeasuredKind, Measurement
-    from sweetspot.calibration.naming import MOST_BENDING, ModeName
+    from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
 
     drawn = implement.implement.as_drawn()
     axis = drawn.swing_axis if pivot is None else value_of(pivot)

@@ -10,7 +10,7 @@ from sweetspot.analysis.certification.shots import Shot
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL, OF_RECORD
 from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table, material_values, properties
-from sweetspot.calibration.contradictions import Meant, meant, suspects
+from sweetspot.calibration.contradictions import IntendedReading, intended_readings, suspects
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, of_shots, predicted, shot_ball_unknown
 from sweetspot.calibration.posterior import BatPosterior, calibrate
@@ -133,7 +133,7 @@ class Suspect:
     name: str
     given: Annotated[float, OF_RECORD]
     should: Annotated[float, OF_RECORD]
-    meant: Annotated[tuple[Meant, ...], INTERNAL]
+    meant: Annotated[tuple[IntendedReading, ...], INTERNAL]
 
     @property
     def dimension(self) -> Dimension:
@@ -259,6 +259,6 @@ def _suspects(posterior: BatPosterior) -> tuple[Suspect, ...]:
     for name, others in suspects(posterior).items():
         measurement = by_name[name]
         should = float(predicted(others.beam, [measurement], livelier=others.livelier)[0])
-        as_meant = tuple(meant(measurement, others))
+        as_meant = tuple(intended_readings(measurement, others))
         found.append(Suspect(measurement, name, measurement.value.value, should, as_meant))
     return tuple(found)

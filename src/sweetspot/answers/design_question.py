@@ -14,7 +14,7 @@ from sweetspot.answers.answer import Progress
 from sweetspot.designs.batter import Batter
 from sweetspot.designs.constraints import Limit, findings_of, kept_limits
 from sweetspot.designs.gain import Gain, HandleBending, gain_of, handle_bending, present_measured
-from sweetspot.designs.local_search import designed
+from sweetspot.designs.local_search import design_front
 from sweetspot.designs.measures import Bench, MeasuredDesigns, bench_of
 from sweetspot.designs.pareto import GENERATIONS, POPULATION, DesignSearch, Front, resumed
 from sweetspot.designs.spaces import space_of
@@ -147,7 +147,7 @@ def _front(question: DesignQuestion, bench: Bench, search: DesignSearch, progres
             if report is not None:
                 report(generation * every, search.generations * every, _so_far(front))
 
-        return designed(bench, search, after=after, progress=grown)
+        return design_front(bench, search, after=after, progress=grown)
 
 
 def _so_far(front: Front) -> str:

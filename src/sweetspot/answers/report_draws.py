@@ -9,7 +9,7 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.position_scan import Scan
-from sweetspot.analysis.sweet_spot import held_speeds
+from sweetspot.analysis.sweet_spot import without_spikes
 from sweetspot.answers.conditions import conditions_columns
 from sweetspot.answers.hit import hit_columns
 from sweetspot.answers.implement import mass_columns
@@ -19,7 +19,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import tops
 from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, draws_of, hits_along
-from sweetspot.uncertainty.drawn_spots import MissCost, drawn_nodes, highest, missed, zones
+from sweetspot.uncertainty.drawn_spots import MissCost, best_positions, costs_of_misses, drawn_nodes, sweet_zones
 from sweetspot.uncertainty.sources import DRAWS, Sources
 
 PLACES = 41
@@ -78,7 +78,7 @@ def drawn_report(
         "best_hit": hit_columns(draws, along, PLACES, analysis.best),
         "scan": curves,
         "sweet_spots": {**_spots(draws, curves, analysis), **_barrel_nodes(analysis.free, nodes)},
-        "misses": missed(scan.position, curves["exit_speed"], misses),
+        "misses": costs_of_misses(scan.position, curves["exit_speed"], misses),
         "at_the_tip": _at_the_tip(draws, curves, along),
         "modes": _modes(analysis.modes, frequencies, nodes),
         "conditions": conditions_columns(draws),
@@ -109,14 +109,14 @@ def _spots(draws: Draws, curves: dict[str, Array], analysis: Analysis[Implement]
     position = analysis.scan.position
     hands, body = analysis.conditions.hands.position, draws.bats.bending
     outer = position > analysis.body.balance_point
-    zone = zones(position, curves["exit_speed"], curves["sting"])
-    held = held_speeds(curves["exit_speed"], step=float(position[1] - position[0]))
+    zone = sweet_zones(position, curves["exit_speed"], curves["sting"])
+    held = without_spikes(curves["exit_speed"], step=float(position[1] - position[0]))
     arm = body.balance_point - hands
     return {
         "center_of_percussion": hands + body.moi(hands) / (body.mass * arm),
-        "max_exit_speed": highest(position, held),
-        "max_collision_efficiency": highest(position[outer], curves["collision_efficiency"][:, outer]),
-        "min_sting": highest(position[outer], -curves["sting"][:, outer]),
+        "max_exit_speed": best_positions(position, held),
+        "max_collision_efficiency": best_positions(position[outer], curves["collision_efficiency"][:, outer]),
+        "min_sting": best_positions(position[outer], -curves["sting"][:, outer]),
         "zone": zone,
         "zone_width": zone[:, 1] - zone[:, 0],
     }

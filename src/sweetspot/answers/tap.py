@@ -11,9 +11,9 @@ from sweetspot.answers.records import INTERNAL
 from sweetspot.calibration.bar import Bar, BarModulus
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.measurements import Measurement, of_tones
-from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.recording import FrequencyBand, Recording
-from sweetspot.calibration.tap_analysis import TapTest, modes_to_name, tap_test, telling, usual_band, usual_held
+from sweetspot.calibration.tap_analysis import TapTest, held_damping, modes_to_name, tap_test, tones_to_fit, usual_band
 from sweetspot.calibration.taps import Tap
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import LEVEL
@@ -118,7 +118,7 @@ class TapAnswer(Answer):
     def measurements(self) -> list[Measurement]:
         """What the tones tell of the described implement, for `sweetspot.answers.calibrate`."""
         found, implement = of_tones(self.test.tones), self.question.implement
-        return found if implement is None else telling(found, implement)
+        return found if implement is None else tones_to_fit(found, implement)
 
     @property
     def damping(self) -> Measured | None:
@@ -149,7 +149,7 @@ def tap_answer(question: TapQuestion, *, taps: Sequence[Tap] | None = None) -> T
         positions=question.positions,
         bar=question.bar,
         band=question.band or usual,
-        held=usual_held(modes) if question.most_damping is None else question.most_damping,
+        held=held_damping(modes) if question.most_damping is None else question.most_damping,
         taps=taps,
     )
     along = test.moduli_along

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sweetspot import catalog
-from sweetspot.analysis.two_way import Axis, what_if_table
+from sweetspot.analysis.what_if import Axis, what_if_table
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import GAPS, GRID, INTERNAL
 from sweetspot.equipment.ball import Ball
@@ -61,7 +61,7 @@ def two_sides(vary: Mapping[str, ArrayLike]) -> tuple[tuple[Any, tuple[float, ..
 
 @dataclass(frozen=True, kw_only=True)
 class VariedBat(Side):
-    """One thing varied of a bat and its swing; see `sweetspot.analysis.two_way.varied`."""
+    """One thing varied of a bat and its swing; see `sweetspot.analysis.what_if.varied`."""
 
     mass: Annotated[Array | None, MASS] = None
     bore_diameter: Annotated[Array | None, LENGTH] = None

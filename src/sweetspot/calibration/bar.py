@@ -16,7 +16,7 @@ from typing import Annotated
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone, named, uniform_bar
+from sweetspot.calibration.mode_naming import ModeFamily, ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, FrequencyBand
 from sweetspot.calibration.taps import Tone
 from sweetspot.errors import InputError

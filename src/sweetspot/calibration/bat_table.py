@@ -22,7 +22,7 @@ import numpy as np
 
 from sweetspot.calibration.measured import Measured, parse_measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, of_swing_weight
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.tables import CalibrationTable
 from sweetspot.catalog.implements import load_implement

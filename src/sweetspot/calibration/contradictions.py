@@ -13,7 +13,7 @@ import numpy as np
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import MOST_BENDING, ModeName
+from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
 from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -45,7 +45,7 @@ HANDLE = 0.4
 
 
 @dataclass(frozen=True)
-class Meant:
+class IntendedReading:
     """The probable intended meaning of a measurement (``words``: how, in words after "as"; "": about another axis)."""
 
     measurement: Measurement
@@ -69,7 +69,7 @@ def suspects(posterior: BatPosterior) -> dict[str, BatPosterior]:
     return {name: others for name, others in without.items() if others}
 
 
-def meant(suspect: Measurement, others: BatPosterior) -> list[Meant]:
+def intended_readings(suspect: Measurement, others: BatPosterior) -> list[IntendedReading]:
     """Return the readings of a measurement that agree with all the others, the nearest first."""
     slips = list(_slips(suspect, others))
     if not slips:
@@ -85,23 +85,25 @@ def meant(suspect: Measurement, others: BatPosterior) -> list[Meant]:
     ]
 
 
-def _slips(suspect: Measurement, others: BatPosterior) -> Iterator[Meant]:
+def _slips(suspect: Measurement, others: BatPosterior) -> Iterator[IntendedReading]:
     """Yield the readings that may have been intended, whether they agree or not."""
     value, bat = suspect.value, others.beam.bat
     for words, factor in FACTORS.get(suspect.kind, {}).items():
-        yield Meant(replace(suspect, value=Measured(value.value * factor, value.error * factor)), words)
+        yield IntendedReading(replace(suspect, value=Measured(value.value * factor, value.error * factor)), words)
     if suspect.kind == "balance_point" and value.value < bat.length:
-        yield Meant(replace(suspect, value=Measured(bat.length - value.value, value.error)), "from the other end")
+        yield IntendedReading(
+            replace(suspect, value=Measured(bat.length - value.value, value.error)), "from the other end"
+        )
     if suspect.kind in ("period", "moi"):
         elsewhere = (0.0, STANDARD_AXIS, suspect.axis * INCH / 0.01, suspect.axis * 0.01 / INCH)
         for axis in dict.fromkeys(round(place, 6) for place in elsewhere):
             if axis != round(suspect.axis, 6) and axis < HANDLE * bat.length:
-                yield Meant(replace(suspect, axis=axis))
+                yield IntendedReading(replace(suspect, axis=axis))
     if suspect.kind == "frequency" and isinstance(bat, Bat):
         taken = {other.mode for other in others.measurements} | {suspect.mode}
         names = [ModeName("bending", number) for number in range(1, MOST_BENDING + 1)]
         names += [ModeName("hoop", 2)] * (bat.shell is not None)
-        yield from (Meant(replace(suspect, mode=name), str(name)) for name in names if name not in taken)
+        yield from (IntendedReading(replace(suspect, mode=name), str(name)) for name in names if name not in taken)
 
 
 def _as_described(posterior: BatPosterior) -> BatPosterior:

@@ -20,7 +20,7 @@ import numpy as np
 from sweetspot.analysis.certification.shot_statistics import COR_SPEED
 from sweetspot.analysis.certification.shots import Shot
 from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
-from sweetspot.calibration.naming import MOST_BENDING, ModeName, NamedTone
+from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName, NamedTone
 from sweetspot.calibration.unknowns import OF_BALL, Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.swing_laws import MOMENTS, swing_weight

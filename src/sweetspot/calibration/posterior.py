@@ -29,8 +29,6 @@ SHOT_STEP = 0.3
 """Of a spread, in the differences of what shots say."""
 STEP = 0.02
 """Of a spread, in the differences."""
-ARRIVED = 1e-3
-"""Of a spread; after a smaller one of Gauss's and Newton's steps comes the last one, by differences to both sides."""
 LOOKS = 5
 """Linearizations at most, in the test whether measurements must contradict each other."""
 HARDLY = 0.02
@@ -151,20 +149,6 @@ def _misses(
     return quick
 
 
-def _once(misses: Callable[[Array], Array]) -> Callable[[Array], Array]:
-    """Return the same function, which remembers the last place that it was asked for."""
-    last: dict[bytes, Array] = {}
-
-    def remembered(x: Array) -> Array:
-        place = x.tobytes()
-        if place not in last:
-            last.clear()
-            last[place] = misses(x)
-        return last[place]
-
-    return remembered
-
-
 def _predictions(
     beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
 ) -> Array:
@@ -184,7 +168,7 @@ def calibrate(
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([unknown.spread for unknown in unknowns])
     quick = all(measurement.kind in OF_BODY for measurement in measurements)
-    misses = _once(_misses(beam, unknowns, measurements))
+    misses = _misses(beam, unknowns, measurements)
 
     def at_all(places: Array) -> Array:
         bodies = deviated_bodies(beam, unknowns, places * spreads) if quick else None
@@ -227,73 +211,54 @@ def calibrate(
 def _least_squares(at_all: Callable[[Array], Array], count: int, *, agreeing: bool) -> Array:
     """Return the least-squares estimate of the unknowns, in units of their spreads, shape (count,).
 
-    What scale, pendulum and tap say is nearly linear in them, so that a few of Gauss's and Newton's steps arrive. Where
-    they lead too far or do not shrink fast, or to a bat that cannot be, the measurements contradict each other or are
-    unusual, and scipy looks within bounds. To it a bat that cannot be, or cannot hang, is infinitely far off: it takes
-    shorter steps.
+    A bat that cannot be, or cannot hang, is infinitely far off, so that the solver takes shorter steps.
 
     ``at_all``: from many places, shape (n, count), to the misses at each. ``agreeing``: whether to give up, by an
     `InputError`, where no place is without a contradiction.
     """
+    from scipy.optimize import least_squares
+
     steps = np.vstack([np.zeros(count), STEP * np.eye(count)])
+    misses_there = len(at_all(np.zeros((1, count)))[0])
 
     def with_slopes(x: Array) -> tuple[Array, Array]:
         each = at_all(x + steps)
         return each[0], np.asarray((each[1:] - each[0]).T / STEP)
 
-    x, former = np.zeros(count), np.inf
-    off, slopes = first = with_slopes(x)
-    while True:
-        change = np.linalg.lstsq(slopes, -off)[0]
-        x, largest = x + change, float(np.abs(change).max())
-        if largest < ARRIVED and np.all(np.abs(x) < FARTHEST):
-            return x
-        if largest > former / 2 or np.any(np.abs(x) > FARTHEST):
-            break
-        former = largest
-        try:
-            off, slopes = with_slopes(x)
-        except IMPOSSIBLE:
-            break
-    if agreeing and _hopeless(with_slopes, *first):
-        raise InputError("the measurements contradict each other")
-    from scipy.optimize import least_squares
-
     def misses(x: Array) -> Array:
         try:
             return np.asarray(at_all(x[None])[0])
         except IMPOSSIBLE:
-            return np.full(len(off), np.inf)
+            return np.full(misses_there, np.inf)
 
-    def slopes_at(x: Array) -> Array:
+    def slopes(x: Array) -> Array:
         return with_slopes(x)[1]
 
-    fit = least_squares(misses, np.zeros(count), jac=slopes_at, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6)
-    return np.asarray(fit.x)
+    if agreeing and _hopeless(with_slopes, count):
+        raise InputError("the measurements contradict each other")
+    return np.asarray(
+        least_squares(misses, np.zeros(count), jac=slopes, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6).x
+    )
 
 
-def _hopeless(with_slopes: Callable[[Array], tuple[Array, Array]], off: Array, slopes: Array) -> bool:
+def _hopeless(with_slopes: Callable[[Array], tuple[Array, Array]], count: int) -> bool:
     """Return whether it is clear that every place has a contradiction.
 
     Without one no miss is more than three sigma. Expectations are among the misses, so such a place is less than three
     spreads from the description. There the misses are taken as straight lines, from a better place each time. It is
     clear where these promise less than a half off the sum of squares, and leave more than three sigma everywhere make.
-
-    ``with_slopes``: from a place to the misses and their slopes.
     """
     from scipy.optimize import lsq_linear
 
-    x = np.zeros(slopes.shape[1])
+    x = np.zeros(count)
     for _ in range(LOOKS):
-        best = lsq_linear(slopes, slopes @ x - off, bounds=(-CONTRADICTION, CONTRADICTION))
-        least = 2 * best.cost
-        if least < CONTRADICTION**2 * len(off):
-            return False
-        if least > off @ off / 2:
-            return True
-        x = best.x
         try:
             off, slopes = with_slopes(x)
         except IMPOSSIBLE:
             return False
+        best = lsq_linear(slopes, slopes @ x - off, bounds=(-CONTRADICTION, CONTRADICTION))
+        least = 2 * best.cost
+        if least < CONTRADICTION**2 * len(off) or least > off @ off / 2:
+            return bool(least >= CONTRADICTION**2 * len(off))
+        x = best.x
     return False

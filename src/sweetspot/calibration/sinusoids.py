@@ -61,7 +61,7 @@ class Sinusoid:
     frequency : Hz, of the damped oscillation.
     damping_ratio : fraction of critical.
     amplitude : at the beginning of the window, in the sound's own unit.
-    shared_error : Hz, one sigma of the frequency that all taps in one room share; see `in_their_room`.
+    shared_error : Hz, one sigma of the frequency that all taps in one room share; see `with_room_error`.
     """
 
     frequency: Measured
@@ -282,7 +282,7 @@ def stands_out(sinusoid: Sinusoid, tones: Sequence[Sinusoid], *, least: float = 
     )
 
 
-def in_their_room(tones: tuple[Sinusoid, ...]) -> tuple[Sinusoid, ...]:
+def with_room_error(tones: tuple[Sinusoid, ...]) -> tuple[Sinusoid, ...]:
     """Return tones with the error that a room adds to each: the spread of its energy over its neighbours.
 
     sigma^2 = sum E_j (f_j - f)^2 / sum E_j over the tones within `NEAR`, E = a^2 / (zeta f) the energy of each. Where

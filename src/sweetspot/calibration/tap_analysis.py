@@ -12,7 +12,16 @@ import numpy as np
 from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus, modelled_tones, moduli_along, named_bar
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.naming import SILENT, ModeFamily, ModeName, NamedTone, any_bat, expected_of, misfit, named
+from sweetspot.calibration.mode_naming import (
+    SILENT,
+    ModeFamily,
+    ModeName,
+    NamedTone,
+    any_bat,
+    expected_of,
+    misfit,
+    named,
+)
 from sweetspot.calibration.recording import BAT_BAND, FrequencyBand, Recording
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_faults import HEARD, HELD
@@ -66,12 +75,12 @@ def free_damping(modes: Modes | None) -> float:
     )
 
 
-def usual_held(modes: Modes | None) -> float:
+def held_damping(modes: Modes | None) -> float:
     """Return the damping ratio from which on an implement counts as held: a blade of wood and rubber loses more."""
     return HELD if modes is None else max(HELD, free_damping(modes))
 
 
-def telling(measurements: Sequence[Measurement], implement: Implement) -> list[Measurement]:
+def tones_to_fit(measurements: Sequence[Measurement], implement: Implement) -> list[Measurement]:
     """Return the tones that tell something: of a racket, club or stick the first, to which its stiffness is scaled."""
     first = ModeName("bending", 1)
     return [measurement for measurement in measurements if isinstance(implement, Bat) or measurement.mode == first]

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.recording import FrequencyBand, Recording, in_band
-from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, in_their_room, stands_out
+from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids, stands_out, with_room_error
 from sweetspot.calibration.tap_faults import APART, CROWDED, HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -41,7 +41,7 @@ STEADY = 0.9
 """Of a multiple's power that is steady over all quiet parts, at least."""
 
 
-def hum_taken_out(recording: Recording) -> Recording:
+def without_hum(recording: Recording) -> Recording:
     """Return a recording without the mains that hum all through it; one without any, or never quiet, as it is.
 
     Hum is the same before, in and after a tap, and a tap is not. Where nothing is tapped, every tenth of a second holds
@@ -109,7 +109,7 @@ def _steady(parts: Array, starts: Array, rate: float, base: float) -> tuple[Arra
     return np.asarray(number[is_steady] * (base + tried[best])), float(steady[best][is_steady].sum())
 
 
-def risen(fit: Fit, earlier: Array) -> Fit:
+def without_background(fit: Fit, earlier: Array) -> Fit:
     """Return a fit without the tones that were there before anything was tapped: of a fan, a motor, rushing air."""
     import scipy.signal
 
@@ -183,7 +183,7 @@ def find_taps(recording: Recording, *, band: FrequencyBand, held: float = HELD) 
 
     ``held``: damping ratio of the lowest tone from which on the implement counts as held.
     """
-    clear = hum_taken_out(recording)
+    clear = without_hum(recording)
     sound = in_band(clear, band)
     starts = _starts(_where_taps_stand_out(clear, sound, band))
     spans = list(pairwise([*starts, sound.duration]))
@@ -275,8 +275,8 @@ def _tap(
         return Tap(recording.name, start, fault, None)
     window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
     fit = fit_sinusoids(window, sound.rate, band=band)
-    fit = risen(fit, sound.samples[: max(int(quiet * sound.rate), 0)])
-    tones = in_their_room(_louder_than_losses(fit.sinusoids, recording))
+    fit = without_background(fit, sound.samples[: max(int(quiet * sound.rate), 0)])
+    tones = with_room_error(_louder_than_losses(fit.sinusoids, recording))
     fit = replace(fit, sinusoids=tuple(tone for tone in tones if tone.amplitude >= STEPS * step))
     return Tap(recording.name, start, fault_of_fit(fit, background=background, held=held), fit)
 

@@ -208,8 +208,8 @@ def _tone(text: str, described: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
     from sweetspot.calibration.measured import parse_measured
     from sweetspot.calibration.measurements import Measurement
-    from sweetspot.calibration.naming import MOST_BENDING, ModeName
-    from sweetspot.calibration.tap_analysis import telling
+    from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
+    from sweetspot.calibration.tap_analysis import tones_to_fit
 
     names = {f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)}
     names["hoop"] = ModeName("hoop", 2)
@@ -220,7 +220,7 @@ def _tone(text: str, described: Implement) -> Measurement:
     if frequency.value <= 0:
         raise InputError(f"--tone was given as {text!r}; allowed is a frequency of more than 0 Hz")
     given = Measurement("frequency", frequency, mode=names[name.strip()])
-    if not telling([given], described):
+    if not tones_to_fit([given], described):
         raise InputError(
             f"--tone was given as {text!r}; of {described.name} only the first bending mode counts, to which its "
             "stiffness is scaled: bending-1"

@@ -242,7 +242,7 @@ def kept_limits(
     return tuple(limits)
 
 
-def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int | None = None) -> Array:
+def nearest_within_limits(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int | None = None) -> Array:
     """Return numbers near those of a bat that keep some limits, as far as the ranges let them.
 
     Every round goes to the nearest ends of the limits' bands by the smallest change, counted in parts of the ranges,

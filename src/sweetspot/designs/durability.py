@@ -33,7 +33,7 @@ PUSHES = 48
 
 
 @dataclass(frozen=True)
-class Breaking:
+class StrainLimits:
     """What a batter's usual contacts are held against.
 
     ``position``: m from the knob end, along the handle half, shape (points,). ``borne``: strain that the material there
@@ -46,7 +46,7 @@ class Breaking:
     wall_borne: float | None
 
 
-def borne_strain(material: Material, *, across: bool = False) -> float | None:
+def strain_at_failure(material: Material, *, across: bool = False) -> float | None:
     """Return the strain at which a material breaks or yields; None if not known.
 
     Wood bends beyond its linear limit: maple bats break at 0.0208 to 0.0234 [umass2022, appendix A], and the smaller is
@@ -55,19 +55,22 @@ def borne_strain(material: Material, *, across: bool = False) -> float | None:
     return PUBLISHED_FAILURE_STRAIN[0] if material.family == "wood" else linear_limit(material, across=across)
 
 
-def breaking_of(bat: Bat, batter: Batter) -> Breaking:
+def strain_limits_of(bat: Bat, batter: Batter) -> StrainLimits:
     """Return the strain limits for bats like this one."""
     position = np.linspace(0.0, HANDLE_PART * bat.length, POINTS + 1)[1:]
     materials = [bat.material_at(place) for place in position.tolist()]
-    unknown = [material.name for material in (bat.material, *materials) if borne_strain(material) is None]
+    unknown = [material.name for material in (bat.material, *materials) if strain_at_failure(material) is None]
     if unknown:
         raise InputError(
             f"how much {unknown[-1]} bears is not known, so that nothing can be said of the durability of {bat.name}; "
             "leave durability out"
         )
-    borne = np.array([borne_strain(material) for material in materials], float)
-    return Breaking(
-        usual_places(batter), position, borne, None if bat.shell is None else borne_strain(bat.material, across=True)
+    borne = np.array([strain_at_failure(material) for material in materials], float)
+    return StrainLimits(
+        usual_places(batter),
+        position,
+        borne,
+        None if bat.shell is None else strain_at_failure(bat.material, across=True),
     )
 
 
@@ -97,7 +100,7 @@ class Handles(NamedTuple):
     widths: Array
 
 
-def margins(breaking: Breaking, handles: Handles, bats: ReducedBats, hits: BatterHits) -> Array:
+def strain_margins(breaking: StrainLimits, handles: Handles, bats: ReducedBats, hits: BatterHits) -> Array:
     """Return the least of strain borne over greatest strain, handles and walls, shape (bats,)."""
     beams, widths = handles
     some = breaking.usual
@@ -117,7 +120,7 @@ def margins(breaking: Breaking, handles: Handles, bats: ReducedBats, hits: Batte
 
 
 def _handle_strain(
-    breaking: Breaking, beams: Beams, bats: ReducedBats, motion: tuple[Array, Array], widths: Array
+    breaking: StrainLimits, beams: Beams, bats: ReducedBats, motion: tuple[Array, Array], widths: Array
 ) -> Array:
     """Return the greatest strain of the outer fibre along the handles while they ring freely, shape (bats, points)."""
     omega = bats.bending.omega

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from sweetspot.analysis.strain import Damage, damage
 from sweetspot.collision.coupled import hit
 from sweetspot.designs.batter import FROM_TIP, usual_places
-from sweetspot.designs.durability import Handles, breaking_of
+from sweetspot.designs.durability import Handles, strain_limits_of
 from sweetspot.designs.measures import Bench, MeasuredDesigns
-from sweetspot.designs.spaces import willows
+from sweetspot.designs.spaces import willow_variants
 from sweetspot.designs.turned import TurnedSpace, knob_of
 from sweetspot.designs.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, ranges, sizes_of
 from sweetspot.dynamics.batch.beams import BeamRow
@@ -158,7 +158,7 @@ def present_measured(bench: Bench) -> MeasuredDesigns:
     beams, bats = _reduced(present, bench.conditions.ball)
     breaking = bench.breaking
     if breaking is not None and isinstance(present, Bat):
-        breaking = breaking_of(present, bench.batter)  # of its own material
+        breaking = strain_limits_of(present, bench.batter)  # of its own material
         bench = replace(bench, breaking=breaking)
     handles = None if breaking is None else Handles(beams, present.width_at(breaking.position)[None])
     return bench.of_bats(bats, present.width_at(present.length - FROM_TIP)[None], shapes=_sizes(bench), handles=handles)
@@ -250,7 +250,7 @@ def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     made = space.all_made(np.concatenate([more, less]))
     pairs = list(zip(made[:count], made[count:], strict=True))
     if isinstance(space.present, CricketBat):
-        pairs += willows(space.change(space.present, numbers))
+        pairs += willow_variants(space.change(space.present, numbers))
     every = list(chain(*zip(*pairs, strict=True)))
     bats = reduced_beams([beam_model(implement) for implement in every], ball=bench.conditions.ball)
     places = bats.bending.length[:, None] - FROM_TIP
@@ -305,7 +305,7 @@ class HandleBending:
     limit: float | None
 
 
-def usual_strains(bench: Bench, bat: Bat) -> Iterator[tuple[float, Damage]]:
+def strains_of_contacts(bench: Bench, bat: Bat) -> Iterator[tuple[float, Damage]]:
     """Yield every place where this batter usually meets the ball, m from the tip, and the strains of a hit there.
 
     The bat is swung as the swing law has it; one hit follows the other, by the readable collision.
@@ -324,6 +324,6 @@ def handle_bending(bench: Bench, bat: Bat) -> HandleBending:
     """Return the largest bending of a bat's handle by this batter's hits, swung as the swing law has it."""
     bendings = [
         HandleBending(strains.handle_strain, place, strains.strain_limit)
-        for place, strains in usual_strains(bench, bat)
+        for place, strains in strains_of_contacts(bench, bat)
     ]
     return max(bendings, key=lambda bending: bending.strain)

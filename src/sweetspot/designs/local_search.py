@@ -29,7 +29,7 @@ INSIDE = 0.5
 """Grains by which a polished bat stays inside its limits, so that none is passed by rounding."""
 
 
-def polished(
+def locally_best(
     bench: Bench, question: DesignSearch, numbers: Array, *, looks: int | None = None
 ) -> tuple[Array, MeasuredDesigns]:
     """Return the numbers of a bat near a given one that is best in the first want, and its measures.
@@ -143,7 +143,9 @@ def _margins(limits: Sequence[Limit], measured: MeasuredDesigns) -> Array:
     )
 
 
-def starts_of(bench: Bench, question: DesignSearch, *, progress: Callable[[int, Front], None] | None = None) -> Array:
+def search_starts(
+    bench: Bench, question: DesignSearch, *, progress: Callable[[int, Front], None] | None = None
+) -> Array:
     """Return bats from which a search begins: one that keeps the limits, the best near it in every want, and between.
 
     No seed changes them, so that fronts of different seeds have them in common.
@@ -160,7 +162,7 @@ def starts_of(bench: Bench, question: DesignSearch, *, progress: Callable[[int, 
 
     for number in range(len(question.wants)):
         wants = question.wants[number:] + question.wants[:number]
-        found(polished(bench, DesignSearch(wants, question.limits, question.seed), first)[0])
+        found(locally_best(bench, DesignSearch(wants, question.limits, question.seed), first)[0])
     for number in range(1, len(question.wants)):
         for between in _between(bench, question, (starts[1], starts[1 + number]), question.wants[number]):
             found(between)
@@ -180,11 +182,11 @@ def _between(bench: Bench, question: DesignSearch, ends: tuple[Array, Array], ot
         asked = DesignSearch(question.wants[:1], (*question.limits, reached), question.seed)
         way = numbers + np.linspace(0, 1, ON_THE_WAY)[:, None] * (ends[1] - numbers)
         begin = way[int(np.argmax(reached.excess(bench.measured(way).values[other]) <= 0))]
-        numbers = polished(bench, asked, begin, looks=BETWEEN_LOOKS)[0]
+        numbers = locally_best(bench, asked, begin, looks=BETWEEN_LOOKS)[0]
         yield numbers
 
 
-def designed(
+def design_front(
     bench: Bench,
     question: DesignSearch,
     *,
@@ -199,10 +201,10 @@ def designed(
     starts = (
         np.zeros((0, len(bench.space.variables)))
         if after is not None
-        else starts_of(bench, question, progress=progress)
+        else search_starts(bench, question, progress=progress)
     )
     front = search(bench, question, starts=starts, after=after, progress=progress)
-    numbers, measured = polished(bench, question, front.numbers[0])
+    numbers, measured = locally_best(bench, question, front.numbers[0])
     return front if np.array_equal(numbers, front.numbers[0]) else _with_first(front, numbers, measured)
 
 

@@ -16,7 +16,7 @@ from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.kernel import STEP, struck
 from sweetspot.collision.time_step import contact_step
 from sweetspot.designs.batter import FROM_TIP, WIDTHS, Batter, off_centre, retained_at_widths
-from sweetspot.designs.durability import BatterHits, Breaking, Handles, breaking_of, margins
+from sweetspot.designs.durability import BatterHits, Handles, StrainLimits, strain_limits_of, strain_margins
 from sweetspot.designs.variables import Space
 from sweetspot.dynamics.batch.bending import BendingBatch
 from sweetspot.dynamics.batch.reduction import ReducedBats
@@ -133,7 +133,7 @@ class Bench:
     retained: Array
     step: float = STEP
     tested: bool = False
-    breaking: Breaking | None = None
+    breaking: StrainLimits | None = None
 
     def measured(self, numbers: Array) -> MeasuredDesigns:
         """Return everything about the bats of many rows of numbers, shape (n, variables)."""
@@ -189,7 +189,7 @@ class Bench:
             values |= {"bbcor": fast, "bpf": bpf(1.0, ball_restitution=ball.restitution.at(BPF_SPEED)) * slow}
         if self.breaking is not None and handles is not None:
             hits = BatterHits(impacts, position, pitch + speed, ball.mass)
-            values["durability"] = margins(self.breaking, handles, bats, hits)
+            values["durability"] = strain_margins(self.breaking, handles, bats, hits)
         return MeasuredDesigns(values, curve, worth)
 
     def _fired(self, bats: ReducedBats, position: Array, speed: float) -> Array:
@@ -272,7 +272,7 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
     if durable and not isinstance(present, Bat):
         raise InputError(f"{present.name} is no bat with a round handle; its durability is not computed. Leave it out")
     built = space.made(space.start, present.name) if durable else None
-    breaking = breaking_of(built, batter) if isinstance(built, Bat) else None
+    breaking = strain_limits_of(built, batter) if isinstance(built, Bat) else None
     return Bench(space, batter, conditions, body.moi(axis), sine, retained, step, tested=hollow, breaking=breaking)
 
 

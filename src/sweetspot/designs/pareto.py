@@ -121,7 +121,7 @@ def _nearest_words(question: DesignSearch, measured: MeasuredDesigns, generation
     )
 
 
-def wanted(question: DesignSearch, measured: MeasuredDesigns) -> Array:
+def objectives(question: DesignSearch, measured: MeasuredDesigns) -> Array:
     """Return the objectives that are minimized, shape (n, wants)."""
     return np.array([-MEASURES[want].better * measured.values[want] for want in question.wants]).T
 
@@ -214,13 +214,13 @@ def _next_generation(
     algorithm.setup(problem, termination=NoTermination(), seed=[question.seed, generation + 1], verbose=False)
     first = algorithm.ask()  # without those that are there twice
     rows_kept = _rows(numbers, np.asarray(first.get("X"), float))
-    first.set("F", wanted(question, measured)[rows_kept], "G", excesses(question, measured)[rows_kept])
+    first.set("F", objectives(question, measured)[rows_kept], "G", excesses(question, measured)[rows_kept])
     _evaluated(first)
     algorithm.tell(infills=first)
     children = algorithm.ask()
     fresh = np.asarray(children.get("X"), float)
     seen = bench.measured(fresh)
-    children.set("F", wanted(question, seen), "G", excesses(question, seen))
+    children.set("F", objectives(question, seen), "G", excesses(question, seen))
     _evaluated(children)
     every, both = np.concatenate([numbers, fresh]), measured.followed_by(seen)
     algorithm.tell(infills=children)
@@ -241,10 +241,10 @@ def _evaluated(population: Any) -> None:
 def _front(question: DesignSearch, numbers: Array, measured: MeasuredDesigns, generation: int) -> Front:
     """Return those that keep the limits and that no other beats in everything."""
     allowed = np.flatnonzero((excesses(question, measured) <= 0.0).all(axis=1))
-    want = wanted(question, measured)[allowed]
+    want = objectives(question, measured)[allowed]
     beaten = np.array([bool(np.any((want <= other).all(axis=1) & (want < other).any(axis=1))) for other in want], bool)
     best = allowed[~beaten] if len(allowed) else allowed
-    _, once = np.unique(np.round(wanted(question, measured)[best], 12), axis=0, return_index=True)
+    _, once = np.unique(np.round(objectives(question, measured)[best], 12), axis=0, return_index=True)
     best = best[np.sort(once)]
-    order = best[np.argsort(wanted(question, measured)[best, 0], kind="stable")]
+    order = best[np.argsort(objectives(question, measured)[best, 0], kind="stable")]
     return Front(numbers[order], measured.rows(order), generation, numbers)

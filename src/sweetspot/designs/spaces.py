@@ -107,7 +107,7 @@ def cricket_space(bat: CricketBat) -> ImplementSpace:
     return ImplementSpace(bat, variables, change)
 
 
-def willows(bat: Implement) -> list[tuple[Implement, Implement]]:
+def willow_variants(bat: Implement) -> list[tuple[Implement, Implement]]:
     """Return a cricket bat of denser and of lighter willow, and of stiffer and of softer, a standard deviation each."""
     assert isinstance(bat, CricketBat)
     willow = bat.material

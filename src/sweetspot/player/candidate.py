@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from sweetspot.analysis.two_way import varied
+from sweetspot.analysis.what_if import varied
 from sweetspot.catalog.materials import material
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import RigidBody, rigid_body

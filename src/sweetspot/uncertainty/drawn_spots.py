@@ -8,7 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING, held_speeds
+from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING, without_spikes
 from sweetspot.calibration.unknowns import deviated
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import bending_batch
@@ -23,7 +23,7 @@ NEWTON_STEPS, FARTHEST = 3, 0.02
 """Steps in which a node of the described bat is followed to another's, and how far it may lie from it, m."""
 
 
-def highest(position: Array, curves: Array) -> Array:
+def best_positions(position: Array, curves: Array) -> Array:
     """Return the position of every curve's maximum, m, shape (draws,).
 
     ``position``: m, evenly spaced, shape (positions,). ``curves``: shape (draws, positions).
@@ -32,17 +32,17 @@ def highest(position: Array, curves: Array) -> Array:
     return np.asarray(position[0] + place * (position[1] - position[0]))
 
 
-def zones(position: Array, speed: Array, sting: Array) -> Array:
+def sweet_zones(position: Array, speed: Array, sting: Array) -> Array:
     """Return both ends of every draw's sweet zone in m, shape (draws, 2); nan where there is none. See `sweet_zone`.
 
     ``position``: m, evenly spaced, shape (positions,). ``speed``, ``sting``: exit speed and vibration at the hands in
     m/s, shape (draws, positions).
     """
     step = float(position[1] - position[0])
-    held = held_speeds(speed, step=step)
+    held = without_spikes(speed, step=step)
     fast = held - (np.nanmax(held, axis=1) - ZONE_LOSS)[:, None]
     quiet = ZONE_STING * np.nanmean(sting, axis=1)[:, None] - sting
-    best = (highest(position, held) - position[0]) / step
+    best = (best_positions(position, held) - position[0]) / step
     good = np.minimum(fast, quiet) >= 0
     zone_ends = np.full((len(speed), 2), np.nan)
     for row in np.flatnonzero(good.any(axis=1)):
@@ -78,16 +78,16 @@ class MissCost(Protocol):
     def outside(self) -> Number: ...
 
 
-def missed(position: Array, speed: Array, misses: Sequence[MissCost]) -> list[dict[str, Array]]:
+def costs_of_misses(position: Array, speed: Array, misses: Sequence[MissCost]) -> list[dict[str, Array]]:
     """Return the cost of each miss for every draw, m/s, shape (draws,): "inside", towards the hands, and "outside".
 
     Which law the ball loses its energy by is not known either: a draw stands anywhere between ours and the other one's
     cost, evenly and whatever else is drawn.
 
-    ``position``, ``speed``: see `zones`.
+    ``position``, ``speed``: see `sweet_zones`.
     """
     step = float(position[1] - position[0])
-    held = held_speeds(speed, step=step)
+    held = without_spikes(speed, step=step)
     place, _ = tops(held)
     top = _at(held, place)
     between = np.random.default_rng(1).permutation((np.arange(len(speed)) + 0.5) / len(speed))

@@ -16,7 +16,7 @@ import numpy as np
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import Unknown, as_described, described, deviated, unknowns_of
 from sweetspot.catalog.bats import other_files

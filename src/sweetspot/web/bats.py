@@ -10,7 +10,7 @@ from typing import TypeVar
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.comparison import Changed
-from sweetspot.analysis.two_way import varied
+from sweetspot.analysis.what_if import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table

@@ -7,7 +7,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone
+from sweetspot.calibration.mode_naming import ModeFamily, ModeName, NamedTone
 from sweetspot.calibration.recording import Recording
 from sweetspot.calibration.sinusoids import Fit, Sinusoid
 from sweetspot.calibration.tap_analysis import TapTest

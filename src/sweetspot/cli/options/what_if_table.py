@@ -56,7 +56,7 @@ def _only_once(sides: list[tuple[str, tuple[float, ...]]]) -> dict[str, tuple[fl
 
 def _axis(text: str | None, what: str) -> tuple[str, tuple[float, ...]]:
     """Return an axis written as ``mass=29oz:33oz:5``: what is varied, from, to, and how many values."""
-    from sweetspot.analysis.two_way import VARIATIONS
+    from sweetspot.analysis.what_if import VARIATIONS
     from sweetspot.plausibility import check
     from sweetspot.units.quantities import KIND_OF
 

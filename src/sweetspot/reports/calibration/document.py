@@ -6,7 +6,7 @@ import math
 from itertools import chain
 
 from sweetspot.answers.calibrate import CalibrateAnswer, CalibratedUnknown
-from sweetspot.calibration.contradictions import Meant
+from sweetspot.calibration.contradictions import IntendedReading
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind
 from sweetspot.calibration.posterior import CONTRADICTION
@@ -204,7 +204,7 @@ def contradictions(answer: CalibrateAnswer) -> list[Sentence]:
     return [*words, *assumption_words(answer)]
 
 
-def _meant_words(slip: Meant, implement: Implement) -> Sentence:
+def _meant_words(slip: IntendedReading, implement: Implement) -> Sentence:
     """Return as what a measurement was probably meant."""
     if slip.words:
         return say("{words}", words=slip.words)

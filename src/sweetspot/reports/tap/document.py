@@ -8,7 +8,7 @@ from typing import Any
 from sweetspot.answers.tap import TapAnswer
 from sweetspot.calibration.bar import BarModulus
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap, Tone
 from sweetspot.reports.calibration.intervals import measured_words

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Annotation, Text
 from matplotlib.transforms import Bbox
 
-from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_analysis import TapTest, spectrum, waveform
 from sweetspot.reports.pictures.panels import SPARSE, Page, Panel, beside, frame

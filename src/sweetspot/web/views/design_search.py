@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sweetspot.designs.local_search import designed
+from sweetspot.designs.local_search import design_front
 from sweetspot.designs.measures import Bench
 from sweetspot.designs.pareto import Front
 from sweetspot.designs.turned import TurnedSpace
@@ -68,7 +68,7 @@ def search(state: DesignState, *, after: tuple[int, Array] | None, say: Say) -> 
         say(progress_at(generation, front), (generation, front.population) if generation else None)
 
     say(nothing, after)
-    front = designed(task.bench, question, after=after, progress=grown)
+    front = design_front(task.bench, question, after=after, progress=grown)
     return progress_at(front.generation, front)
 
 

@@ -15,7 +15,7 @@ from sweetspot.analysis.certification.rules import League
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.designs.batter import Batter, normal_contact
-from sweetspot.designs.constraints import AS_IT_IS, Limit, kept_limits, locked
+from sweetspot.designs.constraints import AS_IT_IS, Limit, kept_limits, nearest_within_limits
 from sweetspot.designs.gain import present_measured
 from sweetspot.designs.measures import Bench, MeasuredDesigns, bench_of
 from sweetspot.designs.pareto import DesignSearch
@@ -185,7 +185,9 @@ def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
     low, high = (np.array([getattr(variable, end) for variable in space.variables]) for end in ("low", "high"))
     numbers = np.clip(np.array(state.design_si), low, high) if shaped else space.start
     locks = locks_of(state)
-    return (locked(request.bench, numbers, locks, pulled=state.pulled) if shaped and locks else numbers), shaped
+    return (
+        nearest_within_limits(request.bench, numbers, locks, pulled=state.pulled) if shaped and locks else numbers
+    ), shaped
 
 
 def league_of(state: DesignState, request: ShapedBat) -> League | None:

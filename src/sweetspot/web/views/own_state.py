@@ -10,7 +10,7 @@ from pydantic import Field
 from sweetspot.answers.calibrate import CalibrateAnswer, CalibrateQuestion, calibrate_answer
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.naming import MOST_BENDING, ModeName
+from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
 from sweetspot.calibration.unknowns import Unknown, unknowns_of
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.dynamics.rigid import rigid_body

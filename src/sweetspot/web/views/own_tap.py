@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 
 from sweetspot.answers.tap import TapQuestion, tap_answer
-from sweetspot.calibration.naming import expected_of
+from sweetspot.calibration.mode_naming import expected_of
 from sweetspot.calibration.recording import FrequencyBand, Recording, read_recording
 from sweetspot.calibration.tap_analysis import (
     FAMILIES,
     TapTest,
+    held_damping,
     modes_to_name,
     spectrum,
     usual_band,
-    usual_held,
     waveform,
 )
 from sweetspot.calibration.taps import Tap, find_taps
@@ -77,7 +77,7 @@ def tap(state: OwnState) -> dict[str, Any]:
         return nothing
     described, _ = unknown_of(state)
     modes = modes_to_name(described)
-    band, held = usual_band(modes), usual_held(modes)
+    band, held = usual_band(modes), held_damping(modes)
     taps = [tap for sound in sounds for tap in _taps(sound, band, held)]
     head = nothing | {"taps": [_tap_row(tap) for tap in taps], "waveform": _wave(sounds[-1])}
     good = [tap for tap in taps if tap.good and tap.fit is not None]

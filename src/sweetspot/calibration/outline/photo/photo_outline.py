@@ -107,7 +107,7 @@ def read_photo(
     _check_no_shadow(picture, bat, surely)
     colours = picture.colours
     edges = find_edges(colours, without, bat, shadows=not picture.painted)
-    by_hue = None if picture.painted or picture.grey else _told_by_hue(picture, edges)
+    by_hue = None if picture.painted or picture.grey else _edges_by_hue(picture, edges)
     edges = edges if by_hue is None else by_hue
     _check_seen(edges, picture.name)
     if length is not None:
@@ -124,7 +124,7 @@ def read_photo(
     return outline if by_hue is None else replace(outline, notes=(SHADOWED, *outline.notes))
 
 
-def _told_by_hue(picture: Photograph, edges: Edges) -> Edges | None:
+def _edges_by_hue(picture: Photograph, edges: Edges) -> Edges | None:
     """Return the edges where hue alone tells the bat, when a dark shadow was taken for a part of it; None otherwise."""
     tint, shade = tint_and_shade(picture)
     if not shadow_at_a_flank(edges, tint, shade):

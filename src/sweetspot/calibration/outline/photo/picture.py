@@ -105,7 +105,7 @@ def read_picture(path: Path) -> Photograph:
     check_ordinary(path, most=LARGEST, advice="give a photograph as a camera writes it")
     _refuse_heif(path)
     try:
-        with _untold(Image.DecompressionBombWarning), Image.open(path) as file:
+        with _without_warning(Image.DecompressionBombWarning), Image.open(path) as file:
             if file.width * file.height > MOST_PIXELS:
                 raise InputError(f"{path} has {file.width} x {file.height} pixels; make it smaller than 120 megapixels")
             if file.width * file.height > max(LONGEST_SIDE**2, MOST_PER_BYTE * path.stat().st_size):
@@ -166,7 +166,7 @@ def _check_shown(colours: NDArray[np.uint8], path: Path) -> None:
 
 
 @contextmanager
-def _untold(category: type[Warning]) -> Iterator[None]:
+def _without_warning(category: type[Warning]) -> Iterator[None]:
     """Say nothing of warnings of a kind; what is too large is refused."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", category)

@@ -9,7 +9,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import compare
-from sweetspot.analysis.two_way import Axis, varied, what_if_table
+from sweetspot.analysis.what_if import Axis, varied, what_if_table
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body

@@ -12,7 +12,7 @@ from studies.recorder_bats import PLACES, Ringing, descriptions, hollow, judged,
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import of_tones
-from sweetspot.calibration.naming import ModeFamily, ModeName, NamedTone, any_bat, expected_of, named
+from sweetspot.calibration.mode_naming import ModeFamily, ModeName, NamedTone, any_bat, expected_of, named
 from sweetspot.calibration.recording import synthesised
 from sweetspot.calibration.tap_analysis import FAMILIES, TapTest, _like_a_bat, free_damping, modes_to_name, tap_test
 from sweetspot.calibration.taps import Tone

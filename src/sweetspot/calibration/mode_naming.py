@@ -65,7 +65,7 @@ class ModeName:
     order: int = 1
 
     @property
-    def told(self) -> bool:
+    def can_be_named(self) -> bool:
         """Whether a tone may have this name; other modes only take part in the naming."""
         return self.harmonic <= MOST_BENDING and self.order == 1
 
@@ -175,7 +175,7 @@ def named(tones: Sequence[Tone], families: Sequence[ModeFamily], *, doubt: float
     for index, tone in enumerate(tones):
         ways = {other[index][0].names[other[index][1]] for _, other in near if index in other}
         ways |= set(_exchanged(tones, modes, index, doubt))
-        if index not in modes or len(ways) > 1 or not all(name.told for name in ways):
+        if index not in modes or len(ways) > 1 or not all(name.can_be_named for name in ways):
             result.append(NamedTone(tone, None, None, tuple(sorted(ways, key=str)) if len(ways) > 1 else ()))
             continue
         family, mode = modes[index]
