@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.uncertainty.ranking_draws import response_of_efficiency
-from sweetspot.uncertainty.sources import speed_by_ball
+from sweetspot.uncertainty.sources import error_by_ball
 
 
 def test_spreads_of_the_catalogue(baseball: Ball) -> None:
@@ -25,9 +25,5 @@ def test_the_quick_answer_is_that_of_the_response(analysis: Analysis[Bat]) -> No
     place, conditions = analysis.sweet_spots.max_exit_speed, analysis.conditions
     response = response_of_efficiency(analysis.beam, conditions, unknowns=(), positions=np.array([place]))
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
-    quick = speed_by_ball(analysis)
-    assert quick is not None
-    assert quick.error == pytest.approx(
-        closing * float(np.linalg.norm(response.slopes[:, 0] * response.spreads)), rel=0.01
-    )
-    assert quick.value == exit_speed_of(analysis.best, conditions)
+    quick = error_by_ball(analysis.reduced, conditions=conditions, position=place)
+    assert quick == pytest.approx(closing * float(np.linalg.norm(response.slopes[:, 0] * response.spreads)), rel=0.01)

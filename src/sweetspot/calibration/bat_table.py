@@ -37,7 +37,7 @@ from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import check, insisted
 from sweetspot.plausibility.implements import SAME_MODEL
-from sweetspot.tables.cells import require_units, with_unit
+from sweetspot.tables.cells import EMPTY, require_units, with_unit
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
     GivenColumns,
@@ -83,7 +83,7 @@ BATS = quantities_of("bats")
 """Columns that are understood."""
 PER_MINUTE = re.compile(r"(^|_)cpm(_|$)|cycles_(per_)?min")
 """In a heading."""
-BLANKS = ("", "-", "--", "\N{EN DASH}", "\N{EM DASH}", "?", "na", "n/a", "nan", "none", "null")
+BLANKS = (*EMPTY, "\N{EN DASH}", "\N{EM DASH}", "?")
 """Words of a cell in which nothing was measured."""
 HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent"
 THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
@@ -119,7 +119,7 @@ def read_bats(
         texts = {
             name: cells[column.index].strip()
             for name, column in headings.columns.items()
-            if column.index < len(cells) and not _is_blank(cells[column.index])
+            if column.index < len(cells) and cells[column.index].strip().lower() not in BLANKS
         }
         name = texts.pop("piece", f"bat {line - 1}")
         if name in bats:
@@ -190,10 +190,6 @@ def _usual_moisture(bats: Mapping[str, Mapping[str, Measured]], path: Path) -> M
             stacklevel=3,
         )
     return usual
-
-
-def _is_blank(cell: str) -> bool:
-    return cell.strip().lower() in BLANKS
 
 
 def _value(cell: str, column: TableColumn, what: str) -> Measured:

@@ -152,12 +152,8 @@ def uniform_bar(
 
 def any_bat() -> ModeFamily:
     """Return the bending modes of bats in general."""
-    return _bending(ANY_BAT, ANY_SPREAD, ANY_RATIO_SPREAD)
-
-
-def _bending(frequency: Sequence[float], spread: float, ratio_spread: float) -> ModeFamily:
-    names = tuple(ModeName("bending", number + 1) for number in range(len(frequency)))
-    return ModeFamily(names, np.array(frequency), np.ones(len(frequency)), spread, ratio_spread)
+    names = tuple(ModeName("bending", number + 1) for number in range(len(ANY_BAT)))
+    return ModeFamily(names, np.array(ANY_BAT), np.ones(len(ANY_BAT)), ANY_SPREAD, ANY_RATIO_SPREAD)
 
 
 def named(tones: Sequence[Tone], families: Sequence[ModeFamily], *, doubt: float = DOUBT) -> tuple[NamedTone, ...]:

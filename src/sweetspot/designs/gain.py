@@ -27,7 +27,6 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
 from sweetspot.units import INCH, MPH
@@ -231,7 +230,8 @@ def _wood(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     rows[:2, density] *= [1 + DENSITY_SPREAD, 1 - DENSITY_SPREAD]
     stiffness = np.array([1.0, 1.0, 1 + MODULUS_SPREAD, 1 - MODULUS_SPREAD])
     bats = reduced_outlines(space.outlines(rows, stiffness=stiffness), ball=bench.conditions.ball)
-    worth = _worth(bench, bats, rows)
+    widths = space.widths_at(rows, bats.bending.length[:, None] - FROM_TIP)
+    worth = bench.of_bats(bats, widths).worth
     changes = np.stack([(worth[0] - worth[1]) / 2, (worth[2] - worth[3]) / 2])
     return changes, np.stack([np.zeros(len(FROM_TIP)), changes[1]])
 
@@ -270,11 +270,6 @@ def _on_face(bench: Bench) -> NDArray[np.bool_]:
     return np.asarray((places >= face.start) & (places <= face.end))
 
 
-def _worth(bench: Bench, bats: ReducedBats, rows: Array) -> Array:
-    position = bats.bending.length[:, None] - FROM_TIP
-    return bench.of_bats(bats, bench.space.widths_at(rows, position)).worth
-
-
 def _over_the_law(bench: Bench, numbers: Array) -> float:
     """Return the standard deviation of the expected gain, m/s, for batters whose swings depend otherwise on the bat."""
     law = bench.batter.law
@@ -282,14 +277,10 @@ def _over_the_law(bench: Bench, numbers: Array) -> float:
         return 0.0
     gains = []
     for exponent in (law.exponents.low, law.exponents.high):
-        other = replace(bench, batter=replace(bench.batter, law=_with_exponent(law, exponent)))
+        other = replace(bench, batter=replace(bench.batter, law=replace(law, exponent=exponent)))
         design, now = other.measured(numbers), present_measured(other)
         gains.append(float((design.worth[0] - now.worth[0]) @ bench.batter.weight))
     return abs(gains[1] - gains[0]) / (2 * REACH)
-
-
-def _with_exponent(law: SwingLaw, exponent: float) -> SwingLaw:
-    return replace(law, exponent=exponent)
 
 
 @dataclass(frozen=True)

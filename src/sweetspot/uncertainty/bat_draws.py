@@ -119,11 +119,9 @@ class DrawnBats:
 
     def _each(self, evaluate: Callable[[int], Array]) -> list[Array]:
         """Return something of every surface, worked out once where an unknown changes nothing of it."""
-        made: dict[int, Array] = {}
-        for index, surface in enumerate(self.surfaces):
-            if id(surface) not in made:
-                made[id(surface)] = evaluate(index)
-        return [made[id(surface)] for surface in self.surfaces]
+        unique = {id(surface): index for index, surface in enumerate(self.surfaces)}
+        values = {key: evaluate(index) for key, index in unique.items()}
+        return [values[id(surface)] for surface in self.surfaces]
 
     def _pressed(self, closing_speed: Array | None) -> Array | None:
         return closing_speed if closing_speed is None or self.pressing is None else closing_speed * self.pressing

@@ -134,8 +134,9 @@ def _drawn_bat(
 
 def drawn_names(comparison: Comparison[Implement], sources: Sequence[Sources]) -> tuple[str, ...]:
     """Return the name of the source of every column of a draw: of the bats, then of what they share."""
-    names_behind = _behind(comparison, sources).values()
-    return (*names_behind, *(source.name for source in (*sources[0].others, *_of_law(comparison.law))))
+    names_behind, law = _behind(comparison, sources).values(), comparison.law
+    of_law = () if law is None else (Source(LAW, law.exponent_spread, f"spread of the exponent of {law.name}"),)
+    return (*names_behind, *(source.name for source in (*sources[0].others, *of_law)))
 
 
 def _behind(comparison: Comparison[Implement], sources: Sequence[Sources]) -> dict[Hashable, str]:
@@ -165,10 +166,6 @@ def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
     return tuple(
         label if labels.count(label) == 1 else f"{label} (number {number})" for number, label in enumerate(labels, 1)
     )
-
-
-def _of_law(law: SwingLaw | None) -> tuple[Source, ...]:
-    return () if law is None else (Source(LAW, law.exponent_spread, f"spread of the exponent of {law.name}"),)
 
 
 def _ratios(law: SwingLaw, draws: Draws, reference: Draws, power: Array) -> Array:

@@ -8,9 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.sports import sport
@@ -171,13 +169,6 @@ def sources_of_ball(ball: Ball) -> tuple[Source, ...]:
 def _speeds(bat: float, pitch: float) -> list[Source]:
     where = "as the speed was written"
     return [Source(name, error, where) for name, error in ((SWING, bat), (PITCH, pitch)) if error > 0]
-
-
-def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:
-    """Return the best hit's exit speed in m/s with what the ball alone leaves open; None where no spread is known."""
-    conditions, place = analysis.conditions, analysis.sweet_spots.max_exit_speed
-    error = error_by_ball(analysis.held, conditions, place)
-    return None if error is None else Measured(exit_speed_of(analysis.best, conditions), error)
 
 
 def error_by_ball(reduced: ReducedBat[Implement], conditions: Conditions, position: float) -> float | None:

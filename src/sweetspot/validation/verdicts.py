@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from math import isfinite
 from operator import attrgetter
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
@@ -61,12 +61,12 @@ def judged(row: Row, case: Case) -> Result:
 
 def computed_number(row: Row) -> float:
     """Return the number that a row asks for, in SI."""
-    computed = COMPUTATIONS[row.computation](**{name: _in_si(name, value) for name, value in row.inputs.items()})
+    given = row.inputs
+    inputs = {
+        name: parse(given[name], INPUT_KINDS[name], name) if name in INPUT_KINDS else given[name] for name in given
+    }
+    computed = COMPUTATIONS[row.computation](**inputs)
     return float(attrgetter(row.of)(computed) if row.of else computed)
-
-
-def _in_si(name: str, value: Any) -> Any:
-    return parse(value, INPUT_KINDS[name], name) if name in INPUT_KINDS else value
 
 
 Value = str | float | bool | None
@@ -95,7 +95,9 @@ def short_rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, str]]
         {
             "source": result.source,
             "case": f"{result.name}: {result.quantity}",
-            "printed": _with_unit(result.printed, result.unit),
+            "printed": f"{result.printed} {result.unit}".strip()
+            if result.unit not in result.printed
+            else result.printed,
             "computed": number_words(result),
             "allowed": result.allowed_text,
             "evidence": result.evidence,
@@ -174,7 +176,3 @@ def _shared_texts(verdicts: Sequence[Result]) -> dict[str, list[str]]:
         text = " ".join(part.strip() for part in (result.reason, result.comment, explained) if part)
         texts.setdefault(" ".join(text.split()), []).append(str(number))
     return texts
-
-
-def _with_unit(text: str, unit: str) -> str:
-    return text if not unit or unit in text else f"{text} {unit}"

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -105,7 +104,10 @@ def read_picture(path: Path) -> Photograph:
     check_ordinary(path, most=LARGEST, advice="give a photograph as a camera writes it")
     _refuse_heif(path)
     try:
-        with _without_warning(Image.DecompressionBombWarning), Image.open(path) as file:
+        with (
+            warnings.catch_warnings(action="ignore", category=Image.DecompressionBombWarning),  # refused below
+            Image.open(path) as file,
+        ):
             if file.width * file.height > MOST_PIXELS:
                 raise InputError(f"{path} has {file.width} x {file.height} pixels; make it smaller than 120 megapixels")
             if file.width * file.height > max(LONGEST_SIDE**2, MOST_PER_BYTE * path.stat().st_size):
@@ -163,14 +165,6 @@ def _check_shown(colours: NDArray[np.uint8], path: Path) -> None:
         raise InputError(f"{path} is transparent everywhere; give the photograph as the camera wrote it")
     if (colours.max(axis=(0, 1)) - colours.min(axis=(0, 1))).max() <= FLAT:
         raise InputError(f"{path} has one colour everywhere; give a photograph of the bat on a plain ground")
-
-
-@contextmanager
-def _without_warning(category: type[Warning]) -> Iterator[None]:
-    """Say nothing of warnings of a kind; what is too large is refused."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", category)
-        yield
 
 
 def _focal_length(exif: dict[int, object], size: tuple[int, int]) -> float | None:
