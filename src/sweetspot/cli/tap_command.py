@@ -95,8 +95,8 @@ def tap(
     from sweetspot.reports.tap.document import tap_document
 
     if synthesis.synthesise is not None:
-        read = {"a recording": recordings, "--bat": tapped.bat, "--bar": tapped.bar, "--mass": tapped.mass,
-                "--band": listening.band, "--most-damping": listening.most_damping}  # fmt: skip
+        read = {"a recording": recordings, "--bat": tapped.bat, "--bar": tapped.bar, "--mass": tapped.mass}
+        read |= {"--band": listening.band, "--most-damping": listening.most_damping}
         if unread := [name for name, value in read.items() if value]:
             raise InputError(f"--synthesise makes a sound and reads none; leave out {', '.join(unread)}")
         return _synthesise(synthesis.synthesise, synthesis, tapped.at or [PLACE], out)

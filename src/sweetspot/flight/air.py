@@ -46,9 +46,7 @@ def vapour_pressure(temperature: ArrayLike) -> Array:
     return np.asarray(4.5841 * MILLIMETRE_OF_MERCURY * np.exp(power))
 
 
-def air_density(
-    temperature: ArrayLike, *, pressure: ArrayLike, humidity: ArrayLike, elevation: ArrayLike
-) -> Array:  # fmt: skip
+def air_density(temperature: ArrayLike, *, pressure: ArrayLike, humidity: ArrayLike, elevation: ArrayLike) -> Array:
     """Return the density of moist air in kg/m^3.
 
     rho = 1.2929 (273.15 / (T + 273.15)) (p exp(-beta h) - 0.3783 H p_s(T)) / p_0 [nathan_calculator]
@@ -138,9 +136,7 @@ class Airs:
     @property
     def density(self) -> Array:
         """Mass of the air per volume, kg/m^3, shape (n,); see `air_density`."""
-        return air_density(
-            self.temperature, pressure=self.pressure, humidity=self.humidity, elevation=self.elevation
-        )  # fmt: skip
+        return air_density(self.temperature, pressure=self.pressure, humidity=self.humidity, elevation=self.elevation)
 
     def at(self, rows: slice | NDArray[np.intp] | NDArray[np.bool_]) -> Airs:
         """Return the air of some of the flights."""

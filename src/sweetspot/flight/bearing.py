@@ -74,8 +74,7 @@ def launched_to(
         *(np.atleast_1d(np.asarray(values)) for values in (bearing, exit_speed, launch_angle, bats))
     )
     line, given_spins = (spins, (None, None)) if isinstance(spins, SpinLine) else (TRACKED, spins)
-    given = [None if spin is None else np.broadcast_to(np.asarray(spin, float), wanted.shape)
-             for spin in given_spins]  # fmt: skip
+    given = [None if spin is None else np.broadcast_to(np.asarray(spin, float), wanted.shape) for spin in given_spins]
 
     def flown(spray: Array) -> tuple[Array, Flights]:
         usual = batted_ball_spin(up, spray, bats=words, line=line)

@@ -139,9 +139,7 @@ def _carried(speed: Array, angle: Array, conditions: FlightConditions, spin: flo
     return flights(launch, conditions).carry
 
 
-def _variances(
-    speed: Array, angle: Array, conditions: FlightConditions, errors: LaunchErrors, spin: float
-) -> Array:  # fmt: skip
+def _variances(speed: Array, angle: Array, conditions: FlightConditions, errors: LaunchErrors, spin: float) -> Array:
     """Return the variance of carries from launch errors and spin, m^2."""
     fast, steep = errors
     steps = (

@@ -27,6 +27,8 @@ State = tuple[float, float, float, float, float, float, float]
 Spin = tuple[float, float, float, float]
 """Spin vector and its size."""
 Pair = tuple[float, float]
+Flown = tuple[Spin, float, Pair]
+"""Spin at the start, the drag's strength (per Cd and square of the speed, 1/m), and the wind where it blows."""
 
 LANES = 16
 """Flights side by side."""
@@ -46,10 +48,8 @@ class FlightOutput(NamedTuple):
     paths: Array
 
 
-LANDED, STILL_FLYING, UNDERGROUND, UNUSABLE = (
-    int(FlightOutcome.LANDED), int(FlightOutcome.STILL_FLYING), int(FlightOutcome.UNDERGROUND),
-    int(FlightOutcome.UNUSABLE),
-)  # fmt: skip
+LANDED, STILL_FLYING = int(FlightOutcome.LANDED), int(FlightOutcome.STILL_FLYING)
+UNDERGROUND, UNUSABLE = int(FlightOutcome.UNDERGROUND), int(FlightOutcome.UNUSABLE)
 
 # first places of the rows of the lanes' numbers: the state now and a step ago, then what belongs to the flight
 NOW, BEFORE = 0, 7 * LANES
@@ -57,7 +57,9 @@ X, Y, Z, VX, VY, VZ, LEFT = (LANES * row for row in range(7))
 SPIN_X, SPIN_Y, SPIN_Z, SPIN, STRENGTH, WIND_X, WIND_Y, OPEN, TAKEN, TIME, EVENT, NEXT, STEPS, TOP, TOP_TIME = (
     LANES * row for row in range(14, 29)
 )
-ROWS = 29
+FLIGHT, FILLED = 29 * LANES, 30 * LANES
+"""Number of a lane's flight, -1 where it is idle, and how many points of its path are filled."""
+ROWS = 31
 
 # the readable functions, compiled where compiled code calls them
 _on_cubic = register_jitable(interpolants.on_cubic)
@@ -95,12 +97,68 @@ class FlightLaw(NamedTuple):
     reference: float
 
 
+class FlightMethod(NamedTuple):
+    """Everything that all flights of a batch share.
+
+    Parameters
+    ----------
+    law : constants of the forces.
+    per_density : drag acceleration per density, Cd and square of the speed, m^2/kg.
+    power, profile : exponents of the lift law and of the wind, None for 1 and for a wind alike at every height.
+    edge : m, the height where the wind begins.
+    step : s.
+    """
+
+    law: FlightLaw
+    per_density: float
+    power: float | None
+    profile: float | None
+    edge: float
+    step: float
+
+
+@_inlined
+def state_of(lanes: Array, place: int) -> State:
+    """Return the state at a lane, or, from `BEFORE` on, the one a step ago."""
+    x, y, z, left = lanes[X + place], lanes[Y + place], lanes[Z + place], lanes[LEFT + place]
+    return x, y, z, lanes[VX + place], lanes[VY + place], lanes[VZ + place], left
+
+
+@_inlined
+def put_state(lanes: Array, place: int, state: State) -> None:
+    """Write a state where `state_of` reads it."""
+    lanes[X + place], lanes[Y + place], lanes[Z + place] = state[0], state[1], state[2]
+    lanes[VX + place], lanes[VY + place], lanes[VZ + place] = state[3], state[4], state[5]
+    lanes[LEFT + place] = state[6]
+
+
+@_inlined
+def flown_in(lanes: Array, lane: int, blowing: float) -> Flown:
+    """Return what does not change of a lane's flight; ``blowing`` is 1 in the wind and 0 where nothing blows."""
+    spin = lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane], lanes[SPIN + lane]
+    return spin, lanes[STRENGTH + lane], (blowing * lanes[WIND_X + lane], blowing * lanes[WIND_Y + lane])
+
+
+@_inlined
+def put_start(lanes: Array, lane: int, start: Array, flight: int, strength: float) -> None:
+    """Put a flight at its start into a lane; ``strength`` is the drag's, per Cd and square of the speed, 1/m."""
+    for row in range(6):
+        lanes[row * LANES + lane] = start[row, flight]
+    lanes[LEFT + lane] = 1.0
+    x, y, z = start[START_SPIN, flight], start[START_SPIN + 1, flight], start[START_SPIN + 2, flight]
+    lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane] = x, y, z
+    lanes[SPIN + lane] = math.sqrt(x * x + y * y + z * z)
+    lanes[STRENGTH + lane] = strength
+    lanes[WIND_X + lane], lanes[WIND_Y + lane] = start[START_WIND, flight], start[START_WIND + 1, flight]
+
+
 @_inlined
 def _rates(
-    height: float, right: float, out: float, up: float, left: float, spin: Spin,
-    strength: float, wind: Pair, law: FlightLaw, power: float | None, profile: float | None,
+    height: float, velocity: tuple[float, float, float], left: float, flown: Flown, law: FlightLaw,
+    power: float | None, profile: float | None,
 ) -> tuple[float, float, float, float, float]:  # fmt: skip
     """Return (acceleration right, out, up; change of the spin left; how fast the air changes the velocity)."""
+    (right, out, up), (spin, strength, wind) = velocity, flown
     blowing = 1.0
     if profile is not None:
         blowing = exp(profile * log(max(height, 1e-300) / law.reference))
@@ -132,52 +190,41 @@ def _rates(
 
 @_inlined
 def stepped(
-    state: State, step: float, spin: Spin, strength: float, wind: Pair, law: FlightLaw,
-    power: float | None, profile: float | None,
-) -> State:  # fmt: skip
+    state: State, step: float, flown: Flown, law: FlightLaw, power: float | None, profile: float | None
+) -> State:
     """Return a state one step later, by Runge's and Kutta's classical method."""
     x, y, z, vx, vy, vz, left = state
     half, sixth = step / 2, step / 6
-    ax, ay, az, worn, _ = _rates(z, vx, vy, vz, left, spin, strength, wind, law, power, profile)
+    ax, ay, az, worn, _ = _rates(z, (vx, vy, vz), left, flown, law, power, profile)
     bx, by, bz = vx + half * ax, vy + half * ay, vz + half * az
-    cx, cy, cz, worn_2, _ = _rates(
-        z + half * vz, bx, by, bz, left + half * worn, spin, strength, wind, law, power, profile
-    )
+    cx, cy, cz, worn_2, _ = _rates(z + half * vz, (bx, by, bz), left + half * worn, flown, law, power, profile)
     dx, dy, dz = vx + half * cx, vy + half * cy, vz + half * cz
-    ex, ey, ez, worn_3, _ = _rates(
-        z + half * bz, dx, dy, dz, left + half * worn_2, spin, strength, wind, law, power, profile
-    )
+    ex, ey, ez, worn_3, _ = _rates(z + half * bz, (dx, dy, dz), left + half * worn_2, flown, law, power, profile)
     fx, fy, fz = vx + step * ex, vy + step * ey, vz + step * ez
-    gx, gy, gz, worn_4, _ = _rates(
-        z + step * dz, fx, fy, fz, left + step * worn_3, spin, strength, wind, law, power, profile
-    )
+    gx, gy, gz, worn_4, _ = _rates(z + step * dz, (fx, fy, fz), left + step * worn_3, flown, law, power, profile)
     return (
-        x + sixth * (vx + 2 * (bx + dx) + fx), y + sixth * (vy + 2 * (by + dy) + fy),
-        z + sixth * (vz + 2 * (bz + dz) + fz), vx + sixth * (ax + 2 * (cx + ex) + gx),
-        vy + sixth * (ay + 2 * (cy + ey) + gy), vz + sixth * (az + 2 * (cz + ez) + gz),
+        x + sixth * (vx + 2 * (bx + dx) + fx),
+        y + sixth * (vy + 2 * (by + dy) + fy),
+        z + sixth * (vz + 2 * (bz + dz) + fz),
+        vx + sixth * (ax + 2 * (cx + ex) + gx),
+        vy + sixth * (ay + 2 * (cy + ey) + gy),
+        vz + sixth * (az + 2 * (cz + ez) + gz),
         left + sixth * (worn + 2 * (worn_2 + worn_3) + worn_4),
-    )  # fmt: skip
+    )
 
 
 @inner(error_model="numpy", fastmath={"contract", "nsz"})
-def _advance(lanes: Array, step: float, edge: float, law: FlightLaw, power: float | None,
-             profile: float | None) -> float:  # fmt: skip
+def _advance(
+    lanes: Array, step: float, edge: float, law: FlightLaw, power: float | None, profile: float | None
+) -> float:
     """Move every lane by one step; return above zero where something happened in a lane's step."""
     for lane in range(LANES):
-        z, vx, vy, vz, left = lanes[Z + lane], lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane], lanes[LEFT + lane]
-        spin = (lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane], lanes[SPIN + lane])
-        strength, blowing = lanes[STRENGTH + lane], lanes[OPEN + lane]
-        wind = (blowing * lanes[WIND_X + lane], blowing * lanes[WIND_Y + lane])
-        response = _rates(z, vx, vy, vz, left, spin, strength, wind, law, power, profile)[4]
+        state, flown = state_of(lanes, lane), flown_in(lanes, lane, lanes[OPEN + lane])
+        _, _, z, vx, vy, vz, left = state
+        response = _rates(z, (vx, vy, vz), left, flown, law, power, profile)[4]
         length = step / max(1.0, SLOW * response)
-        state = (lanes[X + lane], lanes[Y + lane], z, vx, vy, vz, left)
-        after = stepped(state, length, spin, strength, wind, law, power, profile)
-        lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane] = state[0], state[1], z
-        lanes[BEFORE + VX + lane], lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane] = vx, vy, vz
-        lanes[BEFORE + LEFT + lane] = left
-        lanes[X + lane], lanes[Y + lane], lanes[Z + lane] = after[0], after[1], after[2]
-        lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane] = after[3], after[4], after[5]
-        lanes[LEFT + lane] = after[6]
+        put_state(lanes, BEFORE + lane, state)
+        put_state(lanes, lane, stepped(state, length, flown, law, power, profile))
         lanes[TAKEN + lane] = length
     events = 0.0
     for lane in range(LANES):
@@ -195,10 +242,7 @@ def _advance(lanes: Array, step: float, edge: float, law: FlightLaw, power: floa
 
 
 @compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
-def solve(
-    start: Array, per_density: float, edge: float, law: FlightLaw, power: float | None, profile: float | None,
-    step: float, output: FlightOutput,
-) -> None:  # fmt: skip
+def solve(start: Array, method: FlightMethod, output: FlightOutput) -> None:
     """Fill outcome and results of n flights; or their paths, once the results hold their hang times.
 
     Every lane carries one flight; when it has landed, the lane takes the next one, so that no lane waits for another.
@@ -206,53 +250,39 @@ def solve(
     Parameters
     ----------
     start : (12, n), see the rows of the input above.
-    per_density : drag acceleration per density, Cd and square of the speed.
-    edge : m, the height where the wind begins.
-    power, profile : exponents of the lift law and of the wind, None for 1 and for a wind alike at every height.
     output : with k points of each path, evenly in time; k = 0 to solve.
     """
     lanes = np.zeros(ROWS * LANES)
-    flight_of = np.full(LANES, -1)
-    filled = np.zeros(LANES, np.int64)
     following, busy = 0, 0
+    law, _, power, profile, edge, step = method
     for lane in range(LANES):
-        following = _start(lane, following, start, per_density, edge, lanes, flight_of, filled, output)
-        busy += flight_of[lane] >= 0
+        following = _start(lane, following, start, method, lanes, output)
+        busy += lanes[FLIGHT + lane] >= 0
     while busy > 0:
         if _advance(lanes, step, edge, law, power, profile) == 0.0:
             continue
         for lane in range(LANES):
-            if lanes[EVENT + lane] == 0.0 or flight_of[lane] < 0:
+            if lanes[EVENT + lane] == 0.0 or lanes[FLIGHT + lane] < 0:
                 continue
-            if _event(lane, edge, law, power, profile, lanes, flight_of, filled, output):
-                following = _start(lane, following, start, per_density, edge, lanes, flight_of, filled, output)
-                busy -= flight_of[lane] < 0
+            if _event(lane, method, lanes, output):
+                following = _start(lane, following, start, method, lanes, output)
+                busy -= lanes[FLIGHT + lane] < 0
 
 
 @inner(forceinline=True)
-def _start(
-    lane: int, following: int, start: Array, per_density: float, edge: float, lanes: Array, flight_of: IntArray,
-    filled: IntArray, output: FlightOutput,
-) -> int:  # fmt: skip
+def _start(lane: int, following: int, start: Array, method: FlightMethod, lanes: Array, output: FlightOutput) -> int:
     """Put the next flight that leaves the ground into a lane, or leave the lane idle; return the flight after it."""
+    edge = method.edge
     count, drawing = start.shape[1], output.paths.shape[1] > 0
     while following < count and not _leaves(following, start, drawing, output):
         following += 1
-    flight_of[lane] = following if following < count else -1
-    filled[lane] = 0
     for row in range(ROWS):
         lanes[row * LANES + lane] = 0.0
+    lanes[FLIGHT + lane] = following if following < count else -1.0
     if following >= count:
         lanes[Z + lane] = lanes[BEFORE + Z + lane] = 1.0
         return following
-    for row in range(6):
-        lanes[row * LANES + lane] = start[row, following]
-    lanes[LEFT + lane] = 1.0
-    x, y, z = start[START_SPIN, following], start[START_SPIN + 1, following], start[START_SPIN + 2, following]
-    lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane] = x, y, z
-    lanes[SPIN + lane] = math.sqrt(x * x + y * y + z * z)
-    lanes[STRENGTH + lane] = per_density * start[DENSITY, following]
-    lanes[WIND_X + lane], lanes[WIND_Y + lane] = start[START_WIND, following], start[START_WIND + 1, following]
+    put_start(lanes, lane, start, following, method.per_density * start[DENSITY, following])
     height = start[START_Z, following]
     lanes[OPEN + lane] = 0.0 if height < edge or (height == edge and start[START_VZ, following] < 0) else 1.0
     lanes[TOP + lane] = height
@@ -291,18 +321,16 @@ def _leaves(i: int, start: Array, drawing: bool, output: FlightOutput) -> bool:
 
 
 @inner(forceinline=True, error_model="numpy")
-def _event(
-    lane: int, edge: float, law: FlightLaw, power: float | None, profile: float | None, lanes: Array,
-    flight_of: IntArray, filled: IntArray, output: FlightOutput,
-) -> bool:  # fmt: skip
+def _event(lane: int, method: FlightMethod, lanes: Array, output: FlightOutput) -> bool:
     """Do what a lane's step calls for; return whether its flight is over."""
+    edge = method.edge
     outcome, results, paths = output
-    i, length = flight_of[lane], lanes[TAKEN + lane]
+    i, length = int(lanes[FLIGHT + lane]), lanes[TAKEN + lane]
     height, climb, end = lanes[BEFORE + Z + lane], lanes[BEFORE + VZ + lane], lanes[Z + lane]
     rise, fall = length * climb, length * lanes[VZ + lane]
     part = _first_crossing(height - edge, end - edge, rise, fall) if edge > 0 else -1.0
     if part >= 0:
-        length = _shorten(lane, part, edge, lanes, law, power, profile)
+        length = _shorten(lane, part, edge, lanes, method)
         end, rise, fall = edge, length * climb, length * lanes[VZ + lane]
         lanes[OPEN + lane] = 1.0 if fall > 0 else 0.0
     if rise > 0 > fall:
@@ -313,9 +341,9 @@ def _event(
     part = _first_crossing(height, end, rise, fall)
     landed = part >= 0
     if landed:
-        _shorten(lane, part, 0.0, lanes, law, power, profile)
+        _shorten(lane, part, 0.0, lanes, method)
     if paths.shape[1]:
-        _draw(lane, landed, lanes, filled, results[HANG, i], paths[i])
+        _draw(lane, landed, lanes, results[HANG, i], paths[i])
         return landed
     if not landed and lanes[TIME + lane] < TIME_LIMIT and lanes[STEPS + lane] < MOST_STEPS:
         return False
@@ -331,38 +359,34 @@ def _event(
 
 
 @inner(error_model="numpy")
-def _shorten(
-    lane: int, part: float, height: float, lanes: Array, law: FlightLaw, power: float | None,
-    profile: float | None,
-) -> float:  # fmt: skip
+def _shorten(lane: int, part: float, height: float, lanes: Array, method: FlightMethod) -> float:
     """Take only a part of a lane's last step, which ends at a known height; return how long it is."""
+    law, _, power, profile, _, _ = method
     length = part * lanes[TAKEN + lane]
-    spin = (lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane], lanes[SPIN + lane])
-    wind = (lanes[OPEN + lane] * lanes[WIND_X + lane], lanes[OPEN + lane] * lanes[WIND_Y + lane])
-    state = (
-        lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane], lanes[BEFORE + VX + lane],
-        lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane], lanes[BEFORE + LEFT + lane],
-    )  # fmt: skip
-    after = stepped(state, length, spin, lanes[STRENGTH + lane], wind, law, power, profile)
-    lanes[X + lane], lanes[Y + lane], lanes[Z + lane] = after[0], after[1], height
-    lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane], lanes[LEFT + lane] = after[3], after[4], after[5], after[6]
+    state, flown = state_of(lanes, BEFORE + lane), flown_in(lanes, lane, lanes[OPEN + lane])
+    put_state(lanes, lane, stepped(state, length, flown, law, power, profile))
+    lanes[Z + lane] = height
     lanes[TIME + lane] += length - lanes[TAKEN + lane]
     lanes[TAKEN + lane] = length
     return float(length)
 
 
 @inner
-def _draw(lane: int, landed: bool, lanes: Array, filled: IntArray, hang_time: float, path: Array) -> None:
+def _draw(lane: int, landed: bool, lanes: Array, hang_time: float, path: Array) -> None:
     """Fill the points of a path that lie in a lane's last step."""
     length, now = lanes[TAKEN + lane], lanes[TIME + lane]
-    last = len(path) - 1
-    while filled[lane] <= last and (filled[lane] * hang_time / last <= now or landed):
-        part = min(1.0, 1.0 - (now - filled[lane] * hang_time / last) / length)
+    last, point = len(path) - 1, int(lanes[FILLED + lane])
+    while point <= last and (point * hang_time / last <= now or landed):
+        part = min(1.0, 1.0 - (now - point * hang_time / last) / length)
         for axis in range(3):
             place = axis * LANES + lane
-            path[filled[lane], axis] = _on_cubic(
-                part, lanes[BEFORE + place], lanes[place],
-                length * lanes[BEFORE + VX + place], length * lanes[VX + place],
-            )  # fmt: skip
-        filled[lane] += 1
-    lanes[NEXT + lane] = filled[lane] * hang_time / last if filled[lane] <= last else np.inf
+            path[point, axis] = _on_cubic(
+                part,
+                lanes[BEFORE + place],
+                lanes[place],
+                length * lanes[BEFORE + VX + place],
+                length * lanes[VX + place],
+            )
+        point += 1
+    lanes[FILLED + lane] = point
+    lanes[NEXT + lane] = point * hang_time / last if point <= last else np.inf

@@ -9,10 +9,24 @@ ball but its chances.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.flight.compiled import FlightLaw, stepped
+from sweetspot.flight.compiled import (
+    LANES,
+    ROWS,
+    FlightLaw,
+    FlightMethod,
+    X,
+    Y,
+    Z,
+    flown_in,
+    put_start,
+    put_state,
+    state_of,
+    stepped,
+)
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled, inner
 
@@ -28,16 +42,15 @@ TURNS, NO_MISS = 6, 1e-4
 """Most corrections of the moment at which a path passes the fence, and m beside it that call for none."""
 AIRS, MIDDLE = 3, 1
 """Densities that every ball is flown at, and the one at which it is flown with more drag too."""
-LANES, PATHS = 16, AIRS + 1
-"""Flights side by side, and those of one ball."""
+PATHS = AIRS + 1
+"""Flights of one ball."""
 BALLS = LANES // PATHS
 SETTLED = 6.5
 """Standard deviations over or under a fence from which the chance is 1 or 0, right to 4e-11."""
 SMALL = 0.03
 """rad up to which the arc tangent is its series; what is left out is below 1e-14."""
-# rows of the lanes' numbers: position, velocity, spin that is left, then these
-SPIN, STRENGTH, WIND, BRAKED = 7, 11, 12, 14
-ROWS = 15
+BRAKED = ROWS * LANES
+"""First place of one more row of the lanes' numbers: the factor of the drag."""
 # what is known of a path at a step, seen from home plate: distance, direction, height, and what they gain in a step
 FAR, WAY, HIGH, FARTHER, TURNED, HIGHER = range(6)
 TABLE_STEP = math.pi / 720
@@ -45,28 +58,41 @@ TABLE_STEP = math.pi / 720
 FOUL, BEHIND = math.pi / 4, math.pi / 2
 
 
-@compiled(nogil=True, error_model="numpy")
-def chances(
-    start: Array, densities: Array, weights: Array, fences: Array, nearest: float, drags: Array, scatters: Array,
-    per_density: float, law: FlightLaw, power: float | None, profile: float | None, step: float, chance: Array,
-    margin: Array,
-) -> None:  # fmt: skip
-    """Fill the chance of a home run, and the height over the fence by the law, of n balls in m parks.
+class ParkTables(NamedTuple):
+    """What m parks ask of a ball.
 
     Parameters
     ----------
-    start : (11, n), position, velocity, spin, wind to the right and out.
-    densities : (3, n), of the airs that each ball is flown in, kg/m^3, thinnest first; ``weights`` (m, 3) mix the
-        paths to each park's air.
+    weights : (m, 3), mix the paths through three airs to each park's.
     fences : (2, m, directions), distance and height of the fence every `TABLE_STEP` from one foul line to the other.
     nearest : m, no fence is nearer.
     drags, scatters : (m,), what each park adds to the drag coefficient, and standard deviation of the latter, as parts
         of it.
-    per_density, law, power, profile, step : as `compiled.solve` takes them.
-    chance, margin : (n, m).
+    """
+
+    weights: Array
+    fences: Array
+    nearest: float
+    drags: Array
+    scatters: Array
+
+
+@compiled(nogil=True, error_model="numpy")
+def chances(
+    start: Array, densities: Array, parks: ParkTables, method: FlightMethod, output: tuple[Array, Array]
+) -> None:
+    """Fill the chance of a home run, and the height over the fence by the law, of n balls in m parks.
+
+    Parameters
+    ----------
+    start : (12, n), as `solve` takes it; its density does not count.
+    densities : (3, n), of the airs that each ball is flown in, kg/m^3, thinnest first.
+    output : both (n, m).
     """
     balls = start.shape[1]
-    lanes, paths = np.zeros(ROWS * LANES), np.empty((MOST_POINTS, 6, LANES))
+    (weights, fences, nearest, drags, scatters), (chance, margin) = parks, output
+    per_density, step = method.per_density, method.step
+    lanes, paths = np.zeros((ROWS + 1) * LANES), np.empty((MOST_POINTS, 6, LANES))
     seen, lost = np.empty((MOST_POINTS, 6, AIRS)), np.empty((MOST_POINTS, 4))
     points, reach = np.empty(LANES, np.int64), np.empty(LANES)
     far = np.empty(balls, np.int64)
@@ -74,8 +100,9 @@ def chances(
     for first in range(0, balls, LANES):  # which balls come near a fence at all, in the thinnest air
         for lane in range(LANES):
             ball = min(first + lane, balls - 1)
-            _set_out(lanes, lane, start, ball, per_density * densities[0, ball], 1.0)
-        _fly(lanes, law, power, profile, step, nearest, paths, points, reach)
+            put_start(lanes, lane, start, ball, per_density * densities[0, ball])
+            lanes[BRAKED + lane] = 1.0
+        _fly(lanes, method, nearest, paths, points, reach)
         for lane in range(min(LANES, balls - first)):
             if reach[lane] > nearest:
                 far[count] = first + lane
@@ -87,8 +114,9 @@ def chances(
         for lane in range(LANES):
             ball, path = far[min(first + lane // PATHS, count - 1)], lane % PATHS
             density = densities[path if path < AIRS else MIDDLE, ball]
-            _set_out(lanes, lane, start, ball, per_density * density, 1 + MORE_DRAG if path == AIRS else 1.0)
-        _fly(lanes, law, power, profile, step, farthest, paths, points, reach)
+            put_start(lanes, lane, start, ball, per_density * density)
+            lanes[BRAKED + lane] = 1 + MORE_DRAG if path == AIRS else 1.0
+        _fly(lanes, method, farthest, paths, points, reach)
         for place in range(min(BALLS, count - first)):
             ball, lane = far[first + place], PATHS * place
             last = points[lane : lane + PATHS].min()
@@ -106,48 +134,30 @@ def chances(
                     chance[ball, park] = 1.0 if off > 0 else 0.0
 
 
-@inner(error_model="numpy")
-def _set_out(lanes: Array, lane: int, start: Array, ball: int, strength: float, drag: float) -> None:
-    """Put a ball at its start into a lane, its drag times so much."""
-    for row in range(6):
-        lanes[row * LANES + lane] = start[row, ball]
-    lanes[6 * LANES + lane] = 1.0
-    x, y, z = start[6, ball], start[7, ball], start[8, ball]
-    lanes[SPIN * LANES + lane], lanes[(SPIN + 1) * LANES + lane], lanes[(SPIN + 2) * LANES + lane] = x, y, z
-    lanes[(SPIN + 3) * LANES + lane] = math.sqrt(x * x + y * y + z * z)
-    lanes[STRENGTH * LANES + lane] = strength
-    lanes[WIND * LANES + lane], lanes[(WIND + 1) * LANES + lane] = start[9, ball], start[10, ball]
-    lanes[BRAKED * LANES + lane] = drag
-
-
 @inner(error_model="numpy", fastmath={"contract", "nsz"})
 def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float | None, step: float) -> None:
     """Move every lane by one step."""
     for lane in range(LANES):
-        more = lanes[BRAKED * LANES + lane]
+        more = lanes[BRAKED + lane]
         braked = FlightLaw(
-            law.radius, law.drag * more, law.drag_per_spin * more, law.drag_per_active_spin * more,
-            law.drag_per_spin_factor * more, law.viscous * more, law.lift_scale, law.lift_offset, law.lift_slope,
-            law.decay, law.reference,
-        )  # fmt: skip
-        spin = (lanes[SPIN * LANES + lane], lanes[(SPIN + 1) * LANES + lane], lanes[(SPIN + 2) * LANES + lane],
-                lanes[(SPIN + 3) * LANES + lane])  # fmt: skip
-        wind = (lanes[WIND * LANES + lane], lanes[(WIND + 1) * LANES + lane])
-        state = (
-            lanes[lane], lanes[LANES + lane], lanes[2 * LANES + lane], lanes[3 * LANES + lane],
-            lanes[4 * LANES + lane], lanes[5 * LANES + lane], lanes[6 * LANES + lane],
-        )  # fmt: skip
-        after = stepped(state, step, spin, lanes[STRENGTH * LANES + lane], wind, braked, power, profile)
-        lanes[lane], lanes[LANES + lane], lanes[2 * LANES + lane] = after[0], after[1], after[2]
-        lanes[3 * LANES + lane], lanes[4 * LANES + lane], lanes[5 * LANES + lane] = after[3], after[4], after[5]
-        lanes[6 * LANES + lane] = after[6]
+            law.radius,
+            law.drag * more,
+            law.drag_per_spin * more,
+            law.drag_per_active_spin * more,
+            law.drag_per_spin_factor * more,
+            law.viscous * more,
+            law.lift_scale,
+            law.lift_offset,
+            law.lift_slope,
+            law.decay,
+            law.reference,
+        )
+        flown = flown_in(lanes, lane, 1.0)
+        put_state(lanes, lane, stepped(state_of(lanes, lane), step, flown, braked, power, profile))
 
 
 @inner(error_model="numpy")
-def _fly(
-    lanes: Array, law: FlightLaw, power: float | None, profile: float | None, step: float, enough: float,
-    paths: Array, points: IntArray, reach: Array,
-) -> None:  # fmt: skip
+def _fly(lanes: Array, method: FlightMethod, enough: float, paths: Array, points: IntArray, reach: Array) -> None:
     """Fill positions and velocities at every step, how many there are down to `DEPTH`, and the greatest distance.
 
     Parameters
@@ -155,6 +165,7 @@ def _fly(
     enough : m, when all have been farther than that they are followed no more.
     paths : (points, 6, lanes).
     """
+    law, _, power, profile, _, step = method
     over = np.zeros(LANES, np.bool_)
     reach[:] = 0.0
     for point in range(MOST_POINTS):
@@ -166,9 +177,9 @@ def _fly(
             if over[lane]:
                 continue
             points[lane] = point + 1
-            far = math.sqrt(lanes[lane] ** 2 + lanes[LANES + lane] ** 2)
+            far = math.sqrt(lanes[X + lane] ** 2 + lanes[Y + lane] ** 2)
             reach[lane] = far if far > reach[lane] else reach[lane]
-            if lanes[2 * LANES + lane] < -DEPTH or not math.isfinite(lanes[2 * LANES + lane]):
+            if lanes[Z + lane] < -DEPTH or not math.isfinite(lanes[Z + lane]):
                 over[lane] = True
             elif reach[lane] <= enough:
                 flying += 1
@@ -180,7 +191,7 @@ def _fly(
 @inner(error_model="numpy")
 def _seen_from_home(
     paths: Array, lane: int, last: int, step: float, near: float, farthest: float, seen: Array, lost: Array
-) -> tuple[int, int]:  # fmt: skip
+) -> tuple[int, int]:
     """Fill what is known of a ball's paths from home plate; return the first and the last step but one that matter.
 
     Parameters
@@ -238,7 +249,7 @@ def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -
 @inner(forceinline=True, error_model="numpy")
 def _over(
     seen: Array, lost: Array, begin: int, end: int, step: float, weights: Array, fences: Array, park: int, hint: int
-) -> tuple[float, float, int]:  # fmt: skip
+) -> tuple[float, float, int]:
     """Return the height of a ball over a fence's top, m, and its loss of height by `MORE_DRAG`; NaN where foul.
 
     Also the step in which it passes, or the last one: ``hint`` for the next fence, which is not far from this one.
@@ -305,9 +316,10 @@ def _within(step: tuple[float, float, float, float], part: float) -> float:
     first, last, rise, fall = step
     rest = 1 - part
     return (
-        rest * rest * (1 + 2 * part) * first + part * part * (3 - 2 * part) * last
+        rest * rest * (1 + 2 * part) * first
+        + part * part * (3 - 2 * part) * last
         + part * rest * (rest * rise - part * fall)
-    )  # fmt: skip
+    )
 
 
 @inner(forceinline=True, error_model="numpy")

@@ -16,10 +16,9 @@ from functools import lru_cache
 import numpy as np
 
 from sweetspot.flight.air import PRESSURE_FALL, Air, Airs, air_density
-from sweetspot.flight.compiled import DENSITY
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, chances
-from sweetspot.flight.kernel import STEP, drag_per_density, flight_law, flight_rows
+from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, ParkTables, chances
+from sweetspot.flight.kernel import STEP, flight_method, flight_rows
 from sweetspot.flight.park import Park, fence_at, nearest_fence
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array
@@ -127,19 +126,16 @@ def home_run_chances(
     levels, weights = _levels(tuple(park.elevation if own_elevation else 0.0 for park in everywhere))
     fences, nearest = _fences(everywhere)
     shifts, scatters = np.array([scatter.of(park) for park in everywhere]).T.copy()
-    start = np.delete(flight_rows(motions, conditions), DENSITY, axis=0)
+    tables = ParkTables(weights, fences, nearest, shifts, scatters)
+    start, method = flight_rows(motions, conditions), flight_method(conditions, step)
     densities = np.empty((len(levels), start.shape[1]))
     densities[:] = _densities(air, levels, own_elevation=own_elevation)
-    law, per_density = flight_law(conditions), drag_per_density(conditions)
-    power, profile = conditions.aerodynamics.lift_power, conditions.profile
     chance = np.empty((start.shape[1], len(everywhere)))
     clearance = np.empty_like(chance)
 
     def work(part: slice) -> None:
-        chances(
-            np.ascontiguousarray(start[:, part]), np.ascontiguousarray(densities[:, part]), weights, fences, nearest,
-            shifts, scatters, per_density, law, power, profile, step, chance[part], clearance[part],
-        )  # fmt: skip
+        own_start, own_air = np.ascontiguousarray(start[:, part]), np.ascontiguousarray(densities[:, part])
+        chances(own_start, own_air, tables, method, (chance[part], clearance[part]))
 
     in_parts(work, len(chance), size=CHUNK, threads=threads)
     return HomeRuns(chance, clearance)

@@ -22,6 +22,7 @@ from sweetspot.flight.compiled import (
     RESULT_ROWS,
     SPIN_LEFT,
     FlightLaw,
+    FlightMethod,
     FlightOutput,
     solve,
 )
@@ -123,15 +124,14 @@ def flights(
     outcome = np.empty(count, np.int64)
     results = np.empty((RESULT_ROWS, count))
     paths = np.empty((count, path_points, 3))
-    per_density, edge, law = drag_per_density(conditions), conditions.shelter[0], flight_law(conditions)
-    power, profile = conditions.aerodynamics.lift_power, conditions.profile
+    method = flight_method(conditions, step)
 
     def work(part: slice) -> None:
         mine = np.ascontiguousarray(start[:, part])
         part_results = np.empty((RESULT_ROWS, mine.shape[1]))  # not a part of all: each form is compiled anew
         for points in (0, path_points) if path_points else (0,):
             output = FlightOutput(outcome[part], part_results, paths[part, :points])
-            solve(mine, per_density, edge, law, power, profile, step, output)
+            solve(mine, method, output)
         results[:, part] = part_results
 
     in_parts(work, count, size=CHUNK, threads=threads)
@@ -154,8 +154,8 @@ def flight_rows(motions: BallMotion | BallMotions, conditions: FlightConditions)
     """Return the inputs by flight, shape (12, n): position, velocity, spin, density, wind right and out."""
     density, blowing = conditions.density, conditions.blowing
     columns = [np.asarray(values, float) for values in (motions.position, motions.velocity, motions.spin)]
-    for values, size, what in (*zip(columns, (3, 3, 3), ("position", "velocity", "spin"), strict=True),
-                               (blowing, 2, "wind")):  # fmt: skip
+    names = ("position", "velocity", "spin", "wind")
+    for values, size, what in zip((*columns, blowing), (3, 3, 3, 2), names, strict=True):
         if values.ndim not in {1, 2} or values.shape[-1] != size:
             raise InputError(f"{what} has the shape {values.shape}; allowed is ({size},) or (flights, {size})")
     try:
@@ -174,15 +174,11 @@ def flight_rows(motions: BallMotion | BallMotions, conditions: FlightConditions)
     return start
 
 
-def drag_per_density(conditions: FlightConditions) -> float:
-    """Return the drag's acceleration per density of the air, Cd and square of the speed, m^2/kg."""
-    return math.pi * conditions.ball.radius**2 / (2 * conditions.ball.mass)
-
-
-def flight_law(conditions: FlightConditions) -> FlightLaw:
-    """Return the numbers that every flight shares, as the compiled flight has them."""
+def flight_method(conditions: FlightConditions, step: float) -> FlightMethod:
+    """Return what every flight shares, as the compiled flight has it; ``step`` in s."""
     ball, law = conditions.ball, conditions.aerodynamics
-    return FlightLaw(
+    edge, reference = conditions.shelter
+    forces = FlightLaw(
         radius=ball.radius,
         drag=law.drag - law.drag_per_inverse_reynolds,
         drag_per_spin=law.drag_per_spin,
@@ -193,5 +189,7 @@ def flight_law(conditions: FlightConditions) -> FlightLaw:
         lift_offset=law.lift_offset,
         lift_slope=law.lift_slope,
         decay=law.spin_decay_rate,
-        reference=conditions.shelter[1],
+        reference=reference,
     )
+    per_density = math.pi * ball.radius**2 / (2 * ball.mass)
+    return FlightMethod(forces, per_density, law.lift_power, conditions.profile, edge, step)

@@ -185,7 +185,7 @@ def flight_table(
             raise InputError(f"height is {batted.height:g} m, below the ground; allowed is 0 m or more")
         parts.append(
             flights(motion, FlightConditions(ball=ball, aerodynamics=aerodynamics, air=batted.air, wind=batted.wind))
-        )  # fmt: skip
+        )
     names = [field.name for field in fields(Flights)]
     return FlightTable(
         hit, rows, columns, Flights(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))

@@ -119,9 +119,7 @@ class PitchFlight:
         return float(approach_angles(self.plate.velocity)[0])
 
 
-def thrown(
-    delivery: Delivery, *, ball: Ball, aerodynamics: Aerodynamics, air: Air, wind: Wind = CALM
-) -> PitchFlight:  # fmt: skip
+def thrown(delivery: Delivery, *, ball: Ball, aerodynamics: Aerodynamics, air: Air, wind: Wind = CALM) -> PitchFlight:
     """Return the pitch flown to the front edge of the plate with drag, lift and tiring spin.
 
     Raises
