@@ -36,7 +36,6 @@ class Option:
 
     Parameters
     ----------
-    candidate : the bat.
     bat_speed : of the player with it, m/s.
     goal : what is expected with it.
     change : the same against the player's own bat.
@@ -58,7 +57,6 @@ class Worth:
     ----------
     key : short and unique, for programs.
     change : what is changed, SI.
-    gain : of the goal.
     """
 
     key: str
@@ -73,7 +71,6 @@ class Advice:
     Parameters
     ----------
     posterior : what it rests on.
-    goal : what is wanted.
     pitch_speed : m/s at the plate that the answers hold for.
     now : what is expected with the player's own bat.
     options : bats tried, the best first.
@@ -141,12 +138,7 @@ def advise(
     The same draws and the same swings are used for every bat, so that a difference is the bats' alone. With another
     bat the player meets the ball equally far from its tip.
 
-    Parameters
-    ----------
-    goal : what is wanted.
-    others : further bats to try; those of the file are tried anyway.
-    pitch_speed : m/s at the plate; None: the median of the swings.
-    progress : called with (bats done, bats in all).
+    ``pitch_speed``: m/s at the plate; None: the median of the swings.
     """
     model = posterior.model
     speeds = [swing.pitch_speed for swing in model.swings if swing.pitch_speed is not None]

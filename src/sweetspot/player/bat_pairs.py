@@ -27,8 +27,6 @@ class MeasuredBat:
 
     Parameters
     ----------
-    bat : the bat.
-    count : swings with it.
     bat_speed, exit_speed : m/s, mean of its swings with its 90 % interval; None: too few were measured.
     """
 
@@ -122,11 +120,7 @@ def compared_pairs(
 ) -> tuple[tuple[BatPair, ...], tuple[str, ...]]:
     """Return every two of the bats that were swung, and the names of those swung too seldom to be compared.
 
-    Parameters
-    ----------
-    swung : the bats of the file.
-    gained : of every bat by name, the expected goal for every draw, shape (draws,), with the same draws and swings.
-    goal : what is wanted.
+    ``gained``: of every bat by name, the expected goal for every draw, shape (draws,), with the same draws and swings.
     """
     comparable = [bat for bat in swung if bat.count >= FEWEST_OF_A_BAT and bat.bat.name in gained]
     comparable.sort(key=lambda bat: -float(np.median(gained[bat.bat.name])))

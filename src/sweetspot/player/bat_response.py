@@ -62,7 +62,6 @@ class BatResponse:
 
     Parameters
     ----------
-    bat : the bat.
     moi : kg m^2 about the swing law's axis.
     from_tip : m, increasing, evenly spaced.
     efficiency, efficiency_slope : q at no closing speed, as the straight line would have it, and its change per m/s;
@@ -104,16 +103,8 @@ class BatResponse:
 def response_of(bat: Bat, *, ball: Ball, axis: float, like: BatResponse | None = None) -> BatResponse:
     """Return the tables of a bat.
 
-    Parameters
-    ----------
-    axis : where the swing law takes the moment of inertia, m from the bottom of the grip.
-    like : another bat's, whose off-centre hits are taken over, for they hang on the barrel's width alone; None:
-        worked out.
-
-    Raises
-    ------
-    InputError
-        when the bat is no heavier than the ball, or does not send it back anywhere on the barrel.
+    ``axis``: where the swing law takes the moment of inertia, m from the bottom of the grip. ``like``: another bat's,
+    whose off-centre hits are taken over, for they hang on the barrel's width alone; None: worked out.
     """
     table = tabled_bat(bat, ball=ball)
     body = table.model.body
@@ -147,9 +138,7 @@ def _off_centre(table: ContactTable, places: Array, q: tuple[Array, Array]) -> t
     What is retained is a part of what q, at no closing speed and its change with that, gives a ball met in line with
     the swing: so hits are those of the collision, whatever their angle.
 
-    Parameters
-    ----------
-    q : at the places, at no closing speed and its change per m/s.
+    ``q``: at the places, at no closing speed and its change per m/s.
     """
     bat = table.bat
     reach = table.ball.radius + float(bat.diameter_at(bat.length - BARREL)) / 2

@@ -35,7 +35,6 @@ class Candidate:
     key : short and unique, for programs.
     label : what to call it beside the player's own.
     family : "weight", "balance", "length", "choke", "catalogue", or "swung": another bat of the file.
-    bat : the bat.
     body : its mass, balance and moments of inertia.
     amount : what was changed, kg or m, with its sign; 0 for whole other bats.
     """
@@ -53,11 +52,7 @@ def candidates(
 ) -> tuple[tuple[Candidate, ...], tuple[str, ...]]:
     """Return the bats to try, and why some could not be made.
 
-    Parameters
-    ----------
-    bat : the player's own.
-    others : whole other bats.
-    swung : the other bats of the file.
+    ``bat``: the player's own.
     """
     mass = rigid_body(beam_model(bat)).mass
     makers: list[tuple[str, str, str, float, Callable[[], Bat]]] = [
@@ -98,10 +93,7 @@ def candidates(
 def lengthened(bat: Bat, distance: float, *, mass: float) -> Bat:
     """Return a bat stretched or shortened along its axis, of the same weight.
 
-    Parameters
-    ----------
-    distance : m, added to the length.
-    mass : kg of the bat, which stays; hollow bats keep their wall instead.
+    ``distance``: m, added to the length. ``mass``: kg of the bat, which stays; hollow bats keep their wall instead.
     """
     length = bat.length + distance
     factor = length / bat.length

@@ -36,13 +36,7 @@ def is_heading_line(cells: Sequence[str], named: frozenset[str] = frozenset()) -
 
 
 def columns_of(headings: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, file_name: str) -> Headings:
-    """Return the meaning of the columns of a file; ``batter`` is who swung, ``outcome`` the result of the swing.
-
-    Raises
-    ------
-    InputError
-        when two columns give the same quantity, a unit is not known, or neither speed is there.
-    """
+    """Return the meaning of the columns of a file; ``batter`` is who swung, ``outcome`` the result of the swing."""
     names = [heading.strip() for heading in headings]
     found = read_headings(names, wanted=SWINGS, given=given, once=True, file_name=file_name)
     faults = list(found.faults.values())

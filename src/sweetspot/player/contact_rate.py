@@ -84,12 +84,8 @@ def _rows_at(table: LikelihoodTable, bat: int, steeper: float) -> tuple[Array, A
 def fill_hits(hits: Array, weight: Array, table: LikelihoodTable, bat: int, parameters: Array, steeper: float) -> float:
     """Fill the share of hits among the balls met at every tabled offset; return the probability of a hit.
 
-    Parameters
-    ----------
-    hits : (offsets,).
-    weight : (places,) of `LikelihoodTable.selected`, room to work in.
-    parameters : (10,) SI.
-    steeper : mean attack angle beyond the usual one, rad.
+    ``weight``: (places,) of `LikelihoodTable.selected`, room to work in. ``parameters``: (10,) SI. ``steeper``: mean
+    attack angle beyond the usual one, rad.
     """
     less, more, up = _rows_at(table, bat, steeper)
     first, last = fill_weights(weight, table.place_start, table.selected_step, parameters[3], parameters[4] ** 2)
@@ -113,12 +109,7 @@ def fill_untold(
     They are normalised as they stand: were they the density itself, a law of offsets that is narrower than the steps
     between them would make any swings as likely as one likes.
 
-    Parameters
-    ----------
-    share : (offsets, places).
-    weight : (places,) which add to one.
-    parameters : (10,) SI.
-    steeper : mean attack angle beyond the usual one, rad.
+    ``parameters``: (10,) SI. ``steeper``: mean attack angle beyond the usual one, rad.
     """
     less, more, up = _rows_at(table, bat, steeper)
     total, spread = 0.0, parameters[6]

@@ -42,9 +42,7 @@ class Expectation:
 
     Parameters
     ----------
-    model : of the player.
     draws : posterior draws, shape (draws, 10), SI.
-    goal : what is averaged.
     pitch_speed : m/s at the plate.
     carries : for goals that fly; None: for exit speed.
     scatter : standard normal numbers, shape (4, draws, swings).
@@ -71,11 +69,8 @@ class Expectation:
         and lines every swing counts, and one that is not a hit brings nothing; a ball computed to come down on the
         line is beyond it half of the times.
 
-        Parameters
-        ----------
-        table : of the bat in the player's hands.
-        change : of the player.
-        position, offset : means in place of every draw's own, m, shape (draws,).
+        ``table``: of the bat in the player's hands. ``position``, ``offset``: means in place of every draw's own, m,
+        shape (draws,).
         """
         gains = np.empty(len(self.draws))
         fill_gains(
@@ -148,11 +143,7 @@ def expectation(
 ) -> Expectation:
     """Return the expectation over draws and swings, of which questions about bats are asked.
 
-    Parameters
-    ----------
-    pitch_speed : m/s at the plate.
-    carries : for goals that fly.
-    seed : of the scatter.
+    ``pitch_speed``: m/s at the plate.
     """
     draws = posterior.thinned(DRAWS)
     scatter = np.random.default_rng(seed).standard_normal((4, len(draws), SWINGS))

@@ -26,11 +26,9 @@ class BatInHand(NamedTuple):
     arm, measured_arm : m from the axis of the swing to the tip, and to where bat speed is measured.
     reach, farthest : m; place from the tip and size of the offset up to which a swing is a hit.
     place_step : m between places.
-    efficiency, efficiency_slope : (places,).
     offset_start, offset_step : m.
     ratio_start, ratio_step : of pitch speed over bat speed.
     kept_step : m between the places of the next.
-    retained : (places, ratios, offsets).
     barrel : which of these places the carries are made for.
     """
 
@@ -87,7 +85,6 @@ class Scattered(NamedTuple):
     ----------
     speed, position, offset, attack : means; speed with the bat in hand.
     speed_spread, position_spread, offset_spread : standard deviations, shape (draws,).
-    attack_spread : one for all.
     shift : of the collision efficiency, shape (draws,).
     normal : standard normal numbers, shape (4, draws, swings).
     """
@@ -149,9 +146,7 @@ def fill_gains(bat: BatInHand, wanted: WantedOfHit, swings: Scattered, pitch: fl
 
     Exit speed is the mean over hits; of carries and lines every swing counts, and one that is no hit brings nothing.
 
-    Parameters
-    ----------
-    pitch : m/s at the plate.
+    ``pitch``: m/s at the plate.
     """
     draws, count = swings.normal.shape[1:]
     per_arm, per_place = 1 / bat.measured_arm, 1 / bat.place_step

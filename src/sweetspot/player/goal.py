@@ -107,9 +107,7 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     The oblique collision gives direction and spin for every offset and attack angle; all speeds of a hit are then
     scaled together to every head-on exit speed, and flown.
 
-    Parameters
-    ----------
-    pitch_speed : m/s at the plate.
+    ``pitch_speed``: m/s at the plate.
     """
     reference = model.bats[0]
     bat = reduced_bat(reference.bat, ball=model.ball)

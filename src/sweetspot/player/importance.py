@@ -83,12 +83,7 @@ class Weighted:
 def importance_draws(log_density: Density, *, along: int, skewed: int, size: int, seed: int) -> Weighted:
     """Return weighted draws of a density of ``size`` parameters that a standard normal is the scale of.
 
-    Parameters
-    ----------
-    log_density : of rows of parameters, shape (rows, size) to (rows,), up to a constant; -inf where not allowed.
-    along : which parameter the density may be bent along, or have several hills along.
-    skewed : which other one it may have a long tail below.
-    size : three or more, for the others are free.
+    ``log_density``: of rows of parameters, shape (rows, size) to (rows,), up to a constant; -inf where not allowed.
 
     >>> log_density = lambda rows: -0.5 * ((rows - 1) ** 2).sum(axis=1)
     >>> drawn = importance_draws(log_density, along=0, skewed=1, size=3, seed=1)
@@ -104,11 +99,7 @@ def importance_draws(log_density: Density, *, along: int, skewed: int, size: int
 def drawn_further(before: Weighted, heights: Array, log_density: Density, *, seed: int) -> Weighted:
     """Return weighted draws of another density not far from that of draws that there are, which count again.
 
-    Parameters
-    ----------
-    known : draws of the first density.
-    heights : shape (draws,), logarithm of the other density at each of them.
-    log_density : of rows of parameters, the other density.
+    ``heights``: shape (draws,), logarithm of the other density at each of them.
     """
     again = _weighted(before.draws, heights, before.mixtures)
     if again.effective > GOOD:

@@ -55,10 +55,6 @@ def population_of(fits: Sequence[PlayerPosterior]) -> Population | None:
     """Return the distribution of a league's players, None of fewer than five with weighted draws.
 
     The spread holds what is not known of the league's mean as well.
-
-    Parameters
-    ----------
-    fits : of every player, each without the league.
     """
     weighted = [fit.weighted for fit in fits if fit.weighted is not None]
     if len(weighted) < FEWEST_PLAYERS:

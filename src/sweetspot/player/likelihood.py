@@ -81,9 +81,7 @@ def _fill_heights(
 ) -> None:
     """Fill the logarithms of how likely one point's offsets are, place by place, and their weights.
 
-    Parameters
-    ----------
-    mean, spread : m, of the offset.
+    ``mean``, ``spread``: m, of the offset.
     """
     for j in range(len(weight)):
         height[j] = -0.5 * ((offset[j] - mean) / spread) ** 2
@@ -96,11 +94,6 @@ def _density(out: float, retained: Array, ball_out: Array, narrow: Array, height
 
     Short loops from 0 that touch few arrays: the compiler turns these into vector instructions. It must not be let to
     reorder sums here: the exponential rounds by adding and taking away a large number.
-
-    Parameters
-    ----------
-    narrow : one over the standard deviation of exit speed at every place.
-    height, part : logarithms and weights that every place already has.
     """
     count = len(part)
     for j in range(count):
@@ -136,11 +129,7 @@ def _density_untold(
 ) -> float:
     """Return the density of an exit speed summed over places and offsets, of which no launch angle tells.
 
-    Parameters
-    ----------
-    retained, variance : (offsets, places), what is retained and its variance.
-    share : (offsets, places), which add to one when each counts as its place's weight.
-    part, narrow, height : room to work in.
+    ``share``: (offsets, places), which add to one when each counts as its place's weight.
     """
     total = 0.0
     for k in range(len(share)):
@@ -178,11 +167,8 @@ def _fill_ball_out(
 def log_likelihoods(parameters: Array, speeds: Array, table: LikelihoodTable, logarithms: Array) -> None:
     """Fill ``logarithms`` with the log-likelihood of every row of parameters; hits count `COUNTED`.
 
-    Parameters
-    ----------
-    parameters : (rows, 10) SI, in the order of `NAMES`.
-    speeds : (rows, bats) m/s, the player's mean bat speed with every bat.
-    logarithms : (rows,).
+    ``parameters``: (rows, 10) SI, in the order of `NAMES`. ``speeds``: (rows, bats) m/s, the player's mean bat speed
+    with every bat.
     """
     places = table.efficiency.shape[1]
     speed_noise, place_noise, attack_spread, usual_attack = table.constants[:4]

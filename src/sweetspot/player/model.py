@@ -45,10 +45,8 @@ class PlayerModel:
 
     Parameters
     ----------
-    swings : the swings.
     bats : tables of every bat used, the player's own first: bat speed is that with it.
     bat_of : which bat each swing was made with, an index into ``bats``.
-    ball : the ball.
     law : of bat speed against moment of inertia.
     speed_from_tip : m from the tip where bat speed is measured.
     table : what the compiled likelihood reads.
@@ -67,9 +65,7 @@ class PlayerModel:
 
         v_b = v (I_b / I)^-n (arm of b / arm): with the law's exponent, at the same distance from the tip.
 
-        Parameters
-        ----------
-        parameters : shape (rows, 10), SI.
+        ``parameters``: shape (rows, 10), SI.
         """
         reference = self.bats[0]
         speeds = np.repeat(parameters[:, :1], len(self.bats), axis=1)
@@ -110,10 +106,7 @@ class PlayerModel:
 def arm_ratio(table: BatResponse, place: Array, *, speed_from_tip: float) -> Array:
     """Return bat speed at places over that where it is measured; the bat turns about the bottom of the grip.
 
-    Parameters
-    ----------
-    place : m from the tip.
-    speed_from_tip : m from the tip where bat speed is measured.
+    ``place``: m from the tip. ``speed_from_tip``: m from the tip where bat speed is measured.
     """
     arm = table.bat.length - table.bat.choke
     return (arm - place) / (arm - speed_from_tip)
@@ -126,10 +119,7 @@ def speed_ratio(
 
     The angular speeds are as the law says; both bat speeds hold at the same distance from the tip.
 
-    Parameters
-    ----------
-    other, own : tables of the two bats.
-    exponent : shape (rows,); values outside 0 to 1/2 count as the nearest end.
+    ``exponent``: shape (rows,); values outside 0 to 1/2 count as the nearest end.
     """
     arms = [table.bat.length - speed_from_tip - table.bat.choke for table in (other, reference)]
     if other.moi == reference.moi:
@@ -151,17 +141,9 @@ def player_model(
 ) -> PlayerModel:
     """Return the model of a player's swings.
 
-    Parameters
-    ----------
-    bat : the player's own; swings whose bat is not in ``others`` were made with it.
-    others : further bats by the name that the swings give them.
-    law : of bat speed against moment of inertia; None: the catalogue's for baseball.
-    speed_from_tip : m from the tip where bat speed is measured.
-
-    Raises
-    ------
-    InputError
-        without a swing, or when a bat is refused.
+    ``bat``: the player's own; swings whose bat is not in ``others`` were made with it. ``law``: of bat speed against
+    moment of inertia; None: the catalogue's for baseball. ``speed_from_tip``: m from the tip where bat speed is
+    measured.
     """
     if not swings:
         raise InputError("no swing was given; give at least one")
@@ -184,10 +166,8 @@ def bats_of(
 
     One unknown name in the whole file is taken for the player's own bat; of several each is a bat of its own.
 
-    Parameters
-    ----------
-    load : gives a bat by its name or raises `InputError`.
-    stand_in_for : gives the bat that one of several unknown names is taken for; None: their rows are left out.
+    ``load``: gives a bat by its name or raises `InputError`. ``stand_in_for``: gives the bat that one of several
+    unknown names is taken for; None: their rows are left out.
     """
     names = sorted({swing.bat for swing in swings} - {""})
     bats: dict[str, Bat] = {}

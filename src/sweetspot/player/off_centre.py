@@ -56,13 +56,8 @@ def offset_points(
 ) -> OffsetPoints:
     """Return points and weights for sums over offsets given the launch angles of swings; zeros where none was measured.
 
-    Parameters
-    ----------
-    bat : which table, shape (n,).
-    ratio : pitch over bat speed, shape (n,).
-    launch : rad, shape (n,); nan: not measured.
-    attack : rad, shape (n,), measured where the launch angle was.
-    places : m from the tip.
+    ``bat``: which table, shape (n,). ``ratio``: pitch over bat speed, shape (n,). ``launch``: rad, shape (n,); nan: not
+    measured. ``attack``: rad, shape (n,), measured where the launch angle was. ``places``: m from the tip.
     """
     shape = (len(ratio), POINTS, len(places))
     points = OffsetPoints(np.zeros(shape), np.zeros(shape), np.zeros(shape))
@@ -80,12 +75,8 @@ def untold_kept(
 
     What is retained changes up to the next offset, and with the attack angle where that was not measured.
 
-    Parameters
-    ----------
-    bat : which table, shape (n,).
-    ratio : pitch over bat speed, shape (n,).
-    attack : rad, shape (n,); nan: not measured.
-    places : m from the tip.
+    ``bat``: which table, shape (n,). ``ratio``: pitch over bat speed, shape (n,). ``attack``: rad, shape (n,); nan: not
+    measured. ``places``: m from the tip.
     """
     shape = (len(ratio), len(tables[0].offset[::UNTOLD_EVERY]), len(places))
     retained, square = np.zeros(shape), np.zeros(shape)
@@ -117,12 +108,7 @@ def _steeper(attack: Array) -> Array:
 
 
 def part_of_hits(table: BatResponse, *, ratio: float) -> Array:
-    """Return the part of the balls met that leaves within `STEEPEST_LAUNCH`, shape (mean attacks, places, offsets).
-
-    Parameters
-    ----------
-    ratio : pitch over bat speed.
-    """
+    """Return the part of the balls met that leaves within `STEEPEST_LAUNCH`, shape (mean attacks, places, offsets)."""
     usual, spread = priors()["attack_angle"].centre, fixed("attack_angle_spread")
     steeper = np.linspace(MEAN_ATTACKS[0] - 3 * spread, MEAN_ATTACKS[-1] + 3 * spread, 49)
     noise = deflection_noise(table, np.array([ratio]))[0]
@@ -136,10 +122,7 @@ def part_of_hits(table: BatResponse, *, ratio: float) -> Array:
 def at_swings(table: BatResponse, ratio: Array, steeper: Array, places: Array) -> tuple[Array, Array]:
     """Return the part retained and the deflection of swings on the table's offsets, shape (n, places, offsets).
 
-    Parameters
-    ----------
-    ratio : pitch over bat speed, shape (n,).
-    steeper : rad than usual, shape (n,).
+    ``ratio``: pitch over bat speed, shape (n,). ``steeper``: rad than usual, shape (n,).
     """
     up, right, along = _corners(STEEPER, steeper), _corners(RATIOS, ratio), _corners(table.places, places)
     found = []
@@ -155,9 +138,7 @@ def at_swings(table: BatResponse, ratio: Array, steeper: Array, places: Array) -
 def deflection_noise(table: BatResponse, ratio: Array) -> Array:
     """Return the standard deviation of launch less attack angle at every offset, rad, shape (n, offsets).
 
-    Parameters
-    ----------
-    ratio : pitch over bat speed, shape (n,).
+    ``ratio``: pitch over bat speed, shape (n,).
     """
     (low, first), (high, second) = _corners(RATIOS, ratio)
     unsteady = first[:, None] * table.unsteady[low] + second[:, None] * table.unsteady[high]
@@ -183,10 +164,7 @@ def gauss_points(places: Array, weights: Array, count: int) -> tuple[Array, Arra
 
     Gauss's rule of a law of single places, by the recursion of its orthogonal polynomials [golub1969].
 
-    Parameters
-    ----------
-    places, weights : shape (..., n), weights not negative.
-    count : of points.
+    ``places``, ``weights``: shape (..., n), weights not negative.
 
     >>> points, shares = gauss_points(np.linspace(-1, 1, 401), np.full(401, 1 / 401), 2)
     >>> points.round(2).tolist(), shares.round(3).tolist()

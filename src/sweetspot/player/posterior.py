@@ -53,9 +53,7 @@ class PlayerPosterior:
 
     Parameters
     ----------
-    model : what was fitted.
     draws : shape (draws, 10), SI, in the order of `NAMES`.
-    learned : by name.
     seed : that the draws can be repeated with.
     weighted : the draws as they were weighted, standard parameters; None: they were let go.
     """
@@ -82,12 +80,7 @@ class PlayerPosterior:
 
 
 def fit_player(model: PlayerModel, *, seed: int = 1) -> PlayerPosterior:
-    """Return weighted draws from the posterior of a player's parameters, see `importance_draws`.
-
-    Parameters
-    ----------
-    seed : of the random numbers; the same seed gives the same draws.
-    """
+    """Return weighted draws from the posterior of a player's parameters, see `importance_draws`."""
     weighted = importance_draws(
         model.log_posterior,
         along=NAMES.index("position"),
@@ -102,11 +95,6 @@ def refitted(posterior: PlayerPosterior, population: Population) -> PlayerPoster
     """Return the fit of a player of whom it is known how the others of the league differ.
 
     The draws that there are count again, as they are likely now; new ones are drawn where too few do.
-
-    Parameters
-    ----------
-    posterior : the fit without the league, with weighted draws.
-    population : the league.
     """
     model, earlier, seed = posterior.model, posterior.weighted, posterior.seed
     if earlier is None:
@@ -124,12 +112,7 @@ def _resampled(model: PlayerModel, weighted: Weighted, seed: int) -> PlayerPoste
 
 
 def summarised(draws: Array, *, independent: float) -> dict[str, Learned]:
-    """Return the parameters learned from draws of standard parameters, shape (draws, 10).
-
-    Parameters
-    ----------
-    independent : how many equally heavy draws would be as precise.
-    """
+    """Return the parameters learned from draws of standard parameters, shape (draws, 10)."""
     values = natural(draws)
     return {
         name: Learned(

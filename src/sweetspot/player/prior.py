@@ -105,9 +105,7 @@ def natural(standard: Array) -> Array:
 
     theta = centre + width z, or centre exp(width z).
 
-    Parameters
-    ----------
-    standard : shape (..., 10), in the order of `NAMES`.
+    ``standard``: shape (..., 10), in the order of `NAMES`.
 
     >>> natural(np.zeros(10))[2].item()
     0.29
@@ -147,10 +145,7 @@ def population_range(population: Population) -> dict[str, Interval]:
 def log_prior(standard: Array, population: Population = ANYBODY) -> Array:
     """Return the logarithm of the prior's density up to a constant; -inf for an exponent outside 0 to 1/2.
 
-    Parameters
-    ----------
-    standard : shape (..., 10).
-    population : that the player is one of.
+    ``standard``: shape (..., 10).
     """
     exponent = natural(standard)[..., NAMES.index("exponent")]
     allowed = (exponent >= 0) & (exponent <= GREATEST_EXPONENT)

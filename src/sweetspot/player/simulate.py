@@ -35,11 +35,8 @@ def simulated_swings(
     the measuring errors are added. The bats take turns; swings that miss, and balls that leave too steeply for a hit,
     are drawn again.
 
-    Parameters
-    ----------
-    parameters : shape (10,), SI, in the order of `NAMES`.
-    bats : the player's own first.
-    pitch_speed : m/s at the plate; 0: a tee.
+    ``parameters``: shape (10,), SI, in the order of `NAMES`. ``bats``: the player's own first. ``pitch_speed``: m/s at
+    the plate; 0: a tee.
     """
     values = dict(zip(NAMES, (float(value) for value in parameters), strict=True))
     generator = np.random.default_rng(seed)

@@ -228,17 +228,7 @@ class ScannedTable(SwingTable):
 
 
 def open_swings(path: Path, given: GivenColumns = NOTHING_GIVEN) -> SwingTable:
-    """Return a file of swings; the last one is kept, for a league is asked for player after player.
-
-    Parameters
-    ----------
-    given : what a person says of the columns, some of whose headings may be no others' names.
-
-    Raises
-    ------
-    InputError
-        when it cannot be read, or is no table.
-    """
+    """Return a file of swings; the last one is kept, for a league is asked for player after player."""
     if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV or Parquet file with a row per swing")
     return _opened(path, _signature(path), given.told)
@@ -306,11 +296,6 @@ def narrow_csv(path: Path) -> str:
 
     Rows stand in the same lines, those of Parquet one line lower, under the headings; too short and too long ones stay
     so. What tells a measuring system's files from others stays as empty columns.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, or has no column of swings.
     """
     table = open_swings(path)
     if not table.headings:

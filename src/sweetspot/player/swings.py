@@ -37,7 +37,6 @@ class SwingFile:
 
     Parameters
     ----------
-    swings : the good rows.
     bad_rows : rows that cannot be true, with the reason.
     without_swing : how many rows have neither a bat speed nor an exit speed.
     system : whose file it is; "plain" where the names belong to no system.
@@ -67,19 +66,8 @@ def read_swings(
 ) -> SwingFile:
     """Return the swings of a file, plain or of a measuring system: CSV, also packed with gzip, or Parquet.
 
-    Parameters
-    ----------
-    length : of the player's bat in m, for positions from the knob.
-    given : what a person says of the columns.
-    pitch_speed : m/s at the plate, for rows without one; 0: a tee.
-    batter : whose rows to use, where the file has several batters.
-    sport : catalogue name of what is played: its bounds hold for speeds.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, lacks what is needed, holds several batters and none was named, or has no good
-        row.
+    ``length``: of the player's bat in m, for positions from the knob. ``pitch_speed``: m/s at the plate, for rows
+    without one; 0: a tee.
     """
     table = open_swings(path, given)
     if not table.headings:
@@ -118,13 +106,7 @@ def read_swings(
 
 
 def batters(path: Path, *, given: GivenColumns = NOTHING_GIVEN) -> tuple[str, ...]:
-    """Return the names of a file's batters, in the order of the alphabet.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, or names none.
-    """
+    """Return the names of a file's batters, in the order of the alphabet."""
     table = open_swings(path, given)
     columns = columns_of(table.headings, given=given, file_name=str(path)) if table.headings else None
     if columns is None or "batter" not in columns.columns:

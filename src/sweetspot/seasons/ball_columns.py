@@ -42,9 +42,7 @@ class OutputColumn:
 
     Parameters
     ----------
-    name : without its unit.
     kind : a key of `ENDINGS`.
-    meaning : in one sentence.
     part : of the answers it belongs to: "flight", "contact" or "bats".
     """
 
@@ -98,10 +96,7 @@ class Categories(NamedTuple):
 def as_series(column: OutputColumn, values: Array | Categories, system: System) -> pl.Series:
     """Return values in SI as a column in a system's unit; what is not finite is missing.
 
-    Parameters
-    ----------
-    column : of the list.
-    values : in SI; 1 and 0 for yes and no; words where the column's kind is text.
+    ``values``: in SI; 1 and 0 for yes and no; words where the column's kind is text.
     """
     heading = column.heading(system)
     if isinstance(values, Categories):
@@ -130,7 +125,6 @@ class SeasonSetting:
 
     Parameters
     ----------
-    flight : of the flights.
     contact : of the contacts; None: not wanted.
     bats : name of the bat of each batter; "" stands for all others.
     system : units of the columns.
@@ -175,12 +169,7 @@ class Answers:
 
 
 def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
-    """Return all answers for rows that went through `rows_of`.
-
-    Parameters
-    ----------
-    rows : those that are used.
-    """
+    """Return all answers for rows that went through `rows_of`."""
     balls = balls_of(rows, pitches=setting.contact is not None)
     clubs = _clubs_at_home(rows) if "home_team" in rows.columns else [None] * len(rows)
     fields = fields_of(clubs, balls.season)

@@ -51,9 +51,7 @@ class BallMap:
 def chosen_balls(counted: pl.LazyFrame, chosen: Mapping[str, str]) -> pl.LazyFrame:
     """Return some of the counted balls.
 
-    Parameters
-    ----------
-    chosen : value by column: ``batter`` or one of `CHOICES`.
+    ``chosen``: value by column: ``batter`` or one of `CHOICES`.
     """
     for name, value in chosen.items():
         counted = counted.filter(pl.col(name) == value)
@@ -153,15 +151,8 @@ def contact_places(folder: Path, batter: str) -> Array:
     Balls without a computed place are left out. Each median is drawn towards the season's mean, and whether a ball
     was met inside or outside of the best place is often not known: the scatter is a rough one.
 
-    Parameters
-    ----------
-    folder : that a season was written to, with ``balls`` in it.
-    batter : number or name as in the table's column ``batter``.
-
-    Raises
-    ------
-    InputError
-        when the folder holds no such balls, or none of this batter.
+    ``folder``: that a season was written to, with ``balls`` in it. ``batter``: number or name as in the table's column
+    ``batter``.
     """
     parts = sorted((folder / "balls").glob("*.parquet"))
     if not parts:

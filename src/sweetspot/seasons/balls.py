@@ -38,7 +38,6 @@ class Fields:
 
     Parameters
     ----------
-    parks : those that occur.
     index : which of them each ball was hit in, -1 where not known, shape (n,).
     """
 
@@ -48,10 +47,8 @@ class Fields:
     def airs(self, air: Air, rows: pl.DataFrame | None = None) -> Airs:
         """Return the air of every ball: at the park's elevation, and of the weather that its row gives.
 
-        Parameters
-        ----------
-        air : stands in for what is missing; its elevation where neither the park's nor the row's is known.
-        rows : that went through `rows_of`; columns named as the fields of `Airs` count. None: no weather is given.
+        ``air``: stands in for what is missing; its elevation where neither the park's nor the row's is known. ``rows``:
+        that went through `rows_of`; columns named as the fields of `Airs` count. None: no weather is given.
         """
         given = {}
         for field in dataclass_fields(Airs):
@@ -65,9 +62,7 @@ class Fields:
     def laws(self, law: Aerodynamics, part: slice = slice(None)) -> Iterator[tuple[Aerodynamics, NDArray[np.intp]]]:
         """Yield every law that balls fly by, and which of a part fly by it.
 
-        Parameters
-        ----------
-        law : in the open; under a roof that never opens `aerodynamics_in` holds.
+        ``law``: in the open; under a roof that never opens `aerodynamics_in` holds.
         """
         each = [*(aerodynamics_in(park, law) for park in self.parks), law]
         number = np.array([each.index(flown_by) for flown_by in each])[self.index[part]]
@@ -78,10 +73,8 @@ class Fields:
 def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:
     """Return the fields on which balls were hit.
 
-    Parameters
-    ----------
-    clubs : the home club's letters or name, None where not known.
-    seasons : year, 0 where not known: the park of today.
+    ``clubs``: the home club's letters or name, None where not known. ``seasons``: year, 0 where not known: the park of
+    today.
     """
     number, spelled = coded(pl.Series("club", clubs, dtype=pl.String))
     names = [*spelled, None]
@@ -102,9 +95,7 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
 def nearest_fences(parks: tuple[Park, ...], bearing: Array) -> Array:
     """Return the distance of the nearest fence of any park within `ASIDE` of each landing direction, m, shape (n,).
 
-    Parameters
-    ----------
-    bearing : rad from centre field, shape (n,); NaN: the nearest fence of all.
+    ``bearing``: rad from centre field, shape (n,); NaN: the nearest fence of all.
     """
     every, least = _nearest(parks), np.isnan(bearing)
     at = np.clip(np.rint((np.where(least, 0.0, bearing) + FOUL_LINE) / DEGREE), 0, len(every) - 1).astype(np.int64)
@@ -205,9 +196,7 @@ def taken(balls: Balls, rows: NDArray[np.int64] | NDArray[np.bool_] | slice) -> 
 def balls_of(rows: pl.DataFrame, *, pitches: bool = True) -> Balls:
     """Return the balls of rows from `rows_of`, those that are used or any others.
 
-    Parameters
-    ----------
-    pitches : whether how they were pitched is wanted; flights do not ask.
+    ``pitches``: whether how they were pitched is wanted; flights do not ask.
     """
     numbers = [name for name, kind in rows.schema.items() if kind.is_numeric()]
     columns = rows.select(pl.col(numbers).cast(pl.Float64).fill_null(np.nan)).to_dict()

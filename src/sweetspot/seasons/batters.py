@@ -35,18 +35,7 @@ def table_stem(key: str) -> str:
 
 
 def tables_of_balls(files: Sequence[Path], *, out: Path | None) -> tuple[list[Path], list[Path]]:
-    """Return the files that are worth reading, and those that a season wrote itself.
-
-    Parameters
-    ----------
-    files : tables.
-    out : folder where answers are to go.
-
-    Raises
-    ------
-    InputError
-        when nothing is there or left, or answers would be written over one of the tables.
-    """
+    """Return the files that are worth reading, and those that a season wrote itself."""
     if files and not any(path.exists() for path in files):
         raise no_table(files[0])  # before kernels are compiled
     ours = [path for path in files if _is_own(path)]
@@ -80,19 +69,7 @@ MOST_LISTED = 5
 
 
 def require_batter(paths: Sequence[Path], batter: str, *, given: GivenColumns = NOTHING_GIVEN) -> None:
-    """Refuse a player whom no table has; tables that cannot be read are left to who reads them.
-
-    Parameters
-    ----------
-    paths : tables, CSV or Parquet.
-    batter : number or name.
-    given : what a person says of the columns.
-
-    Raises
-    ------
-    InputError
-        for such a player, with the nearest ones, and where tables have no column of batters.
-    """
+    """Refuse a player whom no table has; tables that cannot be read are left to who reads them."""
     found = _batters(paths, given)
     if found is None:
         return
@@ -105,14 +82,7 @@ def require_batter(paths: Sequence[Path], batter: str, *, given: GivenColumns = 
 def strangers(paths: Sequence[Path], batters: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN) -> list[str]:
     """Return those of some batters, numbers or names, that no table has.
 
-    Parameters
-    ----------
-    paths, given : as `require_batter` takes them.
-
-    Raises
-    ------
-    InputError
-        when the tables have none of them: then their bats belong to no player.
+    ``paths``, ``given``: as `require_batter` takes them.
     """
     found = _batters(paths, given)
     if found is None:
@@ -171,12 +141,6 @@ def read_bats(path: Path) -> dict[str, str]:
     """Return the bat of each batter, a name of the catalogue or a file; "" is the bat of all others.
 
     Batters who are not in the table and have no row for all others count as batters with an unknown bat.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, lacks a column, or for all rows at once that name two bats of a batter, no bat,
-        or one that is not known.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV table of bats")
     lines = table_rows(text, path, is_heading=lambda cells: "bat" in _plain(cells))

@@ -26,16 +26,8 @@ def run_on_cluster(
 ) -> None:
     """Do all tasks of a plan on a cluster.
 
-    Parameters
-    ----------
-    workers : processes of a cluster on this machine; 0: none, all is done in this process.
-    scheduler : address of a running Dask scheduler, ``tcp://…``, whose workers see the same folders; it goes before
-        ``workers``.
-
-    Raises
-    ------
-    InputError
-        where Dask is not installed, the scheduler cannot be reached, or a task fails.
+    ``scheduler``: address of a running Dask scheduler, ``tcp://…``, whose workers see the same folders; it goes before
+    ``workers``.
     """
     if not workers and scheduler is None:
         run_here(plan, progress)

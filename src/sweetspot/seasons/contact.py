@@ -49,8 +49,6 @@ class OtherBat:
 
     Parameters
     ----------
-    name : of its columns.
-    surface : its table.
     moi : kg m^2 about the swing law's axis.
     """
 
@@ -65,12 +63,10 @@ class ContactSetting:
 
     Parameters
     ----------
-    ball : of the catalogue.
     surfaces : tables of the bats that occur.
     mois : of the same about the swing law's axis, kg m^2.
     others : bats that every swing is tried with.
     law : of bat speed against moment of inertia.
-    errors : of the measurements.
     relation : of places along the bat to the pitch's.
     threads : workers; None: one per core.
     """
@@ -113,9 +109,7 @@ class Contacts:
 def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> Contacts:
     """Return the places on their bats at which balls were hit.
 
-    Parameters
-    ----------
-    bat_of : which of the setting's bats each ball was hit with, -1 where not known.
+    ``bat_of``: which of the setting's bats each ball was hit with, -1 where not known.
     """
     count = len(balls)
     outcome = np.full(count, OUTCOMES.index("no bat speed"), np.int64)
@@ -162,9 +156,7 @@ def asked_of(plane: InPlane) -> Array:
 def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> PlaceRelation:
     """Return the relation of places learnt from some balls; an evenly drawn sample is enough.
 
-    Parameters
-    ----------
-    bat_of : which of the setting's bats each ball was hit with, -1 where not known.
+    ``bat_of``: which of the setting's bats each ball was hit with, -1 where not known.
     """
     chosen: list[NDArray[np.int64]] = []
     tables, outs, widths, turns = [], [], [], []
@@ -299,12 +291,7 @@ def _with_other(
 
 
 def measures(balls: Balls, contacts: Contacts) -> dict[str, Array]:
-    """Return the quantities that are counted and averaged over players, by name; ratios, and chances between 0 and 1.
-
-    Parameters
-    ----------
-    contacts : of the balls.
-    """
+    """Return what is counted and averaged over players, by name; ratios, and chances between 0 and 1."""
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = balls.exit_speed / contacts.ceiling
         league = np.where(np.isnan(ratio), np.nan, balls.exit_speed / contacts.league_ceiling)

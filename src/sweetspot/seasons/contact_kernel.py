@@ -52,15 +52,8 @@ ROWS = 20
 def predict(table: PlaneTable, asked: Array, fast: Array, above: Array) -> tuple[float, float]:
     """Fill exit speed and offset at all places of the table; return what a radian changes of both at the fastest.
 
-    Parameters
-    ----------
-    asked : bat speed, pitch ahead and up, spin times radius, angle turned.
-    fast, above : shape (places,), NaN where no line of centres does it.
-
-    Returns
-    -------
-    tuple
-        change of the logarithm of exit speed and of offset per rad; NaN where the ball was only grazed.
+    ``fast``, ``above``: shape (places,), NaN where no line of centres does it. Change of the logarithm of exit speed
+    and of offset per rad; NaN where the ball was only grazed.
     """
     query, turned = (asked[0], asked[1], asked[2], asked[3]), asked[4]
     cos, sin = math.cos(turned), math.sin(turned)
@@ -113,10 +106,8 @@ def _mix(values: Array, first: int, place: int, weights: tuple[float, ...]) -> N
 def fill_predictions(table: PlaneTable, asked: Array, fast: Array, spread: Array, errors: Array) -> None:
     """Fill exit speeds at all places of n balls, shape (n, places), and the errors they are compared with.
 
-    Parameters
-    ----------
-    asked : (n, 7), as `predict` takes it, the angle's error (rad) and the exit speed's for want of a pitch speed (m/s).
-    errors : measuring errors of exit speed and bat speed, m/s.
+    ``asked``: (n, 7), as `predict` takes it, the angle's error (rad) and the exit speed's for want of a pitch speed
+    (m/s). ``errors``: measuring errors of exit speed and bat speed, m/s.
     """
     above = np.empty(fast.shape[1])
     for i in range(len(fast)):
@@ -143,16 +134,12 @@ def fill_posteriors(
 ) -> None:  # fmt: skip
     """Fill what is known of each ball's contact.
 
-    Parameters
-    ----------
-    asked, errors : as `fill_predictions` takes them.
-    measured : (n,) m/s, exit speed in the plane.
-    prior : (n, 2) mean and standard deviation of the place, m from the tip.
-    best : (n, 2) m from the tip, the place of the greatest exit speed; and a number between 0 and 1, which part of the
-        posterior the drawn place lies above.
-    level, noise : (n,), exit speeds are 1 + level times the table's, and scatter by noise m/s beside measuring errors.
-    results : (n, ROWS).
-    weights : (n, places) of zeros, for the posterior; or (0, places) where it is not wanted.
+    ``asked``, ``errors``: as `fill_predictions` takes them. ``measured``: (n,) m/s, exit speed in the plane. ``prior``:
+    (n, 2) mean and standard deviation of the place, m from the tip. ``best``: (n, 2) m from the tip, the place of the
+    greatest exit speed; and a number between 0 and 1, which part of the posterior the drawn place lies above.
+    ``level``, ``noise``: (n,), exit speeds are 1 + level times the table's, and scatter by noise m/s beside measuring
+    errors. ``results``: (n, ROWS). ``weights``: (n, places) of zeros, for the posterior; or (0, places) where it is not
+    wanted.
     """
     longest, step = len(PLACES), PLACES[1] - PLACES[0]
     every_fast, every_above, every_part, work = (

@@ -55,10 +55,6 @@ def pitch_keys(
 
     Where pitches are not numbered, rows are the same pitch that agree in everything that is measured.
 
-    Parameters
-    ----------
-    part : returns columns of the rows, by their headings.
-
     >>> frame = pl.DataFrame({"launch_speed": [90.0] * 3, "game_pk": [7, 7, 8], "at_bat_number": [1.0, 1.0, None],
     ...                       "pitch_number": ["2", "2.0", "2"]})
     >>> from sweetspot.seasons.headings import headings_of

@@ -62,11 +62,9 @@ class FlightSetting:
 
     Parameters
     ----------
-    ball : of the catalogue.
     aerodynamics : its law in the open; under a roof that never opens `aerodynamics_in` holds.
     air : of balls whose table gives no weather; its elevation where neither the park's nor the table's is known.
     parks : whether chances of home runs are wanted.
-    errors : of the measurements.
     spin_scatter : standard deviation of backspin about the usual line, rad/s.
     threads : workers; None: one per core.
     """
@@ -111,11 +109,6 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, airs: A
     """Return the flights of balls.
 
     Balls with neither a bearing nor a launch direction fly as if to centre field, and have no chances.
-
-    Parameters
-    ----------
-    fields : where they were hit.
-    airs : of every ball where it was hit; each has its weather in all thirty parks.
     """
     columns = FlightColumns(*np.empty((len(dataclass_fields(FlightColumns)), len(balls))))
     alone = replace(setting, threads=1)

@@ -37,17 +37,6 @@ DAY_FIRST = "day first"
 def headings_of(names: Sequence[str], *, given: GivenColumns = NOTHING_GIVEN, file_name: str = "table") -> Headings:
     """Return the meaning of the columns of a table.
 
-    Parameters
-    ----------
-    names : headings as the table writes them.
-    given : what a person says of the columns.
-    file_name : for messages.
-
-    Raises
-    ------
-    InputError
-        when there is no exit speed, a measurement has no unit or an unknown one, or ``given`` names no column.
-
     >>> mapped = headings_of(["launch_speed", "launch_angle", "hc_x", "umpire"])
     >>> mapped.system, mapped.columns["exit_speed"].unit, mapped.passed
     ('Statcast', 'mph', ('umpire',))

@@ -28,13 +28,8 @@ from sweetspot.units import DEGREE
 def fill_between(axes: tuple[Array, Array, Array], table: Array, asked: Array, part: Array, values: Array) -> None:
     """Fill what stands in a table between its nodes, in straight lines; beyond its ends the nearest counts.
 
-    Parameters
-    ----------
-    axes : even nodes of the three axes.
-    table : shape (nodes of each axis, 6), three values in thin air and the same in thick.
-    asked : (3, n); NaN counts as the first node.
-    part : (n,), how far on each ball's air is from the thin one to the thick.
-    values : (3, n).
+    ``table``: shape (nodes of each axis, 6), three values in thin air and the same in thick. ``asked``: (3, n); NaN
+    counts as the first node. ``part``: (n,), how far on each ball's air is from the thin one to the thick.
     """
     first, second, third = axes
     for i in range(len(part)):
@@ -88,11 +83,8 @@ class Expected:
 def expected_of(balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, density: Array) -> Expected:
     """Return the expected quantities of flights that come down in some direction.
 
-    Parameters
-    ----------
-    bearing : where they come down, rad from centre field, shape (n,); 0 where it is not known.
-    ball, aerodynamics : of the table.
-    density : of the air that each ball flies through, kg/m^3, shape (n,).
+    ``bearing``: where they come down, rad from centre field, shape (n,); 0 where it is not known. ``density``: of the
+    air that each ball flies through, kg/m^3, shape (n,).
     """
     side = np.where(balls.left, -1.0, 1.0)  # a left-handed batter's ball is a right-handed one's in a mirror
     asked = np.stack([balls.exit_speed, balls.launch_angle, side * bearing])

@@ -69,7 +69,6 @@ class MadeSeason:
     level_between : standard deviation over players of exit speeds beside the bat's, as a part: bats that differ.
     noise : m/s that exit speeds scatter beside measuring errors.
     drag : all flights' drag over the law's.
-    errors : of the measurements.
     scatter : gives how contacts scatter along the bat, in `place_spread`.
     """
 
@@ -102,12 +101,7 @@ of squared-up balls and that of blasts as reliable at 34 balls as the league's; 
 def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, seed: int = 1) -> pl.DataFrame:
     """Return a season of one bat in Statcast's names, with the truth in columns that begin with ``true_``.
 
-    Parameters
-    ----------
-    bat : everybody's.
-    made : how; None: the usual.
-    year : season, whose parks are played in.
-    seed : of the random numbers.
+    ``bat``: everybody's. ``made``: how; None: the usual.
     """
     how = made or MadeSeason()
     rng = np.random.default_rng(seed)
@@ -214,9 +208,7 @@ def _out_of_park(
 ) -> NDArray[np.bool_]:
     """Return a mask of balls that clear the fence of their park, each of `CLUBS` by its number.
 
-    Parameters
-    ----------
-    fall : angle of the fall below the level, rad; on straight lines at it a little too many go out, the way is bent.
+    ``fall``: angle of the fall below the level, rad; on straight lines at it a little too many go out, the way is bent.
     """
     out = np.zeros(len(club), bool)
     for number, name in enumerate(CLUBS):

@@ -46,19 +46,10 @@ def weigh(
 
     The normal distribution is Abramowitz's and Stegun's 7.1.26, right to 8e-8 [abramowitz_stegun1964].
 
-    Parameters
-    ----------
-    fast : m/s, exit speed at every place, NaN where none.
-    out, spread : m/s, the exit speed and what it scatters by.
-    mean, width : m, of the place before the exit speed is known.
-    level : exit speeds are 1 + level times the table's.
-    work : (4, places), room.
-
-    Returns
-    -------
-    tuple
-        sums over places of what was filled and of what was known before; and of the latter times the chance of a lower
-        exit speed, and times the table's exit speed.
+    ``fast``: m/s, exit speed at every place, NaN where none. ``out``, ``spread``: m/s, the exit speed and what it
+    scatters by. ``mean``, ``width``: m, of the place before the exit speed is known. ``level``: exit speeds are 1 +
+    level times the table's. Sums over places of what was filled and of what was known before; and of the latter times
+    the chance of a lower exit speed, and times the table's exit speed.
     """
     _bells(places, fast, out, spread, mean, width, level, work)
     total, before, rank, sum_fast = 0.0, 0.0, 0.0, 0.0
@@ -79,10 +70,7 @@ def weigh(
 def fill_variances(covariance: Array, terms: Array, variances: Array) -> None:
     """Fill the variance of each ball's sum of terms by the doubt about its weights, shape (n,).
 
-    Parameters
-    ----------
-    covariance : of the weights, shape (terms, terms), the same either way.
-    terms : shape (terms, n).
+    ``covariance``: of the weights, shape (terms, terms), the same either way. ``terms``: shape (terms, n).
     """
     for first in range(0, len(variances), BLOCK):
         sums = variances[first : first + BLOCK]
@@ -100,10 +88,7 @@ def fill_variances(covariance: Array, terms: Array, variances: Array) -> None:
 def fill_products(terms: Array, weight: Array, result: Array) -> None:
     """Fill the weighted sums over balls of all products of two terms, shape (terms, terms).
 
-    Parameters
-    ----------
-    terms : shape (terms, n).
-    weight : of each ball, shape (n,).
+    ``terms``: shape (terms, n). ``weight``: of each ball, shape (n,).
     """
     result[:] = 0.0
     for first in range(0, len(weight), BLOCK):
@@ -125,13 +110,9 @@ def fill_products(terms: Array, weight: Array, result: Array) -> None:
 def expect(places: Array, table: Array, out: Array, spread: Array, prior: Array, level: Array, result: Array) -> None:
     """Fill what is expected of every ball under given parameters.
 
-    Parameters
-    ----------
-    table : (n, places) m/s, NaN where none.
-    out, spread : (n,) m/s, exit speeds and what they scatter by.
-    prior : (n, 2) mean and standard deviation of the place.
-    level : (n,), exit speeds are 1 + level times the table's.
-    result : (n, 6).
+    ``table``: (n, places) m/s, NaN where none. ``out``, ``spread``: (n,) m/s, exit speeds and what they scatter by.
+    ``prior``: (n, 2) mean and standard deviation of the place. ``level``: (n,), exit speeds are 1 + level times the
+    table's. ``result``: (n, 6).
     """
     work = np.empty((4, len(places)))
     for i in range(len(out)):

@@ -90,15 +90,10 @@ def learn_places(
 ) -> PlaceRelation:  # fmt: skip
     """Return the relation that makes measured exit speeds, and places where there are such, most likely.
 
-    Parameters
-    ----------
-    conditions : of n balls, all with a swing.
-    places : m from the tip, even, shape (k,).
-    predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
-    measured, error : m/s, exit speeds and their measuring errors, shape (n,).
-    turned : of the balls, from `turn_term`.
-    measured_places : m from the tip, and 1 / m^2, one over the variance of its error; both 0 where none was measured,
-        shape (2, n).
+    ``places``: m from the tip, even, shape (k,). ``predicted``: m/s, exit speed at every place, shape (n, k); NaN where
+    none. ``measured``, ``error``: m/s, exit speeds and their measuring errors, shape (n,). ``turned``: of the balls,
+    from `turn_term`. ``measured_places``: m from the tip, and 1 / m^2, one over the variance of its error; both 0 where
+    none was measured, shape (2, n).
     """
     good = np.asarray(np.isfinite(predicted).any(axis=1)) & np.isfinite(error)
     if good.sum() < ENOUGH:
@@ -246,14 +241,7 @@ def _solved(terms: Array, weight: Array, wanted: Array, usual: Array, widths: Ar
 
 
 def _scored(terms: Array, share: Array, off: Array, beside: Array, widths: Array) -> Array:
-    """Return the step of weights of a logarithm of a scatter towards the likeliest (scoring).
-
-    Parameters
-    ----------
-    share : part of each variance that hangs on the weights, squared.
-    off : squares over what they should be, less 1, times that part.
-    beside : by what the weights differ from the usual ones now.
-    """
+    """Return the step of weights of a logarithm of a scatter towards the likeliest (scoring)."""
     slope = _along(terms, off) - beside / widths**2
     return np.asarray(np.linalg.solve(2 * _products(terms, share) + np.diag(1 / widths**2), slope))
 

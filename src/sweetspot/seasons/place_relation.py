@@ -92,9 +92,7 @@ class Circumstances(NamedTuple):
     def terms(self, names: tuple[str, ...], turned: Array | None = None) -> Array:
         """Return the terms of a sum, shape (names, n).
 
-        Parameters
-        ----------
-        turned : of the balls, from `turn_term`.
+        ``turned``: of the balls, from `turn_term`.
         """
         values = {**self._asdict(), "one": np.ones(len(self.outside)), "fastest": np.maximum(self.faster - FAST, 0.0)}
         if turned is not None:
@@ -107,12 +105,7 @@ class Circumstances(NamedTuple):
 
 
 def circumstances(balls: Balls, bat_speeds: SwingSpeeds) -> Circumstances:
-    """Return the circumstances of balls: the covariates of the relation.
-
-    Parameters
-    ----------
-    bat_speeds : how bat speeds of the table are spread.
-    """
+    """Return the circumstances of balls: the covariates of the relation."""
 
     def scaled(values: Array, centre: float, size: float, most: float) -> Array:
         return np.nan_to_num(np.clip((values - centre) / size, -most, most))
@@ -194,9 +187,7 @@ class PlaceRelation:
     def level_of(self, conditions: Circumstances, turned: Array) -> Array:
         """Return the level of balls.
 
-        Parameters
-        ----------
-        turned : of the balls, from `turn_term`.
+        ``turned``: of the balls, from `turn_term`.
         """
         return summed(conditions.terms(LEVEL, turned), self.level_weights)
 
@@ -218,9 +209,7 @@ def summed(terms: Array, weights: Array) -> Array:
     such narrow tables costs many times the sums where other programs run, and how it adds up hangs on how many there
     are.
 
-    Parameters
-    ----------
-    terms : shape (terms, n).
+    ``terms``: shape (terms, n).
     """
     return np.asarray(np.einsum("j,jn->n", weights, terms))
 

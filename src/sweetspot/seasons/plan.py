@@ -70,9 +70,7 @@ class Plan:
 
     Parameters
     ----------
-    tables : to be read.
     duplicates : rows of each that are another row's pitch.
-    setting : how.
     folder : where the answers go.
     task_rows : rows of a task, at most.
     fingerprint : of all that the answers depend on.
@@ -138,9 +136,7 @@ def reader_of(plan: Plan) -> TableReader:
 def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
     """Do a task that is not done yet; return how many rows it had.
 
-    Parameters
-    ----------
-    reader : shared by tasks that are done in one process; None: this one reads its rows itself.
+    ``reader``: shared by tasks that are done in one process; None: this one reads its rows itself.
     """
     if is_done(plan, task):
         return task.rows
@@ -174,9 +170,7 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
 def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | None = None) -> None:
     """Do all tasks of a plan in this process.
 
-    Parameters
-    ----------
-    workers : tasks at a time; None: one per core, at most two.
+    ``workers``: tasks at a time; None: one per core, at most two.
     """
     total, finished = sum(table.rows for table in plan.tables), 0
     tasks, workers = list(plan.tasks()), workers or min(os.cpu_count() or 1, 2)
@@ -227,12 +221,7 @@ def _room_for(path: Path) -> Iterator[BinaryIO]:
 
 
 def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, task_rows: int) -> str:
-    """Return the fingerprint of everything that answers depend on: the files, the setting, the kernels.
-
-    Parameters
-    ----------
-    task_rows : rows of a task.
-    """
+    """Return the fingerprint of everything that answers depend on: the files, the setting, the kernels."""
     from sweetspot import __version__
     from sweetspot.collision.contact_table import tabled_bat
     from sweetspot.flight.compiled import solve

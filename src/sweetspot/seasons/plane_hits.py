@@ -74,7 +74,6 @@ class BatInPlane:
 
     Parameters
     ----------
-    table : its hits.
     along : what the ball keeps of its speed along the bat, and what the turning bat adds to it per bat speed.
     ceiling : greatest exit speed over bat speed, shape (speeds, ratios, slants).
     best_place : m from the tip where that is, same shape.
@@ -88,13 +87,7 @@ class BatInPlane:
 
 
 def bat_in_plane(bat: Bat, *, ball: Ball) -> BatInPlane:
-    """Return a bat's answers.
-
-    Raises
-    ------
-    InputError
-        when the bat does not send the ball back on its barrel.
-    """
+    """Return a bat's answers."""
     contact = tabled_bat(bat, ball=ball)
     values = np.full((len(PLACES), *contact.values.shape[1:]), np.nan)
     values[: len(contact.values)] = contact.values[: len(PLACES)]
@@ -132,12 +125,9 @@ def hit_at(
 
     `oblique_contact.launch` in the plane across the bat's axis.
 
-    Parameters
-    ----------
-    closing_speed : m/s between bat and ball.
-    tangent : spin of the pitch about the bat's axis times the ball's radius, m/s.
-    turning : m/s at which the bat's front moves towards the hands.
-    sine, cosine : of the angle between the line of centres and the ball's way.
+    ``closing_speed``: m/s between bat and ball. ``tangent``: spin of the pitch about the bat's axis times the ball's
+    radius, m/s. ``turning``: m/s at which the bat's front moves towards the hands. ``sine``, ``cosine``: of the angle
+    between the line of centres and the ball's way.
     """
     normal = closing_speed * cosine
     at = min(max((math.sqrt(normal) - FIRST_ROOT) / ROOT_STEP, 0.0), COUNT - 1.0)
@@ -175,17 +165,9 @@ def hit_towards(
 ) -> tuple[float, float, float, float]:  # fmt: skip
     """Return exit speed, offset, the line of centres' angle and the ball's turn for a rad of it, for a hit's direction.
 
-    Parameters
-    ----------
-    asked : bat speed where it is measured, pitch along the bat's path and square to it (m/s), and its spin about the
-        bat's axis times the ball's radius.
-    cos, sin : of the angle by which the ball leaves the bat's path.
-    guess, slope : angle and turn to begin with.
-
-    Returns
-    -------
-    tuple
-        NaN, NaN and what was guessed where no line of centres does it.
+    ``asked``: bat speed where it is measured, pitch along the bat's path and square to it (m/s), and its spin about the
+    bat's axis times the ball's radius. ``cos``, ``sin``: of the angle by which the ball leaves the bat's path. NaN, NaN
+    and what was guessed where no line of centres does it.
     """
     there = asked[0] * table.arm[place]
     way, across = there - asked[1], -asked[2]
@@ -228,9 +210,7 @@ def hit_towards(
 def fill_ceilings(table: PlaneTable, nodes: tuple[Array, Array, Array], ceiling: Array, best: Array) -> None:
     """Fill the greatest exit speed over bat speed, without spin, and the place where it is.
 
-    Parameters
-    ----------
-    nodes : bat speed (m/s), pitch speed over it, and rad between the pitch's way and the bat's.
+    ``nodes``: bat speed (m/s), pitch speed over it, and rad between the pitch's way and the bat's.
     """
     tops = np.empty(len(PLACES))
     sizes = np.empty(LINES)

@@ -45,10 +45,7 @@ def spread_weights(likelihood: Callable[[Array], Array], *, most: float) -> tupl
     [tak2017]. One flat in tau [gelman2006] makes them too narrow where groups differ by less than their means
     scatter: of 60 groups whose R is 0.4 those of a rate hold 84 % instead of 90.
 
-    Parameters
-    ----------
-    likelihood : returns the logarithm of likelihood times prior, both per unit of tau, at some values above 0.
-    most : greatest value there can be, > 0.
+    ``most``: greatest value there can be, > 0.
 
     >>> values, parts = spread_weights(lambda tau: -((tau - 0.3) ** 2) / (2 * 0.001**2), most=4.0)
     >>> round(float(parts @ values), 6), round(float(np.sqrt(parts @ (values - 0.3) ** 2)), 6)
@@ -105,13 +102,7 @@ def bounded_intervals(
 
     An interval always holds the centre.
 
-    Parameters
-    ----------
-    counts : balls of each group, > 0, shape (g,).
-    means : of the groups, within the bounds.
-    centre : the estimate of each group.
-    scatter : of balls and groups.
-    bounds : least and greatest value.
+    ``counts``: balls of each group, > 0, shape (g,).
     """
     from scipy.special import betaincinv
 
@@ -136,9 +127,7 @@ def bounded_intervals(
 def _rate_moments(hits: Array, trials: Array) -> tuple[Array, Array]:
     """Return mean and variance of each group's rate, summed over the spread of groups.
 
-    Parameters
-    ----------
-    hits, trials : of each group, shape (g,); need not be whole; neither none nor all of them hits.
+    ``hits``, ``trials``: of each group, shape (g,); need not be whole; neither none nor all of them hits.
     """
     from scipy.special import gammaln
 
@@ -188,7 +177,6 @@ class Spread:
     mean : mu, of the groups.
     within, between : sigma^2 and tau^2; NaN where nothing tells of them: sigma with one ball a group, tau also with
         fewer than `FEWEST_GROUPS`.
-    balls, groups : how many.
     """
 
     mean: float
@@ -212,11 +200,7 @@ class Spread:
 def spread_of(counts: Array, means: Array, squares: Array) -> Spread:
     """Return the scatter of balls and groups, by the moments of a one-way analysis of variance.
 
-    Parameters
-    ----------
-    counts : balls of each group, > 0, shape (g,).
-    means : of the groups.
-    squares : sum of squares about the group's own mean.
+    ``counts``: balls of each group, > 0, shape (g,). ``squares``: sum of squares about the group's own mean.
     """
     total, groups = counts.sum(), len(counts)
     grand = float(np.average(means, weights=counts))
@@ -234,19 +218,9 @@ def pooled(
 ) -> tuple[pl.DataFrame, Spread]:
     """Return the groups' means, partly pooled, with 50 and 90 % intervals.
 
-    Parameters
-    ----------
-    frame : one row per ball.
-    key : column of the groups; rows without one are left out.
-    measure : column of what is averaged; rows without it are left out.
-    bounds : least and greatest value there can be, both finite or `POSITIVE`, between which the intervals then lie;
-        None: there are none.
-
-    Returns
-    -------
-    tuple
-        a row per group: key, balls, mean, pooled, spread, low50, high50, low90, high90, reliability and percentile
-        among the groups by the pooled mean; and how balls and groups scatter. What nothing tells is missing.
+    ``bounds``: least and greatest value there can be, both finite or `POSITIVE`, between which the intervals then lie;
+    None: there are none. A row per group: key, balls, mean, pooled, spread, low50, high50, low90, high90, reliability
+    and percentile among the groups by the pooled mean; and how balls and groups scatter. What nothing tells is missing.
     """
     value = pl.col(measure).cast(pl.Float64)
     table = (
@@ -264,11 +238,8 @@ def pooled(
 def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None) -> tuple[pl.DataFrame, Spread]:
     """Return the result of `pooled`, computed from sums over the balls of each group.
 
-    Parameters
-    ----------
-    table : a row a group: ``key``, ``balls`` (above 0), ``mean``, and ``squares``: their sum about the group's mean.
-    key : column of the groups.
-    bounds : least and greatest value there can be, both finite or `POSITIVE`; None: there are none.
+    ``table``: a row a group: ``key``, ``balls`` (above 0), ``mean``, and ``squares``: their sum about the group's mean.
+    ``bounds``: least and greatest value there can be, both finite or `POSITIVE`; None: there are none.
     """
     if not len(table):
         return table.select(key, "balls", "mean"), Spread(np.nan, np.nan, np.nan, 0, 0)

@@ -79,16 +79,9 @@ NUMBERS = [kind for kind in UNITS if kind != "text"]
 def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.DataFrame:
     """Return rows with a column per quantity that the table has, in SI, ``row`` in front and ``reason`` behind.
 
-    Parameters
-    ----------
-    frame : rows of the table as they are.
-    first : number of the first of them in the table, from 0.
-
-    Returns
-    -------
-    DataFrame
-        also ``left`` (batter's side), ``day``, ``season``, ``unreadable`` (how many measurements of the row were
-        written so that no number could be read, and whether its date was) and ``beyond`` (how many cannot be).
+    ``first``: number of the first of them in the table, from 0. Also ``left`` (batter's side), ``day``, ``season``,
+    ``unreadable`` (how many measurements of the row were written so that no number could be read, and whether its date
+    was) and ``beyond`` (how many cannot be).
     """
     columns, kinds = headings.columns, frame.schema
     words = {name: Texts(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
@@ -121,10 +114,6 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
 def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
     """Return the changed values of a column; every text is changed once, however often it stands there.
 
-    Parameters
-    ----------
-    change : what becomes of a text.
-
     >>> by_value(pl.Series(["a", "b", None, "a"]), lambda text: text.str.to_uppercase()).to_list()
     ['A', 'B', None, 'A']
     """
@@ -136,10 +125,6 @@ def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Seri
 
 def by_number(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
     """Return the changed values of a column of whole numbers or days; close together, each is changed once.
-
-    Parameters
-    ----------
-    change : what becomes of a number or day.
 
     >>> by_number(pl.Series([2024, None, 2026]), lambda number: number.cast(pl.String)).to_list()
     ['2024', None, '2026']

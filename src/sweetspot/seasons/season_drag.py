@@ -36,7 +36,6 @@ class DragOfMonth:
     month : year and month; "all": everything.
     drag : drag over that of the law (in that kind of park), 1: as the law says.
     error : its standard error, over games.
-    flies, games : how many.
     """
 
     month: str
@@ -51,10 +50,6 @@ def drag_by_month(counted: pl.LazyFrame) -> tuple[DragOfMonth, ...]:
 
     Of each ball the logarithm of drag that would give its distance is (distance - carry) / (d carry / d log drag); the
     mean weighs balls by the square of the latter, and its error comes from the scatter between games.
-
-    Parameters
-    ----------
-    counted : groups and measures of balls.
     """
     names = counted.collect_schema().names()
     if "carry_above" not in names:
@@ -96,14 +91,7 @@ def home_runs_with(counted: pl.LazyFrame, drag: DragOfMonth) -> Interval | None:
     A chance is that of a normal scatter of drag, sigma wide in that park, so drag that is f times the law's makes c
     into Phi(Phi^-1(c) - (f - 1) / sigma).
 
-    Parameters
-    ----------
-    counted : groups and measures of balls.
-
-    Returns
-    -------
-    Interval or None
-        None for a table without chances, or of hardly anything but home runs, which were selected by their carry.
+    None for a table without chances, or of hardly anything but home runs, which were selected by their carry.
     """
     from scipy.special import ndtr, ndtri
 
@@ -134,7 +122,6 @@ class LeftOver:
     Parameters
     ----------
     mean, error : and its standard error.
-    balls : how many.
     middle : of a bin, SI; None: no bin.
     name : of a group; None: a bin.
     """
@@ -158,10 +145,7 @@ EDGES: Mapping[str, Array] = {
 def left_over_by(counted: pl.LazyFrame, kind: str) -> tuple[LeftOver, ...]:
     """Return mean tracked distance less carry in bins or groups of at least `FEWEST` balls; groups by their mean.
 
-    Parameters
-    ----------
-    counted : groups and measures of balls.
-    kind : a key of `EDGES`.
+    ``kind``: a key of `EDGES`.
     """
     edges = EDGES[kind]
     tracked = counted.filter(pl.col("carry_above").is_not_null() & pl.col(kind).is_not_null())

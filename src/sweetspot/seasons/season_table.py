@@ -121,16 +121,9 @@ def season_setting(
 ) -> SeasonSetting:
     """Return the setting with which tables are read.
 
-    Parameters
-    ----------
-    bats : of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's usual.
-    others : bats that every swing is tried with.
-    air : of games whose weather the tables do not give, at the elevation of fields whose park is not known; None:
-        72 degF and the usual, at sea level.
-    ball : name in the catalogue.
-    contact : whether contacts are wanted beside flights.
-    system : units of the columns.
-    threads : workers of a task; None: one per core.
+    ``bats``: of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's
+    usual. ``air``: of games whose weather the tables do not give, at the elevation of fields whose park is not known;
+    None: 72 degF and the usual, at sea level. ``threads``: workers of a task; None: one per core.
     """
     pitched: Ball = catalogue_ball(ball)
     flight = FlightSetting(pitched, aerodynamics(ball), air or USUAL_AIR, threads=threads)
@@ -175,23 +168,9 @@ def analyse_season(
 ) -> Season:
     """Return a season's answers, in a folder.
 
-    Parameters
-    ----------
-    paths : tables, CSV or Parquet.
-    setting : how; None: the usual. Its relation of places is learnt from the tables unless it was learnt before.
-    folder : made if need be; answers of another plan in it are replaced.
-    given : what a person says of columns that are not understood, ``GivenColumns({"exit_speed": "EV:mph"})``.
-    resume : whether answers of the same plan that are there already are kept; what a killed run left half written is
-        removed, what a living one writes is not.
-    run : does a plan's tasks; None: in this process, two at a time.
-    progress : is called with the rows done and the rows in all.
-
-    Raises
-    ------
-    InputError
-        when none of the tables can be read, none holds a ball in play, or one is among the answers to be replaced.
-    UnwritableError
-        when there is no room for the copy of a CSV file.
+    ``setting``: how; None: the usual. Its relation of places is learnt from the tables unless it was learnt before.
+    ``given``: what a person says of columns that are not understood, ``GivenColumns({"exit_speed": "EV:mph"})``.
+    ``run``: does a plan's tasks; None: in this process, two at a time.
     """
     folder = Path(folder)
     replaced = [(folder / name).resolve() for name in FOLDERS]
@@ -277,12 +256,7 @@ def _unread(survey: Survey) -> str:
 
 
 def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
-    """Return the relation of the places along the bat at which balls are met, learnt from an even sample of all tables.
-
-    Parameters
-    ----------
-    survey : the first look at the tables.
-    """
+    """Return the relation of places along the bat to the pitch's, learnt from an even sample of all tables."""
     assert setting.contact is not None
     swung = sum(
         counts[USED]
@@ -328,17 +302,9 @@ def season_columns(
 
     The relation of places is the setting's: learn it once from a season with `analyse_season`, or take the usual.
 
-    Parameters
-    ----------
-    frame : Statcast, Trackman or any other names that are understood. Of a lazy one dates that may begin with the day,
-        and whose name ``player_name`` is, are looked at before anything else is read.
-    setting : how; None: the usual.
-    given : what a person says of columns that are not understood.
-
-    Raises
-    ------
-    InputError
-        for what is no polars frame, or one that `frame_headings` refuses.
+    ``frame``: Statcast, Trackman or any other names that are understood. Of a lazy one dates that may begin with the
+    day, and whose name ``player_name`` is, are looked at before anything else is read. ``setting``: how; None: the
+    usual. ``given``: what a person says of columns that are not understood.
 
     >>> import polars as pl
     >>> table = pl.DataFrame({"launch_speed": [103.0], "launch_angle": [27.5], "hc_x": [125.42], "hc_y": [50.0]})

@@ -56,11 +56,8 @@ def group_sums(
 ) -> dict[str, pl.DataFrame]:
     """Return for each column of groups a row a group, in order: balls, home runs, EV20, and the measures' sums.
 
-    Parameters
-    ----------
-    parts : groups and measures of balls, a part of the table after the other; each is read once, by itself.
-    keys : columns of the groups; balls without one are left out.
-    measures : columns that are averaged; of each ``MEASURE balls``, ``MEASURE mean`` and ``MEASURE squares`` about it.
+    ``measures``: columns that are averaged; of each ``MEASURE balls``, ``MEASURE mean`` and ``MEASURE squares`` about
+    it.
     """
     schema: dict[str, pl.DataType] = {}
     for part in parts:
@@ -180,7 +177,6 @@ class Standing:
 
     Parameters
     ----------
-    key : the column.
     table : a row per group: balls, and of every measure pooled, low50 … high90, reliability, percentile, raw mean.
     spreads : how balls and groups scatter, by measure.
     """
@@ -232,11 +228,8 @@ def rare_shares(table: Standing) -> list[str]:
 def all_standings(parts: Sequence[pl.LazyFrame], *, keys: Sequence[str] = tuple(GROUPS)) -> dict[str, Standing]:
     """Return the tables of groupings; those are left out that no ball has a group of.
 
-    Parameters
-    ----------
-    parts : groups and measures of balls, a part of the table after the other; each is read once, by itself, so that
-        memory does not hang on how many balls there are.
-    keys : some of `GROUPS`.
+    ``parts``: groups and measures of balls, a part of the table after the other; each is read once, by itself, so that
+    memory does not hang on how many balls there are. ``keys``: some of `GROUPS`.
     """
     names = list(dict.fromkeys(name for part in parts for name in part.collect_schema().names()))
     others = [name for name in names if name.startswith(WITH)]
@@ -286,10 +279,6 @@ def above_expected_parts(parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
 
     The expectation is the parabola in bat speed through all balls of the season. Sums are added up part by part, in
     order, so that they are the same to the last digit however many threads there are.
-
-    Parameters
-    ----------
-    parts : of the counted balls, which make up a season together.
     """
     speed, flag = pl.col("bat_speed").cast(pl.Float64) - 32.0, pl.col("league_squared_up").cast(pl.Float64)
     square, along = np.zeros((3, 3)), np.zeros(3)
@@ -312,7 +301,6 @@ class OtherBatGain:
 
     Parameters
     ----------
-    bat : its name.
     balls : hit with any other bat than this, and solved.
     gain, low, high : mean change of their exit speeds, m/s; 90 % by the swing law, which errs alike for all balls.
     """

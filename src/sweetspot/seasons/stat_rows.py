@@ -31,9 +31,7 @@ SAME_BAT = 1e-9
 def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl.DataFrame:
     """Return groups and measures of balls, one row each.
 
-    Parameters
-    ----------
-    rows : that went through `rows_of` and are used.
+    ``rows``: that went through `rows_of` and are used.
     """
     balls, flown = answers.balls, answers.flight
     measured: dict[str, Array] = {
@@ -74,10 +72,7 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
 def timing(rows: pl.DataFrame, plate_speed: Array) -> Array:
     """Return the time by which balls were met earlier than usual, s, by the league's formula; NaN where not known.
 
-    Parameters
-    ----------
-    rows : that went through `rows_of` and are used.
-    plate_speed : of the pitches, m/s, shape (n,).
+    ``rows``: that went through `rows_of` and are used. ``plate_speed``: of the pitches, m/s, shape (n,).
 
     >>> rows = pl.DataFrame({"intercept_ahead": [30 * INCH, None]})
     >>> early = timing(rows, np.array([38.0, 38.0]))

@@ -68,13 +68,7 @@ def survey_tables(
     given: GivenColumns = NOTHING_GIVEN,
     progress: Callable[[int, int], None] | None = None,
 ) -> Survey:
-    """Return the survey of some files; one that cannot be read does not keep the others.
-
-    Parameters
-    ----------
-    staging : folder for copies of CSV files, and of Parquet with large row groups.
-    given : what a person says of the columns.
-    """
+    """Return the survey of some files; one that cannot be read does not keep the others."""
     tables: list[TableFile] = []
     faults: list[tuple[Path, str]] = []
     for path in paths:
@@ -146,10 +140,6 @@ def tracking_bias(survey: Survey) -> TrackingBias | None:
 
     Alike are event, kind of hit and how far out a ball was fielded; where none came down there, the first two.
     None where no table has endings, or every ball was tracked.
-
-    Parameters
-    ----------
-    survey : the first look at the tables.
     """
     tracked = sum(count for count, _, _ in survey.endings.values())
     missed = sum(count for _, _, count in survey.endings.values())

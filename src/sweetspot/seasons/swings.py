@@ -69,9 +69,7 @@ USUAL_SPEEDS = SwingSpeeds(75.1 * MPH, 4.1 * MPH, 3.6 * MPH)
 def likeliest_speeds(bat_speed: Array) -> SwingSpeeds:
     """Return the spread that makes bat speeds most likely.
 
-    Parameters
-    ----------
-    bat_speed : m/s, shape (n,).
+    ``bat_speed``: m/s, shape (n,).
     """
     from scipy.optimize import minimize
     from scipy.special import log_ndtr

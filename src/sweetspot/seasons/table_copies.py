@@ -121,21 +121,7 @@ def _signed(content: Iterator[int]) -> int:
 
 @contextmanager
 def copying(path: Path, staging: Path, *, instead: str = "or give Parquet, which is read as it is") -> Iterator[None]:
-    """Say in a line of our own what is wrong with a table, or with the folder that it is copied to.
-
-    Parameters
-    ----------
-    path : of the table.
-    staging : the folder.
-    instead : what else than making room would do.
-
-    Raises
-    ------
-    InputError
-        when the table cannot be read.
-    UnwritableError
-        when there is no room for the copy; no other table would find any.
-    """
+    """Say in a line of our own what is wrong with a table, or with the folder that it is copied to."""
     try:
         yield
     except (pl.exceptions.PolarsError, csv.Error, OSError, EOFError, zlib.error) as error:
@@ -164,11 +150,6 @@ def _written(rows: pl.LazyFrame, target: Path, *, pieces: int) -> None:
 def rows_together(width: int, *, most: int) -> int:
     """Return the number of rows of a table that are processed together: fewer of wide ones, so that memory holds them.
 
-    Parameters
-    ----------
-    width : columns.
-    most : rows of a usual table.
-
     >>> rows_together(118, most=65_536), rows_together(5_000, most=65_536)
     (65536, 1600)
     """
@@ -176,13 +157,7 @@ def rows_together(width: int, *, most: int) -> int:
 
 
 def strips_of(path: Path, *, rows: int, staging: Path) -> tuple[Path, ...]:
-    """Return a Parquet file's columns, in order, in files of a few of them; none where its row groups are small enough.
-
-    Parameters
-    ----------
-    rows : of the table.
-    staging : folder where the files go; made if need be.
-    """
+    """Return a Parquet file's columns, in order, in files of a few each; none where its row groups are small enough."""
     sizes = [group.size for group in row_groups_of(path)] or [path.stat().st_size]
     if max(sizes) <= MOST_PACKED:
         return ()
@@ -216,7 +191,6 @@ class CsvCopy:
     Parameters
     ----------
     headings : what its columns mean.
-    rows : how many.
     left_out : lines that are no rows, by why (`LEFT_OUT`).
     before : for each of them, how many rows stand above it, in order.
     """
@@ -228,15 +202,7 @@ class CsvCopy:
 
 
 def copied_csv(path: Path, source: Path, ends: TextEnds, target: Path, *, given: GivenColumns) -> CsvCopy:
-    """Return the copy of a CSV table with its headings and counts.
-
-    Parameters
-    ----------
-    path : the file that people know, for messages.
-    source : the same text in UTF-8.
-    target : Parquet file to write.
-    given : what a person says of the columns.
-    """
+    """Return the copy of a CSV table with its headings and counts."""
     copy = target.with_name(f"{path.name}.lines")
     begun = _schema(source, ends, lines=BEGUN)
     headings = headings_of(begun.names(), given=given, file_name=str(path))
@@ -312,12 +278,7 @@ def _scanned(
 ) -> pl.LazyFrame:  # fmt: skip
     """Return the rows; a column with anything but numbers in it stays text.
 
-    Parameters
-    ----------
-    cut : whether cells beyond the headings are left out; otherwise they are an error.
-    lines : that are looked at for what stands in the columns; None: all.
-    schema : what the columns are, where that is known.
-    rows : that are read; None: all.
+    ``lines``: that are looked at for what stands in the columns; None: all. ``rows``: that are read; None: all.
     """
     separator = separator_of(ends.above[-1])
     return pl.scan_csv(

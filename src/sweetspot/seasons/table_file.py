@@ -46,7 +46,6 @@ class TableFile:
     path : as it was given.
     data : Parquet file that the rows are read from; the same, or a copy made of a CSV file.
     headings : what its columns mean.
-    rows : how many.
     left_out : lines below the headings that are no rows, by why (`LEFT_OUT`); none of Parquet.
     torn : whether its last line stops in the middle.
     notes : what was seen in reading it.
@@ -73,9 +72,7 @@ class TableFile:
     def numbers(self, rows: ArrayLike) -> NDArray[np.int64]:
         """Return the numbers by which people find rows in the file, however many lines were left out above them.
 
-        Parameters
-        ----------
-        rows : from 0.
+        ``rows``: from 0.
         """
         rows = np.asarray(rows, np.int64)
         return self.first + rows + np.searchsorted(self.before, rows, side="right")
@@ -104,9 +101,7 @@ class TableFile:
     def part(self, start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:
         """Return some rows, columns as they are; an empty measurement is a number that is missing.
 
-        Parameters
-        ----------
-        headings : of the columns that are wanted; None: all.
+        ``headings``: of the columns that are wanted; None: all.
         """
         if self.strips:
             frame = joined(self.strips, start, count, headings=headings)
@@ -131,20 +126,7 @@ def no_table(path: Path) -> InputError:
 
 
 def open_table(path: Path, *, staging: Path, given: GivenColumns = NOTHING_GIVEN) -> TableFile:
-    """Return a table that can be read in parts.
-
-    Parameters
-    ----------
-    staging : folder where the Parquet copy of a CSV file goes; made if need be.
-    given : what a person says of the columns.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, is empty or no table, or lacks what is needed.
-    UnwritableError
-        when there is no room for the copy of a CSV file; no other table would find any.
-    """
+    """Return a table that can be read in parts."""
     name = path.name.lower()
     if path.is_dir():
         raise InputError(f"{path} is a folder; give the tables in it, for example {path / '*.parquet'}")
@@ -161,18 +143,7 @@ def open_table(path: Path, *, staging: Path, given: GivenColumns = NOTHING_GIVEN
 
 
 def frame_headings(frame: pl.LazyFrame, *, given: GivenColumns = NOTHING_GIVEN, name: str = "table") -> Headings:
-    """Return the meaning of the columns of a frame, as of those of a file; of its rows only dates and names are read.
-
-    Parameters
-    ----------
-    given : what a person says of the columns.
-    name : for messages.
-
-    Raises
-    ------
-    InputError
-        when `headings_of` refuses the names, or a column holds several things a row.
-    """
+    """Return the meaning of the columns of a frame; of its rows only dates and names are read."""
     schema = frame.collect_schema()
     headings = headings_of(schema.names(), given=given, file_name=name)
     for column in headings.columns.values():
@@ -190,16 +161,7 @@ def text_columns(
 
     Nothing else of the table is read; a damaged one may fail only when the columns are collected.
 
-    Parameters
-    ----------
-    quantities : that are wanted.
-    staging : folder for a copy of a CSV file that is not in UTF-8; it must be there until the columns are collected.
-    given : what a person says of the columns.
-
-    Raises
-    ------
-    InputError
-        when the file cannot be read, or lacks what is needed.
+    ``staging``: folder for a copy of a CSV file that is not in UTF-8; it must be there until the columns are collected.
     """
     try:
         parquet = is_parquet(path)

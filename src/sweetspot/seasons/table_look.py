@@ -56,10 +56,7 @@ the part of both that cannot be from which their unit is doubted."""
 def unusual(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> Iterator[tuple[str, str]]:
     """Yield each quantity whose numbers are usual in another unit, with a description of the fault.
 
-    Parameters
-    ----------
-    some : balls in play, those that cannot be among them, in SI.
-    columns : of the table.
+    ``some``: balls in play, those that cannot be among them, in SI.
     """
     for name, (quantile, quantity) in TYPICAL.items():
         held = some[name].drop_nulls() if name in some.columns else pl.Series()
@@ -112,10 +109,7 @@ def exchanged(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> str:
 
     Bats faster than balls may also be in another unit: then balls are as much faster in it as balls in play are.
 
-    Parameters
-    ----------
-    some : balls in play, those that cannot be among them, in SI.
-    columns : of the table.
+    ``some``: balls in play, those that cannot be among them, in SI.
     """
     if {"exit_speed", "launch_angle"} <= set(some.columns) and len(some) >= ENOUGH:
         slow = (some["exit_speed"] < 0).mean() or 0.0

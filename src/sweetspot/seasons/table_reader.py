@@ -31,7 +31,6 @@ class TableReader:
 
     Parameters
     ----------
-    tables : to be read.
     part_rows : rows of the parts that will be asked for, fewer of wide tables by `rows_together`; a stretch of a longer
         row group is a multiple of it.
     """
@@ -44,11 +43,8 @@ class TableReader:
     def part(self, number: int, start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:
         """Return some rows of a table, columns as they are.
 
-        Parameters
-        ----------
-        number : of the table, from 0.
-        start, count : first row, from 0, and how many.
-        headings : of the columns that are wanted; None: all.
+        ``number``: of the table, from 0. ``start``, ``count``: first row, from 0, and how many. ``headings``: of the
+        columns that are wanted; None: all.
         """
         table = self._tables[number]
         width = table.width if headings is None else len(headings)
@@ -113,14 +109,7 @@ PART = 65_536
 
 
 def parts(table: TableFile, *, quantities: Sequence[str], step: int, starts: Sequence[int]) -> Iterator[pl.DataFrame]:
-    """Yield some of a table's rows as `rows_of` gives them, a part or so at a time; as good as drawn, always the same.
-
-    Parameters
-    ----------
-    quantities : that are wanted, beside the exit speed.
-    step : one row of so many.
-    starts : first rows of the parts.
-    """
+    """Yield some of a table's rows as `rows_of` gives them, a part at a time; as good as drawn, always the same."""
     headings = table.headings.only("exit_speed", *quantities)
     together = all(after - before == PART for before, after in pairwise(starts))
     read = partial(TableReader([table], part_rows=PART).part, 0) if together else table.part

@@ -18,7 +18,6 @@ class TableWarning:
     ----------
     name : a key of `WARNINGS`.
     table : number of the table, from 0.
-    count : rows concerned.
     rows : the first of them, by the numbers that people find them by (`TableFile.numbers`).
     detail : what exactly; "" where the name says all.
     """

@@ -23,11 +23,6 @@ EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 def cell_in_si(cell: str, column: TableColumn) -> float:
     """Return a cell's number in SI, by the unit in the cell where it has one.
 
-    Raises
-    ------
-    ValueError
-        for what is no number, or not of the column's kind.
-
     >>> from sweetspot.units import MPH
     >>> round(cell_in_si("66.1 km/h", TableColumn("bat_speed", "Bat Speed", "speed", "mph", MPH)), 2)
     18.36
@@ -62,14 +57,7 @@ def with_unit(cell: str, column: TableColumn) -> str:
 def place_in_si(cell: str, column: TableColumn, length: float) -> float:
     """Return a place in m from the knob end, by the end that cell or heading names; a cell alone may: ``6in-from-tip``.
 
-    Parameters
-    ----------
-    length : of the implement in m.
-
-    Raises
-    ------
-    ValueError
-        for what is no place.
+    ``length``: of the implement in m.
 
     >>> column = TableColumn("position", "Position from tip", "place", "from_tip", math.nan)
     >>> [round(place_in_si(cell, column, 0.84), 3) for cell in ("4 cm", "4cm-from-knob")]
@@ -85,13 +73,7 @@ def place_in_si(cell: str, column: TableColumn, length: float) -> float:
 def require_units(
     rows: Sequence[tuple[int, Sequence[str]]], headings: Headings, file_name: str, *, faults: Iterable[str] = ()
 ) -> None:
-    """Refuse columns of plain numbers without a unit, all of them in one message with what else is wrong.
-
-    Parameters
-    ----------
-    rows : line and cells of each.
-    faults : of the headings.
-    """
+    """Refuse columns of plain numbers without a unit, all of them in one message with what else is wrong."""
     vague = [
         column
         for column in headings.columns.values()

@@ -75,7 +75,6 @@ class TableColumn:
     ----------
     quantity : what it gives, an entry of `headings.toml`.
     heading : as the table writes it.
-    kind : of the quantity.
     unit : as given by person, heading or system; "" where there is none.
     factor, zero : value in SI = zero + factor x what the table holds; a factor of NaN where a unit is missing.
     index : its place in the table.
@@ -150,18 +149,7 @@ def read_headings(
 ) -> Headings:
     """Return the meanings of a table's columns; faults of columns are listed, and the table is not refused for them.
 
-    Parameters
-    ----------
-    names : headings as the table writes them.
-    wanted : quantities that are understood; of several with the same name the first has it.
-    given : what a person says of the columns.
-    once : whether two columns for one quantity, neither a system's own, are a fault; otherwise the first one counts.
-    file_name : for messages.
-
-    Raises
-    ------
-    InputError
-        when a person names a quantity or a column that is not there.
+    ``once``: whether two columns for one quantity, neither a system's own, are a fault; otherwise the first one counts.
     """
     short = [simplified(name) for name in names]
     system = next((candidate for candidate in systems() if _belongs(short, candidate)), None)
@@ -220,13 +208,7 @@ def names_one_of(names: Iterable[str], wanted: tuple[str, ...]) -> bool:
 
 
 def refuse_faults(faults: Iterable[str], file_name: str) -> None:
-    """Refuse a table for all that is wrong with its headings at once.
-
-    Raises
-    ------
-    InputError
-        where there is a fault.
-    """
+    """Refuse a table for all that is wrong with its headings at once."""
     if text := "; ".join(faults):
         raise InputError(f"{file_name}: {text}")
 

@@ -62,18 +62,7 @@ IsHeading = Callable[[Sequence[str]], bool]
 
 
 def in_utf8(path: Path, staging: Path, *, is_heading: IsHeading) -> tuple[Path, TextEnds]:
-    """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding.
-
-    Parameters
-    ----------
-    staging : folder where a copy goes.
-    is_heading : whether a line is that of the headings; without any it is the first one.
-
-    Raises
-    ------
-    InputError
-        when the file is damaged, or no text.
-    """
+    """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding."""
     ends = _ends(path, is_heading)
     if ends.encoding == "utf-8" and ends.lines and not ends.quoting:
         return path, ends
@@ -93,13 +82,7 @@ def in_utf8(path: Path, staging: Path, *, is_heading: IsHeading) -> tuple[Path, 
 
 
 def heading_lines(path: Path, *, is_heading: IsHeading) -> list[str]:
-    """Return the lines of a file, also a packed one, down to its headings; none where no line is theirs.
-
-    Raises
-    ------
-    InputError
-        when the file is damaged.
-    """
+    """Return the lines of a file, also a packed one, down to its headings; none where no line is theirs."""
     try:
         with opened(path) as file:
             lines = _down_to_headings(file, is_heading)
@@ -157,12 +140,7 @@ def _ends(path: Path, is_heading: IsHeading) -> TextEnds:
 
 
 def _last_row(lines: list[bytes], *, cut: bool) -> bytes:
-    """Return the last row of some lines, all of those that a quotation in it is broken over.
-
-    Parameters
-    ----------
-    cut : whether the text stops inside a quotation; then the row is the line in which it does.
-    """
+    """Return the last row of some lines, all of those that a quotation in it is broken over."""
     for first in range(len(lines) - 1, max(-1, len(lines) - 1 - MOST_BROKEN), -1):
         row = b"\n".join(lines[first:])
         if cut or row.count(b'"') % 2 == 0:
@@ -210,12 +188,7 @@ def is_number(text: str) -> bool:
 
 
 def require_no_more_cells(source: Path, ends: TextEnds, *, named: Path) -> None:
-    """Refuse a file in a line of which more cells hold something than there are headings.
-
-    Parameters
-    ----------
-    named : the file that people know, for messages.
-    """
+    """Refuse a file in a line of which more cells hold something than there are headings."""
     separator, above = separator_of(ends.above[-1]), len(ends.above) - 1
     with opened(source) as file, io.TextIOWrapper(file, "utf-8-sig", errors="replace", newline="") as text:
         for _ in range(above):
@@ -235,15 +208,6 @@ def table_rows(text: str, path: Path, *, is_heading: IsHeading) -> Iterator[tupl
 
     Cells are separated as the line of headings is: by commas, semicolons or tabs. Where commas do not separate them, a
     number may have a decimal comma.
-
-    Parameters
-    ----------
-    is_heading : whether a line is that of the headings.
-
-    Raises
-    ------
-    InputError
-        where the text is no CSV.
 
     >>> heading = lambda cells: "speed" in cells
     >>> list(table_rows("speed;angle\n66,5;3", Path("a.csv"), is_heading=heading))

@@ -94,12 +94,7 @@ def simplified(heading: str) -> str:
 
 @cache
 def quantity_by_name(wanted: tuple[str, ...]) -> Mapping[str, str]:
-    """Return the quantity of each name that anybody may use, written without underscores.
-
-    Parameters
-    ----------
-    wanted : quantities; of several with the same name the first has it.
-    """
+    """Return the quantity of each name that anybody may use, written without underscores."""
     found: dict[str, str] = {}
     for quantity in wanted:
         for name in quantities()[quantity].names:
