@@ -39,10 +39,7 @@ export class RowsPicture {
   /** @param {number} width */
   row(width) { return NAME + ROOM + WIDEST * this.scale(width); }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width */
   paint(context, width) {
     this.bats.forEach((one, i) => this.paintRow(context, one, LINES[i], i * this.row(width), width));
   }
@@ -103,11 +100,7 @@ export class ChangePicture {
     this.surface.draw();
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   * @param {number} height
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width @param {number} height */
   paint(context, width, height) {
     const { colors, units } = this.app;
     const shown = (/** @type {number} */ value) => toShown("speed_change", value, units);
@@ -177,11 +170,7 @@ export class ChangePicture {
   }
 }
 
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {string} text
- * @param {number} width
- */
+/** @param {CanvasRenderingContext2D} context @param {string} text @param {number} width */
 function clipped(context, text, width) {
   if (context.measureText(text).width <= width) return text;
   let short = text;

@@ -52,20 +52,14 @@ export class Slots {
     this.element.hidden = asked !== "none";
   }
 
-  /**
-   * @param {ComparisonPicture} answer
-   * @param {State} state
-   */
+  /** @param {ComparisonPicture} answer @param {State} state */
   update({ bat, bats }, { what_if: asked, others }) {
     if (asked === "none") this.keepToTheSport(bat.sport, others);
     if (asked === "none") bats.slice(1).forEach(({ shape }, i) => this.slots[i].show(shape));
   }
 
   // The bats that stand there before anybody chose are baseball's: beside a bat of another sport those of its own stand.
-  /**
-   * @param {string} sport
-   * @param {State[]} others
-   */
+  /** @param {string} sport @param {State[]} others */
   async keepToTheSport(sport, others) {
     const first = JSON.stringify(this.app.defaults.others);
     if (JSON.stringify(others) !== first || alike(sport, "baseball")) return;
@@ -93,11 +87,7 @@ export class Slots {
     this.more.focus();
   }
 
-  /**
-   * @param {HTMLInputElement} input
-   * @param {ReturnType<typeof scoped>} one
-   * @param {number} index
-   */
+  /** @param {HTMLInputElement} input @param {ReturnType<typeof scoped>} one @param {number} index */
   async read(input, one, index) {
     const file = input.files?.[0];
     if (!file) return;

@@ -151,11 +151,7 @@ export const view = {
   take(numbers) { this.anew({ design_si: numbers, design_for: this.answer.key, pulled: null }); },
 
   // One number pulled: the others as they were when the pulling began, so that back is back.
-  /**
-   * @param {number} index
-   * @param {number} value
-   * @param {Step} options
-   */
+  /** @param {number} index @param {number} value @param {Step} options */
   pull(index, value, options) {
     if (!this.answer) return;
     if (this.base?.index !== index) this.base = { index, numbers: this.answer.variables.map(({ value: present }) => present) };
@@ -164,10 +160,7 @@ export const view = {
     if (options?.commit !== false) this.base = null;
   },
 
-  /**
-   * @param {Station[]} stations
-   * @param {boolean} last
-   */
+  /** @param {Station[]} stations @param {boolean} last */
   pulled(stations, last) {
     const index = stations.findIndex(({ diameter_m: wide }, i) => wide !== this.answer.design.stations[i].diameter_m);
     if (index < 0 && last) this.app.commit();

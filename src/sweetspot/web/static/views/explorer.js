@@ -122,10 +122,7 @@ export const view = {
     return Math.round(100 * Math.min(most, Math.max(0, inches))) / 100;
   },
 
-  /**
-   * @param {number} position
-   * @param {boolean} last
-   */
+  /** @param {number} position @param {boolean} last */
   moveBall(position, last, offset = null) {
     const { answer, schema } = this.app;
     if (!answer) return;

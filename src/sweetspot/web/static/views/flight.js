@@ -89,10 +89,7 @@ export const view = {
   },
 
   // The ball that starts with its own numbers is sent to a place: turned, and hit harder or softer at the same angle.
-  /**
-   * @param {{ distance: number, direction: number }} given
-   * @param {boolean} last
-   */
+  /** @param {{ distance: number, direction: number }} given @param {boolean} last */
   land({ distance, direction }, last) {
     const { state, answer, schema } = this.app;
     if (state.start !== "ball" || !answer || answer.missed) return false;
@@ -103,11 +100,7 @@ export const view = {
     return true;
   },
 
-  /**
-   * @param {number} speed
-   * @param {number} angle
-   * @param {boolean} last
-   */
+  /** @param {number} speed @param {number} angle @param {boolean} last */
   launchAs(speed, angle, last) {
     if (this.app.state.start !== "ball") return;
     this.app.setState({ exit_speed_mph: Math.round(2 * speed / MPH) / 2, launch_angle_deg: Math.round((2 * angle * 180) / Math.PI) / 2 }, { commit: last });
@@ -145,10 +138,7 @@ export const view = {
   },
 
   // Until it is moved the elevation's control shows the park's.
-  /**
-   * @param {Answers["flight"]} given
-   * @param {State} state
-   */
+  /** @param {Answers["flight"]} given @param {State} state */
   showElevation({ park }, state) {
     if (state.elevation_ft !== null) return;
     const shown = Math.round(toShown("distance", park.elevation_m, this.app.units));

@@ -36,12 +36,7 @@ function line(context, points, { color, width = 2, dash = [] }) {
   context.lineCap = "butt";
 }
 
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {Point} place
- * @param {number} radius
- * @param {string} color
- */
+/** @param {CanvasRenderingContext2D} context @param {Point} place @param {number} radius @param {string} color */
 function dot(context, [x, y], radius, color) {
   context.fillStyle = color;
   context.beginPath();
@@ -50,10 +45,7 @@ function dot(context, [x, y], radius, color) {
 }
 
 // Where a ball is at a moment, straight between the points of its path.
-/**
- * @param {DrawnPath} given
- * @param {number} moment
- */
+/** @param {DrawnPath} given @param {number} moment */
 function placeAt({ time_s: times, ...path }, moment) {
   let i = times.findIndex((time) => time >= moment);
   if (i < 0) i = times.length - 1;
@@ -127,11 +119,7 @@ export class SidePicture {
     return Math.max(150, ROW * Math.ceil(room / ROW)); // in steps, so that what lies below seldom moves
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   * @param {number} height
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width @param {number} height */
   paint(context, width, height) {
     if (!this.data) return;
     const { colors } = this.app;
@@ -230,17 +218,11 @@ export class FieldPicture {
     }, ({ x, y }) => this.onVane(x, y) || Math.hypot(x - this.landed[0], y - this.landed[1]) < 24);
   }
 
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   onVane(x, y) { return Math.hypot(x - this.vane[0], y - this.vane[1]) < 34; }
 
   // The arrow's length is the wind's speed, as it is painted.
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   windFrom(x, y) {
     const [right, out] = [x - this.vane[0], this.vane[1] - y];
     const speed = Math.min(50, Math.max(0, Math.round((Math.hypot(right, out) - 8) / 0.6)));
@@ -260,10 +242,7 @@ export class FieldPicture {
     this.surface.draw();
   }
 
-  /**
-   * @param {FlownBall} answer
-   * @param {State} state
-   */
+  /** @param {FlownBall} answer @param {State} state */
   draw(answer, state) {
     this.data = answer;
     this.state = state;
@@ -271,11 +250,7 @@ export class FieldPicture {
     this.surface.draw();
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   * @param {number} height
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width @param {number} height */
   paint(context, width, height) {
     if (!this.data) return;
     const { colors } = this.app;
@@ -318,12 +293,7 @@ export class FieldPicture {
   }
 
   // Dirt and grass of the infield, the bases and the foul lines.
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Placing} at
-   * @param {number} scale
-   * @param {Point[]} fence
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Placing} at @param {number} scale @param {Point[]} fence */
   paintInfield(context, at, scale, fence) {
     const { colors } = this.app;
     context.save();
@@ -350,11 +320,7 @@ export class FieldPicture {
   }
 
   // The fence is the thicker the higher it is.
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Point[]} fence
-   * @param {number[]} heights
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Point[]} fence @param {number[]} heights */
   paintFence(context, fence, heights) {
     const { colors } = this.app;
     for (let i = 1; i < fence.length; i += 1) {
@@ -362,11 +328,7 @@ export class FieldPicture {
     }
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Point[]} fence
-   * @param {DrawnPark} park
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Point[]} fence @param {DrawnPark} park */
   paintDistances(context, fence, park) {
     const { colors } = this.app;
     const last = fence.length - 1;

@@ -147,10 +147,7 @@ export const view = {
     this.ledger.draw(moment);
   },
 
-  /**
-   * @param {number} moment
-   * @param {boolean} last
-   */
+  /** @param {number} moment @param {boolean} last */
   pick(moment, last) {
     this.transport.pause();
     this.transport.show(moment);

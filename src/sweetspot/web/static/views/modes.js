@@ -84,10 +84,7 @@ export const view = {
     this.toggle.click();
   },
 
-  /**
-   * @param {number} pixel
-   * @param {boolean} last
-   */
+  /** @param {number} pixel @param {boolean} last */
   tapAt(pixel, last) {
     if (!this.answer) return;
     const stage = new Stage(this.answer, this.stage.width);
@@ -235,11 +232,7 @@ export const view = {
 const worthShowing = (/** @type {BatMotion} */ { tap: { energy_share: share, hand_speed_m_s_per_n_s: felt } }) => share === null || share >= 1e-3 || felt >= 0.05;
 const percent = (/** @type {number} */ share) => (share > 0 && share < 1e-4 ? "< 0.01 %" : `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`);
 
-/**
- * @param {HTMLElement} cell
- * @param {number} part
- * @param {string} words
- */
+/** @param {HTMLElement} cell @param {number} part @param {string} words */
 function bar(cell, part, words) {
   if (!cell.firstElementChild) cell.append(make("span", { className: "bar" }), "");
   partOf(cell, ".bar", HTMLElement).style.width = `calc(${Math.min(1, Math.max(0, part)).toFixed(3)} * var(--bar))`;

@@ -100,11 +100,7 @@ export const view = {
     return answer ? (answer.tool.length_m - answer.hit.position_m) / INCH : null;
   },
 
-  /**
-   * @param {number} position
-   * @param {number | null} across
-   * @param {boolean} last
-   */
+  /** @param {number} position @param {number | null} across @param {boolean} last */
   pick(position, across, last) {
     const { answer } = this;
     if (!answer) return;
