@@ -213,13 +213,47 @@ def outcome_words(end: FlightEnd, *, carry: float, chance: float) -> Sentence:
         "in play": lead + "comes down {carry} from the plate in {park}.",
         "foul": "Foul.",
     }
-    above = 0.0 if end.clearance is None else abs(float(end.clearance))
     return say(
         ways[end.outcome],
         park=end.park,
-        clearance=Slot(above, "place" if above < NEAR else "distance"),
+        clearance=_clearance(end),
         distance=Slot(end.distance, "distance"),
         carry=Slot(carry, "distance"),
+    )
+
+
+def _clearance(end: FlightEnd) -> Slot:
+    above = 0.0 if end.clearance is None else abs(float(end.clearance))
+    return Slot(above, "place" if above < NEAR else "distance")
+
+
+def margin_words(end: FlightEnd) -> list[Sentence]:
+    """Return by how much a ball passes the top of a fence or stays below it; nothing where it does not reach it."""
+    if end.clearance is None:
+        return []
+    return [say("{way} by {clearance}", way="over" if float(end.clearance) > 0 else "short", clearance=_clearance(end))]
+
+
+def side_words(end: FlightEnd, *, apex: float, carry: float) -> Sentence:
+    """Return what a picture of a flight from the side shows; m."""
+    passes = say("not reaching the fence")
+    if end.clearance is not None:
+        way = "above" if float(end.clearance) > 0 else "below"
+        passes = say("{clearance} {way} the fence's top", clearance=_clearance(end), way=way)
+    return say(
+        "The flight from the side: {apex} high at its apex, {carry} of carry, {passes}.",
+        apex=Slot(apex, "distance"),
+        carry=Slot(carry, "distance"),
+        passes=passes,
+    )
+
+
+def above_words(end: FlightEnd) -> Sentence:
+    """Return what a picture of a flight from above shows."""
+    return say(
+        "The field of {park} from above, with the path of the ball, which is {outcome}.",
+        park=end.park,
+        outcome=end.outcome,
     )
 
 

@@ -784,6 +784,9 @@ export interface FlownBall {
   elevation_m: number; elevation_low_m?: number; elevation_high_m?: number;
   headline: Record<"us" | "si", string[]>;
   leaves: Record<"us" | "si", string[]>;
+  margin: Record<"us" | "si", string[]>;
+  side: Record<"us" | "si", string[]>;
+  above: Record<"us" | "si", string[]>;
 }
 
 /** One bat of a front: its numbers and measures, SI, and its outline where outlines differ. */

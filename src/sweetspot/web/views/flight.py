@@ -29,12 +29,15 @@ from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
 from sweetspot.reports.page_words import (
+    above_words,
     bat_speed_words,
     chance_words,
     leaving_words,
+    margin_words,
     missed_words,
     outcome_words,
     parks_words,
+    side_words,
 )
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
 from sweetspot.units.dimensions import DENSITY, DISTANCE
@@ -112,6 +115,8 @@ class FlownBall(OutcomeInParks):
     ----------
     swing, bat : of a ball that is hit.
     headline, leaves : what becomes of it, and how it leaves, in sentences.
+    margin : by how much it passes the fence's top, where it reaches that.
+    side, above : what the pictures show.
     """
 
     start: Literal["ball", "swing"]
@@ -129,6 +134,9 @@ class FlownBall(OutcomeInParks):
     elevation: Distance
     headline: Sentences
     leaves: Sentences
+    margin: Sentences
+    side: Sentences
+    above: Sentences
 
 
 @dataclass(frozen=True)
@@ -161,9 +169,10 @@ def answer(state: FlightState) -> FlownBall | MissedBall:
         here=park,
         own_elevation=own_elevation,
     )
-    leaving = ball_leaving(start.motion)
+    leaving, ground = ball_leaving(start.motion), _to_the_ground(flown, 0)
+    apex, carry = float(ground.apex), float(ground.carry)
     words = [
-        outcome_words(outcome.end, carry=float(flown.carry[0]), chance=float(outcome.chance)),
+        outcome_words(outcome.end, carry=carry, chance=float(outcome.chance)),
         *chance_words(float(outcome.chance)),
         parks_words(outcome.out_in, outcome.of),
     ]
@@ -174,7 +183,7 @@ def answer(state: FlightState) -> FlownBall | MissedBall:
         swing=start.swing,
         bat=start.bat,
         launch=leaving,
-        flight=_to_the_ground(flown, 0),
+        flight=ground,
         without_air=_to_the_ground(flown, 1),
         path=_path(flown, 0),
         path_without_air=_path(flown, 1),
@@ -184,6 +193,9 @@ def answer(state: FlightState) -> FlownBall | MissedBall:
         elevation=conditions.one_air.elevation,
         headline=in_both_systems(words),
         leaves=in_both_systems([leaving_words(leaving), *swung_at]),
+        margin=in_both_systems(margin_words(outcome.end)),
+        side=in_both_systems([side_words(outcome.end, apex=apex, carry=carry)]),
+        above=in_both_systems([above_words(outcome.end)]),
     )
 
 
@@ -256,9 +268,7 @@ def launched_by(state: FlightState, conditions: FlightConditions) -> BallMotion:
         if not math.isfinite(aim[0]):
             raise FieldError("spray_deg", "no launch direction brings this ball down there; ask for another one")
         spray = float(aim[0])
-    return batted_ball(
-        speed=speed, launch_angle=up, spray=spray, backspin=spins[0], sidespin=spins[1], position=place
-    )  # fmt: skip
+    return batted_ball(speed=speed, launch_angle=up, spray=spray, backspin=spins[0], sidespin=spins[1], position=place)
 
 
 def _spins(state: FlightState) -> tuple[float, float]:

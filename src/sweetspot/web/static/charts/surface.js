@@ -212,6 +212,48 @@ export class Surface {
 
 /** @typedef {[number, number]} Point */
 
+/** @typedef {{ color: string, width?: number, dash?: number[], cap?: CanvasLineCap }} Stroke */
+
+/**
+ * A line through points.
+ *
+ * @param {CanvasRenderingContext2D} context
+ * @param {Point[]} points
+ * @param {Stroke} stroke
+ */
+export function line(context, points, { color, width = 2, dash = [], cap = "round" }) {
+  Object.assign(context, { strokeStyle: color, lineWidth: width, lineJoin: "round", lineCap: cap });
+  context.setLineDash(dash);
+  context.beginPath();
+  points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+  context.stroke();
+  context.setLineDash([]);
+  context.lineCap = "butt";
+}
+
+/**
+ * A filled polygon.
+ *
+ * @param {CanvasRenderingContext2D} context
+ * @param {Point[]} points
+ * @param {string} color
+ */
+export function area(context, points, color) {
+  context.fillStyle = color;
+  context.beginPath();
+  points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+  context.closePath();
+  context.fill();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Point} place @param {number} radius @param {string} color */
+export function dot(context, [x, y], radius, color) {
+  context.fillStyle = color;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+}
+
 /**
  * A way from one point to another with a head at its end.
  *

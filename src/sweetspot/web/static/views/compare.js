@@ -194,10 +194,7 @@ export const view = {
 
   unmount() { Object.assign(this, { certified: null, ruled: null, known: null }); },
 
-  figures() {
-    return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];
-  },
-
+  figures() { return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")]; },
   table() {
     /** @type {Record<string, unknown[]>} */
     const columns = { label: [], position_m: [], exit_speed_m_s: [], collision_efficiency: [], bbcor: [] };

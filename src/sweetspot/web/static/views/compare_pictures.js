@@ -2,9 +2,10 @@
 
 import { paintBat } from "../bat/batview.js";
 import { LEFT, RIGHT } from "../charts/chart.js";
-import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
+import { FONT, Surface, dot, haloText, line, ticks } from "../charts/surface.js";
 import { kindOf, toShown, unitOf } from "../controls/units.js";
 /** @import { DrawnComparedBat } from "../answers.js" */
+/** @import { Point } from "../charts/surface.js" */
 /** @import { App } from "../shell/main.js" */
 /** @import { Way } from "../bat/batpaint.js" */
 
@@ -44,14 +45,8 @@ export class RowsPicture {
     this.bats.forEach((one, i) => this.paintRow(context, one, LINES[i], i * this.row(width), width));
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {DrawnComparedBat} given
-   * @param {Look} line
-   * @param {number} top
-   * @param {number} width
-   */
-  paintRow(context, { bat, shape, label, zone_m: zone, max_exit_speed_m: best }, line, top, width) {
+  /** @param {CanvasRenderingContext2D} context @param {DrawnComparedBat} given @param {Look} look @param {number} top @param {number} width */
+  paintRow(context, { bat, shape, label, zone_m: zone, max_exit_speed_m: best }, look, top, width) {
     const { colors } = this.app;
     const scale = this.scale(width);
     const left = width - RIGHT - bat.length_m * scale;
@@ -62,20 +57,10 @@ export class RowsPicture {
       context.fillRect(across(zone[0]), top + NAME + WIDEST * scale + 4, across(zone[1]) - across(zone[0]), 4);
     }
     paintBat(context, { ...bat, ...shape }, { left, scale, middle }, colors);
-    context.fillStyle = colors.red;
-    context.strokeStyle = colors.panel;
-    context.lineWidth = 1.5;
-    context.beginPath();
-    context.arc(across(best), middle, 5, 0, 2 * Math.PI);
-    context.fill();
-    context.stroke();
-    Object.assign(context, { strokeStyle: colors[line.color], lineWidth: 3, font: `600 12px ${FONT}`, textAlign: "left", textBaseline: "middle" });
-    context.setLineDash(line.dash);
-    context.beginPath();
-    context.moveTo(LEFT, top + 10);
-    context.lineTo(LEFT + 30, top + 10);
-    context.stroke();
-    context.setLineDash([]);
+    dot(context, [across(best), middle], 6, colors.panel);
+    dot(context, [across(best), middle], 4.5, colors.red);
+    line(context, [[LEFT, top + 10], [LEFT + 30, top + 10]], { color: colors[look.color], width: 3, dash: look.dash, cap: "butt" });
+    Object.assign(context, { font: `600 12px ${FONT}`, textAlign: "left", textBaseline: "middle" });
     haloText(context, label, LEFT + 36, top + 10, colors.ink, colors.panel);
   }
 }
@@ -115,7 +100,7 @@ export class ChangePicture {
     context.fillText("Change of exit speed", 0, 9);
     context.font = `11px ${FONT}`;
     for (const value of ticks(least, most, (width - names) / 60)) {
-      this.rule(context, across(value), HEAD, bottom, value === 0 ? colors.ink : colors.grid);
+      line(context, [[across(value), HEAD], [across(value), bottom]], { color: value === 0 ? colors.ink : colors.grid, width: 1, cap: "butt" });
       Object.assign(context, { fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });
       context.fillText(String(value).replace("-", "−"), across(value), bottom + 4);
     }
@@ -124,45 +109,16 @@ export class ChangePicture {
     others.forEach((one, i) => this.paintRow(context, one, LINES[i + 1], HEAD + (i + 0.5) * CHANGE_ROW, { across, shown, names }));
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} x
-   * @param {number} top
-   * @param {number} bottom
-   * @param {string} color
-   */
-  rule(context, x, top, bottom, color) {
-    Object.assign(context, { strokeStyle: color, lineWidth: 1 });
-    context.beginPath();
-    context.moveTo(x, top);
-    context.lineTo(x, bottom);
-    context.stroke();
-  }
-
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {DrawnComparedBat} given
-   * @param {Look} line
-   * @param {number} y
-   * @param {{ across: Way, shown: Way, names: number }} given
-   */
-  paintRow(context, { label, change_m_s: change }, line, y, { across, shown, names }) {
+  /** @param {CanvasRenderingContext2D} context @param {DrawnComparedBat} given @param {Look} look @param {number} y @param {{ across: Way, shown: Way, names: number }} place */
+  paintRow(context, { label, change_m_s: change }, look, y, { across, shown, names }) {
     const { colors } = this.app;
     Object.assign(context, { font: `12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "middle" });
     context.fillText(clipped(context, label, names), 0, y);
     const judged = change.low < change.high; // until its interval is there a change is a grey mark
-    const color = judged ? colors[line.color] : colors.muted;
-    Object.assign(context, { strokeStyle: color, fillStyle: color, lineWidth: 4, lineCap: "round" });
-    if (judged) {
-      context.beginPath();
-      context.moveTo(across(shown(change.low)), y);
-      context.lineTo(across(shown(change.high)), y);
-      context.stroke();
-    }
-    context.lineCap = "butt";
-    context.beginPath();
-    context.arc(across(shown(change.value)), y, 6, 0, 2 * Math.PI);
-    context.fill();
+    const color = judged ? colors[look.color] : colors.muted;
+    const at = (/** @type {number} */ value) => /** @type {Point} */ ([across(shown(value)), y]);
+    if (judged) line(context, [at(change.low), at(change.high)], { color, width: 4 });
+    dot(context, at(change.value), 6, color);
     Object.assign(context, { font: `600 11px ${FONT}`, textAlign: "center" });
     const digits = kindOf("speed_change")[this.app.units].digits;
     const words = `${change.value > 0 ? "+" : ""}${shown(change.value).toFixed(digits).replace("-", "−")}`;

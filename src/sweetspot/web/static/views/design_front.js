@@ -3,7 +3,7 @@
 import { button } from "../controls/controls.js";
 import { longWork } from "../shell/longwork.js";
 import { make, tableOf, write } from "../controls/parts.js";
-import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
+import { FONT, Surface, area, dot, haloText, line, ticks } from "../charts/surface.js";
 import { fromShown, toShown, unitOf } from "../controls/units.js";
 /** @import { DesignFront, FrontBat } from "../answers.js" */
 /** @import { Point } from "../charts/surface.js" */
@@ -120,17 +120,12 @@ export class Front {
     if (!this.found) return;
     const { colors, units } = this.app;
     const { x, y, ranges, across, up, place } = this.plane(this.found, width);
-    Object.assign(context, { font: `11px ${FONT}`, strokeStyle: colors.grid, lineWidth: 1, fillStyle: colors.muted });
+    Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted });
     const marks = (/** @type {string} */ name, /** @type {number} */ count) => {
       const [[kind], [least, most]] = [WANTS[name], ranges[name]];
       return ticks(toShown(kind, least, units), toShown(kind, most, units), count).map((value) => /** @type {[string, number]} */ ([String(value), fromShown(kind, value, units)]));
     };
-    const rule = (/** @type {Point} */ from, /** @type {Point} */ to) => {
-      context.beginPath();
-      context.moveTo(...from);
-      context.lineTo(...to);
-      context.stroke();
-    };
+    const rule = (/** @type {Point} */ from, /** @type {Point} */ to) => line(context, [from, to], { color: colors.grid, width: 1 });
     Object.assign(context, { textAlign: "right", textBaseline: "middle" });
     for (const [words, value] of marks(y, 5)) {
       rule([LEFT, up(value)], [width - RIGHT, up(value)]);
@@ -165,23 +160,15 @@ export class Front {
     front.forEach(({ values, outline }, row) => {
       const [px, py] = place(values);
       const hidden = row !== chosen && drawn.some(([a, b]) => Math.abs(a - px) < SMALL * 0.8 && Math.abs(b - py) < 16);
-      context.fillStyle = row === chosen ? colors.red : colors.blue;
-      context.beginPath();
-      if (hidden || !outline) {
-        context.arc(px, py, row === chosen ? 6 : 3, 0, 2 * Math.PI);
-        context.fill();
-        return;
-      }
+      const color = row === chosen ? colors.red : colors.blue;
+      if (hidden || !outline) return dot(context, [px, py], row === chosen ? 6 : 3, color);
       drawn.push([px, py]);
       const { position_m: along, diameter_m: wide } = outline;
       const scale = SMALL / along[along.length - 1];
-      const edge = (/** @type {number} */ i, /** @type {number} */ side) => context.lineTo(px - SMALL / 2 + along[i] * scale, py + (side * wide[i] / 2) * scale * THICK);
-      along.forEach((_, i) => edge(i, -1));
-      along.forEach((_, i) => edge(along.length - 1 - i, 1));
-      context.closePath();
-      context.fill();
-      context.strokeStyle = colors.panel;
-      context.stroke();
+      const edge = (/** @type {number} */ side) => along.map((at, i) => /** @type {Point} */ ([px - SMALL / 2 + at * scale, py + (side * wide[i] / 2) * scale * THICK]));
+      const points = [...edge(-1), ...edge(1).reverse()];
+      area(context, points, color);
+      return line(context, [...points, points[0]], { color: colors.panel, width: 1 });
     });
   }
 

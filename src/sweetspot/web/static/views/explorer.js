@@ -14,7 +14,7 @@ import { Zoom } from "../charts/zoom.js";
 /** @import { Curve, Panel } from "../charts/chart.js" */
 /** @import { Answers, SpeedSpan } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
-/** @import { App, State, View } from "../shell/main.js" */
+/** @import { State, View } from "../shell/main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
 const ROOM = 1.06; // part of the greatest offset that the map leaves free, so that a ball met there is seen whole
@@ -75,7 +75,10 @@ export const view = {
       y: { kind: "offset_m", label: "ball above the axis" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.moveBall(x, last, y),
     });
     this.bench = new Bench(app, { picture: this.picture });
-    const side = make("div", { className: "side" }, this.bench.element, swingGroup(app), impact(app), ballGroup(app));
+    const side = make("div", { className: "side" }, this.bench.element, swingGroup(app), group("Impact", [
+      slider(app, "impact_from_tip_in", { label: "From the tip", step: 0.1 }),
+      slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
+    ]), ballGroup(app));
     this.words = make("p", { className: "verdict wide", id: "verdict" });
     this.why = make("p", { className: "why", id: "why" });
     this.again = make("p", { className: "note", id: "again" });
@@ -215,23 +218,7 @@ export const view = {
     canvas.setAttribute("aria-valuetext", place[this.app.units]);
   },
 
-  unmount() {
-    Object.assign(this, { answer: null, found: null, costs: null });
-  },
-
-  figures() {
-    return [this.picture.figure("bat"), ...(this.map ? [this.power.figure("map")] : []), this.chart.figure("curves")];
-  },
-
-  table() {
-    return this.app.answer.scan;
-  },
+  unmount() { Object.assign(this, { answer: null, found: null, costs: null }); },
+  figures() { return [this.picture.figure("bat"), ...(this.map ? [this.power.figure("map")] : []), this.chart.figure("curves")]; },
+  table() { return this.app.answer.scan; },
 };
-
-/** @param {App} app */
-function impact(app) {
-  return group("Impact", [
-    slider(app, "impact_from_tip_in", { label: "From the tip", step: 0.1 }),
-    slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
-  ]);
-}

@@ -193,10 +193,7 @@ export const view = {
     Object.assign(this, { stop: null, answer: null, carries: null, fences: null });
   },
 
-  figures() {
-    return [this.side.surface.figure("side"), this.field.surface.figure("field")];
-  },
-
+  figures() { return [this.side.surface.figure("side"), this.field.surface.figure("field")]; },
   table() {
     const { time_s, right_m, out_m, up_m, distance_m } = this.app.answer.path ?? {};
     return { time_s, right_m, out_m, up_m, distance_m };

@@ -1,7 +1,7 @@
 // The flight from the side (distance over the ground against height) and from above (the field with its fence).
 
 import { Numbers, evenly } from "../charts/numbers.js";
-import { FONT, Surface, arrow, haloText, ticks } from "../charts/surface.js";
+import { FONT, Surface, area, arrow, dot, haloText, line, ticks } from "../charts/surface.js";
 /** @import { Point } from "../charts/surface.js" */
 import { fromShown, kindOf, toShown, unitOf } from "../controls/units.js";
 /** @import { DrawnPark, DrawnPath, FenceOutline, FlownBall } from "../answers.js" */
@@ -13,36 +13,6 @@ const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;
 const ROW = 16;
 const BASE = 27.432; // m between bases
 const MOUND = 18.44;
-const NEAR = 1; // m from a fence's top within which inches or centimetres are told, as in the printed answer
-
-/** How far above or below the fence's top the ball passes.
- * @param {App} app
- * @param {number} metres
- */
-export const clearance = (app, metres) => app.text(Math.abs(metres) < NEAR ? "place" : "distance", Math.abs(metres));
-
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {Point[]} points
- * @param {{ color: string, width?: number, dash?: number[] }} look
- */
-function line(context, points, { color, width = 2, dash = [] }) {
-  Object.assign(context, { strokeStyle: color, lineWidth: width, lineJoin: "round", lineCap: "round" });
-  context.setLineDash(dash);
-  context.beginPath();
-  points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
-  context.stroke();
-  context.setLineDash([]);
-  context.lineCap = "butt";
-}
-
-/** @param {CanvasRenderingContext2D} context @param {Point} place @param {number} radius @param {string} color */
-function dot(context, [x, y], radius, color) {
-  context.fillStyle = color;
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.fill();
-}
 
 // Where a ball is at a moment, straight between the points of its path.
 /** @param {DrawnPath} given @param {number} moment */
@@ -83,9 +53,7 @@ export class SidePicture {
   draw(answer) {
     this.data = answer;
     this.numbers.redraw();
-    const far = (/** @type {number} */ value) => this.app.text("distance", value);
-    this.surface.label(`The flight from the side: ${far(answer.flight.apex_m)} high at its apex, ${far(answer.flight.carry_m)} of carry, ` +
-      `${answer.end.clearance_m === null ? "not reaching the fence" : `${clearance(this.app, answer.end.clearance_m)} ${answer.end.clearance_m > 0 ? "above" : "below"} the fence's top`}.`);
+    this.surface.label(answer.side[this.app.units].join(" "));
     this.surface.draw();
   }
 
@@ -127,7 +95,7 @@ export class SidePicture {
     const scale = (width - LEFT - RIGHT) / far;
     const [across, up] = [(/** @type {number} */ x) => LEFT + x * scale, (/** @type {number} */ z) => height - FOOT - z * scale];
     this.paintAxes(context, { width, height, across, up, far, scale });
-    const { path, path_without_air: vacuum, end } = this.data;
+    const { path, path_without_air: vacuum, end, margin } = this.data;
     const { distance, height: top } = this.fence(this.data);
     const points = (/** @type {{ distance_m: number[], up_m: number[] }} */ { distance_m, up_m }) => distance_m.map((x, i) => /** @type {Point} */ ([across(x), up(up_m[i])]));
     context.save();
@@ -149,18 +117,14 @@ export class SidePicture {
     if (end.clearance_m !== null) {
       const [x, y] = [across(end.distance_m), up(end.height_m)];
       dot(context, [x, y], 4.5, colors.red);
-      const sign = end.clearance_m > 0 ? "over by" : "short by";
-      haloText(context, `${sign} ${clearance(this.app, end.clearance_m)}`, x - 9, Math.min(y + 12, up(0) - 24), colors.ink, colors.panel);
+      haloText(context, margin[this.app.units].join(" "), x - 9, Math.min(y + 12, up(0) - 24), colors.ink, colors.panel);
     }
     Object.assign(context, { font: `11px ${FONT}`, textAlign: "left" });
     const high = vacuum.up_m.indexOf(Math.max(...vacuum.up_m));
     haloText(context, "without air", Math.min(width - 80, across(vacuum.distance_m[high])), Math.max(10, up(vacuum.up_m[high]) - 9), colors.muted, colors.panel);
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {{ width: number, height: number, across: Way, up: Way, far: number, scale: number }} given
-   */
+  /** @param {CanvasRenderingContext2D} context @param {{ width: number, height: number, across: Way, up: Way, far: number, scale: number }} given */
   paintAxes(context, { width, height, across, up, far, scale }) {
     const { colors, units } = this.app;
     Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "right", textBaseline: "middle" });
@@ -246,7 +210,7 @@ export class FieldPicture {
   draw(answer, state) {
     this.data = answer;
     this.state = state;
-    this.surface.label(`The field of ${answer.park.name} from above, with the path of the ball, which is ${answer.end.outcome}.`);
+    this.surface.label(answer.above[this.app.units].join(" "));
     this.surface.draw();
   }
 
@@ -265,15 +229,10 @@ export class FieldPicture {
     this.plate = at(0, 0);
     this.scale = scale;
     this.vane = [46, height - 66];
-    context.beginPath();
-    context.moveTo(...at(0, 0));
-    for (const point of fence) context.lineTo(...point);
-    context.closePath();
-    context.fillStyle = colors.grass;
-    context.fill();
+    area(context, [at(0, 0), ...fence], colors.grass);
     this.paintInfield(context, at, scale, fence);
     for (const other of this.fences ?? []) line(context, other.right_m.map((right, i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
-    this.paintFence(context, fence, park.height_m);
+    park.height_m.slice(1).forEach((high, i) => line(context, fence.slice(i, i + 2), { color: colors.green, width: Math.min(9, 1.5 + 0.6 * high) }));
     line(context, path.right_m.map((right, i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
     this.landed = at(path.right_m.at(-1) ?? 0, path.out_m.at(-1) ?? 0);
     dot(context, this.landed, 6, colors.red);
@@ -303,29 +262,13 @@ export class FieldPicture {
     for (const [x, y] of [first, [last[0], first[1]], last]) context.lineTo(x, y);
     context.closePath();
     context.clip();
-    context.beginPath();
-    context.arc(...at(0, MOUND), 28.956 * scale, 0, 2 * Math.PI); // 95 ft about the pitcher's plate
-    context.fillStyle = colors.dirt;
-    context.fill();
+    dot(context, at(0, MOUND), 28.956 * scale, colors.dirt); // 95 ft about the pitcher's plate
     context.restore();
     const h = BASE / Math.SQRT2;
-    context.beginPath();
-    for (const [right, out] of [[0, 2], [h - 2, h], [0, 2 * h - 2], [2 - h, h]]) context.lineTo(...at(right, out));
-    context.closePath();
-    context.fillStyle = colors.grass;
-    context.fill();
+    area(context, [at(0, 2), at(h - 2, h), at(0, 2 * h - 2), at(2 - h, h)], colors.grass);
     line(context, [first, at(0, 0), last], { color: colors.paper, width: 1.5 });
     for (const [right, out] of [[0, 0], [h, h], [0, 2 * h], [-h, h]]) dot(context, at(right, out), 2.5, colors.ink);
     dot(context, at(0, MOUND), 2.5, colors.ink);
-  }
-
-  // The fence is the thicker the higher it is.
-  /** @param {CanvasRenderingContext2D} context @param {Point[]} fence @param {number[]} heights */
-  paintFence(context, fence, heights) {
-    const { colors } = this.app;
-    for (let i = 1; i < fence.length; i += 1) {
-      line(context, [fence[i - 1], fence[i]], { color: colors.green, width: Math.min(9, 1.5 + 0.6 * heights[i]) });
-    }
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Point[]} fence @param {DrawnPark} park */
@@ -341,7 +284,7 @@ export class FieldPicture {
     }
   }
 
-  // Down in the corner, where no ball goes; it can be dragged.
+  // The wind's arrow down in the corner, where no ball goes; it can be dragged.
   /** @param {CanvasRenderingContext2D} context */
   paintWind(context) {
     const { wind_speed_mph: speed, wind_direction_deg: to } = this.state ?? {};

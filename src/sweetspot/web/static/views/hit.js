@@ -7,7 +7,7 @@ import { Film, LEAD } from "../bat/film.js";
 import { paintEnd, paintSide, sideHeight } from "../bat/filmscene.js";
 import { HowSure } from "../controls/howsure.js";
 import { Ledger } from "../charts/ledger.js";
-import { factList, tell } from "../controls/parts.js";
+import { factList, make, tell } from "../controls/parts.js";
 import { Surface } from "../charts/surface.js";
 import { Transport } from "../controls/transport.js";
 /** @import { View } from "../shell/main.js" */
@@ -60,7 +60,7 @@ export const view = {
     this.transport = new Transport(app, {
       field: "moment_ms", onMoment: () => this.paint(), describe: (moment) => this.describe(moment),
     });
-    this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
+    this.words = make("p", { className: "verdict flow", id: "verdict" });
     this.facts = factList(FACTS, app);
     this.sure = new HowSure(app, { but: FILMED });
     root.append(this.controls(), this.pictures());
@@ -68,22 +68,17 @@ export const view = {
   },
 
   pictures() {
-    const picture = Object.assign(document.createElement("section"), { className: "picture" });
-    picture.setAttribute("aria-label", "The hit in slow motion");
-    const pair = Object.assign(document.createElement("div"), { className: "film-pair" });
-    const times = document.createElement("div"); // one width, so that a moment stands at one place in both
-    times.append(this.chart.element, this.ledger.chart.element);
-    pair.append(this.end.element, times);
+    const times = make("div", {}, this.chart.element, this.ledger.chart.element); // one width, so that a moment stands at one place in both
+    const pair = make("div", { className: "film-pair" }, this.end.element, times);
     this.side.element.classList.add("pinned");
-    picture.append(this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts.element, this.sure.element);
-    return picture;
+    return make("section", { className: "picture", ariaLabel: "The hit in slow motion" },
+      this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts.element, this.sure.element);
   },
 
   controls() {
     const { app } = this;
-    const side = Object.assign(document.createElement("div"), { className: "side" });
     this.bench = new Bench(app, { open: false });
-    side.append(
+    return make("div", { className: "side" },
       group("Hit", [
         slider(app, "impact_from_tip_in", { label: "Ball meets bat, from the tip", step: 0.1 }),
         toggle(app, "held", { label: "Typical hands hold the bat", note: "Their grip changes the handle's motion, not the ball's." }),
@@ -94,9 +89,7 @@ export const view = {
         slider(app, "duration_ms", { label: "Lasts, after first touch", step: 0.5 }),
         toggle(app, "recoil", { label: "Show the whole motion", note: "Without: the bending alone, the bat's push back and turn left out." }),
       ]),
-      swingGroup(app), this.bench.element, ballGroup(app),
-    );
-    return side;
+      swingGroup(app), this.bench.element, ballGroup(app));
   },
 
   update(answer, state) {
@@ -176,14 +169,8 @@ export const view = {
     this.end.label("Barrel and ball from the end, where the ball meets it.");
   },
 
-  unmount() {
-    this.transport.end();
-  },
-
-  figures() {
-    return [this.side.figure("hit"), this.end.figure("end"), this.chart.figure("time"), this.ledger.figure("energy")];
-  },
-
+  unmount() { this.transport.end(); },
+  figures() { return [this.side.figure("hit"), this.end.figure("end"), this.chart.figure("time"), this.ledger.figure("energy")]; },
   table() {
     const { film, top_hand: hand, hoop, energy_j: energy } = this.answer;
     const dents = Object.fromEntries((hoop?.harmonics ?? []).map((n, i) => [`wall_dent_harmonic_${n}_m`, hoop?.dent_m[i]]));

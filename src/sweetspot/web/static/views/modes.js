@@ -36,45 +36,37 @@ export const view = {
     this.stage.element.style.cursor = "ew-resize";
     this.stage.element.classList.add("pinned");
     this.stage.drags((/** @type {{ x: number, last: boolean }} */ { x, last }) => this.tapAt(x, last));
-    this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
+    this.words = make("p", { className: "verdict flow", id: "verdict" });
     this.toggle = button("Play", () => (this.stop ? this.pause() : this.play()), { primary: true, title: "Play or pause (K)" });
     this.toggle.id = "play";
-    this.speed = Object.assign(document.createElement("span"), { className: "note" });
-    const row = Object.assign(document.createElement("div"), { className: "transport" });
-    row.append(this.toggle, button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
-    this.rowsBox = Object.assign(document.createElement("div"), { className: "scroll" });
-    const picture = Object.assign(document.createElement("section"), { className: "picture" });
-    picture.setAttribute("aria-label", "Motions of the bat");
-    Object.assign(this.rowsBox, { tabIndex: 0 }).setAttribute("role", "region");
-    this.rowsBox.setAttribute("aria-label", "List of the motions");
-    this.aside = Object.assign(document.createElement("p"), { className: "note" });
+    this.speed = make("span", { className: "note" });
+    const row = make("div", { className: "transport" },
+      this.toggle, button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
+    this.rowsBox = make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: "List of the motions" });
+    this.aside = make("p", { className: "note" });
     this.all = false;
     this.more = button("", () => {
       this.all = !this.all;
       this.list();
     });
     this.numbers = new Numbers(app, "This motion as a table", () => this.answer && this.tabled());
-    picture.append(this.words, this.stage.element, row, this.numbers.element, this.rowsBox, this.more, this.aside);
-    root.append(this.controls(), picture);
+    root.append(this.controls(), make("section", { className: "picture", ariaLabel: "Motions of the bat" },
+      this.words, this.stage.element, row, this.numbers.element, this.rowsBox, this.more, this.aside));
     this.heard = new AbortController();
     root.addEventListener("keydown", (event) => this.key(event), { signal: this.heard.signal });
   },
 
   controls() {
     const { app } = this;
-    const side = Object.assign(document.createElement("div"), { className: "side" });
     this.bench = new Bench(app);
     const held = { label: "Typical hands hold the bat", note: "Without hands it hangs free, as in a laboratory." };
-    side.append(
-      this.bench.element,
+    return make("div", { className: "side" }, this.bench.element,
       group("Tap", [
         toggle(app, "held", held),
         slider(app, "tap_from_tip_in", { label: "Where, from the tip", step: 0.1 }),
         slider(app, "tap_ms", { label: "How long", step: 0.05, note: "A ball about 1 ms, a knuckle 2, a steel ball 0.1." }),
       ]),
-      group("Picture", [slider(app, "exaggeration", { label: "Size of the motion", step: 0.1 })], { open: false }),
-    );
-    return side;
+      group("Picture", [slider(app, "exaggeration", { label: "Size of the motion", step: 0.1 })], { open: false }));
   },
 
   /** @param {KeyboardEvent} event */
@@ -164,19 +156,15 @@ export const view = {
   rows(rows) {
     const held = document.activeElement?.matches("[name=motion]") ?? false;
     const heads = ["Motion", "Frequency", "Damping", "Dies away in", "Share of the tap's energy", "Felt at the hands after 1 N s"];
-    const table = Object.assign(document.createElement("table"), { className: "motions" });
-    const caption = Object.assign(document.createElement("caption"), { className: "unseen", textContent: "Motions of the bat; choose one to see it" });
-    const head = document.createElement("tr");
-    head.append(...heads.map((words, i) => Object.assign(document.createElement("th"), { textContent: unbroken(words), scope: "col", className: i && i < 4 ? "number" : "" })));
-    table.append(caption, head);
+    const table = make("table", { className: "motions" },
+      make("caption", { className: "unseen", textContent: "Motions of the bat; choose one to see it" }),
+      make("tr", {}, ...heads.map((words, i) => make("th", { textContent: unbroken(words), scope: "col", className: i && i < 4 ? "number" : "" }))));
     this.cells = rows.map((row) => {
-      const line = document.createElement("tr");
-      const cells = Array.from({ length: 6 }, () => line.appendChild(document.createElement("td")));
-      const label = document.createElement("label");
-      const input = Object.assign(document.createElement("input"), { type: "radio", name: "motion", value: `${row.family} ${row.number}` });
+      const input = make("input", { type: "radio", name: "motion", value: `${row.family} ${row.number}` });
       input.addEventListener("change", () => this.app.setState({ family: row.family, number: row.number }));
-      label.append(input, thumbnail(row), row.name);
-      cells[0].append(label);
+      const cells = heads.map(() => make("td"));
+      const line = make("tr", {}, ...cells);
+      cells[0].append(make("label", {}, input, thumbnail(row), row.name));
       cells[1].textContent = row.frequency_hz ? this.app.text("f_hz", row.frequency_hz) : "–";
       cells[2].textContent = row.damping_ratio === null ? "–" : `${(100 * row.damping_ratio).toFixed(row.damping_ratio < 0.1 ? 2 : 0)} %`;
       cells[3].textContent = row.decay_s === null ? "–" : this.app.text("decay_s", row.decay_s, row.decay_s < 0.01 ? 1 : 0);
@@ -217,10 +205,7 @@ export const view = {
     this.heard.abort();
   },
 
-  figures() {
-    return [this.stage.figure("mode")];
-  },
-
+  figures() { return [this.stage.figure("mode")]; },
   table() {
     const { modes } = this.answer;
     const shapes = Object.fromEntries(modes.map((row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape]));
