@@ -32,8 +32,10 @@ STATES = {
     "other sport": ("sports", "implement=cricket-bat&aside_in=0.5", "Cricket bat"),
 }
 """What goes along from view to view: where it is chosen, how an address says it, and what then lies on the bench."""
-EVERY_WAY = ("own file", "other sport")
-"""States that go every way from view to view: the one that carries most, and the one that few views know of."""
+EVERY_WAY = "own file"
+"""The state that goes every way from view to view: the one that carries most."""
+TO_AND_FRO = "other sport"
+"""The state that goes from its only view to every other and back."""
 LEFT = (
     "hit?exaggeration=8&recoil=true",
     "modes?exaggeration=3&family=hoop&tap_from_tip_in=4",
@@ -106,6 +108,11 @@ def every_way(start: str) -> list[str]:
     return done[::-1]
 
 
+def to_and_fro(start: str) -> list[str]:
+    """Return views in an order that goes from the first to each of the others and back."""
+    return [start, *(name for other in VIEWS if other != start for name in (other, start))]
+
+
 def one_round(start: str, stride: int) -> list[str]:
     """Return views in an order that comes to each of them once, every ``stride``-th of the list as long as it goes."""
     left, way = [*VIEWS], [start]
@@ -133,7 +140,8 @@ def test_whatever_goes_along_no_way_to_another_view_ends_blank(
     settled(page)  # the chip's names come with the lists
     page.evaluate(OPEN, LEFT)
     for number, (state, (view, address, bench)) in enumerate(STATES.items()):
-        way = every_way(view) if state in EVERY_WAY else one_round(view, number)
+        ways = {EVERY_WAY: every_way(view), TO_AND_FRO: to_and_fro(view)}
+        way = ways.get(state) or one_round(view, number)
         for step in page.evaluate(WALK, [f"{view}?{address}", bench, way[1:]]):
             assert step["faults"] == [], (state, step)
             assert step["scrolled"] == 0, (state, step)

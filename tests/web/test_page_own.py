@@ -139,7 +139,7 @@ def test_taps_get_the_names_that_a_better_description_has(
     alloy = catalog.bat("college-alloy")
     place = alloy.length - 0.0254
     path = tmp_path / "alloy.wav"
-    path.write_bytes(recording_bytes(synthesised(modes_to_name(alloy), position=place, listened=place), path))
+    path.write_bytes(recording_bytes(synthesised(modes_to_name(alloy), position=place, listened=place, taps=1), path))
     page.goto(f"{server}/own")
     answered(page)
     page.locator("#tap-file").set_input_files(path)

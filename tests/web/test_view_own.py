@@ -177,7 +177,7 @@ def test_a_bat_that_is_held_and_one_that_is_another_count_for_nothing(
     assert "no tap can be used" in found["fault"] and "measured" not in found
     assert "not free" in found["taps"][0]["fault"] and "--" not in found["taps"][0]["fault"]
     alloy = catalog.bat("college-alloy")
-    sound = synthesised(modes_to_name(alloy), position=alloy.length - 0.025, listened=alloy.length - 0.025)
+    sound = synthesised(modes_to_name(alloy), position=alloy.length - 0.025, listened=alloy.length - 0.025, taps=1)
     other = tmp_path / "other.wav"
     other.write_bytes(recording_bytes(sound, other))
     unlike = asked(client, "/tap", recordings=[handed_in(client, other)])
