@@ -173,10 +173,9 @@ def upload_routes(api: APIRouter) -> None:
         """Take a piece of a file, as it is, from a place on."""
         return {"taken": UPLOADS.add(key, offset, await request.body())}
 
-    @api.get(
-        "/uploads/{key}/{name}", tags=["files"], response_class=FileResponse,
-        responses={200: {"content": {"application/octet-stream": {}}, "description": "The file."}},
-    )  # fmt: skip
+    table = {"content": {"application/octet-stream": {}}, "description": "The file."}
+
+    @api.get("/uploads/{key}/{name}", tags=["files"], response_class=FileResponse, responses={200: table})
     def take_away(key: str, name: str) -> FileResponse:
         """Return one of the tables that were made of files."""
         folder = UPLOADS.folder_of(key) / TAKEN_AWAY

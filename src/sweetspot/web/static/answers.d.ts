@@ -255,10 +255,11 @@ export interface CompareState {
   league: string | null;
 }
 
-/** Exit speed and efficiencies along one bat. */
+/** Exit speed, its change against the first bat's, and efficiencies along one bat. */
 export interface ComparedCurvesInFull {
   position_m: number[];
   exit_speed_m_s: number[]; exit_speed_low_m_s?: number[]; exit_speed_high_m_s?: number[];
+  change_m_s: (number | null)[]; change_low_m_s?: number[]; change_high_m_s?: number[];
   collision_efficiency: number[]; collision_efficiency_low?: number[]; collision_efficiency_high?: number[];
   bbcor: number[]; bbcor_low?: number[]; bbcor_high?: number[];
 }
@@ -1410,12 +1411,13 @@ export interface Station {
   diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
 }
 
-/** The intervals of one bat's numbers; ``change_half`` is half that of its curve. */
+/** The intervals of one bat's numbers; ``change_low`` and ``change_high`` are those of its curve. */
 export interface SureBat {
   bat_speed_m_s: { value: number; low: number; high: number };
   exit_speed_m_s: { value: number; low: number; high: number };
   change_m_s: { value: number; low: number; high: number };
-  change_half_m_s?: (number | null)[];
+  change_low_m_s?: (number | null)[];
+  change_high_m_s?: (number | null)[];
 }
 
 /** The intervals of all that is not known, and the verdict that they allow. */

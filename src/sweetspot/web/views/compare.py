@@ -72,8 +72,9 @@ class WeighedBat(MassProperties):
 
 @dataclass(frozen=True)
 class ComparedCurvesInFull(ComparedCurves):
-    """Exit speed and efficiencies along one bat."""
+    """Exit speed, its change against the first bat's, and efficiencies along one bat."""
 
+    change: Annotated[Curve, SPEED, GAPS]
     collision_efficiency: Curve
     bbcor: Curve
 
@@ -122,12 +123,13 @@ class ComparisonPicture(CompareAnswer):
 
 @dataclass(frozen=True, kw_only=True)
 class SureBat:
-    """The intervals of one bat's numbers; ``change_half`` is half that of its curve."""
+    """The intervals of one bat's numbers; ``change_low`` and ``change_high`` are those of its curve."""
 
     bat_speed: SpeedWithEnds
     exit_speed: SpeedWithEnds
     change: SpeedWithEnds
-    change_half: Annotated[Array | None, SPEED, GAPS] = None
+    change_low: Annotated[Array | None, SPEED, GAPS] = None
+    change_high: Annotated[Array | None, SPEED, GAPS] = None
 
 
 @dataclass(frozen=True)
@@ -227,17 +229,19 @@ def intervals(state: CompareState) -> SureComparison:
     _, comparison = _compared(state, ball_of(state))
     sure = compare_of(comparison, _sources(state, comparison))
     words = (verdict(sure) or [ALONE]) + (cork_verdict(sure) if state.what_if == "cork" else [])
-    bats = []
-    for bat in sure.bats:
-        change = bat.scan.change
-        half = np.round(change.high - change.value, 4) if isinstance(change, Band) else None
-        bats.append(SureBat(bat_speed=bat.bat_speed, exit_speed=bat.exit_speed, change=bat.change, change_half=half))
     return SureComparison(
-        tuple(bats),
+        tuple(map(_sure_bat, sure.bats)),
         in_both_systems(words + _of_wall(state, comparison)),
         in_both_systems([assumed(sure, draws="the fold below")]),
         in_both_systems([speed_changes(sure)]),
     )
+
+
+def _sure_bat(bat: ComparedBat) -> SureBat:
+    change = bat.scan.change
+    low, high = (np.round(change.low, 4), np.round(change.high, 4)) if isinstance(change, Band) else (None, None)
+    speeds = {"bat_speed": bat.bat_speed, "exit_speed": bat.exit_speed, "change": bat.change}
+    return SureBat(**speeds, change_low=low, change_high=high)
 
 
 def _sources(state: CompareState, comparison: Comparison[Bat]) -> list[Sources]:

@@ -206,8 +206,9 @@ def _analysed(name: str, text: str | None, swing: float | None, incoming: float 
         conditions = Conditions(
             pitch=usual.pitch if incoming is None else Pitch(speed=incoming * MPH),
             swing=usual.swing if swing is None else usual.swing.replaced(bat_speed=swing * MPH),
-            hands=usual.hands, ball=usual.ball,
-        )  # fmt: skip
+            hands=usual.hands,
+            ball=usual.ball,
+        )
         return analyse_reduced(reduced, conditions)
 
 

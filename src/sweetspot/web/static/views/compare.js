@@ -1,6 +1,6 @@
 // Compare: up to four bats in the same hands, or what a hole or another wall makes of one; curves, verdict, rules.
 
-import { Chart, between } from "../charts/chart.js";
+import { Chart } from "../charts/chart.js";
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
 import { choice, group, slider } from "../controls/controls.js";
 import { HowSure } from "../controls/howsure.js";
@@ -114,25 +114,10 @@ export const view = {
     /** @type {Record<string, number[]>} */
     const xs = {};
     const first = bats[0];
-    const placed = (/** @type {Bat} */ { scan, bat }) => scan.position_m.map((place) => place + this.longest - bat.length_m);
-    const firstPlaces = placed(first);
-    bats.forEach((one, i) => {
-      const places = placed(one);
-      for (const key of /** @type {const} */ (["exit_speed_m_s", "collision_efficiency"])) {
-        lines[`${key}_${i}`] = one.scan[key];
-        xs[`${key}_${i}`] = places;
-      }
-      if (!i) return;
-      const change = one.scan.exit_speed_m_s.map((value, j) => {
-        const other = between(firstPlaces, first.scan.exit_speed_m_s, places[j]);
-        return value === null || other === null ? null : value - other;
-      });
-      const half = one.change_half_m_s;
-      for (const [name, sign] of /** @type {[string, number][]} */ ([["change", 0], ["change_low", -1], ["change_high", 1]])) {
-        if (sign && !half) continue;
-        lines[`${name}_${i}`] = sign ? change.map((value, j) => (value === null ? null : plus(value, sign, half?.[j]))) : change;
-        xs[`${name}_${i}`] = places;
-      }
+    bats.forEach(({ scan, bat, change_low_m_s: low, change_high_m_s: high }, i) => {
+      const places = scan.position_m.map((place) => place + this.longest - bat.length_m);
+      const curves = { exit_speed_m_s: scan.exit_speed_m_s, collision_efficiency: scan.collision_efficiency, change: scan.change_m_s, change_low: low, change_high: high };
+      for (const [key, values] of Object.entries(curves)) if (values) [lines[`${key}_${i}`], xs[`${key}_${i}`]] = [values, places];
     });
     /** @type {(key: string, label: string, i: number, band?: string[] | null) => Curve} */
     const line = (key, label, i, band) => ({ key: `${key}_${i}`, ...LINES[i], label: "", name: label, band: band?.map((/** @type {string} */ name) => `${name}_${i}`) });
@@ -140,7 +125,7 @@ export const view = {
     this.chart.panels = [
       { title: "Exit speed", kind: "exit_speed_m_s", height: 190, lines: bats.map(({ label }, i) => line("exit_speed_m_s", label, i)) },
       ...(others.length ? [{ title: `Faster or slower than ${first.label}`, kind: "speed_change", height: 130, zero: true,
-        lines: others.map(({ label, change_half_m_s: half }, i) => line("change", label, i + 1, half ? ["change_low", "change_high"] : null)) }] : []),
+        lines: others.map(({ label, change_low_m_s: low }, i) => line("change", label, i + 1, low ? ["change_low", "change_high"] : null)) }] : []),
       { title: "Collision efficiency q", kind: "ratio", height: 100, lines: bats.map(({ label }, i) => line("collision_efficiency", label, i)) },
     ];
     const zone = first.zone_m?.map((place) => place + this.longest - first.bat.length_m);
@@ -206,9 +191,6 @@ export const view = {
     return columns;
   },
 };
-
-/** @param {number} value @param {number} sign @param {number | null | undefined} half */
-const plus = (value, sign, half) => (half === null || half === undefined ? null : value + sign * half);
 
 /** @param {App} app */
 const leagues = (app) => app.lists("leagues").then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);
