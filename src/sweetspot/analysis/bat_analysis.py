@@ -257,8 +257,6 @@ def viscous_scan(analysis: Analysis[Implement], *, reach: float) -> ViscousScan:
     """Return hits under the same conditions with a ball that loses by speed, as lively on a wall as ours.
 
     Its damper is chosen for the speed on a wall at which as much energy would be stored, v / sqrt(1 + r).
-
-    ``reach``: m to either side of our best place, beyond which another `BEYOND` is tried.
     """
     best, given = analysis.sweet_spots.max_exit_speed, analysis.conditions
     low = max(float(analysis.scan.position[0]), best - reach - BEYOND)

@@ -46,11 +46,6 @@ class FaceMap:
         row, column = np.unravel_index(int(np.nanargmax(self.exit_speed)), self.exit_speed.shape)
         return float(self.position[column]), float(self.lateral[row])
 
-    def area(self, *, loss: float) -> float:
-        """Return the area in m^2 of the face that loses at most ``loss`` m/s of exit speed against the best place."""
-        good = np.count_nonzero(self.exit_speed >= np.nanmax(self.exit_speed) - loss)
-        return float(good * (self.position[1] - self.position[0]) * (self.lateral[1] - self.lateral[0]))
-
 
 def face_map(
     reduced: ReducedBat[Implement], conditions: Conditions, *, columns: int = COLUMNS, rows: int = ROWS

@@ -164,8 +164,6 @@ def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -
 
     Each mode rings on with amplitude V_i = sqrt(q'^2 + omega^2 q^2) from release, so the handle at h moves with
     s_i(h) V_i, of which hands feel the part w(f_i) (`velocity_weight`); modes of different frequency add as squares.
-
-    ``displacement``, ``velocity``: modal motion at release, shape (hits, n).
     """
     felt = velocity_weight(modes.frequency) ** 2
     amplitude = velocity**2 + (modes.angular_frequency * displacement) ** 2

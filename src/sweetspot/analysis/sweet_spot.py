@@ -92,10 +92,7 @@ def exit_speed_without_spikes(scan: Scan) -> Array:
 
 
 def without_spikes(speed: Array, *, step: float) -> Array:
-    """Return speeds in m/s of one bat or many, shape (..., positions), without peaks too narrow to hit.
-
-    ``step``: m between positions.
-    """
+    """Return speeds, shape (..., positions), ``step`` m apart, without peaks too narrow to hit."""
     window = max(3, 2 * round(NARROWEST / step / 2) + 1)
     speeds = np.where(np.isnan(speed), -np.inf, speed)
     return np.minimum(speed, _opened(speeds, window) + ZONE_LOSS)

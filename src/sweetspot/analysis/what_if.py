@@ -87,10 +87,7 @@ class TwoWay:
     cells: tuple[tuple[Cell, ...], ...]
 
     def values(self, answer: str) -> Array:
-        """Return one answer of every cell, nan where a cell failed, shape (rows, columns).
-
-        ``answer``: name of a field of `TableCell`.
-        """
+        """Return one answer of every cell, nan where a cell failed, shape (rows, columns)."""
         if answer not in TableCell.__dataclass_fields__:
             raise InputError(f"{answer!r} is no answer; allowed is one of {', '.join(TableCell.__dataclass_fields__)}")
         return np.array([[getattr(cell.answers, answer, np.nan) for cell in row] for row in self.cells], dtype=float)
@@ -150,8 +147,6 @@ def varied(bat: Bat, settings: Mapping[Variation, float], *, fill: Material) -> 
 
     The weight is that of the bat before it is cupped or drilled. A solid bat takes it by lighter or heavier wood, a
     hollow one by a weight in its end cap. A hole of depth or width 0 is no hole, a cup of depth 0 no cup.
-
-    ``settings``: kg, m and ratios by what is varied.
     """
     changed = bat
     if "wall_factor" in settings:

@@ -151,8 +151,6 @@ class Bar:
 def frequency_factor(mode: int, *, slenderness: float, modulus_ratio: float) -> float:
     """Return 1 + r (F1 + s (E/G) F2), the factor by which shear and rotation make E larger than by Euler's beam.
 
-    ``mode``: 0, 1, ... ``slenderness``: t / L.
-
     >>> round(frequency_factor(0, slenderness=0.05, modulus_ratio=2.0), 4)  # ASTM E1876: 1 + 6.585 x 0.05^2
     1.0165
     """
@@ -260,10 +258,7 @@ def moduli_along(bar: Bar, tones: Sequence[NamedTone]) -> tuple[tuple[Tone, Meas
 
 
 def _log_moduli(given: Array, heard: Sequence[tuple[int, Measured]], ratio_error: float) -> Array:
-    """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order.
-
-    ``ratio_error``: one sigma of the expected ln E/G.
-    """
+    """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order."""
     from scipy.optimize import least_squares
 
     length, width, thickness, mass = given[:4]

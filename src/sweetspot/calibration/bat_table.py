@@ -290,10 +290,7 @@ def measured_of(path: Path, model: Implement) -> list[Measurement]:
 def check_same_model(
     bats: Mapping[str, Sequence[Measurement]], model: Implement, *, axis: float = STANDARD_AXIS
 ) -> None:
-    """Refuse measurements that no bat of a model comes near: in another unit, or in another column.
-
-    ``axis``: m from the knob end, of moments of inertia and pendulums.
-    """
+    """Refuse measurements that no bat of a model comes near: in another unit, or in another column."""
     beam = beam_model(model)
     body, modes = rigid_body(beam), bending_modes(beam)
     of_model: dict[str, float] = {

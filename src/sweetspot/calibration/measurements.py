@@ -117,10 +117,7 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
 
 
 def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
-    """Return the values that a beam model predicts for measurements, SI, shape (n,).
-
-    ``livelier``: logarithm of the shot balls' restitution over that of their law.
-    """
+    """Return the values that a beam model predicts for measurements, SI, shape (n,)."""
     body = rigid_body(beam) if any(measurement.kind in OF_BODY for measurement in measurements) else None
     scaled_to = None if beam.bat.added else beam.bat.frequency
     bending = hoop = None

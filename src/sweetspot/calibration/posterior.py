@@ -102,8 +102,6 @@ def residuals(x: Array, *, beam: BeamModel, unknowns: Sequence[Unknown], measure
     """Return (model(x) - measured) / error of every measurement, then x.
 
     Minus half the sum of their squares is the logarithm of the posterior.
-
-    ``x``: deviations in their spreads, shape (n,).
     """
     spreads = np.array([unknown.spread for unknown in unknowns])
     values = np.array([measurement.value.value for measurement in measurements])

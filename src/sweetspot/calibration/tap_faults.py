@@ -138,10 +138,7 @@ def louder_later(samples: Array, rate: float) -> float:
 
 
 def driven_part(fit: Fit, background: float) -> float:
-    """Return the rms of what is neither a damped sinusoid nor the background over that of the sound, while it is loud.
-
-    ``background``: mean square of the sound where it is quiet.
-    """
+    """Return the rms of what is neither damped sinusoid nor background over that of the sound, while it is loud."""
     energy = np.cumsum(fit.samples**2)
     loud = int(np.searchsorted(energy, LOUD_PART * energy[-1]))
     return math.sqrt(max(fit.misfit**2 - background * (loud + 1) / float(energy[loud]), 0.0))

@@ -76,10 +76,7 @@ def _hum(samples: Array, rate: float, size: int) -> Array:
 
 
 def _steady_hum(parts: Array, starts: NDArray[np.intp], rate: float, count: int) -> Array:
-    """Return the steady part of a block's quiet parts, continued through all its samples, shape (count,).
-
-    ``parts``: quiet sound, shape (n, size). ``starts``: samples before each, shape (n,).
-    """
+    """Return the steady part of a block's quiet parts, continued through all its samples, shape (count,)."""
     hum, time = np.zeros(count), np.arange(count) / rate
     frequencies, _ = max((_steady(parts, starts / rate, rate, base) for base in MAINS), key=lambda entry: entry[1])
     if not len(frequencies):
@@ -93,10 +90,7 @@ def _steady_hum(parts: Array, starts: NDArray[np.intp], rate: float, count: int)
 
 
 def _steady(parts: Array, starts: Array, rate: float, base: float) -> tuple[Array, float]:
-    """Return the frequencies of the mains' multiples that keep their size over all parts, and their power.
-
-    ``parts``: quiet sound, shape (n, size). ``starts``: when each begins, s, shape (n,). ``base``: Hz of the mains.
-    """
+    """Return the frequencies of the mains' multiples that keep their size over all parts, and their power."""
     number = np.arange(1, int(min(HIGHEST_HUM, 0.45 * rate) / base) + 1)
     time = np.arange(parts.shape[1]) / rate
     sizes = parts @ np.exp(-2j * np.pi * base * np.outer(time, number)) * (2 / parts.shape[1])
@@ -179,10 +173,7 @@ class Tap:
 
 
 def find_taps(recording: Recording, *, band: FrequencyBand, held: float = HELD) -> tuple[Tap, ...]:
-    """Return all taps of a recording, good and bad.
-
-    ``held``: damping ratio of the lowest tone from which on the implement counts as held.
-    """
+    """Return all taps of a recording, good and bad."""
     clear = without_hum(recording)
     sound = in_band(clear, band)
     starts = _starts(_where_taps_stand_out(clear, sound, band))
@@ -261,10 +252,7 @@ def _rises(level: Array, least: float) -> list[int]:
 def _tap(
     recording: Recording, sound: Recording, span: tuple[float, float], band: FrequencyBand, *, held: float, quiet: float
 ) -> Tap:
-    """Return the sound that begins at the first of two times in s, and is heard to the second.
-
-    ``quiet``: s from the beginning of the recording in which nothing was tapped; may be negative.
-    """
+    """Return the sound that begins at the first of two times in s, and is heard to the second."""
     start, end = span
     background = float(10 ** (_levels(sound)[1] / 10))
     raw = recording.samples[int(start * recording.rate) : int(min(end, start + WINDOW) * recording.rate)]

@@ -149,10 +149,7 @@ def described(bat: Implement) -> BeamModel:
 
 
 def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[Unknown, ...]:
-    """Return the unknowns of a bat of this kind.
-
-    ``diameter_spread``: one sigma of the diameters as a part of them, of handle and barrel each.
-    """
+    """Return the unknowns of a bat of this kind."""
     if not isinstance(bat, Bat):
         return tuple(Unknown(name, size) for name, size in implement_spreads(bat).items())  # type: ignore[arg-type]
     if bat.shell is not None and (bat.shell.laminate is not None or bat.shell.handle_material is not None):

@@ -82,10 +82,7 @@ class ContactPlaces:
         return float(np.sqrt(max(whole - self.mean_doubt**2, 0.0)))
 
     def doubt_of(self, curve: Array) -> float:
-        """Return the standard deviation of a curve's mean over the contacts, from not knowing the contacts better.
-
-        ``curve``: anything at `FROM_TIP`, shape (places,).
-        """
+        """Return the standard deviation of a curve's mean over the contacts, from not knowing the contacts better."""
         means = self.possible @ curve
         return float(np.sqrt(self.likely @ (means - self.likely @ means) ** 2))
 

@@ -105,10 +105,7 @@ def _ranks(rows: Array, sign: int) -> Array:
 
 
 def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) -> Array:
-    """Return the slope of a measure by every variable, SI, shape (variables,), from bats on either side.
-
-    ``measure``: key of `MEASURES`. ``step``: part of a variable's range.
-    """
+    """Return the slope of a measure by every variable, SI, shape (variables,), from bats on either side."""
     if measure not in MEASURES:
         raise InputError(f"{measure!r} is no measure; allowed are {', '.join(MEASURES)}")
     low, high = ranges(bench.space.variables)
@@ -149,8 +146,6 @@ def search_starts(
     """Return bats from which a search begins: one that keeps the limits, the best near it in every want, and between.
 
     No seed changes them, so that fronts of different seeds have them in common.
-
-    ``progress``: called after each with 0 generations done and the front of those that were found.
     """
     first = check_limits(bench, question.limits)
     starts = [first]

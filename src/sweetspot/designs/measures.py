@@ -242,10 +242,7 @@ def speed_ratios(law: SwingLaw, moi: Array, reference: float, exponent: float | 
 
 
 def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: bool = False) -> Bench:
-    """Return the bench on which the bats of a space are measured for a batter.
-
-    ``durable``: whether every bat's durability is measured: a quarter of the time more.
-    """
+    """Return the bench on which the bats of a space are measured for a batter."""
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
 

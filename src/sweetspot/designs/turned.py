@@ -120,10 +120,7 @@ class TurnedSpace:
         return numbers[:, names.index(name)] if name in names else np.full(len(numbers), usual)
 
     def outlines(self, numbers: Array, *, stiffness: Array | float = 1.0) -> SolidBats:
-        """Return the outlines of many rows of numbers, side by side.
-
-        ``stiffness``: moduli over the species' own, one for all or shape (n,).
-        """
+        """Return the outlines of many rows of numbers, side by side."""
         numbers = np.asarray(numbers, float)
         diameters, depth, density = self.parts(numbers)
         count = len(diameters)

@@ -101,10 +101,7 @@ def drawn_comparison(
 def _drawn_bat(
     compared: Compared[Implement], draws: Draws, reference: Compared[Implement], first: DrawnBat | None
 ) -> DrawnBat:
-    """Return the sampled answers for one bat.
-
-    ``reference``, ``first``: the bat that it is compared with, and its draws; None: it is that bat.
-    """
+    """Return the sampled answers for one bat."""
     scan, length = compared.analysis.scan, compared.analysis.bat.length
     barrel = scan.position[scan.position > compared.analysis.body.balance_point]
     nearer = np.linspace(min(SHOWN_FROM * length, barrel[0]), barrel[0], NEARER, endpoint=False)
@@ -183,8 +180,5 @@ def _peaks(curves: Array) -> Array:
 
 
 def linear_comparison(comparison: Comparison[Implement], sources: Sequence[Sources]) -> DrawnComparison:
-    """Return the answers to a comparison with one source off at a time; `linear_reach` makes intervals of them.
-
-    ``sources``: of every bat; see `drawn_comparison`.
-    """
+    """Return the answers to a comparison with one source off at a time; `linear_reach` makes intervals of them."""
     return drawn_comparison(comparison, sources, normal=one_by_one(len(drawn_names(comparison, sources))))

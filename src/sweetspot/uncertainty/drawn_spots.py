@@ -83,8 +83,6 @@ def costs_of_misses(position: Array, speed: Array, misses: Sequence[MissCost]) -
 
     Which law the ball loses its energy by is not known either: a draw stands anywhere between ours and the other one's
     cost, evenly and whatever else is drawn.
-
-    ``position``, ``speed``: see `sweet_zones`.
     """
     step = float(position[1] - position[0])
     held = without_spikes(speed, step=step)

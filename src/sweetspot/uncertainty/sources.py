@@ -82,17 +82,11 @@ class Sources:
         return replace(self, others=(*self.others, source))
 
     def normal(self, count: int, *, seed: int = 1) -> Array:
-        """Return independent standard normal numbers, shape (count, n), spread evenly by Sobol's sequence.
-
-        ``count``: a power of two.
-        """
+        """Return independent standard normal numbers, shape (count, n), by Sobol's sequence; see `even_normal`."""
         return even_normal(count, len(self.names), seed=seed)
 
     def deviations(self, normal: Array) -> Array:
-        """Return deviations from what was described, of the bat's unknowns and then of the others, shape (count, m).
-
-        ``normal``: standard normal numbers, shape (count, n), a column for each of `names`.
-        """
+        """Return deviations from what was described, of the bat's unknowns and then of the others, shape (count, m)."""
         import scipy.special
 
         of_bat, rest = np.split(normal, [len(self.doubt.behind)], axis=1)
@@ -113,10 +107,7 @@ class Sources:
 
 
 def even_normal(count: int, columns: int, *, seed: int = 1) -> Array:
-    """Return independent standard normal numbers, shape (count, columns), spread evenly by Sobol's sequence.
-
-    ``count``: a power of two.
-    """
+    """Return standard normal numbers by Sobol's sequence, shape (count, columns), the count a power of two."""
     import scipy.special
     import scipy.stats
 
@@ -175,8 +166,6 @@ def error_by_ball(reduced: ReducedBat[Implement], conditions: Conditions, positi
     """Return the standard deviation in m/s that the ball alone leaves to an exit speed; None: no spread is known.
 
     Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
-
-    ``position``: where the ball is met head-on, m from the knob end.
     """
     place, spreads = np.array([position]), ball_spreads(conditions.ball)
     if not spreads:

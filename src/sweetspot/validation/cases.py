@@ -11,7 +11,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from sweetspot.errors import InputError
 
@@ -22,7 +22,7 @@ Kind = Literal["identity", "quantitative", "band", "trend"]
 Tag = Literal["P", "S", "D"]
 Evidence = Literal["prediction about bats", "other prediction", "identity", "same law", "calibrated"]
 
-KINDS: tuple[Kind, ...] = ("identity", "quantitative", "band", "trend")
+KINDS: tuple[Kind, ...] = get_args(Kind)
 TAGS: dict[Tag, str] = {
     "P": "read in the primary source",
     "S": "quoted by a secondary source",

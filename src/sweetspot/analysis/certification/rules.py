@@ -191,10 +191,7 @@ def check_rules(league: League, *, bat: Implement, findings: Mapping[str, Findin
 
 
 def check_rule(rule: Rule, *, bat: Implement, finding: Finding | None) -> Check:
-    """Return pass, fail, not decidable or does not apply, with margin and reason.
-
-    ``finding``: what is known; None: nothing.
-    """
+    """Return pass, fail, not decidable or does not apply, with margin and reason."""
     if not applies(rule, bat):
         return Check(
             rule, Verdict.NOT_APPLICABLE, None, None, f"the source states it for {STATED_FOR[rule.construction]}"

@@ -80,10 +80,7 @@ class Shots:
 
 
 def read_shots(path: Path, *, length: float, given: GivenColumns = NOTHING_GIVEN) -> Shots:
-    """Return the shots of a CSV file.
-
-    ``length``: of the bat in m, for positions from the tip and to refuse those off the bat.
-    """
+    """Return the shots of a CSV file."""
     rows = _rows(path, given)
     if not rows:
         raise InputError(f"{path} is empty; it needs a line of column names: {COLUMNS_HINT}")

@@ -234,10 +234,7 @@ def _envelopes(flanks: Sequence[Array], what: str) -> tuple[Array, Array, Array]
 def _thickness(
     flanks: Sequence[Array], lines: Sequence[Array], sides: tuple[Array, Array], axis: bool, what: str
 ) -> Array:
-    """Return the diameters between two envelopes, one of which may be the axis, or which may be one flank.
-
-    ``axis``: whether y = 0 is the axis of a single flank.
-    """
+    """Return the diameters between two envelopes, one of which may be the axis, or which may be one flank."""
     low, high = sides
     size = float(np.ptp(np.concatenate([low, high])))
     inner = slice(len(low) // 50, -max(1, len(low) // 50))

@@ -38,10 +38,7 @@ class MeasuredOutline:
 
 
 def closed(stations: Sequence[tuple[float, float]], length: float, what: str) -> MeasuredOutline:
-    """Return the outline with a station at either end; the tip is rounded as turned bats are.
-
-    ``stations``: (position, diameter) from the knob end on, m.
-    """
+    """Return the outline with a station at either end; the tip is rounded as turned bats are."""
     stations = list(stations)
     if stations[0][0] < 0 or stations[-1][0] > length * (1 + 1e-6):
         raise InputError(f"{what} has stations off the bat, which is {length:.4g} m long; check --length and the units")
@@ -72,10 +69,7 @@ def knob_first(place: Array, diameter: Array) -> tuple[Array, Array]:
 
 
 def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
-    """Return the fewest stations from which no diameter on the way is farther off than ``tolerance`` (Douglas-Peucker).
-
-    ``place``, ``diameter``: m, shape (n,), places increasing. ``tolerance``: m.
-    """
+    """Return the fewest stations from which no diameter is farther off than ``tolerance`` (Douglas-Peucker)."""
     chosen = np.zeros(len(place), bool)
     chosen[[0, -1]] = True
     open_pieces = [(0, len(place) - 1)]

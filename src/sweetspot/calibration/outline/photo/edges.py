@@ -205,8 +205,6 @@ def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool, blurre
 
     With shadows, what the ground would be at the edge is extended from beside it: the shadow at a bat's foot grows
     towards it, and how changes slowly along the bat.
-
-    ``blurred``: how many times the blur is that of a sharp picture.
     """
     import scipy.ndimage
 
@@ -252,8 +250,6 @@ def smooth(edge: Array) -> Array:
     A cut-out picture's edge is a staircase whose steps are longer the less the edge leans; a long parabola follows the
     bat and not the steps, a short one follows a knob. At every place the longest is taken that agrees with all shorter
     ones, all around it, as usually along the edge (Lepski's choice).
-
-    ``edge``: pixels across the axis, shape (n,), one pixel apart.
     """
     import scipy.ndimage
     import scipy.signal

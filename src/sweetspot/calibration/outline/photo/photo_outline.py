@@ -256,10 +256,7 @@ def _notes(excess: float, away: float | None, hooked: float) -> Iterator[str]:
 
 
 def _hooked(from_tip: Array, width: Array) -> float:
-    """Return the distance in m by which a tape hooked over the tip begins farther in than the bat: round tips lose it.
-
-    ``from_tip``, ``width``: m, the tip last.
-    """
+    """Return the distance in m by which a tape hooked over the round tip begins farther in than the bat."""
     near = from_tip < 3 * width.max() / 2
     return float(from_tip[near & (width >= width[near].max() - 2 * HOOK)].min())
 
