@@ -10,6 +10,7 @@ from sweetspot import catalog
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.designs import local_search
 from sweetspot.designs.batter import Batter, normal_contact
 from sweetspot.designs.constraints import Limit, band, lathe_limits, league_limits
 from sweetspot.designs.gain import present_measured
@@ -47,7 +48,9 @@ def limits(bench: Bench) -> tuple[Limit, ...]:
 @pytest.fixture(scope="session")
 def inside_starts(bench: Bench, limits: tuple[Limit, ...]) -> Array:
     """Bats that a search begins with for who meets the ball 8 in from the tip: one that may be, and the fastest."""
-    return search_starts(met_at(bench, 8.0), DesignSearch(("exit_speed",), limits))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(local_search, "LOOKS", 30)
+        return search_starts(met_at(bench, 8.0), DesignSearch(("exit_speed",), limits))
 
 
 def met_at(bench: Bench, inches: float) -> Bench:

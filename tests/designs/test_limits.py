@@ -26,9 +26,8 @@ def test_what_can_be_is_found(bench: Bench, limits: tuple[Limit, ...]) -> None:
 def test_two_limits_that_exclude_each_other_are_named(bench: Bench, limits: tuple[Limit, ...]) -> None:
     heavy = Limit("moi", 0.24, None, "as given")
     light = Limit("mass", None, 0.80, "as given")
-    with pytest.raises(InputError, match=r"these two limits exclude each other: mass at most .+ moment of inertia"):
-        check_limits(bench, (light, heavy))
-    with pytest.raises(InputError, match=r"misses by [\d,.]+ oz in²"):
+    words = r"these two limits exclude each other: mass at most .+ moment of inertia.+misses by [\d,.]+ oz in²"
+    with pytest.raises(InputError, match=words):
         check_limits(bench, (light, heavy))
 
 
