@@ -99,19 +99,10 @@ def compare(
 ) -> Comparison[Given]:
     """Return any number of bats under one player's swing.
 
-    Parameters
-    ----------
-    bats : the first is the one that the others are compared with.
-    conditions : of the first bat. The others are hit by the same pitch; their pivot and hands move with their grip,
-        and their speed is measured equally far from the tip.
-    law : of bat speed against moment of inertia, as `catalog.swing_law` has them: the same effort for every bat.
-        None: the same bat speed at the measured place.
-    labels : one per bat; None: their names.
-
-    Raises
-    ------
-    InputError
-        without a bat, with labels that do not go with the bats, or when a bat or its swing is refused.
+    ``conditions``: of the first bat, the reference. The others are hit by the same pitch; their pivot and hands move with
+    their grip, and their speed is measured equally far from the tip.
+    ``law``: of bat speed against moment of inertia, as `catalog.swing_law` has them: the same effort for every bat.
+    None: the same bat speed at the measured place. ``labels``: one per bat; None: their names.
 
     >>> from sweetspot import catalog, standard_conditions
     >>> from sweetspot.analysis.comparison import compare

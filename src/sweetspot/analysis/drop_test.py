@@ -109,14 +109,7 @@ def drop(block: Block, *, ball: Ball, height: float, air_density: float = 0.0) -
     In air v^2 = v_t^2 (1 - exp(-2 g H / v_t^2)), with `terminal_speed`. Drag takes 1 % of a baseball's fall from 1 m
     and matters for light balls.
 
-    Parameters
-    ----------
-    air_density : kg/m^3, >= 0; 0: vacuum.
-
-    Raises
-    ------
-    InputError
-        when the height is not a number above zero, or the ball does not come back in one clean contact.
+    ``air_density``: kg/m^3, >= 0; 0: vacuum.
     """
     if not (math.isfinite(height) and height > 0):
         raise InputError(f"height is {height:g} m; allowed is a number above zero, for example 1 m")

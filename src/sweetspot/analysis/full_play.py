@@ -45,14 +45,7 @@ def play(
 ) -> Play:
     """Return the hit and the flight of a pitch struck at one place of the bat.
 
-    Parameters
-    ----------
-    reduced : the bat, from `sweetspot.dynamics.reduction.reduced_bat`.
-    conditions : ball, drag law, air and wind.
-    swing, path : how fast the bat moves, and where to.
-    pitch : the ball where the bat meets it, in the field's frame; the flight starts there.
-    contact : where they meet.
-    friction : between ball and bat.
+    ``pitch``: the ball where the bat meets it, in the field's frame; the flight starts there.
 
     Returns
     -------

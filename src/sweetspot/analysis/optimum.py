@@ -56,12 +56,8 @@ def best_launch(
 ) -> BestLaunch:
     """Return the launch angle that carries farthest at one exit speed and spin, with the carry.
 
-    Parameters
-    ----------
-    exit_speed : m/s, > 0.
-    conditions : ball, drag law, air and wind.
-    backspin, sidespin : rad/s, the same at every angle.
-    spray : rad from centre field, positive to right field.
+    ``exit_speed``: m/s, > 0. ``backspin``, ``sidespin``: rad/s, the same at every angle. ``spray``: rad from centre
+    field, positive to right field.
 
     >>> from sweetspot import catalog
     >>> from sweetspot.flight.air import Air
@@ -120,16 +116,7 @@ def easiest_home_run(
     angles) shows where the fence asks least; there the least speed is a minimum over the launch angle of the root
     at which the ball just clears the top.
 
-    Parameters
-    ----------
-    conditions : ball, drag law and the air of the park (`catalog.conditions_in` gives its own), without wind.
-    backspin : rad/s.
-    directions : rad from centre field, that may be hit to.
-
-    Raises
-    ------
-    InputError
-        when no ball below `SPEEDS`' greatest clears the fence, or for a wind.
+    ``backspin``: rad/s. ``directions``: rad from centre field, that may be hit to.
     """
     from scipy.optimize import brentq, minimize_scalar
 
@@ -246,18 +233,8 @@ def best_swing(
 
     The bat turns as fast at every angle: swinging up costs no speed.
 
-    Parameters
-    ----------
-    conditions : ball, drag law, air and wind.
-    swing : how fast the bat turns.
-    pitch : the ball where the bat meets it, in the field's frame.
-    plane : what fixes the bat's path but for its attack angle.
-    held : place and attack angle that are not searched.
-
-    Raises
-    ------
-    InputError
-        for an attack angle outside these limits, or when no contact of the grid makes the ball fly.
+    ``pitch``: the ball where the bat meets it, in the field's frame. ``plane``: what fixes the bat's path but for its
+    attack angle.
     """
     if held.attack_angle is not None and not STEEPEST[0] <= held.attack_angle <= STEEPEST[1]:
         raise InputError(f"attack angle is {held.attack_angle / DEGREE:.4g} deg; allowed is -20 to 60 deg")

@@ -112,13 +112,8 @@ def what_if_table(
 
     A cell whose bat cannot exist, or cannot be swung so, carries the reason; the others go on.
 
-    Parameters
-    ----------
-    rows, columns : what they vary; two different things, or only rows.
-    conditions : of the unchanged bat.
-    law : as which every other bat is swung; None: at the same speed.
-    fill : material of a varied hole.
-    progress : called with (cells done, cells in all) after each one.
+    ``law``: as which every other bat is swung; None: at the same speed. ``progress``: called with (cells done, cells in
+    all) after each one.
     """
     if columns is not None and rows.variation == columns.variation:
         raise InputError(f"rows and columns both vary {rows.variation}; vary two different things")

@@ -244,9 +244,7 @@ def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
     That angle alone counts, sin = offset / (radius of ball + radius of barrel): a barrel that is thinner where the ball
     is met is a little harder to hit well, and that is all that its width does here.
 
-    Parameters
-    ----------
-    bat : the present one, met at this batter's mean place.
+    ``bat``: the present one, met at this batter's mean place.
     """
     place = bat.length - batter.mean_contact
     reach = ball.radius + float(bat.diameter_at(place)) / 2
@@ -267,9 +265,7 @@ def retained_at_widths(sine: Array, retained: Array, *, batter: Batter, ball: Ba
     The mean over offsets within `REACH` standard deviations, by quadrature on either side of the axis up to the last
     sine: what is farther out is a miss. So the mean follows the width without steps.
 
-    Parameters
-    ----------
-    sine, retained : see `off_centre`.
+    ``sine``, ``retained``: see `off_centre`.
     """
     from scipy.interpolate import PchipInterpolator
 

@@ -234,11 +234,8 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
 
     The bat is at rest, free to turn about a clamp 6 in from the knob end, and balls are fired at it place by place.
 
-    Parameters
-    ----------
-    bat : from `catalog.bat`, a file, or made in Python.
-    ball : the one that is fired: `catalog.ball()`, or the ball of a league.
-    wall_doubt : part by which the wall of a hollow barrel may be thinner or thicker; 0: it was measured.
+    ``ball``: the one that is fired: `catalog.ball()`, or the ball of a league. ``wall_doubt``: part by which the wall
+    of a hollow barrel may be thinner or thicker; 0: it was measured.
 
     Returns
     -------
