@@ -99,8 +99,8 @@ def compare(
 ) -> Comparison[Given]:
     """Return any number of bats under one player's swing.
 
-    ``conditions``: of the first bat, the reference. The others are hit by the same pitch; their pivot and hands move with
-    their grip, and their speed is measured equally far from the tip.
+    ``conditions``: of the first bat. The others are hit by the same pitch; their pivot and hands move with their grip,
+    and their speed is measured equally far from the tip.
     ``law``: of bat speed against moment of inertia, as `catalog.swing_law` has them: the same effort for every bat.
     None: the same bat speed at the measured place. ``labels``: one per bat; None: their names.
 

@@ -132,10 +132,7 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
 def _zone(scan: Scan, held: Array, loss: float, sting: float) -> tuple[float, float] | None:
     """Return the sweet zone by the exit speeds that count; see `sweet_zone`."""
     least = np.nanmax(held) - loss
-    fast = np.flatnonzero(held >= least)
-    start, stop = scan.position[max(fast[0] - 1, 0)], scan.position[min(fast[-1] + 1, len(held) - 1)]
     places = np.linspace(scan.position[0], scan.position[-1], 20 * len(held))
-    places = places[np.searchsorted(places, start) : np.searchsorted(places, stop, side="right")]
     speed = np.interp(places, scan.position, held)
     felt = np.interp(places, scan.position, scan.sting)
     good = (speed >= least) & (felt < sting * np.nanmean(scan.sting))

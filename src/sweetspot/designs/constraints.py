@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
@@ -145,11 +145,8 @@ def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
         return np.array([limit.excess(values[limit.measure]) + INSIDE for limit in limits])
 
     def total(parts: Array) -> tuple[float, Array]:
-        step = 1e-5
-        every = np.concatenate([parts[None], parts + step * np.eye(len(parts)), parts - step * np.eye(len(parts))])
-        badness = (np.maximum(misses(every), 0.0) ** 2).sum(axis=0)
-        count = len(parts)
-        return float(badness[0]), (badness[1 : count + 1] - badness[count + 1 :]) / (2 * step)
+        here, slopes = _with_slopes(lambda rows: (np.maximum(misses(rows), 0.0) ** 2).sum(axis=0)[None], parts, 1e-5)
+        return float(here[0]), slopes[0]
 
     start = np.clip((bench.space.start - low) / width, 0.02, 0.98)
     best, worst = start, float(misses(start[None]).max(initial=-np.inf))
@@ -250,11 +247,6 @@ def nearest_within_limits(bench: Bench, numbers: Array, limits: Sequence[Limit],
 
     ``numbers``: of the bat as it was pulled, shape (variables,). ``pulled``: the number that a hand holds, which
     changes last; None: none is held.
-
-    Returns
-    -------
-    Array
-        numbers, shape (variables,); whether every limit is kept is for `Limit.excess` to say.
     """
     low, high = ranges(bench.space.variables)
     width = high - low
@@ -262,24 +254,28 @@ def nearest_within_limits(bench: Bench, numbers: Array, limits: Sequence[Limit],
     ready = np.ones(len(parts))
     if pulled is not None:
         ready[pulled] = PULLED
+    grains = np.array([MEASURES[limit.measure].grain for limit in limits])
+
+    def values(rows: Array) -> Array:
+        drawn = drawn_values(bench, low + rows * width)
+        return np.array([drawn[limit.measure] for limit in limits]).reshape(len(limits), len(rows))
+
     for _ in range(ROUNDS):
-        every = np.concatenate([parts[None], parts + STEP * np.eye(len(parts)), parts - STEP * np.eye(len(parts))])
-        values = drawn_values(bench, low + every * width)
-        broken = [limit for limit in limits if float(limit.excess(values[limit.measure][:1])[0]) > 0]
+        here, slopes = _with_slopes(values, parts, STEP)
+        broken = [row for row, limit in enumerate(limits) if float(limit.excess(here[row : row + 1])[0]) > 0]
         if not broken:
             break
-        miss = np.array([_distance_inside(limit, float(values[limit.measure][0])) for limit in broken])
-        count = len(parts)
-        slopes = np.array(
-            [
-                (values[limit.measure][1 : count + 1] - values[limit.measure][count + 1 :])
-                / (2 * STEP)
-                / MEASURES[limit.measure].grain
-                for limit in broken
-            ]
-        )
+        miss = np.array([_distance_inside(limits[row], float(here[row])) for row in broken])
+        slopes = slopes[broken] / grains[broken, None]
         parts = _least_step(parts, slopes, miss, ready)
     return np.asarray(low + parts * width)
+
+
+def _with_slopes(values: Callable[[Array], Array], parts: Array, step: float) -> tuple[Array, Array]:
+    """Return values, shape (k,), of many rows at once, (k, rows), and their central differences, shape (k, parts)."""
+    count, steps = len(parts), step * np.eye(len(parts))
+    every = values(np.concatenate([parts[None], parts + steps, parts - steps]))
+    return every[:, 0], (every[:, 1 : count + 1] - every[:, count + 1 :]) / (2 * step)
 
 
 def _distance_inside(limit: Limit, value: float) -> float:
