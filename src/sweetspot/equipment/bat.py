@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import NonNegative, Positive, Validated
-from sweetspot.equipment.implement import DensityRange, Lump, OfMaterial
+from sweetspot.equipment.implement import UNMEASURED, DensityRange, Lump, OfMaterial
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import CrossSection, of_solid, of_walls
 from sweetspot.equipment.shell import Shell, Stations, between, check_order
@@ -134,10 +134,9 @@ class Bat(OfMaterial):
         return self
 
     def _check_linear_density(self) -> None:
-        if not 1 <= len(self.linear_density or ()) <= MOST_COEFFICIENTS:
-            raise ValueError(
-                f"linear_density has {len(self.linear_density or ())} coefficients; give 1 to {MOST_COEFFICIENTS}"
-            )
+        count = len(self.linear_density or ())
+        if not 1 <= count <= MOST_COEFFICIENTS:
+            raise ValueError(f"linear_density has {count} coefficients; give 1 to {MOST_COEFFICIENTS}")
         if self.shell or self.bores or self.cup:
             raise ValueError("a linear_density describes a solid bat; shell, bore and cup need a profile")
         places = np.linspace(0, self.length, 401)
@@ -193,10 +192,8 @@ class Bat(OfMaterial):
 
     def _check_fits(self, diameter: float, depth: float, what: str, *, mouth_only: bool = False) -> None:
         if depth >= self.length:
-            raise ValueError(
-                f"{what} is {format_length(depth)} deep but the bat only {format_length(self.length)} long; make it "
-                "shallower"
-            )
+            whole = format_length(self.length)
+            raise ValueError(f"{what} is {format_length(depth)} deep but the bat only {whole} long; make it shallower")
         edges = np.asarray(self.breakpoints())
         places = edges[edges >= self.length - (0 if mouth_only else depth)]
         narrowest = float(np.min(self.diameter_at(places)))
@@ -289,12 +286,6 @@ class Bat(OfMaterial):
         light, heavy = material.density_range or (material.density, material.density)
         return DensityRange(usual, usual * light / material.density, usual * heavy / material.density)
 
-    def as_measured(self) -> Bat:
-        """Return the bat that the measured values belong to; see `Implement.as_measured`."""
-        measured = super().as_measured()
-        assert isinstance(measured, Bat)  # a bat was changed from a bat
-        return measured
-
     def as_drawn(self) -> Bat:
         """Return the bat as its file draws it, where walls or ends were changed so that it weighs what the file says.
 
@@ -303,14 +294,7 @@ class Bat(OfMaterial):
         if self.drawn_shell is None:
             return self
         return self.replaced(
-            shell=self.drawn_shell,
-            drawn_shell=None,
-            mass=None,
-            balance_point=None,
-            moi=None,
-            fitted=(),
-            remark="",
-            original=None,
+            **UNMEASURED, shell=self.drawn_shell, drawn_shell=None, fitted=(), remark="", original=None
         )
 
     def section_at(self, position: Array, scale: Array) -> CrossSection:
@@ -342,15 +326,12 @@ class Bat(OfMaterial):
     def lumps(self) -> tuple[Lump, ...]:
         """Return the weights the description itself names: added ones, knob, joint and end cap of a shell."""
         masses = [Lump(weight.position, weight.mass) for weight in self.point_masses]
-        if self.shell is not None and self.shell.knob_mass:
-            masses.append(Lump(0.0, self.shell.knob_mass))
-        if self.shell is not None and self.shell.joint is not None and self.shell.joint_mass:
-            masses.append(Lump(self.shell.joint, self.shell.joint_mass))
-        if self.shell is not None:
-            rings = self.shell.rings
-            masses += [Lump(ring.position, *ring.inertia(self._bore_radius(ring.position))) for ring in rings]
-        if self.shell is not None and self.shell.end_cap_mass:
-            masses.append(Lump(self.length, self.shell.end_cap_mass))
+        shell = self.shell
+        if shell is not None:
+            joint = 0.0 if shell.joint is None else shell.joint
+            masses += [Lump(place, mass) for place, mass in ((0.0, shell.knob_mass), (joint, shell.joint_mass)) if mass]
+            masses += [Lump(ring.position, *ring.inertia(self._bore_radius(ring.position))) for ring in shell.rings]
+            masses += [Lump(self.length, shell.end_cap_mass)] if shell.end_cap_mass else []
         return tuple(masses)
 
     def _bore_radius(self, position: float) -> float:
@@ -399,15 +380,11 @@ class Bat(OfMaterial):
 
     def with_material(self, material: Material) -> Self:
         """Return the same outline in another material; what was measured on the old one is dropped."""
-        return self.replaced(
-            material=material, density_gradient=0.0, mass=None, balance_point=None, moi=None, original=None
-        )
+        return self.replaced(**UNMEASURED, material=material, density_gradient=0.0, original=None)
 
     def _changed(self, name: str, **changes: object) -> Self:
         """Return a modified bat that remembers the bat its measured values belong to."""
-        return self.replaced(
-            name=name, mass=None, balance_point=None, moi=None, fitted=(), original=self.as_measured(), **changes
-        )
+        return self.replaced(**{**UNMEASURED, "fitted": (), "original": self.as_measured(), "name": name, **changes})
 
 
 def _check_stations(stations: Stations, length: float, what: str) -> None:

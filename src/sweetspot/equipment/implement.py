@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from typing import Literal, NamedTuple, Self
+from typing import Literal, NamedTuple, Self, cast
 
 from numpy.typing import ArrayLike
 from pydantic import model_validator
@@ -64,6 +64,10 @@ class DensityRange(NamedTuple):
     usual: float
     lightest: float
     heaviest: float
+
+
+UNMEASURED = {"mass": None, "balance_point": None, "moi": None}
+"""What was measured on an implement no longer holds when it is changed."""
 
 
 class Implement(ShownInNotebooks, Validated, ABC):
@@ -173,11 +177,11 @@ class Implement(ShownInNotebooks, Validated, ABC):
         """Return it as its file draws it; see `Bat.as_drawn`."""
         return self
 
-    def as_measured(self) -> Implement:
+    def as_measured(self) -> Self:
         """Return the implement that the measured values belong to: this one, or what it was before it was changed."""
         if self.original is None or not (self.mass is self.balance_point is self.moi is None):
             return self
-        return self.original
+        return cast("Self", self.original)  # a thing is changed from one of its kind
 
     def lineage(self) -> Iterator[Implement]:
         """Yield this implement, then what it was changed from, and so on back to the piece that it was made from."""

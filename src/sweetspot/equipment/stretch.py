@@ -8,13 +8,11 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
-from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.implement import UNMEASURED, Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.shell import Shell, Stations
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError
-
-UNMEASURED = {"mass": None, "balance_point": None, "moi": None}
 
 
 @singledispatch
