@@ -17,7 +17,8 @@ from sweetspot.collision.contact_law import HuntCrossley, equivalent_wall_speed,
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.oblique_contact import oblique
-from sweetspot.dynamics.rigid import effective_mass, pendulum_period
+from sweetspot.dynamics.rigid import effective_mass
+from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.interpolants import top
 from sweetspot.player.expected_gain import DRAWS, SWINGS

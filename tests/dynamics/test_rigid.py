@@ -8,14 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sweetspot.dynamics.rigid import (
-    RigidBody,
-    centre_of_percussion,
-    effective_mass,
-    hand_impulse_ratio,
-    moi_from_pendulum,
-    pendulum_period,
-)
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, hand_impulse_ratio
+from sweetspot.dynamics.swing_weight import moi_from_pendulum, pendulum_period
 from sweetspot.errors import InputError
 
 bodies = st.builds(

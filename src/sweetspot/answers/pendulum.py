@@ -11,7 +11,7 @@ from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
 from sweetspot.answers.flight_draws import draws_of_sources, written_errors
 from sweetspot.answers.records import INTERNAL, Columns, Length, MomentOfInertia, Ratio, Time, with_intervals
 from sweetspot.calibration.measured import Measured
-from sweetspot.dynamics.rigid import moi_from_pendulum, pendulum_period
+from sweetspot.dynamics.swing_weight import moi_from_pendulum, pendulum_period
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY

@@ -29,7 +29,8 @@ from sweetspot.catalog.implements import load_implement
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import bending_modes
-from sweetspot.dynamics.rigid import pendulum_period, rigid_body
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.numerics.constants import STANDARD_AXIS

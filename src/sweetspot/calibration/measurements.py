@@ -28,7 +28,8 @@ from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.dynamics.reduction import all_modes, bending_frequencies
-from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array

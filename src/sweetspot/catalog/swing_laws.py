@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, read_table
-from sweetspot.dynamics.rigid import SwingWeight
+from sweetspot.dynamics.swing_weight import SwingWeight
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.units import Kind
 

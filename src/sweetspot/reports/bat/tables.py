@@ -13,7 +13,8 @@ from sweetspot.answers.implement import MassProperties
 from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.modes import Family
-from sweetspot.dynamics.rigid import RigidBody, SwingWeight, moi_doubt
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt
+from sweetspot.dynamics.swing_weight import SwingWeight
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms

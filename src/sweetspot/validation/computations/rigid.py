@@ -10,7 +10,8 @@ from sweetspot import catalog
 from sweetspot.calibration.bar import Bar
 from sweetspot.calibration.measured import Measured
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
-from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, pendulum_period
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
+from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.papers.formulas import mean_force, rod
 from sweetspot.validation.computations import shared

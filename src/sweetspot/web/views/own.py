@@ -18,7 +18,8 @@ from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league, usual_league
 from sweetspot.designs.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.rigid import RigidBody, moi_doubt, pendulum_period, rigid_body
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
+from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import REACH
