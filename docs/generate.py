@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import choices
 import licences
 import modules
 import sport_tables
@@ -75,6 +76,7 @@ def pages() -> dict[str, Callable[[], str]]:
         "home_runs_table": tables.home_runs_table,
         "pitches_table": tables.pitches_table,
         "catalogue": tables.catalogue_page,
+        "choices": choices.choices_page,
         "sources": tables.sources_page,
         "licences": licences.licences_table,
         "validation": tables.validation_page,
