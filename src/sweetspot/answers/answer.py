@@ -7,7 +7,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from sweetspot.answers.records import to_dict
+from sweetspot.answers.records import PlainTable, to_dict
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import LEVEL
 from sweetspot.numerics.notebook_display import ShownInNotebooks
@@ -78,7 +78,7 @@ class Answer(ShownInNotebooks):
     def __str__(self) -> str:
         return ShownInNotebooks.renderer().text_of(self)
 
-    def to_dict(self, units: System = "si") -> dict[str, Any]:
+    def to_dict(self, units: System = "si") -> PlainTable:
         """Return all numbers, lists and texts with the unit in every key: "si" or "us"."""
         return to_dict(self, units)
 

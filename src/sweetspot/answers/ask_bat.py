@@ -199,7 +199,7 @@ def what_if_question(
         columns=columns[0] if columns else None,
         conditions=setup.conditions(described),
         law=_law(bat, swing_law, setup),
-        shown=show,
+        cell=show,
     )
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from sweetspot import catalog
 from sweetspot.answers.flight_setups import (
@@ -184,14 +184,13 @@ def fly_table(
     from sweetspot.answers.what_if import FlyTableQuestion, fly_table_answer, two_sides
 
     rows, *columns = two_sides(vary)
-    first: dict[str, Any] = {name: values[0] for name, values in (rows, *columns)}
     question = FlyTableQuestion(
-        hit=replace(launch.hit(weather), **first),
+        hit=launch.hit(weather),
         rows=rows,
         columns=columns[0] if columns else None,
         ball=catalog.ball(launch.ball),
         aerodynamics=catalog.aerodynamics_in(weather.field, launch.aerodynamics),
-        shown=show,
+        cell=show,
     )
     return fly_table_answer(question)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 
@@ -149,20 +149,16 @@ def numbers_in_batch(
 
 def collision_of(impact: Impact) -> Collision:
     """Return a collision without the swing that led to it."""
-    return Collision(**_collision_fields(impact))
-
-
-def _collision_fields(impact: Impact) -> dict[str, Any]:
     energy, incoming = asdict(impact.energy), impact.energy.incoming
-    return {
+    return Collision(
         **vars(collision_numbers(impact)),
-        "release_time": impact.release_time,
-        "energy": Energies(**energy),
-        "energy_share": Energies(**{name: part / incoming if incoming else 0.0 for name, part in energy.items()}),
-        "energy_imbalance": impact.energy.imbalance,
-        "history": HitHistory(impact.times, impact.force, impact.compression),
-        "unrecovered_gain": None if impact.unrecovered is None else impact.unrecovered_gain,
-    }
+        release_time=impact.release_time,
+        energy=Energies(**energy),
+        energy_share=Energies(**{name: part / incoming if incoming else 0.0 for name, part in energy.items()}),
+        energy_imbalance=impact.energy.imbalance,
+        history=HitHistory(impact.times, impact.force, impact.compression),
+        unrecovered_gain=None if impact.unrecovered is None else impact.unrecovered_gain,
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -185,20 +181,16 @@ class Hit(Collision):
 
 def hit_of(impact: Impact, *, body: RigidBody, conditions: Conditions) -> Hit:
     """Return a collision with what bat and ball did before and after it."""
-    return Hit(**_hit_fields(impact, body=body, conditions=conditions))
-
-
-def _hit_fields(impact: Impact, *, body: RigidBody, conditions: Conditions) -> dict[str, Any]:
     leaves, swung = exit_speed_of(impact, conditions), conditions.swing.speed_at(impact.position)
     again = impact.unrecovered
-    return {
-        **_collision_fields(impact),
-        "bat_speed": swung,
-        "exit_speed": leaves,
-        "bbcor": bbcor(impact.collision_efficiency, body=body, ball=conditions.ball, position=impact.position),
-        "smash_factor": leaves / swung if swung else None,
-        "exit_speed_unrecovered": None if again is None else exit_speed_of(again, conditions),
-    }
+    return Hit(
+        **vars(collision_of(impact)),
+        bat_speed=swung,
+        exit_speed=leaves,
+        bbcor=bbcor(impact.collision_efficiency, body=body, ball=conditions.ball, position=impact.position),
+        smash_factor=leaves / swung if swung else None,
+        exit_speed_unrecovered=None if again is None else exit_speed_of(again, conditions),
+    )
 
 
 def hit_columns(draws: Draws, along: HitsAlong, place: int, impact: Impact) -> Columns:
@@ -304,7 +296,7 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
     if question.sources is None:  # which have the ball among them
         error = error_by_ball(reduced, conditions, position)
     plain = HitAnswer(
-        **_hit_fields(impact, body=body, conditions=conditions),
+        **vars(hit_of(impact, body=body, conditions=conditions)),
         question=question,
         impact=impact,
         body=body,

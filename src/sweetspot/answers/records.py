@@ -69,6 +69,8 @@ Spin = Annotated[Number, SPIN]
 Frequency = Annotated[Number, FREQUENCY]
 Ratio = Number
 
+PlainTable = dict[str, Any]
+"""What JSON holds: plain numbers, texts, lists and such tables, by names with units."""
 Columns = Mapping[str, "Array | Columns | Sequence[Columns]"]
 """By a field's name what draws answer, shape (draws,) or (draws, n); a record's columns, or a tuple of such."""
 Record = TypeVar("Record")
@@ -93,11 +95,11 @@ def _marks(hint: Any) -> Iterator[Any]:
 
 
 @cache
-def _hints(kind: type) -> dict[str, Any]:
+def _hints(kind: type) -> Mapping[str, Any]:
     return get_type_hints(kind, include_extras=True)
 
 
-def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
+def to_dict(record: Any, system: System = "si") -> PlainTable:
     """Return a record as plain numbers, texts, lists and dictionaries, with the unit in every key.
 
     The ends of an interval stand beside its number, ``exit_speed_low_m_s`` and ``exit_speed_high_m_s``; what is not
@@ -108,7 +110,7 @@ def to_dict(record: Any, system: System = "si") -> dict[str, Any]:
     record : a dataclass as this module describes.
     system : of units; angles in radians or degrees.
     """
-    table: dict[str, Any] = {}
+    table: PlainTable = {}
     for field, hint, dimension in visible_fields(type(record)):
         value = getattr(record, field.name)
         if value is None and field.default is None:
@@ -127,7 +129,7 @@ def plain_data(value: Any, system: System = "si") -> Any:
     return _plain(value, RATIO, system)
 
 
-def _entries(name: str, value: Any, dimension: Dimension, system: System, *, marks: Sequence[Any]) -> dict[str, Any]:
+def _entries(name: str, value: Any, dimension: Dimension, system: System, *, marks: Sequence[Any]) -> PlainTable:
     """Return one field's keys and values."""
     if NESTED in marks and value is not None:
         number = interval_of(value)
@@ -180,7 +182,7 @@ def with_intervals(record: Record, drawn: Columns, reach: Callable[[Array], Reac
     drawn : what draws answer, by the record's fields; the first draw is everything as described.
     reach : from all draws of a number to how far its interval goes below and above the first of them.
     """
-    changed: dict[str, Any] = {}
+    changed: dict[str, object] = {}
     for name, column in drawn.items():
         value = getattr(record, name)
         if value is None:

@@ -39,7 +39,7 @@ from sweetspot.seasons.survey import Survey, TrackingBias, tracking_bias
 from sweetspot.seasons.swings import SwingSpeeds
 from sweetspot.seasons.table_warnings import cannot_tell
 from sweetspot.units import FOOT
-from sweetspot.units.dimensions import ANGLE, LENGTH, SPEED, System
+from sweetspot.units.dimensions import LENGTH, SPEED, System
 
 MOST_DRAWN = 2_000_000
 """Balls that are held together, for what cannot be added up part by part."""
@@ -128,15 +128,6 @@ class Places:
 
 
 @dataclass(frozen=True)
-class BatErrors:
-    """How far a bat's table of hits is from the kernel."""
-
-    bat: str
-    speed_error: Annotated[float, SPEED]
-    angle_error: Annotated[float, ANGLE]
-
-
-@dataclass(frozen=True)
 class SeasonMeans:
     """What all balls together say; None: no table tells.
 
@@ -175,7 +166,6 @@ class SeasonAnswer(Answer):
     temporary : a folder that is removed with the answer; None: it was asked for.
     untracked : how balls without exit speed bias the mean.
     places : where along the bat balls are met; None: contacts were not asked for.
-    surfaces : of the bats' tables.
     other_bats : gains with the bats that were tried.
     left_over : tracked distance less carry, by what balls are compared by.
     scatter : how balls and groups scatter, by grouping and measure.
@@ -194,7 +184,6 @@ class SeasonAnswer(Answer):
     league: SeasonMeans
     untracked: TrackingBias | None
     places: Places | None
-    surfaces: tuple[BatErrors, ...]
     other_bats: tuple[OtherBatGain, ...]
     drag: tuple[DragOfMonth, ...]
     left_over: Mapping[str, tuple[LeftOver, ...]]
@@ -308,7 +297,6 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
     balls = sum(counts[USED] for counts in survey.counts)
     drawn = counted if balls <= MOST_DRAWN else counted.gather_every(-(-balls // MOST_DRAWN))
     standings, drag = all_standings(parts), drag_by_month(drawn)
-    used_surfaces = () if contact is None else (*contact.surfaces, *(other.surface for other in contact.others))
     return SeasonAnswer(
         question=question,
         season=season,
@@ -324,7 +312,6 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
         league=_league(counted, drag, balls),
         untracked=tracking_bias(survey),
         places=None if contact is None else _places(contact.relation),
-        surfaces=tuple(BatErrors(table.bat.name, table.speed_error, table.angle_error) for table in used_surfaces),
         other_bats=tuple(bat_gains(season)),
         drag=drag,
         left_over={kind: left_over_by(drawn, kind) for kind in EDGES},

@@ -53,7 +53,7 @@ class Side:
 
 
 def two_sides(vary: Mapping[str, ArrayLike]) -> tuple[tuple[Any, tuple[float, ...]], ...]:
-    """Return what is varied down a table and what across it, with the values; one of them or both."""
+    """Split the values that are varied into the rows of a table and, where there are two, its columns."""
     if len(vary) not in (1, 2):
         raise InputError(f"vary was given {len(vary)} things; a table has rows and columns, so name one or two")
     return tuple((name, tuple(np.atleast_1d(np.asarray(values, float)).tolist())) for name, values in vary.items())
@@ -103,7 +103,7 @@ class WhatIfQuestion:
     ----------
     conditions : of the bat as it is.
     law : as which every other bat is swung; None: at the same speed.
-    shown : the answer that a printed table shows.
+    cell : the answer that a printed table shows.
     """
 
     bat: Bat
@@ -111,7 +111,7 @@ class WhatIfQuestion:
     columns: Axis | None = None
     conditions: Conditions
     law: SwingLaw | None
-    shown: BatCell = "exit_speed"
+    cell: BatCell = "exit_speed"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -179,14 +179,14 @@ class FlightCells:
 
 @dataclass(frozen=True, kw_only=True)
 class FlyTableQuestion:
-    """A hit of which one or two numbers are varied; ``shown`` is the answer that a printed table shows."""
+    """A hit of which one or two numbers are varied; ``cell`` is the answer that a printed table shows."""
 
     hit: BattedBall
     rows: Varied
     columns: Varied | None = None
     ball: Ball
     aerodynamics: Aerodynamics
-    shown: FlightCell = "carry"
+    cell: FlightCell = "carry"
 
 
 @dataclass(frozen=True, kw_only=True)

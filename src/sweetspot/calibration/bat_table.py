@@ -316,5 +316,5 @@ def check_same_model(
                 raise InputError(
                     f"{name}: the {what} is {factor:.3g} times that of {model.name}; bats of one model come within a "
                     f"factor of {SAME_MODEL[measurement.kind]:g}. Check the unit and the column, or add --force if it "
-                    "is meant"
+                    "is intended"
                 )

@@ -147,7 +147,7 @@ def _limit(table: Entry) -> RuleLimit:
 
 
 def _kind(table: Entry) -> Kind:
-    """Return what kind of quantity a number of a sport is: a speed where nothing is said."""
+    """Return the kind of quantity of a number of a sport: a speed where nothing is said."""
     return table.choice("of", tuple(UNITS), "speed")
 
 

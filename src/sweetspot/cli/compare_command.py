@@ -79,7 +79,7 @@ def compare(
             raise InputError("--uncertainty applies to bats side by side; leave it out, or leave out --rows")
         _bat(first)
         question = what_if_question(
-            loaded[0], table.sides(), swing_law=law, setup=swing.setup(first, errors=False), show=table.shown
+            loaded[0], table.sides(), swing_law=law, setup=swing.setup(first, errors=False), show=table.answer
         )
         with patience(), progress("cells") as report:
             return present(what_if_answer(question, progress=report), output)

@@ -80,14 +80,14 @@ class ContactTable:
         friction: Friction = USUAL_FRICTION,
     ) -> Launch:
         """Return the motion of many balls after the hit, nan where there is none; takes what `strikes` takes."""
-        met = meetings(self.bat, ball=self.ball, swings=swings, pitches=pitches, contact=contact)
-        efficiency, *give = self._look_up(met.position, met.closing)
+        meets = meetings(self.bat, ball=self.ball, swings=swings, pitches=pitches, contact=contact)
+        efficiency, *give = self._look_up(meets.position, meets.closing)
         return launch(
-            met.frame,
+            meets.frame,
             ball=self.ball,
-            pitch=met.pitches,
-            surface_velocity=met.surface_velocity,
-            normal_impulse=self.ball.mass * met.closing * (1 + efficiency),
+            pitch=meets.pitches,
+            surface_velocity=meets.surface_velocity,
+            normal_impulse=self.ball.mass * meets.closing * (1 + efficiency),
             give=SurfaceMobility(*give),
             friction=friction,
         )

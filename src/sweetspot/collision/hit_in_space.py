@@ -206,24 +206,24 @@ def strikes(
     >>> strikes(reduced_bat(bat, ball=ball), ball=ball, swings=swings, pitches=pitch, contact=met).exit_speed.round(1)
     array([41. , 44.3])
     """
-    met = meetings(reduced.bat, ball=ball, swings=swings, pitches=pitches, contact=contact)
+    meets = meetings(reduced.bat, ball=ball, swings=swings, pitches=pitches, contact=contact)
     impacts = hits_with_motion(
-        reduced.modes, ball=ball, position=met.position, closing_speed=met.closing, threads=threads
+        reduced.modes, ball=ball, position=meets.position, closing_speed=meets.closing, threads=threads
     )
     left = _leaving(
-        met.frame,
+        meets.frame,
         reduced,
         ball=ball,
-        pitch=met.pitches,
-        surface_velocity=met.surface_velocity,
-        place=(met.position, met.radius),
-        closing=met.closing,
+        pitch=meets.pitches,
+        surface_velocity=meets.surface_velocity,
+        place=(meets.position, meets.radius),
+        closing=meets.closing,
         normal=impacts,
         friction=friction,
     )
     return Strikes(
-        outcome=np.where(met.missed, int(Outcome.MISS), impacts.outcome),
-        closing_speed=np.where(met.missed, np.nan, met.closing),
+        outcome=np.where(meets.missed, int(Outcome.MISS), impacts.outcome),
+        closing_speed=np.where(meets.missed, np.nan, meets.closing),
         collision_efficiency=impacts.collision_efficiency,
         contact_time=impacts.contact_time,
         peak_force=impacts.peak_force,

@@ -134,7 +134,7 @@ def put_state(lanes: Array, place: int, state: State) -> None:
 
 @_inlined
 def flown_in(lanes: Array, lane: int, blowing: float) -> Flown:
-    """Return what does not change of a lane's flight; ``blowing`` is 1 in the wind and 0 where nothing blows."""
+    """Return the constants of a lane's flight; ``blowing`` is 1 in the wind and 0 where nothing blows."""
     spin = lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane], lanes[SPIN + lane]
     return spin, lanes[STRENGTH + lane], (blowing * lanes[WIND_X + lane], blowing * lanes[WIND_Y + lane])
 

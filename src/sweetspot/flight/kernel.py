@@ -175,7 +175,7 @@ def flight_rows(motions: BallMotion | BallMotions, conditions: FlightConditions)
 
 
 def flight_method(conditions: FlightConditions, step: float) -> FlightMethod:
-    """Return what every flight shares, as the compiled flight has it; ``step`` in s."""
+    """Return the constants of a batch as the compiled flight has them; ``step`` in s."""
     ball, law = conditions.ball, conditions.aerodynamics
     edge, reference = conditions.shelter
     forces = FlightLaw(

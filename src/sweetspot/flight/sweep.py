@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, fields, replace
 from itertools import product
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -178,8 +178,7 @@ def flight_table(
             raise InputError(f"{name} with {len(values)} values cannot be varied; allowed is {', '.join(VARIATIONS)}")
     parts = []
     for cell in cells_of(rows, columns):
-        changes: dict[str, Any] = dict(cell)
-        batted = directed(replace(hit, **changes), ball=ball, aerodynamics=aerodynamics)
+        batted = directed(replace(hit, **dict(cell)), ball=ball, aerodynamics=aerodynamics)  # type: ignore[arg-type]
         motion = batted.motion
         if motion.position[2] < 0:
             raise InputError(f"height is {batted.height:g} m, below the ground; allowed is 0 m or more")

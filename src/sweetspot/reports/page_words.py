@@ -34,7 +34,7 @@ def hits_fastest(name: str, from_tip: float, exit_speed: float, *, words: Terms)
 
 
 def place_words(from_tip: float, *, words: Terms) -> Sentence:
-    """Return where on an implement a place lies, m from the tip."""
+    """Return the position of a place on an implement, m from the tip."""
     return in_words("{place:place} from the {tip}", words, place=from_tip)
 
 
@@ -100,7 +100,7 @@ BEFORE = -1.0
 
 
 def film_phases(release: float, arrival: float | None) -> list[tuple[float, str]]:
-    """Return what is going on in a hit from some moments on, s after first touch; earliest first.
+    """Return the phases of a hit from some moments on, s after first touch; earliest first.
 
     The words have the names of what changes all the time: {moment}, {pressed}, {force}.
     """

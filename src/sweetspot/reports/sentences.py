@@ -211,7 +211,7 @@ def say(template: str, **slots: object) -> Sentence:
 
 
 def _filled(slot: Any, shown_as: str) -> Sequence[Part]:
-    """Return what stands in the place of a slot."""
+    """Return the text of a slot."""
     if isinstance(slot, Sentence):
         return slot.parts
     if isinstance(slot, (Slot, Span, UnitName, Doubtful, Bounds)):

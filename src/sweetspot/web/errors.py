@@ -60,7 +60,7 @@ def about(field: str) -> Iterator[None]:
 
 
 def fault(error: SweetspotError | ValidationError | RequestValidationError) -> Fault:
-    """Return what is wrong, short enough to show: the first fault, with the rest as ``more``."""
+    """Return the fault, short enough to show: the first fault, with the rest as ``more``."""
     if isinstance(error, ValidationError):
         return _together([_of_problem(problem) for problem in error.errors(include_url=False)])
     if isinstance(error, RequestValidationError):  # the first part of a place says that it stood in the body

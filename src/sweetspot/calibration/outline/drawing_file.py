@@ -98,7 +98,7 @@ def _shapes(element: ElementTree.Element, matrix: Transform) -> Iterator[tuple[E
 
 
 def _transformation(text: str) -> Transform:
-    """Return what an element's transform attribute does, the last part first."""
+    """Return the transformation of an element's attribute, the last part first."""
     whole = Transform()
     for name, inside in TRANSFORM.findall(text):
         given = [float(number) for number in NUMBERS.findall(inside)]

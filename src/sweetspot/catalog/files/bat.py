@@ -60,7 +60,7 @@ def _listed(value: object) -> object:
 
 
 MaterialName = Annotated[str, Named(material)]
-OwnMaterial = Annotated[str | None, Named(material, own=True)]
+OwnMaterial = Annotated[str | None, Named(material, of_body=True)]
 
 
 class BoreTable(FileTable):
@@ -287,7 +287,7 @@ def checked_drawing(bat: Bat) -> Bat:
 
 
 def _bat(file: BatFile) -> Bat:
-    own = _material(file.material, measured=file.calibration is not None)
+    body = _material(file.material, measured=file.calibration is not None)
     length = in_si(file.length, "length", "length", "bat")
     outlines = [name for name in ("profile", "turned", "linear_density") if getattr(file, name) is not None]
     if len(outlines) != 1:
@@ -299,8 +299,8 @@ def _bat(file: BatFile) -> Bat:
         shell = shell.model_copy(update={"wall": (("0 in", shell.wall), (file.length, shell.wall))})
         file = file.model_copy(update={"shell": shell})
     turned = {} if file.turned is None else {"profile": _turned(file.turned, length)}
-    given = {"material": own, "original": original, "calibrated": file.calibration is not None, **turned}
-    bat = made(Bat, file, implement="bat", own=own, given=given)
+    given = {"material": body, "original": original, "calibrated": file.calibration is not None, **turned}
+    bat = made(Bat, file, implement="bat", body=body, given=given)
     if shell is None or bat.shell is None:
         return bat
     if original is not None and original.shell is not None and original.drawn_shell is not None:

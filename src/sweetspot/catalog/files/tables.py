@@ -40,10 +40,10 @@ class PairsOf:
 
 @dataclass(frozen=True)
 class Named:
-    """Loader of what a field's text names in the catalogue; ``own``: where it names none, it is the bat's material."""
+    """Loader of what a field's text names in the catalogue; ``of_body``: where it names none, the bat's material."""
 
     function: Callable[[str], object]
-    own: bool = False
+    of_body: bool = False
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class FileTable(Validated):
 
 
 def meaning_of(field: FieldInfo) -> Meaning | None:
-    """Return what a field holds; None: a text, a number or a table as it is."""
+    """Return the meaning of a field; None: a text, a number or a table as it is."""
     return next((mark for mark in field.metadata if isinstance(mark, Meaning)), None)
 
 
@@ -104,7 +104,7 @@ def made(
     what: str = "",
     *,
     implement: str,
-    own: Material | None = None,
+    body: Material | None = None,
     given: Mapping[str, object] = MappingProxyType({}),
 ) -> Part:
     """Return the thing or the part that a table describes: texts become numbers in SI, names and tables what they mean.
@@ -113,31 +113,31 @@ def made(
     ----------
     what : the table's name in its file, for messages.
     implement : its kind, whose sizes are known to be usual or not.
-    own : material of the bat, for parts that name none.
+    body : material of the bat, for parts that name none.
     given : fields of the thing that the table says in other words.
     """
-    values = values_in_si(table, what, implement=implement, own=own, left_out=given.keys())
+    values = values_in_si(table, what, implement=implement, body=body, left_out=given.keys())
     return part(**{name: value for name, value in values.items() if name in part.model_fields}, **given)
 
 
 def values_in_si(
-    table: FileTable, what: str = "", *, implement: str, own: Material | None = None, left_out: Container[str] = ()
+    table: FileTable, what: str = "", *, implement: str, body: Material | None = None, left_out: Container[str] = ()
 ) -> dict[str, object]:
-    """Return what the fields of a table mean, by their names in the thing, but for those that are known; see `made`."""
+    """Return the meanings of a table's fields, by their names in the thing, known ones left out; see `made`."""
     return {
         called(name, field): _meant(
-            getattr(table, name), meaning_of(field), f"{what}.{name}" if what else name, implement, own
+            getattr(table, name), meaning_of(field), f"{what}.{name}" if what else name, implement, body
         )
         for name, field in type(table).model_fields.items()
         if called(name, field) not in left_out
     }
 
 
-def _meant(value: object, meaning: Meaning | None, label: str, implement: str, own: Material | None) -> object:
-    """Return what the value of a field means."""
+def _meant(value: object, meaning: Meaning | None, label: str, implement: str, body: Material | None) -> object:
+    """Return the meaning of a field's value."""
     match value, meaning:
-        case None, Named(own=True):
-            value = own
+        case None, Named(of_body=True):
+            value = body
         case str(), Of():
             value = in_si(value, meaning.kind, label, implement)
         case str(), Named():
@@ -145,9 +145,9 @@ def _meant(value: object, meaning: Meaning | None, label: str, implement: str, o
         case tuple(), PairsOf():
             value = _pairs(value, meaning, label, implement)
         case FileTable(), Made():
-            value = made(meaning.part, value, label, implement=implement, own=own)
+            value = made(meaning.part, value, label, implement=implement, body=body)
         case tuple(), Made():
-            parts = (made(meaning.part, table, label, implement=implement, own=own) for table in value)
+            parts = (made(meaning.part, table, label, implement=implement, body=body) for table in value)
             value = meaning.whole(tuple(parts))
     return value
 

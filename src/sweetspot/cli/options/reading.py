@@ -41,7 +41,7 @@ def read(
     from sweetspot.answers.reading import Owner, number_of_text
     from sweetspot.units.quantities import KIND_OF
 
-    typed: dict[str, Any] = {}
+    typed: dict[str, object] = {}
     for group in options:
         default = type(group)()
         typed |= {
@@ -50,7 +50,7 @@ def read(
             if (value := getattr(group, each.name)) != getattr(default, each.name)
         }
     owner = of or Owner()
-    found: dict[str, Any] = {}
+    found: dict[str, object] = {}
     for field in fields(setup):  # type: ignore[arg-type]  # every setup is a dataclass
         name = field.name
         if name not in typed:

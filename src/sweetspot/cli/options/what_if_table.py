@@ -32,20 +32,20 @@ class TableOptions:
     ] = "exit-speed"
 
     def sides(self) -> dict[str, tuple[float, ...]]:
-        """Return what is varied down the table and across it, with the values."""
+        """Return the values that are varied, down the table and across it."""
         columns = [] if self.columns is None else [_axis(self.columns, "--columns")]
         return _only_once([_axis(self.rows, "--rows"), *columns])
 
     @property
-    def shown(self) -> BatCell:
+    def answer(self) -> BatCell:
         """The answer that cells show."""
         from sweetspot.answers.what_if import BAT_CELLS
 
-        answer = next((name for name in BAT_CELLS if name == self.cell.replace("-", "_")), None)
-        if answer is None:
+        found = next((name for name in BAT_CELLS if name == self.cell.replace("-", "_")), None)
+        if found is None:
             allowed = ", ".join(name.replace("_", "-") for name in BAT_CELLS)
             raise InputError(f"--cell was given as {self.cell}; allowed is one of {allowed}")
-        return answer
+        return found
 
 
 def _only_once(sides: list[tuple[str, tuple[float, ...]]]) -> dict[str, tuple[float, ...]]:

@@ -60,7 +60,7 @@ def limit_shown(check: RuleCheck) -> Words:
 
 
 def league_limit(check: RuleCheck) -> Sentence:
-    """Return whose rule it is, and its limit where that is a number."""
+    """Return the owner of a rule, and its limit where that is a number."""
     limit = "" if check.unit == "yes or no" else joined([": ", limit_shown(check)], "")
     return say("{league}{limit}", league=check.league_name, limit=limit)
 
@@ -73,8 +73,10 @@ def verdict_words(check: RuleCheck) -> Sentence:
     verdict, applies = check.outcome.verdict, check.outcome.verdict is not Verdict.NOT_APPLICABLE
     unsure = "" if check.sure or verdict not in MARKS else ", not sure"
     value = value_shown(check.quantity, check.value)
-    shown = say(" ({value})", value=value) if applies and value.parts else ""
-    return say("{sign} {verdict}{unsure}{value}", sign=SIGNS[verdict], verdict=verdict, unsure=unsure, value=shown)
+    in_brackets = say(" ({value})", value=value) if applies and value.parts else ""
+    return say(
+        "{sign} {verdict}{unsure}{value}", sign=SIGNS[verdict], verdict=verdict, unsure=unsure, value=in_brackets
+    )
 
 
 def value_shown(quantity: str, value: Number | None, *, sign: bool = False) -> Sentence:

@@ -23,15 +23,15 @@ BBCOR_IS = "BBCOR in play is at this swing's closing speed; `sweetspot certify` 
 
 def what_if_document(answer: WhatIfAnswer) -> Document:
     """Return one answer as a table, and below it the reasons of cells that have none; of rows alone every answer."""
-    shown, down = answer.question.shown, answer.rows.varied
+    cell, down = answer.question.cell, answer.rows.varied
     across = None if answer.columns is None else answer.columns.varied
     assert down is not None
     data = answer.to_dict()
     reasons = np.full(answer.answers.mass.shape, "", dtype=object)
-    for cell in answer.failures:
-        reasons[cell.row, cell.column] = cell.reason
+    for failure in answer.failures:
+        reasons[failure.row, failure.column] = failure.reason
     document = grid_document(
-        Grid(shown, down, across, getattr(answer.answers, shown)),
+        Grid(cell, down, across, getattr(answer.answers, cell)),
         name="compare",
         kind="What if",
         data=data,

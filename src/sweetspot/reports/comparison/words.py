@@ -251,7 +251,7 @@ SPEED_CHANGE = (
 
 
 def fastest_places(comparison: Comparison) -> Sentence:
-    """Return where on each bat the ball leaves fastest."""
+    """Return the place on each bat from which the ball leaves fastest."""
     found = [(bat, bat.analysis.bat.length - bat.analysis.sweet_spots.max_exit_speed) for bat in comparison.compared]
     places = joined([say(FASTEST_PLACE, bat=bat, place=place) for bat, place in found], "; ")
     return say("The bats to scale, tips aligned. {places}.", places=places)

@@ -37,7 +37,7 @@ def label_of(design: Designed, measure: str) -> str:
 
 
 def gained_words(change: float | None, gain: Gain | None = None) -> Sentence:
-    """Return what a bat gains over a batter's contacts, m/s, with how sure that is; None: it is the present bat."""
+    """Return the gain of a bat over a batter's contacts, m/s, with how sure that is; None: it is the present bat."""
     if change is None:
         return say("This is the present bat still: pull a round handle, or let the search find better.")
     doubt = verdict = say("")
@@ -53,7 +53,7 @@ def gained_words(change: float | None, gain: Gain | None = None) -> Sentence:
 
 
 def weight_words(weights: MassProperties, moi_doubt: float) -> Sentence:
-    """Return what a bat weighs and how it balances; ``moi_doubt`` is the standard deviation of its swing weight."""
+    """Return the weight and balance of a bat; ``moi_doubt`` is the standard deviation of its swing weight."""
     return say(
         "{mass:mass}, balance {balance:place} from the knob, swing weight {moi}.",
         mass=weights.mass,
@@ -75,7 +75,7 @@ def limit_words(limit: Limit, value: float, *, beyond: float | None) -> Sentence
 
 
 def gain_words(design: Designed) -> list[Sentence]:
-    """Return what a design moves, what that is worth to this batter, who should not use it, and how it is swung."""
+    """Return the changes of a design, their worth to this batter, who should not use it, and how it is swung."""
     words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
     return [*words, *wall_words(design), effort_words(design)]
 

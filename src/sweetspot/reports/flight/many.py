@@ -62,7 +62,7 @@ def _drawn(flown: Flights, reading: Reader) -> Any:
 
 def fly_table_document(answer: FlyTableAnswer) -> Document:
     """Return a table of flights as a document."""
-    shown, down, data = answer.question.shown, answer.rows.varied, answer.to_dict()
+    cell, down, data = answer.question.cell, answer.rows.varied, answer.to_dict()
     assert down is not None
-    grid = Grid(shown, down, answer.columns.varied, getattr(answer.answers, shown))
+    grid = Grid(cell, down, answer.columns.varied, getattr(answer.answers, cell))
     return grid_document(grid, name="fly", kind="Table of flights", data=data, rows=cells_as_columns(data))

@@ -38,7 +38,7 @@ class Page:
         return self.width - 2 * self.side
 
     def panel(self, top: float, height: float, *, left: float | None = None, width: float | None = None) -> Axes:
-        """Return new axes, from margin to margin unless told otherwise."""
+        """Return new axes, from margin to margin by default."""
         left, width = self.side if left is None else left, self.across if width is None else width
         place = (left / self.width, 1 - (top + height) / self.height, width / self.width, height / self.height)
         return self.figure.add_axes(place)

@@ -132,7 +132,7 @@ def league_words(answer: SeasonAnswer) -> list[Sentence]:
 
 
 def _places_words(answer: SeasonAnswer) -> Sentence:
-    """Return where these batters meet the ball, or why that is not known."""
+    """Return the place at which these batters meet the ball, or why it is unknown."""
     places = answer.places
     if places is None:
         return Sentence(())
@@ -232,6 +232,6 @@ def best_bat_words(row: Mapping[str, object]) -> list[Sentence]:
         return []
     best = max(gains, key=lambda name: gains[name])
     low, high = (row.get(f"{WITH}{best}_{end}") for end in ("low90", "high90"))
-    better, known = gains[best] > 0, low is not None and high is not None
-    ends = {"low": low, "high": high, "few_balls": better and not known, "sure": better and known}
+    better, has_interval = gains[best] > 0, low is not None and high is not None
+    ends = {"low": low, "high": high, "few_balls": better and not has_interval, "sure": better and has_interval}
     return [tell(BEST_BAT, bat=best, gain=gains[best], better=better, **ends)]

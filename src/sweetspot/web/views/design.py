@@ -295,11 +295,11 @@ def gain(state: DesignState) -> DesignWorth:
     design = _designed(state, request)
     tolerance = tolerance_words(design)
     words = gain_words(design) + ([] if tolerance is None else [tolerance])
-    own = numbers_of(state, request)[1]
+    of_batter = numbers_of(state, request)[1]
     gained, band = design.gain, REACH * design.gain.noise[::-1]
     return DesignWorth(
-        gained=in_both_systems([gained_words(gained.expected if own else None, gained)]),
-        sentences=in_both_systems(words if own else []),
+        gained=in_both_systems([gained_words(gained.expected if of_batter else None, gained)]),
+        sentences=in_both_systems(words if of_batter else []),
         noise_low=-band,
         noise_high=band,
         expected=gained.expected,
