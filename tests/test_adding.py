@@ -141,7 +141,7 @@ ADDITIONS = {
          "def answer(state: BatState) -> dict[str, float]:\n    return {'mass_kg': described(state).mass}\n\n\n"
          'VIEW = View("shrug", "Shrug", BatState, answer)\n',
          "web/static/views/shrug.js":
-         'export const view = { name: "shrug", guide: [], mount() {}, update() {}, unmount() {} };\n'},
+         'export default class ShrugView { static guide = []; update() {} }\n'},
         "from starlette.testclient import TestClient\nfrom sweetspot import catalog\n"
         "from sweetspot.web.server import create_app\n"
         "page = TestClient(create_app(), base_url='http://localhost')\n"

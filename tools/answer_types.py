@@ -18,11 +18,14 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
+from fastapi import APIRouter
+from fastapi.routing import APIRoute
 from pydantic import BaseModel
 
 from sweetspot.answers.records import GAPS, GRID, NESTED, visible_fields
 from sweetspot.numerics.interval import Band, Interval
 from sweetspot.units.dimensions import Dimension
+from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.files import FOLDER
 from sweetspot.web.views import VIEWS
 
@@ -142,12 +145,22 @@ def text() -> str:
         "Answers": ("What every view answers.", answers),
         "Asides": ("What is asked apart, by view and name.", asides),
         "Jobs": ("What long work gives, by view and name.", jobs),
+        "Catalogue": ("The lists of the catalogue.", [*_lists(found)]),
     }
     blocks = [
         "\n".join([f"/** {words} */", f"export interface {name} {{", *(f"  {line}" for line in lines), "}", ""])
         for name, (words, lines) in tables.items()
     ]
     return "\n".join([HEAD, *blocks, *(found.texts[name] for name in sorted(found.texts))])
+
+
+def _lists(found: Interfaces) -> Iterator[str]:
+    """Yield the type of every list of the catalogue's routes."""
+    api = APIRouter()
+    catalogue_routes(api)
+    for route in api.routes:
+        if isinstance(route, APIRoute) and get_origin(route.response_model) is list:
+            yield f"{route.name}: {found.written(route.response_model)};"
 
 
 def _entry(name: str, members: dict[str, str]) -> str:

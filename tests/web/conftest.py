@@ -212,6 +212,28 @@ def until() -> Callable[[Page, str], Any]:
     return wait
 
 
+VIEW_OF = """async () => {{
+  const {{ default: View }} = await import("/static/views/{name}.js");
+  const {{ update }} = View.prototype, theme = document.querySelector("#theme");
+  const view = await new Promise((found) => {{
+    View.prototype.update = function (...answer) {{
+      View.prototype.update = update;
+      update.apply(this, answer);
+      found(this);
+    }};
+    theme.click();  // a view is drawn anew in other colours
+  }});
+  theme.click();
+  {script}
+}}"""
+
+
+@pytest.fixture
+def in_view() -> Callable[[Page, str, str], Any]:
+    """A function that runs a script in the page, with the view that is shown as `view`; returns what it returns."""
+    return lambda page, name, script: page.evaluate(VIEW_OF.format(name=name, script=script))
+
+
 @pytest.fixture
 def answered(until: Callable[[Page, str], Any]) -> Callable[..., int]:
     """Return a function that waits until a view has drawn more than so many answers, and returns how many it has.

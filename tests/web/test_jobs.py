@@ -11,7 +11,7 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.web import jobs as module
-from sweetspot.web.jobs import Jobs, Look
+from sweetspot.web.jobs import Jobs, JobStatus, Look
 
 
 def counting(most: int, *, after: Any, say: Callable[..., None]) -> dict[str, Any]:
@@ -36,7 +36,7 @@ def jobs() -> Iterator[Jobs]:
     made.close()
 
 
-def until(jobs: Jobs, key: str, good: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+def until(jobs: Jobs, key: str, good: Callable[[JobStatus], bool]) -> JobStatus:
     """Look until what is told is good."""
     deadline = time.monotonic() + 600
     while not good(told := jobs.look(key, Look())):
@@ -45,18 +45,24 @@ def until(jobs: Jobs, key: str, good: Callable[[dict[str, Any]], bool]) -> dict[
     return told
 
 
+def said(status: JobStatus) -> str:
+    """What is wrong, in words."""
+    assert status.error is not None
+    return status.error.message
+
+
 def test_work_is_done_told_once_and_its_faults_are_told(jobs: Jobs) -> None:
     key = jobs.start("one", counting, 3)
-    told = until(jobs, key, lambda told: told["status"] == "done")
-    assert told["found"] == {"number": 3} and told["error"] is None
-    assert jobs.look(key, Look(seen=told["count"]))["found"] is None
+    told = until(jobs, key, lambda told: told.status == "done")
+    assert told.found == {"number": 3} and told.error is None
+    assert jobs.look(key, Look(seen=told.count)).found is None
     refused = jobs.start("one", counting, -2)
-    assert "no such number" in until(jobs, refused, lambda told: told["status"] == "failed")["error"]["message"]
+    assert "no such number" in said(until(jobs, refused, lambda told: told.status == "failed"))
     broken = jobs.start("one", counting, -1)
-    assert "program's" in until(jobs, broken, lambda told: told["status"] == "failed")["error"]["message"]
+    assert "program's" in said(until(jobs, broken, lambda told: told.status == "failed"))
     died = jobs.start("one", counting, -3)
-    told = until(jobs, died, lambda told: told["status"] != "running")
-    assert told["status"] == "failed" and "exit code 3" in told["error"]["message"]
+    told = until(jobs, died, lambda told: told.status != "running")
+    assert told.status == "failed" and "exit code 3" in said(told)
     with pytest.raises(InputError, match="not known"):
         jobs.look("nothing", Look())
 
@@ -69,12 +75,12 @@ def test_work_is_stopped_and_goes_on_where_it_was_and_too_much_is_refused(jobs: 
     with pytest.raises(InputError, match="places"):
         jobs.start("other", counting, 1)
     jobs.look(second, Look(stop=True))
-    until(jobs, key, lambda told: told["found"] is not None and told["found"]["number"] >= 3)
+    until(jobs, key, lambda told: told.found is not None and told.found["number"] >= 3)
     reached = jobs.look(key, Look(stop=True))
-    assert reached["status"] == "stopped" and reached["found"]["number"] >= 3
+    assert reached.status == "stopped" and reached.found["number"] >= 3
     jobs.look(key, Look(go_on=True))
-    on = until(jobs, key, lambda told: told["count"] > reached["count"])
-    assert on["found"]["number"] >= reached["found"]["number"]
+    on = until(jobs, key, lambda told: told.count > reached.count)
+    assert on.found["number"] >= reached.found["number"]
 
 
 def test_what_nobody_watches_is_stopped(jobs: Jobs, monkeypatch: pytest.MonkeyPatch) -> None:

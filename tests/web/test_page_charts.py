@@ -67,6 +67,7 @@ def test_fingers_zoom_and_scroll_without_moving_the_ball(
     server: str,
     settled: Callable[[Page], None],
     repainted: Callable[[Page, Callable[[], None]], None],
+    in_view: Callable[[Page, str, str], Any],
 ) -> None:
     context = browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
     context.add_init_script("localStorage.setItem('guided', 'yes')")
@@ -102,13 +103,14 @@ def test_fingers_zoom_and_scroll_without_moving_the_ball(
     assert page.url == before
     page.goto(f"{server}/explorer?bore_diameter_in=1&bore_depth_in=6")
     settled(page)
-    hole = page.evaluate("""async () => {
-      const { view: { picture } } = await import("/static/views/explorer.js");
-      const { left, top } = picture.element.getBoundingClientRect();
-      const { grips: [{ at, aside }] } = picture.data;
-      const { left: knob, scale, middle } = picture.place(picture.surface.width);
-      return [left + knob + scale * at, top + middle + scale * aside];
-    }""")
+    hole = in_view(
+        page,
+        "explorer",
+        """const { picture } = view, { left, top } = picture.element.getBoundingClientRect();
+        const { grips: [{ at, aside }] } = picture.data;
+        const { left: knob, scale, middle } = picture.place(picture.surface.width);
+        return [left + knob + scale * at, top + middle + scale * aside];""",
+    )
     x, y = hole[0] + 5, hole[1] + 5  # a finger beside it holds it too, and the hole does not jump to the finger
     touched(*([(-10.0 * step, 0.0)] for step in range(6)))
     settled(page)

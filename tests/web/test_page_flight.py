@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -100,24 +101,22 @@ def test_dragging_on_the_field_turns_the_ball(
 
 
 def test_the_ball_comes_down_where_the_hand_lets_it_go(
-    page: Page, server: str, settled: Callable[[Page], None]
+    page: Page, server: str, settled: Callable[[Page], None], in_view: Callable[[Page, str, str], Any]
 ) -> None:
     """Within half: carry is not quite the 0.6th power of speed. Twenty moves before an answer must not add up."""
     page.goto(f"{server}/flight?spray_deg=0")
     settled(page)
-    landed = """async () => {
-      const { view: { field, answer } } = await import("/static/views/flight.js");
+    landed = """const { field, answer } = view;
       field.element.scrollIntoView({ block: "center" });
       const { left, top } = field.element.getBoundingClientRect();
-      return [left + field.landed[0], top + field.landed[1], field.scale, answer.flight.carry_m];
-    }"""
-    x, y, scale, carry = page.evaluate(landed)
+      return [left + field.landed[0], top + field.landed[1], field.scale, answer.flight.carry_m];"""
+    x, y, scale, carry = in_view(page, "flight", landed)
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x, y - 30, steps=20)
     page.mouse.up()
     settled(page)
-    gone = page.evaluate(landed)[3] - carry
+    gone = in_view(page, "flight", landed)[3] - carry
     assert gone == pytest.approx(30 / scale, rel=0.5) and gone < 0.1 * carry
 
 

@@ -82,7 +82,7 @@ def test_a_contradiction_stands_in_words_and_is_left_out(page: Page, server: str
     expect(page.locator(".against")).to_contain_text("balance point lies")
     expect(page.get_by_role("button", name="Put it on the bench")).to_be_disabled()
     expect(page.get_by_role("columnheader", name="the fitted bat")).to_have_count(0)
-    expect(page.get_by_text("Nothing is told of the bat")).to_be_visible()
+    expect(page.get_by_text("Nothing is reported of the bat")).to_be_visible()
     page.get_by_role("button", name="Leave out: balance point").click()
     expect(page.locator(".against")).to_be_hidden()
     expect(page.locator("#verdict")).to_contain_text("The measurements agree")

@@ -4,47 +4,17 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import pytest
-from playwright.sync_api import BrowserContext
 
 from sweetspot import catalog
-from sweetspot.answers.records import plain_data
 from sweetspot.reports.quantities import US
 from sweetspot.units import DEGREE, INCH
 from sweetspot.web.views import explorer, flight, hit, modes, optimum, sports
 from sweetspot.web.views.flight_state import FlightState
 
-Said = Callable[[str, str, Mapping[str, Any]], str]
 BATS = ("r161-ash", "corked-r161", "composite", "two-piece", "youth-alloy", "slow-pitch", "torpedo")
-SCRIPT = """(async ([name, method, answer]) => {
-  const { text } = await import("/static/controls/units.js");
-  const { view } = await import(`/static/views/${name}.js`);
-  const get = (_, key) => (key === Symbol.toPrimitive ? () => "" : nothing);
-  const nothing = new Proxy(() => nothing, { get, set: () => true });
-  const app = { units: "us", answer, schema: {}, state: {}, announce() {}, aside() {} };
-  app.text = (one, value, digits) => text(one, value, "us", digits);
-  const it = Object.assign(Object.create(view), { app, answer, words: {}, state: { exaggeration: 1 } });
-  if (name === "modes") it.motion = () => answer.said;
-  const own = new Proxy(it, { get: (_, key) => it[key] ?? nothing });
-  return own[method](answer) ?? it.words.textContent;
-})"""
-
-
-@pytest.fixture(scope="module")
-def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
-    """What a view's method says of an answer, in a page that draws nothing."""
-    page = visitor.new_page()
-    page.goto(f"{server}/docs")
-
-    def words(name: str, method: str, answer: Mapping[str, Any]) -> str:
-        plain = plain_data(answer)
-        return str(page.evaluate(SCRIPT, [name, method, plain])).replace("\N{NO-BREAK SPACE}", " ")
-
-    yield words
-    page.close()
 
 
 def shown(value: float, scale: str, digits: int | None = None) -> str:

@@ -1,10 +1,9 @@
-"""What Player, Season, Own bat, Design, Compare and The paper say themselves: the answer's numbers and directions."""
+"""What Player, Season, Own bat, Design, Compare and The paper say: the answer's numbers and directions."""
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any
 
@@ -12,26 +11,22 @@ import pytest
 from playwright.sync_api import BrowserContext
 
 from sweetspot.answers.records import plain_data, to_dict
+from sweetspot.reports.season.page_words import balls_words
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED, grouped
 from sweetspot.web.views import compare, design, own, paper, player
+from sweetspot.web.views.compare_state import CompareState
 from sweetspot.web.views.design_state import DesignState
 from sweetspot.web.views.own_state import OwnState
 from tests.web.test_page_sentences import shown
 
-Said = Callable[..., Any]
-SCRIPT = """(async ([name, method, answer, mine]) => {
+Tabled = Callable[[str, str, Any], list[list[str]]]
+SCRIPT = """(async ([name, method, answer]) => {
   const { text } = await import("/static/controls/units.js");
-  const app = { units: "us", answer, schema: {}, state: mine.state ?? {}, announce() {}, aside() {}, afterwards() {} };
-  app.text = (one, value, digits) => text(one, value, "us", digits);
-  const { view } = await import(`/static/views/${name}.js`);
-  const get = (_, key) => (key === Symbol.toPrimitive ? () => "" : nothing);
-  const nothing = new Proxy(() => nothing, { get, set: () => true });
-  const players = { nameOf: (one) => one };
-  const it = Object.assign(Object.create(view), { app, answer, words: {}, players, ...mine });
-  const own = new Proxy(it, { get: (_, key) => it[key] ?? nothing });
-  const told = own[method](answer);
+  const app = { units: "us", text: (name, value, digits) => text(name, value, "us", digits) };
+  const { default: View } = await import(`/static/views/${name}.js`);
+  const told = Object.assign(Object.create(View.prototype), { app, answer })[method](answer);
   const cells = (row) => [...row.children].map((cell) => cell.textContent);
-  return told?.outerHTML ? [...told.querySelectorAll("tbody tr")].map(cells) : told ?? it.words.textContent;
+  return told.outerHTML ? [...told.querySelectorAll("tbody tr")].map(cells) : told.rows;
 })"""
 SWINGS = "bat_speed_mph,exit_speed_mph\n"
 BETTER, WORSE = 1.06, 0.93
@@ -39,17 +34,16 @@ BETTER, WORSE = 1.06, 0.93
 
 
 @pytest.fixture(scope="module")
-def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
-    """What a view's method says of an answer, in a page that draws nothing."""
+def tabled(visitor: BrowserContext, server: str) -> Iterator[Tabled]:
+    """The rows of a view's table of an answer, in a page that draws nothing."""
     page = visitor.new_page()
     page.goto(f"{server}/docs")
 
-    def words(name: str, method: str, answer: Mapping[str, Any], **mine: Any) -> Any:
-        plain = plain_data([answer, mine])
-        told = page.evaluate(SCRIPT, [name, method, *plain])
-        return json.loads(json.dumps(told, ensure_ascii=False).replace("\N{NO-BREAK SPACE}", " "))
+    def rows(name: str, method: str, answer: Any) -> list[list[str]]:
+        found = page.evaluate(SCRIPT, [name, method, plain_data(answer)])
+        return [[str(cell).replace("\N{NO-BREAK SPACE}", " ") for cell in row] for row in found]
 
-    yield words
+    yield rows
     page.close()
 
 
@@ -61,26 +55,25 @@ def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
         (["66,88", "68,90", "64,86", "66,85", "67,91", "68,-9", "x,80"], "5 swings", "; 2 rows could not be used"),
     ],
 )
-def test_player_counts_swings_and_rows(rows: list[str], counted: str, bad: str, said: Said) -> None:
+def test_player_counts_swings_and_rows(rows: list[str], counted: str, bad: str, tabled: Tabled) -> None:
     found = player.answer(player.PlayerState(swings_csv=SWINGS + "\n".join(rows)))
-    assert said("player", "update", found) == f"{counted}{bad}."
-    table = said("player", "tabled", found)["rows"]
-    assert len(table) == found["count"] == 5
-    assert table[0] == ["1", shown(found["bat_speed_m_s"][0], "speed"), shown(found["exit_speed_m_s"][0], "speed")]
+    assert found.words == f"{counted}{bad}."
+    first, *others = tabled("player", "tabled", found)
+    assert len(others) == len(found.bat_speed) - 1 == 4
+    assert first == ["1", shown(found.bat_speed[0], "speed"), shown(found.exit_speed[0], "speed")]
 
 
-def test_the_made_up_player_is_called_so(said: Said) -> None:
+def test_the_made_up_player_is_called_so() -> None:
     found = player.answer(player.PlayerState())
-    assert said("player", "update", found).startswith(f"{found['count']} swings of a made-up player; ")
+    assert found.words.startswith(f"{len(found.bat_speed)} swings of a made-up player; ")
 
 
 @pytest.mark.parametrize("balls", [1, 1234])
 @pytest.mark.parametrize("squared", [None, 0.316])
 @pytest.mark.parametrize("batter", [None, "Diaz, Cy"])
-def test_season_says_the_means(balls: int, squared: float | None, batter: str | None, said: Said) -> None:
-    means = {"balls": balls, "exit_speed": 39.4, "squared_up": squared, "from_best": 0.031}
-    answer = {"season": {"same_bat": True}, "bat": {"name": "R161, white ash"}}
-    words = said("season", "say", answer, found={"means": means}, state={"batter": batter})
+def test_season_says_the_means(balls: int, squared: float | None, batter: str | None) -> None:
+    bat = "R161, white ash"
+    words = str(balls_words(batter, bat, balls=balls, exit_speed=39.4, squared_up=squared, from_best=0.031))
     whose = "" if batter is None else f" of {batter}"
     assert words.startswith(
         f"{grouped(balls)} ball{'' if balls == 1 else 's'} in play{whose}: {shown(39.4, 'speed')} of exit speed"
@@ -91,13 +84,17 @@ def test_season_says_the_means(balls: int, squared: float | None, batter: str | 
 
 @pytest.mark.parametrize(
     "measured",
-    [{}, {"weighed_oz": 31.0}, {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5},
-     {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1430.0}],
-)  # fmt: skip
-def test_own_bat_says_what_it_is_now(measured: dict[str, float], said: Said) -> None:
+    [
+        {},
+        {"weighed_oz": 31.0},
+        {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5},
+        {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1430.0},
+    ],
+)
+def test_own_bat_says_what_it_is_now(measured: dict[str, float]) -> None:
     found = own.answer(OwnState(**measured))
-    words, fitted = said("own", "say", found), found["fitted"]
-    against = bool(found["contradictions"]["us"])
+    words, fitted = found.headline["us"], found.fitted
+    against = bool(found.contradictions["us"])
     assert ("As described, not measured" in words) == (not measured)
     assert words.startswith("The measurements contradict each other.") == against
     assert words.startswith("The measurements agree.") == (len(measured) > 1 and not against)
@@ -105,53 +102,51 @@ def test_own_bat_says_what_it_is_now(measured: dict[str, float], said: Said) -> 
     assert against == (measured.get("pendulum_ms") == 1430.0)
     told = re.search(r"([\d.]+)(?: ± [\d.]+)? oz, balance ([\d.]+)(?: ± [\d.]+)? in from the knob", words)
     assert told is not None, words
-    assert float(told[1]) == pytest.approx(fitted["mass_kg"] / OUNCE, abs=0.051)
-    assert float(told[2]) == pytest.approx(fitted["balance_point_m"] / INCH, abs=0.051)
+    assert float(told[1]) == pytest.approx(float(fitted.mass) / OUNCE, abs=0.051)
+    assert float(told[2]) == pytest.approx(float(fitted.balance_point) / INCH, abs=0.051)
     swing_weight = float(re.findall(r"swing weight ([\d,]+)", words)[0].replace(",", ""))
-    assert swing_weight == pytest.approx(fitted["moi_6in_kg_m2"] / OUNCE_INCH_SQUARED, abs=51)
+    assert swing_weight == pytest.approx(float(fitted.moi_6in) / OUNCE_INCH_SQUARED, abs=51)
 
 
-def pulled(first: Mapping[str, Any], factor: float) -> DesignState:
+def pulled(first: design.DesignPicture, factor: float) -> DesignState:
     """Return the state of the page in which the barrel has been pulled to another diameter."""
-    numbers = [variable["value"] for variable in first["variables"]]
+    numbers = [variable.value for variable in first.variables]
     numbers[7] *= factor
-    return DesignState(design_si=numbers, design_for=first["key"], pulled=7, keep_mass=False, keep_moi=False)
+    return DesignState(design_si=numbers, design_for=first.key, pulled=7, keep_mass=False, keep_moi=False)
 
 
-def size_of(design: Mapping[str, Any]) -> str:
-    balance = shown(design["balance_point_m"], "place")
-    return f"{shown(design['mass_kg'], 'mass')}, balance {balance} from the knob"
+def size_of(found: design.DesignPicture) -> str:
+    balance = shown(float(found.design.balance_point), "place")
+    return f"{shown(float(found.design.mass), 'mass')}, balance {balance} from the knob"
 
 
-def test_design_says_that_the_present_bat_is_the_present_bat(said: Said) -> None:
+def test_design_says_that_the_present_bat_is_the_present_bat() -> None:
     first = design.answer(DesignState())
-    words = said("design", "say", first, sure=False)
-    assert words.startswith("This is the present bat still")
-    assert size_of(first["design"]) in words
+    assert first.gained["us"][0].startswith("This is the present bat still")
+    assert size_of(first) in " ".join(first.weighs["us"])
 
 
 @pytest.mark.parametrize("factor", [BETTER, WORSE])
-def test_design_says_faster_or_slower_as_the_table_does(factor: float, said: Said) -> None:
+def test_design_says_faster_or_slower_as_the_table_does(factor: float) -> None:
     found = design.answer(pulled(design.answer(DesignState()), factor))
-    words = said("design", "say", found, sure=False)
-    change = next(measure["change"] for measure in found["measures"] if measure["name"] == "exit_speed")
+    change = next(measure.change for measure in found.measures if measure.name == "exit_speed")
+    assert change is not None
     direction = "faster" if change > 0 else "slower"
-    assert f"the ball leaves {shown(abs(change), 'speed_change')} {direction}." in words
-    assert size_of(found["design"]) in words
+    assert f"the ball leaves {shown(abs(change), 'speed_change')} {direction}." in " ".join(found.gained["us"])
+    assert size_of(found) in " ".join(found.weighs["us"])
 
 
-def test_design_says_how_sure_a_gain_is(said: Said) -> None:
-    state = pulled(design.answer(DesignState()), BETTER)
-    sure = design.gain(state)
-    words = said("design", "say", design.answer(state), sure=sure)
-    assert f"give or take {shown(sure['half_interval_m_s'], 'speed_change')} (90 %): " in words
-    assert any(f": {verdict}." in words for verdict in sure["words"].values())
+def test_design_says_how_sure_a_gain_is() -> None:
+    worth = design.gain(pulled(design.answer(DesignState()), BETTER))
+    words = " ".join(worth.gained["us"])
+    half = shown(float(worth.half_interval), "speed_change")
+    assert re.search(re.escape(f"give or take {half} (90 %): ") + r"\w.*\.", words), words
 
 
-def test_compare_s_table_has_the_answer_s_numbers_and_signs(said: Said) -> None:
-    state = compare.CompareState(bat="r161-ash", others=[{"bat": "youth-30"}, {"bat": "torpedo"}])
+def test_compare_s_table_has_the_answer_s_numbers_and_signs(tabled: Tabled) -> None:
+    state = CompareState(bat="r161-ash", others=[{"bat": "youth-30"}, {"bat": "torpedo"}])
     found = to_dict(compare.answer(state))
-    table = said("compare", "tableOfBats", found["bats"])
+    table = tabled("compare", "tableOfBats", found["bats"])
     for row, one in zip(table, found["bats"], strict=True):
         assert row[0] == one["label"] and row[1] == shown(one["bat"]["mass_kg"], "mass")
         assert row[5].startswith(shown(one["exit_speed_m_s"]["value"], "speed"))

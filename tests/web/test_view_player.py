@@ -20,8 +20,8 @@ TEAM = "bat_speed_mph,exit_speed_mph,player\n" + "".join(
 
 def test_a_team_s_table_is_read_one_batter_at_a_time() -> None:
     first, second = (answer(PlayerState(swings_csv=TEAM, swings_of=name)) for name in (None, "Bob"))
-    assert first["batters"] == ("Ann", "Bob") == second["batters"]
-    assert (first["batter"], first["count"], second["batter"], second["count"]) == ("Ann", 12, "Bob", 6)
+    assert first.batters == ("Ann", "Bob") == second.batters
+    assert (first.batter, len(first.bat_speed), second.batter, len(second.bat_speed)) == ("Ann", 12, "Bob", 6)
     for state, name in ((PlayerState(swings_csv=TEAM), "Ann"), (PlayerState(swings_csv=TEAM, swings_of="Bob"), "Bob")):
         words = shlex.split(recipe(state)["command"])
         assert words[words.index("--batter") + 1] == name
@@ -32,7 +32,7 @@ def test_a_team_s_table_is_read_one_batter_at_a_time() -> None:
 
 def test_the_made_up_player_has_no_name() -> None:
     found = answer(PlayerState())
-    assert found["example"] and found["batters"] == () and found["batter"] is None
+    assert "made-up player" in found.words and found.batters == () and found.batter is None
     assert "--batter" not in recipe(PlayerState())["command"]
 
 
@@ -40,7 +40,7 @@ def test_design_takes_the_batter_who_was_chosen() -> None:
     with pytest.raises(FieldError, match="swings of 2 batters"):
         batter(DesignState(swings_csv=TEAM))
     ann, bob = (batter(DesignState(swings_csv=TEAM, swings_of=name)) for name in ("Ann", "Bob"))
-    assert ann["bat_speed_mph"] != bob["bat_speed_mph"]
+    assert ann.bat_speed_mph != bob.bat_speed_mph
 
 
 def test_a_long_file_keeps_the_columns_that_mean_something(client: httpx.Client) -> None:
@@ -51,7 +51,7 @@ def test_a_long_file_keeps_the_columns_that_mean_something(client: httpx.Client)
     found = client.post("/api/v1/player/table", json={"upload": key}).json()["csv"]
     assert len(found) < 40_000 < len(wide)
     assert found.startswith("bat_speed_mph,exit_speed_mph,player\n50.0,80.00,Ann\n50.01,80.01,Ann\n")
-    assert answer(PlayerState(swings_csv=found))["batters"] == ("Ann",)
+    assert answer(PlayerState(swings_csv=found)).batters == ("Ann",)
     for content, words in ((b"milk,eggs\n1,2\n", "wide.csv: no column"), (wide.encode() * 3, "more than fit here")):
         key = handed_in(client, "wide.csv", content)
         refused = client.post("/api/v1/player/table", json={"upload": key})

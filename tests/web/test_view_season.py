@@ -207,11 +207,12 @@ def test_a_reading_is_stopped_and_goes_on(client: httpx.Client, balls: Path) -> 
 def test_progress_has_a_speed_once_there_is_enough_to_count(monkeypatch: pytest.MonkeyPatch) -> None:
     now = iter((10.0, 10.01, 12.0, 14.0))  # s: the first parts come together, and say nothing of speed
     monkeypatch.setattr(season_work, "time", SimpleNamespace(monotonic=lambda: next(now)))
-    told: list[dict[str, Any]] = []
+    told: list[season_work.SeasonReading] = []
     progress = season_work.counting(lambda found, _: told.append(found))
     for done in (100, 200, 300, 400):
         progress(done, 400)
     *rows, last = told
-    assert [step["done"] for step in rows] == [100, 200, 300, 400] and last == {"phase": "players"}
-    assert [step["rows_per_s"] for step in rows] == [None, None, 100.0, 75.0]
-    assert [step["left_s"] for step in rows] == [None, None, 1.0, 0.0]
+    assert [step.done for step in rows] == [100, 200, 300, 400] and last.phase == "players"
+    assert [step.reached for step in rows] == [f"{done} of 400 rows" for done in (100, 200, 300, 400)]
+    speeds = (" …", " …", ", 100 rows/s, 1 s left", ", 75 rows/s, 0 s left")
+    assert [step.words for step in rows] == [step.reached + speed for step, speed in zip(rows, speeds, strict=True)]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 from fastapi import APIRouter
+from fastapi.responses import JSONResponse
 
 from sweetspot import catalog
 from sweetspot.answers.implement import mass_properties
@@ -76,9 +76,9 @@ def _other_lists(api: APIRouter) -> None:
         return [Choice(key=name, name=catalog.park(name).name) for name in (*catalog.park_names(), *field_names())]
 
     @api.get("/quantities", tags=["catalogue"])
-    def quantities() -> dict[str, Any]:
+    def quantities() -> JSONResponse:
         """Return the display of numbers: scales and endings of names in both systems, labels and colours."""
-        return quantity_data()
+        return JSONResponse(quantity_data())
 
     @api.get("/pitches", tags=["catalogue"])
     def pitches() -> list[Choice]:
@@ -130,17 +130,11 @@ def _bats() -> tuple[BatFacts, ...]:
 
 @cache
 def _implements() -> tuple[Tool, ...]:
-    tools = [(catalog.sport(tool.sport).name, key, tool.name) for key in catalog.implement_names()
-             for tool in [catalog.implement(key)]]  # fmt: skip
-    return tuple(Tool(key=key, name=name, sport=sport) for sport, key, name in sorted(tools, key=_by_name))
-
-
-def _by_name(implement: tuple[str, str, str]) -> tuple[str, str]:
-    sport, _, name = implement
-    return sport, name.casefold()
+    tools = ((key, catalog.implement(key)) for key in catalog.implement_names())
+    listed = (Tool(key=key, name=tool.name, sport=catalog.sport(tool.sport).name) for key, tool in tools)
+    return tuple(sorted(listed, key=lambda tool: (tool.sport, tool.name.casefold())))
 
 
 def _facts(key: str, bat: Bat) -> BatFacts:
-    properties = to_dict(mass_properties(bat, rigid_body(beam_model(bat))))
-    facts = {name: properties[name] for name in BatFacts.model_fields if name in properties}
+    facts = to_dict(mass_properties(bat, rigid_body(beam_model(bat))))
     return BatFacts(key=key, hollow=bat.shell is not None, sport=bat.sport, **facts)

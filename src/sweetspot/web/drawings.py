@@ -12,8 +12,9 @@ from sweetspot import catalog
 from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import Length, Mass, MomentOfInertia, Ratio
 from sweetspot.answers.setups import SwungWith
+from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.dynamics.rigid import RigidBody, moi_doubt
+from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
@@ -89,8 +90,15 @@ class BatShape:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BatPicture(BatShape, MassProperties):
-    """A bat: its facts, its shape, how far its controls may go, and what is usual in its sport.
+class BenchBat(BatShape, MassProperties):
+    """A bat: its facts, its shape, and how far its controls may go."""
+
+    bounds: Mapping[str, Range]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BatPicture(BenchBat):
+    """A bat as `BenchBat` has it, and what is usual in its sport.
 
     Parameters
     ----------
@@ -99,7 +107,6 @@ class BatPicture(BatShape, MassProperties):
     """
 
     moi_6in_half: MomentOfInertia
-    bounds: Mapping[str, Range]
     sport: str
     usual: UsualHit
     swung: Mapping[System, str] | None
@@ -114,6 +121,12 @@ class BallPicture:
     cor: Ratio
     humidity: Ratio
     temperature_degf: float
+
+
+def bench_bat(state: BatState, bat: Bat) -> BenchBat:
+    """Return a state's bat without what is usual in its sport."""
+    masses = mass_properties(bat, rigid_body(beam_model(bat)))
+    return BenchBat(**vars(masses), **vars(outline(bat)), bounds=bounds(state, bat))
 
 
 def bat_picture(state: BatState, reduced: ReducedBat) -> BatPicture:

@@ -15,14 +15,14 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
-from typing import Any
+from typing import Any, Literal
 
 from fastapi import APIRouter
 from pydantic import BaseModel, ConfigDict, Field
 
 from sweetspot.answers.records import plain_data
 from sweetspot.errors import InputError, SweetspotError
-from sweetspot.web.errors import fault
+from sweetspot.web.errors import Fault, fault
 
 MOST_RUNNING, MOST_OF_ONE = 2, 2
 """Jobs that run at once, on the whole server and for one address."""
@@ -37,9 +37,10 @@ BROKEN = "this could not be computed; the fault is the program's. Please report 
 NOT_BEGUN = "this machine could not begin another process; end other programs, and begin it again"
 
 Say = Callable[..., None]
-"""say(progress, keep): what the page is shown, and what is needed to go on."""
+"""say(progress, keep): a record that the page is shown, and what is needed to go on."""
 Work = Callable[..., object]
-"""work(*arguments, after, say) gives the result; ``after``: what was kept when it was stopped, None: from the start."""
+"""work(*arguments, after, say) gives a record; ``after``: what was kept when it was stopped, None: from the start."""
+Status = Literal["running", "done", "stopped", "failed"]
 
 
 @dataclass(frozen=True)
@@ -66,6 +67,15 @@ class Look(BaseModel):
     go_on: bool = Field(False, description="go on where it was stopped, or longer")
 
 
+class JobStatus(BaseModel):
+    """How a job stands; ``found`` is its newest record, None where the asker has it already."""
+
+    status: Status
+    count: int
+    found: Any
+    error: Fault | None
+
+
 class Job:
     """One piece of work; where it runs, how far it is, and what it has found."""
 
@@ -73,10 +83,10 @@ class Job:
         self.client = client
         self._work, self._arguments = work, arguments
         self._count, self._kept = 0, None
-        self._found: dict[str, Any] | None = None
-        self._error: dict[str, Any] | None = None
+        self._found: object = None
+        self._error: Fault | None = None
         self._looked = time.monotonic()
-        self.status = "stopped"
+        self.status: Status = "stopped"
         self._process: Any = None
 
     def start(self) -> None:
@@ -89,7 +99,7 @@ class Job:
         try:
             process.start()
         except OSError as error:  # no memory, or no more processes allowed
-            self.status, self._error = "failed", {"field": "", "message": f"{NOT_BEGUN} ({error.strerror})"}
+            self.status, self._error = "failed", Fault(field="", message=f"{NOT_BEGUN} ({error.strerror})")
             ours.close()
             return
         finally:
@@ -104,12 +114,11 @@ class Job:
         if self._process is not None:
             self._process.terminate()
 
-    def status_since(self, look: Look) -> dict[str, Any]:
+    def status_since(self, look: Look) -> JobStatus:
         """Return its status, and the results since the last request."""
         self._looked = time.monotonic()
-        new = self._count > look.seen
-        return {"status": self.status, "count": self._count, "found": self._found if new else None,
-                "error": self._error}  # fmt: skip
+        found = self._found if self._count > look.seen else None
+        return JobStatus(status=self.status, count=self._count, found=found, error=self._error)
 
     def _listen(self, process: Any, ours: Connection) -> None:
         """Take the results of the process until it ends, or until requests cease."""
@@ -127,7 +136,7 @@ class Job:
             process.join(5)
         if process is self._process and self.status == "running":
             self.status = "failed" if died else "stopped"
-            self._error = {"field": "", "message": _death(process.exitcode)} if died else None
+            self._error = Fault(field="", message=_death(process.exitcode)) if died else None
         process.terminate()
         process.join(5)
         ours.close()
@@ -163,7 +172,7 @@ class Jobs:
             job.start()
         return key
 
-    def look(self, key: str, look: Look) -> dict[str, Any]:
+    def look(self, key: str, look: Look) -> JobStatus:
         """Return the status of a job; stop it, or resume it."""
         with self._lock:
             job = self._jobs.get(key)
@@ -193,7 +202,7 @@ def job_routes(api: APIRouter, jobs: Jobs) -> None:
     """Add the route by which the page looks at long work."""
 
     @api.post("/jobs/{key}", tags=["long work"])
-    def look(key: str, look: Look) -> dict[str, Any]:
+    def look(key: str, look: Look) -> JobStatus:
         """Return the status of a job: running, done, stopped or failed, and its new results."""
         return jobs.look(key, look)
 
@@ -223,11 +232,11 @@ def _run(line: Connection, work: Work, arguments: tuple[Any, ...], after: Any) -
         try:
             result = work(*arguments, after=after, say=say)
         except SweetspotError as error:
-            line.send(("failed", fault(error).plain(), None))
+            line.send(("failed", fault(error), None))
         except Exception:
             import logging
 
             logging.getLogger("sweetspot.web").exception("long work")
-            line.send(("failed", {"field": "", "message": BROKEN}, None))
+            line.send(("failed", Fault(field="", message=BROKEN), None))
         else:
             line.send(("done", plain_data(result), None))

@@ -24,8 +24,8 @@ export interface Answers {
   compare: ComparisonPicture;
   flight: FlownBall | MissedBall;
   optimum: LaunchAnswer;
-  player: Record<string, any>;
-  own: Record<string, any>;
+  player: ReadSwings;
+  own: OwnAnswer;
   design: DesignPicture;
   season: SeasonPicture;
   sports: SportsAnswer;
@@ -40,8 +40,8 @@ export interface Asides {
   compare: { intervals: SureComparison; rules: CertifiedBats; sure: ReadDocument; rules_sure: ReadDocument; };
   flight: { map: CarryMap; fences: Fences; sure: ReadDocument; };
   optimum: { swing: ReadDocument; parks: ReadDocument; };
-  player: { fit: ReadDocument; table: Record<string, string>; };
-  own: { tap: Record<string, any>; file: Record<string, string>; };
+  player: { fit: ReadDocument; table: SwingTable; };
+  own: { tap: HeardTaps; file: BatFile; };
   design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
   season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: BatterControls; };
   sports: { face: SportsFace; sentences: SportsWords; };
@@ -59,9 +59,37 @@ export interface Jobs {
   player: {  };
   own: {  };
   design: { search: DesignFront; };
-  season: { read: Record<string, string>; };
+  season: { read: SeasonReading; };
   sports: {  };
   paper: {  };
+}
+
+/** The lists of the catalogue. */
+export interface Catalogue {
+  bats: BatFacts[];
+  implements: Tool[];
+  balls: Choice[];
+  materials: string[];
+  leagues: Choice[];
+  parks: Choice[];
+  pitches: Choice[];
+  terms: Meaning[];
+  questions: Form[];
+}
+
+/** A question of the paper: its claims, its formulas as they should read, and its misprints. */
+export interface Asked {
+  question: string;
+  claim: string[];
+  formulas: string[];
+  misprints: string[];
+}
+
+/** Part of the balls by exit speed over the greatest possible: with this bat, and by the league's formula. */
+export interface BallCeilings {
+  ratio: number[];
+  squared_up_ratio?: number[];
+  league_ratio?: number[];
 }
 
 /** How a ball leaves the bat. */
@@ -75,6 +103,20 @@ export interface BallLeaving {
   height_m: number; height_low_m?: number; height_high_m?: number;
 }
 
+/** Number of balls, and their means in SI, shares from 0 to 1; None where no table tells. */
+export interface BallMeans {
+  balls: number | null;
+  exit_speed?: number;
+  ev20?: number;
+  bat_speed?: number;
+  squared_up?: number;
+  league_squared_up?: number;
+  from_best?: number;
+  carry?: number;
+  home_runs?: number;
+  home_runs_expected?: number;
+}
+
 /** A ball's size, and the values of its controls while they have not been moved. */
 export interface BallPicture {
   radius_m: number; radius_low_m?: number; radius_high_m?: number;
@@ -84,19 +126,27 @@ export interface BallPicture {
   temperature_degf: number;
 }
 
-/** Balls in boxes; see `BallMap`. */
-export interface BallsInBoxes {
-  across_m: number[];
-  along_m: number[];
-  balls: number[][];
-  outside: number;
-  near: number;
-}
-
 /** Nodes of the first two bending modes nearest to the tip. */
 export interface BarrelNodes {
   node_1_m: number; node_1_low_m?: number; node_1_high_m?: number;
   node_2_m: number; node_2_low_m?: number; node_2_high_m?: number;
+}
+
+/** A bat in a list. */
+export interface BatFacts {
+  key: string;
+  name: string;
+  length_m: number;
+  mass_kg: number;
+  balance_point_m: number;
+  moi_6in_kg_m2: number;
+  hollow: boolean;
+  sport: string;
+}
+
+/** The text of a bat's file; None: nothing was measured. */
+export interface BatFile {
+  toml?: string;
 }
 
 /** How much faster than from the first bat the ball leaves, and how probable it is that it does. */
@@ -121,7 +171,7 @@ export interface BatMotion {
   tap: Tapped;
 }
 
-/** A bat: its facts, its shape, how far its controls may go, and what is usual in its sport. */
+/** A bat as `BenchBat` has it, and what is usual in its sport. */
 export interface BatPicture {
   name: string;
   length_m: number; length_low_m?: number; length_high_m?: number;
@@ -140,8 +190,8 @@ export interface BatPicture {
   weights: DrawnWeight[];
   material: string;
   remark: Record<"si" | "us", string>;
-  moi_6in_half_kg_m2: number; moi_6in_half_low_kg_m2?: number; moi_6in_half_high_kg_m2?: number;
   bounds: Record<string, [number, number]>;
+  moi_6in_half_kg_m2: number; moi_6in_half_low_kg_m2?: number; moi_6in_half_high_kg_m2?: number;
   sport: string;
   usual: UsualHit;
   swung: Record<"si" | "us", string> | null;
@@ -201,6 +251,28 @@ export interface BatterControls {
   pitch_speed_mph?: number;
 }
 
+/** A bat: its facts, its shape, and how far its controls may go. */
+export interface BenchBat {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  outline: DrawnOutline;
+  stations: Station[];
+  hollow: boolean;
+  wall_m: number[] | null;
+  bores: DrawnBore[];
+  cup: DrawnCup | null;
+  weights: DrawnWeight[];
+  material: string;
+  remark: Record<"si" | "us", string>;
+  bounds: Record<string, [number, number]>;
+}
+
 /** Carry, and chance of a home run, of balls hit harder and higher; rows by launch angle. */
 export interface CarryMap {
   exit_speed_m_s: number[];
@@ -221,6 +293,12 @@ export interface CertifiedBat {
 export interface CertifiedBats {
   certification: CertifiedBat[];
   rules: RuleRow[];
+}
+
+/** One of a list: what programs call it, and what people do. */
+export interface Choice {
+  key: string;
+  name: string;
 }
 
 /** The bat, its swing, the others beside it, and what is asked of them. */
@@ -447,6 +525,12 @@ export interface DesignWorth {
   seen_from_m_s: number; seen_from_low_m_s?: number; seen_from_high_m_s?: number;
 }
 
+/** A source of doubt, and the part of the variance that it causes. */
+export interface DoubtShare {
+  name: string;
+  share: number;
+}
+
 /** A hole from the tip, between two places from the knob end; ``fill`` names what it is filled with. */
 export interface DrawnBore {
   diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
@@ -540,16 +624,6 @@ export interface EffortLaw {
   lightest_moi_kg_m2: number; lightest_moi_low_kg_m2?: number; lightest_moi_high_kg_m2?: number;
 }
 
-/** Exit speeds along the bat, and the stretch S from the tip that the paper's limits leave. */
-export interface EndPicture {
-  position_m: number[];
-  exit_speed_m_s: number[];
-  rigid_exit_speed_m_s: number[];
-  sweet_spots: SweetSpotPlaces;
-  elastic_travel_m: number; elastic_travel_low_m?: number; elastic_travel_high_m?: number;
-  travel_m: number; travel_low_m?: number; travel_high_m?: number;
-}
-
 /** W over z for wood and metal, and what aluminium bats with other walls give. */
 export interface EnergyPicture {
   share: number[];
@@ -558,6 +632,13 @@ export interface EnergyPicture {
   wood: SpringPair;
   metal: SpringPair;
   walls: WallsOfBats;
+}
+
+/** A tone of a free bat as described, and how strongly the tap excites it. */
+export interface ExpectedTone {
+  name: string;
+  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
+  excitation: number;
 }
 
 /** Bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why. */
@@ -659,6 +740,7 @@ export interface FieldFence {
   name: string;
   right_m: number[];
   out_m: number[];
+  words: string;
 }
 
 /** The hit and its film. */
@@ -701,6 +783,20 @@ export interface FilmHit {
 export interface FilmPhase {
   start_s: number; start_low_s?: number; start_high_s?: number;
   words: string;
+}
+
+/** The fitted implement; its swing weight about the axis of its sport, and half the 90 % interval of that. */
+export interface FittedTool {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  swing_weight_kg_m2: number; swing_weight_low_kg_m2?: number; swing_weight_high_kg_m2?: number;
+  swing_weight_half_kg_m2: number; swing_weight_half_low_kg_m2?: number; swing_weight_half_high_kg_m2?: number;
 }
 
 /** Where a flight ends in a park; see `sweetspot.flight.fence.Landing`. */
@@ -790,11 +886,29 @@ export interface FlownBall {
   above: Record<"us" | "si", string[]>;
 }
 
+/** The questions of a sport; ``view`` is where its implement is looked at. */
+export interface Form {
+  sport: string;
+  name: string;
+  implement: string;
+  view: "explorer" | "sports";
+  patterns: Pattern[];
+}
+
 /** One bat of a front: its numbers and measures, SI, and its outline where outlines differ. */
 export interface FrontBat {
   numbers: number[];
   values: Record<string, number>;
   outline?: DrawnOutline;
+}
+
+/** The measurements expected of the implement as described, the controls' values until there are measured ones. */
+export interface Guesses {
+  weighed_oz: number;
+  balanced_in: number;
+  pendulum_ms: number | null;
+  swing_weight_oz_in2: number;
+  pivot_in: number;
 }
 
 /** The motion of the top hand's place, and the arrival of the wave there; None: it does not arrive. */
@@ -803,6 +917,40 @@ export interface HandMotion {
   velocity_m_s: number[];
   arrival_s: number | null; arrival_low_s?: number; arrival_high_s?: number;
   impulse_given: number | null; impulse_given_low?: number; impulse_given_high?: number;
+}
+
+/** A tap of a recording, s from its begin; ``fault`` says why it is not a good one. */
+export interface HeardTap {
+  recording: string;
+  time_s: number; time_low_s?: number; time_high_s?: number;
+  good: boolean;
+  fault: string | null;
+}
+
+/** What is heard in recorded taps; ``measured`` and ``damping`` are controls of the view. */
+export interface HeardTaps {
+  refused: RefusedSound[];
+  taps: HeardTap[];
+  words: string;
+  waveform?: TapWaveform;
+  tones: HeardTone[];
+  spectrum?: TapSpectrum;
+  measured: (["bending-1" | "bending-2" | "bending-3" | "bending-4" | "bending-5" | "hoop", number, number])[];
+  damping?: [number, number];
+  fault: string | null;
+  unlike: boolean;
+  doubts: string[];
+}
+
+/** A tone of all good taps: its mode, half its 90 % interval, and whether it is the bat's own and not the room's. */
+export interface HeardTone {
+  name: string | null;
+  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
+  half_hz: number; half_low_hz?: number; half_high_hz?: number;
+  damping_ratio: number;
+  expected_hz: number | null;
+  taps: number;
+  own: boolean;
 }
 
 /** Pitch, swing, hands and ball; places from the knob end. See `Conditions`. */
@@ -894,6 +1042,24 @@ export interface ListedPlayer {
   from_best: number | null;
   home_runs: number | null;
   home_runs_expected: number | null;
+}
+
+/** Balls in boxes; see `BallMap`. ``note`` explains the picture, and ``label`` tells it to who does not see it. */
+export interface MappedBalls {
+  across_m: number[];
+  along_m: number[];
+  balls: number[][];
+  outside: number;
+  near: number;
+  note: Record<"si" | "us", string>;
+  label: Record<"si" | "us", string>;
+}
+
+/** The meaning of a word: the names under which it is listed, the explanation in either system, and its source. */
+export interface Meaning {
+  names: string[];
+  words: Record<"us" | "si", string>;
+  source: string;
 }
 
 /** A measure of the bat that is being shaped, beside the present one's; None: that has none. */
@@ -991,6 +1157,20 @@ export interface OptimumState {
   park: string | null;
 }
 
+/** An implement of another sport, which has no drawing, and how far from its tip it can be tapped. */
+export interface OtherTool {
+  name: string;
+  length_m: number; length_low_m?: number; length_high_m?: number;
+  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
+  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
+  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
+  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
+  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
+  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
+  outline: null;
+  bounds: Record<string, [number, number]>;
+}
+
 /** One ball in one park. */
 export interface OutcomeInPark {
   park: string;
@@ -1000,6 +1180,43 @@ export interface OutcomeInPark {
   carry_m: number; carry_low_m?: number; carry_high_m?: number;
   fence_m: number | null; fence_low_m?: number; fence_high_m?: number;
   chance: number; chance_low?: number; chance_high?: number;
+}
+
+/** What the measurements allow: values with intervals, residuals, contradictions and rules. */
+export interface OwnAnswer {
+  bat: BenchBat | OtherTool;
+  tool: ToolName | null;
+  words: Terms;
+  grip_end: string;
+  fitted: FittedTool;
+  guesses: Guesses;
+  expected: ExpectedTone[];
+  expected_words: Record<"si" | "us", string>;
+  headline: Record<"si" | "us", string>;
+  values: OwnValue[];
+  unfitted: string;
+  unknowns: OwnUnknown[];
+  measurements: OwnMeasurement[];
+  contradictions: Record<"us" | "si", string[]>;
+  budget: Record<"us" | "si", string[]>;
+  rules: RuleCheck[];
+}
+
+/** A measurement beside what the fitted implement says to it. */
+export interface OwnMeasurement {
+  name: string;
+  field: string | null;
+  scale: string;
+  digits: number;
+  value: number;
+  half: number;
+  counts: boolean;
+  sigma: number | null;
+  fitted: number | null;
+  should: number | null;
+  beside: Record<"si" | "us", string> | null;
+  tone: "bending-1" | "bending-2" | "bending-3" | "bending-4" | "bending-5" | "hoop" | null;
+  right_tone: "bending-1" | "bending-2" | "bending-3" | "bending-4" | "bending-5" | "hoop" | null;
 }
 
 /** The bat as described, and what scale, balance, pendulum and tap say of it; what is empty was not measured. */
@@ -1038,13 +1255,35 @@ export interface OwnState {
   recordings: string[];
 }
 
+/** What was not known: half its interval before and after the measurements, as parts of it, and what that is of. */
+export interface OwnUnknown {
+  name: string;
+  label: string;
+  before: number;
+  off: number;
+  after: number;
+  budget: DoubtShare[];
+}
+
+/** A value of the fitted implement and half its 90 % interval, SI. */
+export interface OwnValue {
+  name: string;
+  label: Record<"si" | "us", string>;
+  scale: string;
+  value: number;
+  half: number;
+  known_from: string;
+}
+
 /** The paper's statements on one question with its formula's number and the full model's, and a picture. */
 export interface PaperPicture {
   question: "end" | "percussion" | "corking" | "drop" | "energy" | "verdict";
+  asked: Asked;
   rows: Statement[];
-  picture: EndPicture | PercussionPicture | CorkingPicture | DropPicture | EnergyPicture | VerdictPicture;
+  picture: SpeedsPicture | PercussionPicture | CorkingPicture | DropPicture | EnergyPicture;
   truth: Record<"us" | "si", string[]>;
   live: Record<"us" | "si", string[]>;
+  label: Record<"us" | "si", string>;
   ball: BallPicture;
   bat: BatPicture;
   conditions: HitConditions;
@@ -1088,6 +1327,13 @@ export interface PaperState {
   metal_restitution: number;
   wood_share: number;
   metal_share: number;
+}
+
+/** A pattern for an own implement, and the questions that follow. */
+export interface Pattern {
+  key: string;
+  name: string;
+  questions: WizardQuestion[];
 }
 
 /** Equation 9 along the paper's rod and the bat, each held where its control says. */
@@ -1146,7 +1392,7 @@ export interface ReadDocument {
   html: Record<"us" | "si", string>;
 }
 
-/** A season that was read: see `SeasonSummary`, and whether it was read with the bat on the bench. */
+/** A season that was read: see `SeasonSummary`; whether it was read with the bat on the bench; and that in words. */
 export interface ReadSeason {
   choices: Record<string, [string, number][]>;
   rows: number;
@@ -1154,6 +1400,24 @@ export interface ReadSeason {
   unread: string[];
   tables: SavedTable[];
   same_bat: boolean;
+  words: string;
+}
+
+/** The swings of a table as they were read. */
+export interface ReadSwings {
+  bat: BenchBat;
+  bat_speed_m_s: (number | null)[];
+  exit_speed_m_s: (number | null)[];
+  batters: string[];
+  batter: string | null;
+  words: string;
+  notes: Record<"us" | "si", string[]>;
+}
+
+/** A recording that cannot be read, and why. */
+export interface RefusedSound {
+  recording: string;
+  fault: string;
 }
 
 /** The report's answer, and the cost of misses by two laws of the ball. */
@@ -1205,41 +1469,31 @@ export interface SavedTable {
   bytes: number;
 }
 
-/** The bat that all hitters are taken to swing, and how far its controls may go. */
-export interface SeasonBat {
-  name: string;
-  length_m: number; length_low_m?: number; length_high_m?: number;
-  mass_kg: number; mass_low_kg?: number; mass_high_kg?: number;
-  balance_point_m: number; balance_point_low_m?: number; balance_point_high_m?: number;
-  moi_cm_kg_m2: number; moi_cm_low_kg_m2?: number; moi_cm_high_kg_m2?: number;
-  moi_knob_kg_m2: number; moi_knob_low_kg_m2?: number; moi_knob_high_kg_m2?: number;
-  moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
-  roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
-  outline: DrawnOutline;
-  stations: Station[];
-  hollow: boolean;
-  wall_m: number[] | null;
-  bores: DrawnBore[];
-  cup: DrawnCup | null;
-  weights: DrawnWeight[];
-  material: string;
-  remark: Record<"si" | "us", string>;
-  bounds: Record<string, [number, number]>;
-}
-
 /** Of the chosen balls how well they were hit, where on the barrel, and where they would come down. */
 export interface SeasonMaps {
-  means?: Record<string, number | null>;
-  ceilings?: Record<string, number[]>;
-  barrel?: BallsInBoxes;
-  field?: BallsInBoxes;
+  words?: Record<"si" | "us", string>;
+  unmapped: string;
+  means?: BallMeans;
+  ceilings?: BallCeilings;
+  barrel?: MappedBalls;
+  field?: MappedBalls;
 }
 
 /** The bat, the chosen park's fence, and of a season that was read what can be chosen and taken away. */
 export interface SeasonPicture {
-  bat: SeasonBat;
+  bat: BenchBat;
   park: FieldFence;
   season: ReadSeason | null;
+}
+
+/** How far the reading of a season is. */
+export interface SeasonReading {
+  phase: "tables" | "rows" | "players" | "done";
+  words: string;
+  reached: string;
+  done: number;
+  rows: number;
+  season?: string;
 }
 
 /** Tables that were handed in, the bat that all hitters are taken to swing, and which balls are looked at. */
@@ -1319,6 +1573,16 @@ export interface SpeedSpan {
   position_m: number; position_low_m?: number; position_high_m?: number;
   low_m_s: number; low_low_m_s?: number; low_high_m_s?: number;
   high_m_s: number; high_low_m_s?: number; high_high_m_s?: number;
+}
+
+/** Exit speeds along the bat with every place that is called sweet. */
+export interface SpeedsPicture {
+  position_m: number[];
+  exit_speed_m_s: number[];
+  rigid_exit_speed_m_s: number[];
+  sweet_spots: SweetSpotPlaces;
+  elastic_travel_m?: number; elastic_travel_low_m?: number; elastic_travel_high_m?: number;
+  travel_m?: number; travel_low_m?: number; travel_high_m?: number;
 }
 
 /** An implement's sweet spots, curves along it, and the hit at the chosen place, in its sport's words. */
@@ -1439,11 +1703,30 @@ export interface SweetSpotPlaces {
   zone_m: number[] | null; zone_low_m?: number[]; zone_high_m?: number[];
 }
 
+/** A table of swings as text, None: no file was handed in. */
+export interface SwingTable {
+  csv?: string;
+}
+
 /** The swing where it meets the ball, from the knob end. */
 export interface SwungAt {
   position_m: number; position_low_m?: number; position_high_m?: number;
   bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
   collision_efficiency: number; collision_efficiency_low?: number; collision_efficiency_high?: number;
+}
+
+/** Levels of what rings, dB below the loudest. */
+export interface TapSpectrum {
+  frequency_hz: number[];
+  level_db: number[];
+}
+
+/** Least and greatest values of a recording over time, full scale 1. */
+export interface TapWaveform {
+  name: string;
+  time_s: number[];
+  low: number[];
+  high: number[];
 }
 
 /** The tap's share in a motion: part of the vibration's energy, None of rigid motions, and speed at the hand. */
@@ -1482,6 +1765,13 @@ export interface ToTheGround {
   landing_direction_rad: number; landing_direction_low_rad?: number; landing_direction_high_rad?: number;
 }
 
+/** Something that one hits a ball with, and in which sport. */
+export interface Tool {
+  key: string;
+  name: string;
+  sport: string;
+}
+
 /** An implement, and what it is made of. */
 export interface ToolFacts {
   name: string;
@@ -1495,6 +1785,18 @@ export interface ToolFacts {
   made_of: string;
 }
 
+/** The name of an implement. */
+export interface ToolName {
+  name: string;
+}
+
+/** The usual value of an answer, and its bounds. */
+export interface Usual {
+  value: number | string | null;
+  least: number | null;
+  most: number | null;
+}
+
 /** The usual hit of a bat: the values of controls that have not been moved. */
 export interface UsualHit {
   pitch_speed_mph: number;
@@ -1504,14 +1806,6 @@ export interface UsualHit {
   swing_law: string;
   league: string;
   park: string;
-}
-
-/** Exit speeds along the bat with every place that is called sweet. */
-export interface VerdictPicture {
-  position_m: number[];
-  exit_speed_m_s: number[];
-  rigid_exit_speed_m_s: number[];
-  sweet_spots: SweetSpotPlaces;
 }
 
 /** The wall of a hollow bat in its best hit. */
@@ -1550,4 +1844,19 @@ export interface WeighedBat {
   moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
   roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
   moi_6in_half_kg_m2: number; moi_6in_half_low_kg_m2?: number; moi_6in_half_high_kg_m2?: number;
+}
+
+/** One question. */
+export interface WizardQuestion {
+  value: number | string | null;
+  least: number | null;
+  most: number | null;
+  field: string;
+  label: Record<"us" | "si", string>;
+  kind: string;
+  system: "us" | "si" | null;
+  follows: string;
+  by: Record<string, Usual>;
+  proportion_to: string;
+  options: Choice[];
 }

@@ -5,14 +5,16 @@ Rackets, cricket bats, clubs and sticks go the same way, by weight, balance, swi
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from shlex import quote
-from typing import Any
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings
 from sweetspot.answers.calibrate import CalibrateAnswer
-from sweetspot.answers.certify import rule_check
-from sweetspot.answers.implement import mass_properties
-from sweetspot.answers.records import to_dict
+from sweetspot.answers.certify import RuleCheck, rule_check
+from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.records import MomentOfInertia
 from sweetspot.calibration.measurements import MeasuredKind, predicted
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league, usual_league
@@ -22,7 +24,8 @@ from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
 from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.interval import REACH
+from sweetspot.equipment.sport import Terms
+from sweetspot.numerics.interval import REACH, Number
 from sweetspot.reports.calibration.document import (
     SCALE_OF,
     VALUES,
@@ -36,18 +39,20 @@ from sweetspot.reports.calibration.document import (
     source_words,
     unknown_words,
 )
-from sweetspot.reports.sentences import Sentence, say
+from sweetspot.reports.sentences import Doubtful, Part, Sentence, Slot, say
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
-from sweetspot.web.bat_bounds import bounds
-from sweetspot.web.documents import in_both_systems
-from sweetspot.web.drawings import outline
+from sweetspot.units.dimensions import System
+from sweetspot.web.bat_bounds import Range
+from sweetspot.web.documents import Sentences, in_both_systems, in_either_system
+from sweetspot.web.drawings import BenchBat, bench_bat
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import BAT_FILE, bat_name, bat_text, option
 from sweetspot.web.view import View
 from sweetspot.web.views.own_state import (
     FARTHEST_PIVOT,
     OwnState,
+    ToneName,
     answer_of,
     measurements_of,
     name_of,
@@ -55,7 +60,7 @@ from sweetspot.web.views.own_state import (
     pivot_of,
     unknown_of,
 )
-from sweetspot.web.views.own_tap import expected_tones, tap
+from sweetspot.web.views.own_tap import ExpectedTone, expected_tones, expected_words, tap
 
 FIELDS: dict[MeasuredKind, str] = {
     "mass": "weighed_oz",
@@ -66,9 +71,144 @@ FIELDS: dict[MeasuredKind, str] = {
 """The control of each kind of measurement that has one."""
 LEAST_SHARE = 0.02
 """Part of a doubt below which its source is not listed."""
+LEFT_OUT, PENDULUM = re.compile(r"--leave-out '[^']*'"), " and give --pendulum"
+"""Advice about options that only the command line has."""
 
 
-def answer(state: OwnState) -> dict[str, Any]:
+@dataclass(frozen=True, kw_only=True)
+class OtherTool(MassProperties):
+    """An implement of another sport, which has no drawing, and how far from its tip it can be tapped."""
+
+    outline: None
+    bounds: Mapping[str, Range]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FittedTool(MassProperties):
+    """The fitted implement; its swing weight about the axis of its sport, and half the 90 % interval of that."""
+
+    swing_weight: MomentOfInertia
+    swing_weight_half: MomentOfInertia
+
+
+@dataclass(frozen=True)
+class Guesses:
+    """The measurements expected of the implement as described, the controls' values until there are measured ones."""
+
+    weighed_oz: float
+    balanced_in: float
+    pendulum_ms: float | None
+    swing_weight_oz_in2: float
+    pivot_in: float
+
+
+@dataclass(frozen=True)
+class OwnValue:
+    """A value of the fitted implement and half its 90 % interval, SI."""
+
+    name: str
+    label: Mapping[System, str]
+    scale: str
+    value: float
+    half: float
+    known_from: str
+
+
+@dataclass(frozen=True)
+class DoubtShare:
+    """A source of doubt, and the part of the variance that it causes."""
+
+    name: str
+    share: float
+
+
+@dataclass(frozen=True)
+class OwnUnknown:
+    """What was not known: half its interval before and after the measurements, as parts of it, and what that is of."""
+
+    name: str
+    label: str
+    before: float
+    off: float
+    after: float
+    budget: tuple[DoubtShare, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class OwnMeasurement:
+    """A measurement beside what the fitted implement says to it.
+
+    Parameters
+    ----------
+    field : its control, where it has one.
+    scale, digits : how value, half of its interval and ``fitted`` are shown.
+    counts : whether it is not left out; ``sigma`` is how far it then lies from all others.
+    fitted : what the fit gives; None while the measurements contradict each other.
+    should, beside : what it should be, where it alone contradicts the others, and that in words.
+    tone, right_tone : the mode of a tone, and the one that the others take it for.
+    """
+
+    name: str
+    field: str | None
+    scale: str
+    digits: int
+    value: float
+    half: float
+    counts: bool
+    sigma: float | None
+    fitted: float | None
+    should: float | None
+    beside: Mapping[System, str] | None
+    tone: ToneName | None
+    right_tone: ToneName | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class OwnAnswer:
+    """What the measurements allow: values with intervals, residuals, contradictions and rules.
+
+    Parameters
+    ----------
+    bat, tool : the implement as described, and its name where it is none of the bench.
+    words : the vocabulary of its sport.
+    headline : its weight, balance and swing weight now, and whether the measurements agree.
+    values : of the fit; without one, ``unfitted`` says why.
+    expected, expected_words : the tones of a free one as described.
+    """
+
+    bat: BenchBat | OtherTool
+    tool: ToolName | None
+    words: Terms
+    grip_end: str
+    fitted: FittedTool
+    guesses: Guesses
+    expected: tuple[ExpectedTone, ...]
+    expected_words: Mapping[System, str]
+    headline: Mapping[System, str]
+    values: tuple[OwnValue, ...]
+    unfitted: str
+    unknowns: tuple[OwnUnknown, ...]
+    measurements: tuple[OwnMeasurement, ...]
+    contradictions: Sentences
+    budget: Sentences
+    rules: tuple[RuleCheck, ...]
+
+
+@dataclass(frozen=True)
+class ToolName:
+    """The name of an implement."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class BatFile:
+    """The text of a bat's file; None: nothing was measured."""
+
+    toml: str | None = None
+
+
+def answer(state: OwnState) -> OwnAnswer:
     """Return the bat that the measurements allow: values with intervals, residuals, contradictions and rules.
 
     While measurements contradict each other, no bat is fitted: the values are those of the bat as described.
@@ -77,113 +217,171 @@ def answer(state: OwnState) -> dict[str, Any]:
     found = answer_of(state)
     agreeing = found if found is not None and found.consistent else None
     with about("weighed_oz" if state.balanced_in is None else "balanced_in"):
-        fitted = described if agreeing is None else agreeing.implement
-    body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(described))
+        tool = described if agreeing is None else agreeing.implement
+    body, described_body = rigid_body(beam_model(tool)), rigid_body(beam_model(described))
     budget = []
     if agreeing is not None:
         budget = [budget_words(agreeing), *moi_words(agreeing), *density_words(agreeing), *assumption_words(agreeing)]
-    axis = described.swing_axis
+    terms, axis = words_of(described.sport), described.swing_axis
+    masses = vars(mass_properties(tool, body))
+    fitted = FittedTool(**masses, swing_weight=body.moi(axis), swing_weight_half=REACH * moi_doubt(tool, body, axis))
+    tones = expected_tones(state)
+    return OwnAnswer(
+        bat=_picture(state, described, described_body),
+        tool=None if state.implement is None else ToolName(described.name),
+        words=terms,
+        grip_end=described.grip_end,
+        fitted=fitted,
+        guesses=_guesses(described_body, state, described),
+        expected=tones,
+        expected_words=expected_words(tones),
+        headline=in_either_system(_headline(terms, fitted, found)),
+        values=() if agreeing is None else _values(agreeing),
+        unfitted=_unfitted(terms, found),
+        unknowns=() if agreeing is None else _unknowns(agreeing),
+        measurements=tuple(_residuals(state, described, found)),
+        contradictions=_on_the_page(contradictions(found) if found is not None else []),
+        budget=_on_the_page(budget),
+        rules=_rules(state, tool, body, agreeing),
+    )
+
+
+def _on_the_page(sentences: list[Sentence]) -> Sentences:
+    """Return sentences without what they say of the command line's options."""
+    read = in_both_systems(sentences).items()
     return {
-        "bat": {**to_dict(mass_properties(described, described_body)), **_picture(state, described)},
-        "tool": None if state.implement is None else {"name": described.name},
-        "words": words_of(described.sport).model_dump(),
-        "grip_end": described.grip_end,
-        "fitted": {
-            **to_dict(mass_properties(fitted, body)),
-            "swing_weight_kg_m2": body.moi(axis),
-            "swing_weight_half_kg_m2": REACH * moi_doubt(fitted, body, axis),
-        },
-        "guesses": _guesses(described_body, state, described),
-        "expected": expected_tones(state),
-        "values": [] if agreeing is None else _values(agreeing),
-        "unknowns": [] if agreeing is None else _unknowns(agreeing),
-        "measurements": _residuals(state, described, found),
-        "contradictions": in_both_systems([] if found is None else contradictions(found)),
-        "budget": in_both_systems(budget),
-        "rules": _rules(state, fitted, body, agreeing),
+        system: [LEFT_OUT.sub("leave it out", words).replace(PENDULUM, "") for words in texts] for system, texts in read
     }
 
 
-def _picture(state: OwnState, described: Implement) -> dict[str, Any]:
-    """Return a bat's outline and how far its controls go; of anything else how far from its tip it can be tapped."""
+def _headline(terms: Terms, fitted: FittedTool, found: CalibrateAnswer | None) -> Sentence:
+    """Return weight, balance and swing weight with their intervals, and what they come from."""
+    halves, state = dict[str, float](), "As described, not measured: "
+    if found is not None and found.consistent:
+        halves = {name: value.value.half_width for name, value in found.bat.by_name.items()}
+        one = f"By one measurement and what is usual of such {terms.implement}s: "
+        state = one if len(found.measurements) == 1 else "The measurements agree. "
+    elif found is not None:
+        state = "The measurements contradict each other. As described: "
+
+    def give_or_take(value: Number, half: Number | None, scale: str, digits: int | None = None) -> Part:
+        return Doubtful(float(value), float(half), scale) if half else Slot(value, scale, digits)
+
+    return say(
+        "{state}{mass}, balance {balance} from the {butt}, swing weight {moi}.",
+        state=state,
+        mass=give_or_take(fitted.mass, halves.get("mass"), "mass"),
+        balance=give_or_take(fitted.balance_point, halves.get("balance_point"), "length", 1),
+        butt=terms.butt,
+        moi=give_or_take(fitted.swing_weight, halves.get("moi", fitted.swing_weight_half), "moi"),
+    )
+
+
+def _unfitted(terms: Terms, found: CalibrateAnswer | None) -> str:
+    """Return why there are no fitted values; "": there are."""
+    if found is None:
+        return "What the catalogue knows of it is all that is known so far."
+    if found.consistent:
+        return ""
+    return (
+        f"Nothing is reported of the {terms.implement} while its measurements contradict each other; rules are held "
+        "against it as described."
+    )
+
+
+def _picture(state: OwnState, described: Implement, body: RigidBody) -> BenchBat | OtherTool:
     if state.implement is None and isinstance(described, Bat):
-        return {**to_dict(outline(described)), "bounds": bounds(state, described)}
-    return {"outline": None, "bounds": {"tap_from_tip_in": (0.0, described.length / INCH)}}
+        return bench_bat(state, described)
+    tapped = {"tap_from_tip_in": (0.0, described.length / INCH)}
+    return OtherTool(**vars(mass_properties(described, body)), outline=None, bounds=tapped)
 
 
-def _guesses(body: RigidBody, state: OwnState, described: Implement) -> dict[str, float | None]:
-    """Return the measurements expected of the bat as described, the controls' values until there are measured ones."""
+def _guesses(body: RigidBody, state: OwnState, described: Implement) -> Guesses:
     pivot = pivot_of(state, described)
     period = None
     if pivot <= FARTHEST_PIVOT * body.balance_point:
-        period = pendulum_period(body.moi(pivot), mass=body.mass, balance_point=body.balance_point, pivot=pivot)
-    return {"weighed_oz": body.mass / OUNCE, "balanced_in": body.balance_point / INCH,
-            "pendulum_ms": None if period is None else 1e3 * period,
-            "swing_weight_oz_in2": body.moi(pivot) / OUNCE_INCH_SQUARED, "pivot_in": pivot / INCH}  # fmt: skip
+        period = 1e3 * pendulum_period(body.moi(pivot), mass=body.mass, balance_point=body.balance_point, pivot=pivot)
+    swing_weight = body.moi(pivot) / OUNCE_INCH_SQUARED
+    return Guesses(body.mass / OUNCE, body.balance_point / INCH, period, swing_weight, pivot / INCH)
 
 
-def _values(found: CalibrateAnswer) -> list[dict[str, Any]]:
+def _values(found: CalibrateAnswer) -> tuple[OwnValue, ...]:
     bat = found.posterior.beam.bat
     rows = [(name, called(name, bat), VALUES[name][1], value) for name, value in found.bat.by_name.items()]
     if found.damping_ratio is not None:
         rows.append(("damping", "damping", "share", found.damping_ratio))
-    return [
-        {"name": name, "label": _both(label), "scale": scale, "value": value.value.value,
-         "half": value.value.half_width, "known_from": value.kind}
+    return tuple(
+        OwnValue(
+            name,
+            in_either_system(say("{label}", label=label)),
+            scale,
+            value=value.value.value,
+            half=value.value.half_width,
+            known_from=value.kind,
+        )
         for name, label, scale, value in rows
-    ]  # fmt: skip
+    )
 
 
-def _both(words: str | Sentence) -> dict[str, str]:
-    """Return words as readers of either system see them."""
-    return {system: lines[0] for system, lines in in_both_systems([say("{words}", words=words)]).items()}
+def _unknowns(found: CalibrateAnswer) -> tuple[OwnUnknown, ...]:
+    bat = found.posterior.beam.bat
+    parts = ((unknown.name, *parts_of(unknown)) for unknown in found.unknowns)
+    return tuple(
+        OwnUnknown(
+            name,
+            unknown_words(name, bat),
+            before=before.half_width,
+            off=after.value,
+            after=after.half_width,
+            budget=tuple(
+                DoubtShare(source_words(source, bat), share)
+                for source, share in found.budget[name].items()
+                if share >= LEAST_SHARE
+            ),
+        )
+        for name, before, after in parts
+    )
 
 
-def _unknowns(found: CalibrateAnswer) -> list[dict[str, Any]]:
-    """Return for everything that was not known how doubtful it was and is, as parts of it, and by what."""
-    rows, bat = [], found.posterior.beam.bat
-    for unknown in found.unknowns:
-        before, after = parts_of(unknown)
-        shares = [
-            {"name": source_words(name, bat), "share": share}
-            for name, share in found.budget[unknown.name].items()
-            if share >= LEAST_SHARE
-        ]
-        rows.append({"name": unknown.name, "label": unknown_words(unknown.name, bat), "before": before.half_width,
-                     "off": after.value, "after": after.half_width, "budget": shares})  # fmt: skip
-    return rows
-
-
-def _residuals(state: OwnState, described: Implement, found: CalibrateAnswer | None) -> list[dict[str, Any]]:
-    """Return every measurement beside what the fitted bat, if there is one, says to it, and how far it lies off.
-
-    One that alone contradicts the others has what they say to it, and for a tone the mode that they take it for.
-    """
+def _residuals(state: OwnState, described: Implement, found: CalibrateAnswer | None) -> Iterator[OwnMeasurement]:
+    """Yield every measurement beside what the fitted bat, if there is one, says to it, and how far it lies off."""
     counted = {} if found is None else {row.name: row for row in found.measurements}
     suspects = {} if found is None else {suspect.name: suspect for suspect in found.suspects}
     beam = beam_of(described) if found is None else found.posterior.beam
-    rows = []
-    for measurement in measurements_of(state):
+    measurements = measurements_of(state)
+    others = "the description" if len(measurements) == 1 else "all the others"
+    for measurement in measurements:
         row, suspect, mode = counted.get(measurement.name), suspects.get(measurement.name), measurement.mode
         scale, digits = SCALE_OF[measurement.kind]
         right = suspect.meant[0].measurement.mode if suspect is not None and suspect.meant else None
-        rows.append({
-            "name": measurement.name, "scale": scale, "digits": digits, "value": measurement.value.value,
-            "half": measurement.value.half_width, "counts": row is not None, "field": FIELDS.get(measurement.kind),
-            "sigma": None if row is None else row.off_by_sigma,
-            "contradicts": found is not None and measurement.name in found.contradictions,
-            "fitted": float(predicted(beam, [measurement])[0]) if found is None or found.consistent else None,
-            "should": None if suspect is None else suspect.should,
-            "tone": name_of(mode) if mode else None, "right_tone": name_of(right) if mode and right else None,
-        })  # fmt: skip
-    return rows
+        beside = None
+        if suspect is not None:
+            far = found is not None and row is not None and measurement.name in found.contradictions
+            off = f"{abs(row.off_by_sigma):.1f} sigma off. " if far and row is not None else ""
+            should = Slot(suspect.should, scale, digits)
+            beside = say("{off}By {others} it should be {should}.", off=off, others=others, should=should)
+        yield OwnMeasurement(
+            name=measurement.name,
+            field=FIELDS.get(measurement.kind),
+            scale=scale,
+            digits=digits,
+            value=measurement.value.value,
+            half=measurement.value.half_width,
+            counts=row is not None,
+            sigma=None if row is None else row.off_by_sigma,
+            fitted=float(predicted(beam, [measurement])[0]) if found is None or found.consistent else None,
+            should=None if suspect is None else suspect.should,
+            beside=None if beside is None else in_either_system(beside),
+            tone=name_of(mode) if mode else None,
+            right_tone=name_of(right) if mode and right else None,
+        )
 
 
-def _rules(state: OwnState, fitted: Implement, body: RigidBody, found: CalibrateAnswer | None) -> list[dict[str, Any]]:
+def _rules(state: OwnState, fitted: Implement, body: RigidBody, found: CalibrateAnswer | None) -> tuple[RuleCheck, ...]:
     """Return the league's rules held against the calibrated bat; a moment of inertia counts with its interval."""
     chosen = usual_league(fitted) if state.league == "usual" else state.league
     if chosen is None:
-        return []
+        return ()
     with about("league"):
         rules = league(chosen)
     if isinstance(fitted, Bat):
@@ -193,24 +391,19 @@ def _rules(state: OwnState, fitted: Implement, body: RigidBody, found: Calibrate
             findings["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
     else:
         findings = {name: Finding(size) for name, size in sizes_of(fitted).items()}
-    return [to_dict(rule_check(rules, check)) for check in check_rules(rules, bat=fitted, findings=findings)]
+    return tuple(rule_check(rules, check) for check in check_rules(rules, bat=fitted, findings=findings))
 
 
-def file(state: OwnState) -> dict[str, str]:
+def file(state: OwnState) -> BatFile:
     """Return the calibrated bat's file, with the interval of every value and what was measured or assumed."""
     found = answer_of(state)
-    if found is None:
+    if found is None and measurements_of(state):
         raise FieldError("weighed_oz", "nothing was measured yet; weigh, balance, swing or tap the bat first")
-    if not found.consistent:
+    if found is not None and not found.consistent:
         raise FieldError(
             "", "the measurements contradict each other; measure again, or leave one out, before the bat is kept"
         )
-    return {"toml": found.to_toml()}
-
-
-def file_if_any(state: OwnState) -> dict[str, str]:
-    """Return the calibrated bat's file; nothing where nothing was measured."""
-    return file(state) if measurements_of(state) else {}
+    return BatFile() if found is None else BatFile(found.to_toml())
 
 
 def recipe(state: OwnState) -> dict[str, str]:
@@ -249,4 +442,4 @@ def recipe(state: OwnState) -> dict[str, str]:
     return lines | ({"toml": text} if text else {})
 
 
-VIEW = View("own", "Own bat", OwnState, answer, recipe, asides={"tap": tap, "file": file_if_any})
+VIEW = View("own", "Own bat", OwnState, answer, recipe, asides={"tap": tap, "file": file})

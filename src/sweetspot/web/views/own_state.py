@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 from pydantic import Field
 
 from sweetspot.answers.calibrate import CalibrateAnswer, CalibrateQuestion, calibrate_answer
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
+from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.unknowns import Unknown, unknowns_of
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.dynamics.rigid import rigid_body
@@ -24,10 +24,15 @@ from sweetspot.web.uploads import UploadKey
 FARTHEST_PIVOT = 0.9
 """Part of the balance point's place beyond which a bat is not hung."""
 ToneName = Literal["bending-1", "bending-2", "bending-3", "bending-4", "bending-5", "hoop"]
-MEASURED = (
-    "mass", "balance point", "pendulum", "moment of inertia",
-    *(str(ModeName("bending", number)) for number in range(1, MOST_BENDING + 1)), str(ModeName("hoop", 2)),
-)  # fmt: skip
+TONES: tuple[ToneName, ...] = get_args(ToneName)
+
+
+def mode_of(name: ToneName) -> ModeName:
+    """Return the mode of a tone's name."""
+    return ModeName("hoop", 2) if name == "hoop" else ModeName("bending", int(name[-1]))
+
+
+MEASURED = ("mass", "balance point", "pendulum", "moment of inertia", *map(str, map(mode_of, TONES)))
 """Names of all that can be measured here."""
 Tone = tuple[ToneName, Annotated[float, Field(gt=20, le=20000)], Annotated[float, Field(gt=0, le=1000)]]
 """Mode, Hz, and one sigma."""
@@ -113,14 +118,9 @@ def measurements_of(state: OwnState) -> list[Measurement]:
     return measurements
 
 
-def mode_of(name: ToneName) -> ModeName:
-    """Return the mode of a tone's name."""
-    return ModeName("hoop", 2) if name == "hoop" else ModeName("bending", int(name[-1]))
-
-
-def name_of(mode: ModeName) -> str:
+def name_of(mode: ModeName) -> ToneName:
     """Return a mode's name in a state."""
-    return "hoop" if mode.family == "hoop" else f"bending-{mode.harmonic}"
+    return TONES[-1 if mode.family == "hoop" else mode.harmonic - 1]
 
 
 @lru_cache(maxsize=64)

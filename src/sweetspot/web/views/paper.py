@@ -11,6 +11,7 @@ from pydantic import Field
 
 from sweetspot import catalog
 from sweetspot.answers.conditions import HitConditions, hit_conditions
+from sweetspot.catalog.records import read_table
 from sweetspot.dynamics.block import Support
 from sweetspot.papers.chain import PARTS
 from sweetspot.papers.choices import RATIOS, Choices
@@ -18,24 +19,16 @@ from sweetspot.papers.formulas import PaperRow
 from sweetspot.papers.words import Number, Words
 from sweetspot.reports.paper.page_words import paper_words
 from sweetspot.reports.quantities import SYSTEMS, Reader, System
-from sweetspot.reports.sentences import Slot
+from sweetspot.reports.sentences import Part, Sentence, Slot, say
 from sweetspot.units import INCH
 from sweetspot.web.bats import analysed
 from sweetspot.web.controls import HoleDepth, HoleDiameter, Name, SwungState
-from sweetspot.web.documents import Sentences, in_both_systems
+from sweetspot.web.documents import Sentences, in_both_systems, in_either_system
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, options_of, swing_options
 from sweetspot.web.view import View
-from sweetspot.web.views.paper_pictures import (
-    PICTURES,
-    CorkingPicture,
-    DropPicture,
-    EndPicture,
-    EnergyPicture,
-    PercussionPicture,
-    VerdictPicture,
-)
+from sweetspot.web.views.paper_pictures import PICTURES, DropPicture, PaperPictures, SpeedsPicture
 
 Question = Literal["end", "percussion", "corking", "drop", "energy", "verdict"]
 
@@ -75,6 +68,21 @@ class Statement(PaperRow):
     words: Mapping[System, StatementWords]
 
 
+@dataclass(frozen=True)
+class Asked:
+    """A question of the paper: its claims, its formulas as they should read, and its misprints.
+
+    Parameters
+    ----------
+    formulas : each as "number in the paper: formula; what it is of".
+    """
+
+    question: str
+    claim: tuple[str, ...]
+    formulas: tuple[str, ...]
+    misprints: tuple[str, ...]
+
+
 @dataclass(frozen=True, kw_only=True)
 class PaperPicture:
     """The paper's statements on one question with its formula's number and the full model's, and a picture.
@@ -82,13 +90,16 @@ class PaperPicture:
     Parameters
     ----------
     truth, live : what the full model says, and the formulas with the numbers of now.
+    label : what the picture shows.
     """
 
     question: Question
+    asked: Asked
     rows: tuple[Statement, ...]
-    picture: EndPicture | PercussionPicture | CorkingPicture | DropPicture | EnergyPicture | VerdictPicture
+    picture: PaperPictures
     truth: Sentences
     live: Sentences
+    label: Mapping[System, str]
     ball: BallPicture
     bat: BatPicture
     conditions: HitConditions
@@ -103,16 +114,33 @@ def answer(state: PaperState) -> PaperPicture:
         rows = list(PARTS[state.question](analysis, choices))
         picture = PICTURES[state.question](analysis, choices, rows)
     truth, live = paper_words(state.question, analysis, choices, rows)
+    entry = read_table("paper.toml")[state.question]
     return PaperPicture(
         question=state.question,
+        asked=Asked(entry.text("question"), entry.texts("claim"), entry.texts("formulas"), entry.texts("misprints")),
         rows=tuple(Statement(**vars(row), words=_words(row)) for row in rows),
         picture=picture,
         truth=in_both_systems(truth),
         live=in_both_systems(live),
+        label=in_either_system(say(entry.text("picture"), **_numbers_of(picture))),
         ball=ball_picture(state, analysis.conditions.ball),
         bat=bat_picture(state, analysis.reduced),
         conditions=hit_conditions(analysis.conditions),
     )
+
+
+def _numbers_of(picture: PaperPictures) -> dict[str, Part | Sentence]:
+    """Return the numbers in the description of a picture."""
+    if isinstance(picture, SpeedsPicture) and picture.elastic_travel is not None:
+        return {"travel": Slot(picture.elastic_travel, "length")}
+    if not isinstance(picture, DropPicture):
+        return {}
+    backs = {"wood": picture.wood.rebound, "metal": picture.metal.rebound}
+    words = {
+        name: "does not come back cleanly" if back is None else say("comes back to {back}", back=Slot(back, "place"))
+        for name, back in backs.items()
+    }
+    return {"height": Slot(picture.drop_height, "place"), **words}
 
 
 def _words(row: PaperRow) -> dict[System, StatementWords]:

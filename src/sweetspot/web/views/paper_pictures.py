@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 
@@ -37,21 +37,20 @@ WALLS = (1.2, 1.0, 0.95, 0.9, 0.85, 0.7)
 
 
 @dataclass(frozen=True, kw_only=True)
-class VerdictPicture:
-    """Exit speeds along the bat with every place that is called sweet."""
+class SpeedsPicture:
+    """Exit speeds along the bat with every place that is called sweet.
+
+    Parameters
+    ----------
+    elastic_travel, travel : the stretch S from the tip that the paper's limits leave, where the question is about it.
+    """
 
     position: Annotated[Array, LENGTH]
     exit_speed: Annotated[Array, SPEED]
     rigid_exit_speed: Annotated[Array, SPEED]
     sweet_spots: SweetSpotPlaces
-
-
-@dataclass(frozen=True, kw_only=True)
-class EndPicture(VerdictPicture):
-    """Exit speeds along the bat, and the stretch S from the tip that the paper's limits leave."""
-
-    elastic_travel: Length
-    travel: Length
+    elastic_travel: Length | None = None
+    travel: Length | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -134,20 +133,21 @@ class EnergyPicture:
     walls: WallsOfBats
 
 
-def _along(analysis: Analysis[Bat]) -> dict[str, Any]:
+def _verdict(analysis: Analysis[Bat], _: Choices, __: list[PaperRow]) -> SpeedsPicture:
     scan = analysis.scan
-    return {
-        "position": scan.position,
-        "exit_speed": scan.exit_speed,
-        "rigid_exit_speed": scan.rigid_exit_speed,
-        "sweet_spots": sweet_spot_places(analysis.sweet_spots),
-    }
+    return SpeedsPicture(
+        position=scan.position,
+        exit_speed=scan.exit_speed,
+        rigid_exit_speed=scan.rigid_exit_speed,
+        sweet_spots=sweet_spot_places(analysis.sweet_spots),
+    )
 
 
-def _end(analysis: Analysis[Bat], _: Choices, rows: list[PaperRow]) -> EndPicture:
+def _end(analysis: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> SpeedsPicture:
     elastic = [row for row in rows if row.equation == "S"][-1]
     assert isinstance(elastic.computed, float) and isinstance(elastic.full_model, float)
-    return EndPicture(**_along(analysis), elastic_travel=elastic.computed / 1e3, travel=elastic.full_model / 1e3)
+    speeds = _verdict(analysis, choices, rows)
+    return replace(speeds, elastic_travel=elastic.computed / 1e3, travel=elastic.full_model / 1e3)
 
 
 def _percussion(analysis: Analysis[Bat], choices: Choices, _: list[PaperRow]) -> PercussionPicture:
@@ -236,11 +236,8 @@ def _energy(_: Analysis[Bat], choices: Choices, __: list[PaperRow]) -> EnergyPic
     )
 
 
-def _verdict(analysis: Analysis[Bat], _: Choices, __: list[PaperRow]) -> VerdictPicture:
-    return VerdictPicture(**_along(analysis))
-
-
-PICTURES: dict[str, Callable[[Analysis[Bat], Choices, list[PaperRow]], Any]] = {
+PaperPictures = SpeedsPicture | PercussionPicture | CorkingPicture | DropPicture | EnergyPicture
+PICTURES: dict[str, Callable[[Analysis[Bat], Choices, list[PaperRow]], PaperPictures]] = {
     "end": _end,
     "percussion": _percussion,
     "corking": _corking,

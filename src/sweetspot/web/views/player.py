@@ -6,15 +6,14 @@ import re
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field
 
-from sweetspot.answers.implement import mass_properties
 from sweetspot.answers.player import player_answer
 from sweetspot.answers.player_question import (
     FitPlayerQuestion,
@@ -23,10 +22,9 @@ from sweetspot.answers.player_question import (
     player_posterior,
     read_player,
 )
-from sweetspot.answers.records import to_dict
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.answers.records import GAPS
 from sweetspot.errors import SweetspotError, nearest_names
+from sweetspot.numerics.arrays import Array
 from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import PlayerPosterior
 from sweetspot.player.swing_table import narrow_csv
@@ -34,11 +32,11 @@ from sweetspot.player.swings import batters
 from sweetspot.reports.player.document import player_document
 from sweetspot.reports.quantities import SYSTEMS
 from sweetspot.units import MPH
-from sweetspot.web.bat_bounds import bounds
+from sweetspot.units.dimensions import SPEED
 from sweetspot.web.bats import described, listed_bat
 from sweetspot.web.controls import BatState, within
-from sweetspot.web.documents import ReadDocument, page_document
-from sweetspot.web.drawings import outline
+from sweetspot.web.documents import ReadDocument, Sentences, page_document
+from sweetspot.web.drawings import BenchBat, bench_bat
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.one_system import in_one_system
 from sweetspot.web.recipes import bat_name, bat_text, option
@@ -53,7 +51,8 @@ BY_FORCE = re.compile(", or add --force [a-z ]+")
 """Further options of the command line."""
 NEW_LINE = "\n"
 MORE = "more than fit here; hand in the rows of one batter, or take the command fit-player"
-EXAMPLE_ROWS = 60
+EXAMPLE_ROWS, MOST_ROWS = 60, 20
+"""Swings of the made-up player, and bad rows that are listed."""
 
 
 class PlayerState(BatState):
@@ -72,35 +71,66 @@ class PlayerState(BatState):
     )
 
 
-def answer(state: PlayerState) -> dict[str, Any]:
+@dataclass(frozen=True)
+class ReadSwings:
+    """The swings of a table as they were read.
+
+    Parameters
+    ----------
+    bat_speed, exit_speed : shape (swings,); nan where the table has none.
+    batters, batter : whom the table names, and whose swings these are; None: nobody's, or those of all.
+    words, notes : what was read, and what is odd about it and why rows could not be used.
+    """
+
+    bat: BenchBat
+    bat_speed: Annotated[Array, SPEED, GAPS]
+    exit_speed: Annotated[Array, SPEED, GAPS]
+    batters: tuple[str, ...]
+    batter: str | None
+    words: str
+    notes: Sentences
+
+
+@dataclass(frozen=True)
+class SwingTable:
+    """A table of swings as text, None: no file was handed in."""
+
+    csv: str | None = None
+
+
+def answer(state: PlayerState) -> ReadSwings:
     """Return the swings as they were read: speeds of bat and ball, rows that could not be used and why."""
     swings = _swings(state).file
-    good, names = swings.swings, batters_of(state.swings_csv)
-    bad = [f"row {row.row}: {row.reason}" for row in swings.bad_rows[:20]]
-    notes = [*swings.notes, *bad]
-    bat = described(state)
-    return {
-        "bat": {
-            **to_dict(mass_properties(bat, rigid_body(beam_model(bat)))),
-            **to_dict(outline(bat)),
-            "bounds": bounds(state, bat),
-        },
-        "example": state.swings_csv is None,
-        "bat_speed_m_s": [swing.bat_speed for swing in good],
-        "exit_speed_m_s": [swing.exit_speed for swing in good],
-        "count": len(good),
-        "batters": names,
-        "batter": state.swings_of or (names[0] if len(names) > 1 else None),
-        "notes": {system: [in_one_system(note)[system] for note in notes] for system in SYSTEMS},
-        "bad_rows": len(swings.bad_rows),
-        "csv": _example() if state.swings_csv is None else None,
-    }
+    batter, bad = _batter(state), len(swings.bad_rows)
+    notes = [*swings.notes, *(f"row {row.row}: {row.reason}" for row in swings.bad_rows[:MOST_ROWS])]
+    counted = _counted(len(swings.swings), "swing") + (f" of {batter}" if batter else "")
+    if state.swings_csv is None:
+        counted += " of a made-up player; bring your own table to read yours"
+    return ReadSwings(
+        bench_bat(state, described(state)),
+        np.array([swing.bat_speed for swing in swings.swings], float),
+        np.array([swing.exit_speed for swing in swings.swings], float),
+        batters_of(state.swings_csv),
+        batter,
+        f"{counted}; {_counted(bad, 'row')} could not be used." if bad else f"{counted}.",
+        {system: [in_one_system(note)[system] for note in notes] for system in SYSTEMS},
+    )
 
 
-def table(state: PlayerState) -> dict[str, str]:
+def _counted(number: int, thing: str) -> str:
+    return f"{number} {thing}{'' if number == 1 else 's'}"
+
+
+def _batter(state: PlayerState) -> str | None:
+    """Return whose swings count: who was chosen, or the first of several in the alphabet."""
+    names = batters_of(state.swings_csv)
+    return state.swings_of or (names[0] if len(names) > 1 else None)
+
+
+def table(state: PlayerState) -> SwingTable:
     """Return of a file that was handed in only the columns that mean something, short enough for a state."""
     if state.upload is None:
-        return {}
+        return SwingTable()
     path, name = UPLOADS.path_of(state.upload)
     if path.stat().st_size > LARGEST_FILE:
         raise FieldError("swings_csv", f"{name} has {path.stat().st_size / 1e6:.0f} MB, {MORE}")
@@ -110,7 +140,7 @@ def table(state: PlayerState) -> dict[str, str]:
         raise FieldError("swings_csv", str(error).replace(str(path), name)) from None
     if len(text) > LONGEST_TABLE:
         raise FieldError("swings_csv", f"{name} has {text.count(NEW_LINE)} lines, {MORE}")
-    return {"csv": text}
+    return SwingTable(text)
 
 
 def fit(state: PlayerState) -> ReadDocument:
@@ -163,7 +193,7 @@ def _swings(state: PlayerState) -> PlayerSwings:
             bat=described(state),
             load_bat=listed_bat,
             stand_ins=False,
-            batter=state.swings_of or (names[0] if len(names) > 1 else None),
+            batter=_batter(state),
             pitch_speed=state.given_pitch_mph * MPH,
             goal=Goal(state.goal),
         )
@@ -189,12 +219,9 @@ def _example() -> str:
 def recipe(state: PlayerState) -> dict[str, str]:
     """Return the command line that gives the same report, the table and the bat's file."""
     pitch = "tee" if state.given_pitch_mph == 0 else f"{state.given_pitch_mph:.12g}mph"
-    names = batters_of(state.swings_csv)
-    batter = " " + option("--batter", state.swings_of or names[0]) if len(names) > 1 else ""
-    command = (
-        f"sweetspot fit-player swings.csv --bat {bat_name(state)} --goal {state.goal} --pitch-speed {pitch}{batter}"
-    )
-    return {"command": command, "toml": bat_text(state)}
+    batter = _batter(state) if len(batters_of(state.swings_csv)) > 1 else None
+    command = f"sweetspot fit-player swings.csv --bat {bat_name(state)} --goal {state.goal} --pitch-speed {pitch}"
+    return {"command": command + (f" {option('--batter', batter)}" if batter else ""), "toml": bat_text(state)}
 
 
 VIEW = View("player", "Player", PlayerState, answer, recipe, asides={"fit": fit, "table": table})

@@ -8,26 +8,24 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import GRID
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.numerics.arrays import Array
+from sweetspot.reports.sentences import Sentence
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, System
-from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import PARK, described
 from sweetspot.web.controls import BatState, Name
-from sweetspot.web.documents import ReadDocument, page_document
-from sweetspot.web.drawings import BatShape, outline
+from sweetspot.web.documents import ReadDocument, in_either_system, page_document
+from sweetspot.web.drawings import BenchBat, bench_bat
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import bat_name, bat_text, option
@@ -53,6 +51,7 @@ PLACES_DOUBT, LEAST_SPREAD = 1.0 * INCH, 0.2 * INCH
 """m: a season's places are known to an inch, since inside and outside of the best one are hard to separate; and the
 smallest scatter that Design takes."""
 Choice = Annotated[str, Field(min_length=1, max_length=80)] | None
+OTHER_BAT = "They were read with another bat than the one on the bench now."
 DIRECTIONS = np.linspace(-FOUL_LINE, FOUL_LINE, 46)
 
 
@@ -74,13 +73,6 @@ class SeasonState(BatState):
     )
 
 
-@dataclass(frozen=True, kw_only=True)
-class SeasonBat(BatShape, MassProperties):
-    """The bat that all hitters are taken to swing, and how far its controls may go."""
-
-    bounds: Mapping[str, Range]
-
-
 @dataclass(frozen=True)
 class FieldFence:
     """A park's fence, to the right of the line to centre field and along it, from home."""
@@ -88,11 +80,12 @@ class FieldFence:
     name: str
     right: Annotated[Array, LENGTH]
     out: Annotated[Array, LENGTH]
+    words: str
 
 
 @dataclass(frozen=True)
 class ReadSeason:
-    """A season that was read: see `SeasonSummary`, and whether it was read with the bat on the bench."""
+    """A season that was read: see `SeasonSummary`; whether it was read with the bat on the bench; and that in words."""
 
     choices: Mapping[str, Sequence[tuple[str, int]]]
     rows: int
@@ -100,13 +93,14 @@ class ReadSeason:
     unread: tuple[str, ...]
     tables: tuple[SavedTable, ...]
     same_bat: bool
+    words: str
 
 
 @dataclass(frozen=True)
 class SeasonPicture:
     """The bat, the chosen park's fence, and of a season that was read what can be chosen and taken away."""
 
-    bat: SeasonBat
+    bat: BenchBat
     park: FieldFence
     season: ReadSeason | None
 
@@ -120,24 +114,59 @@ class SeasonWords:
 
 
 @dataclass(frozen=True)
-class BallsInBoxes:
-    """Balls in boxes; see `BallMap`."""
+class MappedBalls:
+    """Balls in boxes; see `BallMap`. ``note`` explains the picture, and ``label`` tells it to who does not see it."""
 
     across: Annotated[Array, LENGTH]
     along: Annotated[Array, LENGTH]
     balls: Annotated[Array, GRID]
     outside: int
     near: int
+    note: Mapping[System, str]
+    label: Mapping[System, str]
+
+
+@dataclass(frozen=True)
+class BallMeans:
+    """Number of balls, and their means in SI, shares from 0 to 1; None where no table tells."""
+
+    balls: float | None
+    exit_speed: float | None = None
+    ev20: float | None = None
+    bat_speed: float | None = None
+    squared_up: float | None = None
+    league_squared_up: float | None = None
+    from_best: float | None = None
+    carry: float | None = None
+    home_runs: float | None = None
+    home_runs_expected: float | None = None
+
+
+@dataclass(frozen=True)
+class BallCeilings:
+    """Part of the balls by exit speed over the greatest possible: with this bat, and by the league's formula."""
+
+    ratio: Array
+    squared_up_ratio: Array | None = None
+    league_ratio: Array | None = None
 
 
 @dataclass(frozen=True)
 class SeasonMaps:
-    """Of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
+    """Of the chosen balls how well they were hit, where on the barrel, and where they would come down.
 
-    means: Mapping[str, float | None] | None = None
-    ceilings: Mapping[str, Array] | None = None
-    barrel: BallsInBoxes | None = None
-    field: BallsInBoxes | None = None
+    Parameters
+    ----------
+    words : whose balls they are, and how well they were hit.
+    unmapped : why there is no map of the barrel; "": there is one.
+    """
+
+    words: Mapping[System, str] | None = None
+    unmapped: str = ""
+    means: BallMeans | None = None
+    ceilings: BallCeilings | None = None
+    barrel: MappedBalls | None = None
+    field: MappedBalls | None = None
 
 
 def answer(state: SeasonState) -> SeasonPicture:
@@ -147,10 +176,15 @@ def answer(state: SeasonState) -> SeasonPicture:
         park = fenced(state)
         distance, _ = fence_at(park, DIRECTIONS)
     summary = _summary(state)
-    masses, shape = mass_properties(bat, rigid_body(beam_model(bat))), outline(bat)
+    same_bat = summary is not None and summary.bat == bat_words(state)
     return SeasonPicture(
-        SeasonBat(**vars(masses), **vars(shape), bounds=bounds(state, bat)),
-        FieldFence(park.name, distance * np.sin(DIRECTIONS), distance * np.cos(DIRECTIONS)),
+        bench_bat(state, bat),
+        FieldFence(
+            park.name,
+            distance * np.sin(DIRECTIONS),
+            distance * np.cos(DIRECTIONS),
+            f"The fence is that of {park.name}.",
+        ),
         None
         if summary is None
         else ReadSeason(
@@ -159,7 +193,8 @@ def answer(state: SeasonState) -> SeasonPicture:
             summary.files,
             summary.unread,
             summary.tables,
-            same_bat=summary.bat == bat_words(state),
+            same_bat,
+            summary.words if same_bat else f"{summary.words} {OTHER_BAT}",
         ),
     )
 
@@ -179,7 +214,7 @@ def bat_words(state: BatState) -> str:
     return state.model_dump_json(include=set(BatState.model_fields))
 
 
-def begun(state: SeasonState) -> tuple[Handed, Path, str, Any, str]:
+def begun(state: SeasonState) -> tuple[Handed, Path, str, Bat, str]:
     """Return the arguments of reading, with a new folder for what is made of the tables."""
     with renamed("uploads"):
         handed = tuple(UPLOADS.path_of(key) for key in state.uploads)
@@ -205,6 +240,7 @@ def summary(state: SeasonState) -> SeasonWords:
 
 def maps(state: SeasonState) -> SeasonMaps:
     """Return of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
+    from sweetspot.reports.season.page_words import barrel_words, field_words
     from sweetspot.seasons import ball_maps
     from sweetspot.seasons.season_table import counted_in
 
@@ -213,18 +249,42 @@ def maps(state: SeasonState) -> SeasonMaps:
         return SeasonMaps()
     chosen = {name: value for name in ("batter", *ball_maps.CHOICES) if (value := getattr(state, name)) is not None}
     counted = ball_maps.chosen_balls(counted_in(folder), chosen)
+    means, ceilings = BallMeans(**ball_maps.ball_means(counted)), ball_maps.ceiling_counts(counted)
+    barrel, field = ball_maps.barrel_counts(counted), ball_maps.field_counts(counted)
+    unmapped = "These tables have no bat speeds, so nothing is said of bats."
     return SeasonMaps(
-        ball_maps.ball_means(counted),
-        ball_maps.ceiling_counts(counted),
-        _boxes(ball_maps.barrel_counts(counted)),
-        _boxes(ball_maps.field_counts(counted)),
+        in_either_system(_words(state, means)),
+        "" if barrel is not None else unmapped if means.balls else "No ball is left by this choice.",
+        means,
+        None if ceilings is None else BallCeilings(**ceilings),
+        None if barrel is None else _mapped(barrel, barrel_words(barrel)),
+        None if field is None else _mapped(field, field_words(field)),
     )
 
 
-def _boxes(ball_map: BallMap | None) -> BallsInBoxes | None:
-    if ball_map is None:
-        return None
-    return BallsInBoxes(ball_map.across, ball_map.along, ball_map.counts, ball_map.outside, ball_map.near)
+def _words(state: SeasonState, means: BallMeans) -> Sentence:
+    """Return whose the chosen balls are, and how well they were hit."""
+    from sweetspot.reports.season.page_words import balls_words
+
+    summary = _summary(state)
+    players = () if summary is None else summary.players
+    name = next((listed.name for listed in players if listed.batter == state.batter), state.batter)
+    whose = f"player {name}" if name is not None and name == state.batter else name
+    return balls_words(
+        whose,
+        "" if summary is None else described(BatState.model_validate_json(summary.bat)).name,
+        balls=means.balls or 0.0,
+        exit_speed=means.exit_speed,
+        squared_up=means.squared_up,
+        from_best=means.from_best,
+    )
+
+
+def _mapped(ball_map: BallMap, words: tuple[Sentence, Sentence]) -> MappedBalls:
+    note, label = map(in_either_system, words)
+    return MappedBalls(
+        ball_map.across, ball_map.along, ball_map.counts, ball_map.outside, ball_map.near, note=note, label=label
+    )
 
 
 def player(state: SeasonState) -> ReadDocument | None:

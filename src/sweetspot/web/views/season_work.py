@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import pickle
 import shutil
@@ -9,11 +10,12 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Literal
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.whole_files import written_whole
+from sweetspot.units import grouped
 from sweetspot.units.dimensions import System
 from sweetspot.web.documents import page_document
 from sweetspot.web.jobs import Say
@@ -71,6 +73,7 @@ class SeasonSummary:
     ----------
     bat : what tells the bat it was read with from others.
     choices : what balls can be chosen by, and how many balls each has.
+    words : how much of which files was read.
     unread : why files could not be read.
     """
 
@@ -80,21 +83,38 @@ class SeasonSummary:
     choices: Mapping[str, Sequence[tuple[str, int]]]
     rows: int
     files: tuple[str, ...]
+    words: str
     unread: tuple[str, ...]
     tables: tuple[SavedTable, ...]
 
 
-def read_season(
-    handed: Handed, folder: Path, key: str, bat: Bat, described: str, *, after: Any, say: Say
-) -> dict[str, str]:
-    """Read tables of balls in play, or a made-up one where none is handed in: begins work that says how far it is.
+@dataclass(frozen=True, kw_only=True)
+class SeasonReading:
+    """How far the reading of a season is.
 
-    The result's ``season`` is the name by which the view is asked about it.
+    Parameters
+    ----------
+    words, reached : what is being done, and after how many rows; "": none is read yet.
+    season : the name by which the view is asked about a season that is read.
     """
-    say({"phase": "tables"}, True)
+
+    phase: Literal["tables", "rows", "players", "done"]
+    words: str
+    reached: str = ""
+    done: int = 0
+    rows: int = 0
+    season: str | None = None
+
+
+def read_season(
+    handed: Handed, folder: Path, key: str, bat: Bat, described: str, *, after: object, say: Say
+) -> SeasonReading:
+    """Read tables of balls in play, or a made-up one where none is handed in: begins work that says how far it is."""
+    words = "Looking through the tables; a bat that is new here takes some seconds more …"
+    say(SeasonReading(phase="tables", words=words), True)
     paths = named(handed, folder / HANDED_IN) if handed else [made_up(bat, folder)]
     keep(analysed(paths, folder, bat, resume=after is not None, say=say), folder, described)
-    return {"phase": "done", "season": key}
+    return SeasonReading(phase="done", words="", season=key)
 
 
 def named(handed: Handed, folder: Path) -> list[Path]:
@@ -145,13 +165,16 @@ def counting(say: Say) -> Callable[[int, int], None]:
     def progress(finished: int, rows: int) -> None:
         now = time.monotonic()
         first.append((finished, now))
-        (before, begun), speed = first[0], None
+        before, begun = first[0]
+        reached = f"{grouped(finished)} of {grouped(rows)} rows"
+        words = f"{reached} …"
         if finished > before and now - begun > SETTLED:
             speed = (finished - before) / (now - begun)
-        left = None if speed is None else (rows - finished) / speed
-        say({"phase": "rows", "done": finished, "rows": rows, "rows_per_s": speed, "left_s": left}, True)
+            words = f"{reached}, {grouped(speed)} rows/s, {math.ceil((rows - finished) / speed)} s left"
+        say(SeasonReading(phase="rows", words=words, reached=reached, done=finished, rows=rows), True)
         if finished >= rows:
-            say({"phase": "players"}, True)
+            words = "Working out players, clubs and months …"
+            say(SeasonReading(phase="players", words=words, reached=reached), True)
 
     return progress
 
@@ -166,6 +189,7 @@ def without_folders(words: str, paths: list[Path]) -> str:
 def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     """Write what the view tells of a season, the tables that can be taken away, and the summary last of all."""
     from sweetspot.reports.season.document import season_document, unread_of
+    from sweetspot.reports.season.page_words import read_words
     from sweetspot.reports.season.tables import write_tables
     from sweetspot.seasons.ball_maps import choices_of
 
@@ -174,13 +198,15 @@ def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     write_tables(answer, tables)
     answer.balls().sink_parquet(tables / "balls.parquet")
     answer.season.ledger().sink_parquet(tables / "ledger.parquet")
+    rows, files = sum(table.rows for table in answer.tables), tuple(Path(table.file).name for table in answer.tables)
     summary = SeasonSummary(
         bat=described,
         html=page_document(season_document(answer)).html,
         players=tuple(players_of(answer)),
         choices=choices_of(answer.counted),
-        rows=sum(table.rows for table in answer.tables),
-        files=tuple(Path(table.file).name for table in answer.tables),
+        rows=rows,
+        files=files,
+        words=read_words(rows, files),
         unread=tuple(unread_of(answer)),
         tables=tuple(SavedTable(path.name, path.stat().st_size) for path in sorted(tables.iterdir())),
     )

@@ -1,8 +1,10 @@
 // A bat and a ball painted to scale: the bat alone, cut open, the ball beside it, and both as seen from the tip.
 
 import { heat } from "../charts/heat.js";
+import { dot, ink, line, shape } from "../charts/pen.js";
 import { FONT, arrow } from "../charts/surface.js";
 /** @import { BatPicture, BatShape, DrawnBore } from "../answers.js" */
+/** @import { Look } from "../charts/pen.js" */
 /** @import { Colors } from "../shell/main.js" */
 /** @typedef {BatShape & Pick<BatPicture, "length_m"> & Partial<Pick<BatPicture, "balance_point_m">>} DrawnBat */
 /** @typedef {{ position_m: number[], values: (number | null)[], least: number, most: number }} Warmth */
@@ -25,38 +27,22 @@ export function paintBall(context, ball, bat, place, colors) {
   const radius = ball.radius_m * place.scale;
   const x = place.left + ball.position_m * place.scale;
   const y = place.middle + radiusAt(bat, ball.position_m) * place.scale + radius;
-  context.fillStyle = colors.paper;
-  context.strokeStyle = colors.ink;
-  context.lineWidth = 1.5;
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
-  context.strokeStyle = colors.red;
-  context.lineWidth = 1.2;
+  dot(context, [x, y], radius, { fill: colors.paper, edge: colors.ink, width: 1.5 });
   for (const side of [-1, 1]) {
     context.beginPath();
     context.arc(x + side * 1.45 * radius, y, radius, side < 0 ? -0.72 : Math.PI - 0.72, side < 0 ? 0.72 : Math.PI + 0.72);
-    context.stroke();
+    ink(context, { edge: colors.red, width: 1.2 });
   }
 }
 
-/**
- * @param {DrawnBall} ball
- * @param {DrawnBat} bat
- * @param {Place} place
- */
+/** @param {DrawnBall} ball @param {DrawnBat} bat @param {Place} place */
 function meetingSizes(ball, bat, place) {
   const scale = Math.min(0.45 * place.scale, 420);
   return { scale, own: radiusAt(bat, ball.position_m) * scale, its: ball.radius_m * scale };
 }
 
 // Pixels that the meeting seen from the tip takes across.
-/**
- * @param {DrawnBall} ball
- * @param {DrawnBat} bat
- * @param {Place} place
- */
+/** @param {DrawnBall} ball @param {DrawnBat} bat @param {Place} place */
 export function meetingWide(ball, bat, place) {
   const { own, its } = meetingSizes(ball, bat, place);
   return BESIDE + 2 * (own + its) + ARROW + BESIDE / 2;
@@ -77,17 +63,8 @@ export function paintMeeting(context, ball, bat, place, colors, words) {
   const y = place.middle + (WIDEST / 2) * place.scale + own + 2 * its;
   const up = (ball.offset_m ?? 0) * scale;
   const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
-  const circle = (/** @type {number} */ at, /** @type {number} */ height, /** @type {number} */ radius, /** @type {string} */ fill, /** @type {string} */ edge) => {
-    context.beginPath();
-    context.arc(at, height, radius, 0, 2 * Math.PI);
-    context.fillStyle = fill;
-    context.fill();
-    context.strokeStyle = edge;
-    context.lineWidth = 1.3;
-    context.stroke();
-  };
-  circle(x, y, own, bat.hollow ? colors.metal : colors.wood, bat.hollow ? colors.metalEdge : colors.woodEdge);
-  circle(x + across, y - up, its, colors.paper, colors.ink);
+  dot(context, [x, y], own, looks(bat, colors));
+  dot(context, [x + across, y - up], its, { fill: colors.paper, edge: colors.ink });
   if (ball.launch_angle_rad !== null && ball.launch_angle_rad !== undefined) {
     const [c, s] = [Math.cos(ball.launch_angle_rad), Math.sin(ball.launch_angle_rad)];
     const reach = its + ARROW;
@@ -97,10 +74,7 @@ export function paintMeeting(context, ball, bat, place, colors, words) {
   context.fillText(words, x + across / 2, y + Math.max(own, its) + 6);
 }
 
-/**
- * @param {DrawnBat} bat
- * @param {number} x
- */
+/** @param {DrawnBat} bat @param {number} x */
 export function radiusAt(bat, x) {
   const { position_m: places, diameter_m: widths } = bat.outline;
   let i = places.findIndex((/** @type {number} */ place) => place >= x);
@@ -118,15 +92,16 @@ export function radiusAt(bat, x) {
  * @param {string} color
  */
 export function paintOutline(context, { outline: { position_m: places, diameter_m: widths } }, { left, scale, middle }, color) {
-  Object.assign(context, { strokeStyle: color, lineWidth: 1.1 });
-  context.setLineDash([4, 3]);
-  for (const side of [-1, 1]) {
-    context.beginPath();
-    places.forEach((place, i) => context.lineTo(left + place * scale, middle + (side * widths[i] * scale) / 2));
-    context.stroke();
-  }
-  context.setLineDash([]);
+  for (const side of [-1, 1]) line(context, places.map((place, i) => [left + place * scale, middle + (side * widths[i] * scale) / 2]), color, 1.1, [4, 3]);
 }
+
+// The colours of a bat of its kind.
+/** @param {{ hollow: boolean }} bat @param {Colors} colors @returns {Look} */
+export const looks = ({ hollow }, colors) => (hollow ? { fill: colors.metal, edge: colors.metalEdge } : { fill: colors.wood, edge: colors.woodEdge });
+
+// The outline of a body along x, y below the top, with a radius at every place: its upper edge, and back along its lower.
+/** @param {number[][]} places  x, y and radius of each, in pixels */
+export const around = (places) => [...places.map(([x, y, radius]) => [x, y - radius]), ...[...places].reverse().map(([x, y, radius]) => [x, y + radius])];
 
 // The bat alone, cut open: wood, wall, holes, what fills them, and the cup.
 /**
@@ -138,14 +113,10 @@ export function paintOutline(context, { outline: { position_m: places, diameter_
  */
 export function paintBat(context, bat, { left, scale, middle }, colors, warm = null) {
   const { position_m: places, diameter_m: widths } = bat.outline;
-  const points = places.map((place, i) => [left + place * scale, (widths[i] / 2) * scale]);
-  context.beginPath();
-  points.forEach(([x, r]) => context.lineTo(x, middle - r));
-  [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
-  context.closePath();
-  context.fillStyle = bat.hollow ? colors.metal : colors.wood;
-  context.fill();
-  if (bat.hollow) paintInside(context, bat, points, { scale, middle }, colors);
+  const points = places.map((place, i) => [left + place * scale, middle, (widths[i] / 2) * scale]);
+  const { fill, edge } = looks(bat, colors);
+  shape(context, around(points), { fill });
+  if (bat.hollow) shape(context, around(points.map(([x, y, radius], i) => [x, y, Math.max(0, radius - (bat.wall_m?.[i] ?? 0) * scale)])), { fill: colors.hollow });
   if (warm) {
     context.globalAlpha = 0.82;
     paintHeat(context, bat, { left, scale, middle }, warm);
@@ -153,14 +124,7 @@ export function paintBat(context, bat, { left, scale, middle }, colors, warm = n
   }
   for (const bore of bat.bores) paintBore(context, bore, { left, scale, middle }, colors);
   paintCup(context, bat, { left, scale, middle }, colors);
-  context.beginPath();
-  points.forEach(([x, r]) => context.lineTo(x, middle - r));
-  [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
-  context.closePath();
-  context.strokeStyle = bat.hollow ? colors.metalEdge : colors.woodEdge;
-  context.lineWidth = 1.3;
-  context.lineJoin = "round";
-  context.stroke();
+  shape(context, around(points), { edge });
   for (const weight of bat.weights) {
     context.fillStyle = colors.ink;
     context.fillRect(left + weight.position_m * scale - 4, middle - 4, 8, 8);
@@ -181,32 +145,8 @@ export function paintHeat(context, bat, { left, scale, middle }, { position_m: p
     const [a, b] = [Math.round(left + places[i] * scale), Math.round(left + places[i + 1] * scale)];
     if (b <= a) continue;
     const [ra, rb] = [radiusAt(bat, places[i]) * scale, radiusAt(bat, places[i + 1]) * scale];
-    context.fillStyle = heat(((here + next) / 2 - least) / (most - least || 1));
-    context.beginPath();
-    context.moveTo(a, middle - ra);
-    context.lineTo(b, middle - rb);
-    context.lineTo(b, middle + rb);
-    context.lineTo(a, middle + ra);
-    context.closePath();
-    context.fill();
+    shape(context, around([[a, middle, ra], [b, middle, rb]]), { fill: heat(((here + next) / 2 - least) / (most - least || 1)) });
   }
-}
-
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {DrawnBat} bat
- * @param {number[][]} points
- * @param {{ scale: number, middle: number }} given
- * @param {Colors} colors
- */
-function paintInside(context, bat, points, { scale, middle }, colors) {
-  context.beginPath();
-  const inner = points.map(([x, r], i) => [x, Math.max(0, r - (bat.wall_m?.[i] ?? 0) * scale)]);
-  inner.forEach(([x, r]) => context.lineTo(x, middle - r));
-  [...inner].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
-  context.closePath();
-  context.fillStyle = colors.hollow;
-  context.fill();
 }
 
 /**
@@ -227,11 +167,7 @@ function paintBore(context, bore, { left, scale, middle }, colors) {
     context.fillRect(x, y, width, height);
     context.restore();
   }
-  context.strokeStyle = colors.woodEdge;
-  context.lineWidth = 1;
-  context.setLineDash([3, 2]);
-  context.strokeRect(x, y, width, height);
-  context.setLineDash([]);
+  shape(context, [[x, y], [x + width, y], [x + width, y + height], [x, y + height]], { edge: colors.woodEdge, width: 1, dash: [3, 2] });
 }
 
 /**
@@ -244,12 +180,5 @@ function paintCup(context, bat, { left, scale, middle }, colors) {
   if (!bat.cup) return;
   const tip = left + bat.length_m * scale;
   const [radius, depth] = [(bat.cup.diameter_m / 2) * scale, bat.cup.depth_m * scale];
-  context.beginPath();
-  context.moveTo(tip, middle - radius);
-  for (let i = -10; i <= 10; i += 1) context.lineTo(tip - depth * (1 - (i / 10) ** 2), middle + (radius * i) / 10);
-  context.closePath();
-  context.fillStyle = colors.panel;
-  context.fill();
-  context.strokeStyle = colors.woodEdge;
-  context.stroke();
+  shape(context, Array.from({ length: 21 }, (_, i) => [tip - depth * (1 - (i / 10 - 1) ** 2), middle + radius * (i / 10 - 1)]), { fill: colors.panel, edge: colors.woodEdge, width: 1 });
 }

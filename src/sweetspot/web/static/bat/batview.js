@@ -11,6 +11,7 @@
 import { LEFT, RIGHT } from "../charts/chart.js";
 import { WIDEST, meetingWide, paintBall, paintBat, paintMeeting, paintOutline, radiusAt } from "./batpaint.js";
 import table from "../quantities.js";
+import { dot, ink, line, shape } from "../charts/pen.js";
 import { FONT, Surface, haloText } from "../charts/surface.js";
 import { text } from "../controls/units.js";
 /** @import { SweetSpotPlaces } from "../answers.js" */
@@ -28,7 +29,7 @@ import { text } from "../controls/units.js";
  * @property {Grip[]} [grips]
  * @property {Warmth | null} [warm]
  * @property {DrawnBall} [ball]
- * @property {DrawnBat} [ghost] another outline over it
+ * @property {Pick<DrawnBat, "outline">} [ghost] another outline over it
  */
 /** @import { Zoom } from "../charts/zoom.js" */
 /** @import { Place, Way } from "./batpaint.js" */
@@ -45,7 +46,7 @@ export class BatView {
    * @param {object} look
    * @param {((position: number, on: { last: boolean }) => void) | null} [look.onBall]
    * @param {((stations: { position_m: number, diameter_m: number }[], on: { last: boolean }) => void) | null} [look.onStations]
-   * @param {((change: State, on: { last: boolean }) => void) | null} [look.onGrip]
+   * @param {((change: Partial<State>, on: { last: boolean }) => void) | null} [look.onGrip]
    * @param {Zoom | null} [look.zoom]
    * @param {string} [look.label]
    */
@@ -113,12 +114,7 @@ export class BatView {
   }
 
   // What is pressed, and how far beside its middle: it stays so far from the hand, and nothing jumps.
-  /**
-   * @param {number} x
-   * @param {number} y
-   * @param {number} along
-   * @param {number} aside
-   */
+  /** @param {number} x @param {number} y @param {number} along @param {number} aside */
   take(x, y, along, aside) {
     this.held = this.drawing ? this.stationAt(x, y) : null;
     this.grip = this.held === null ? this.gripAt(x, y) : null;
@@ -128,10 +124,7 @@ export class BatView {
   }
 
   // What is made with the hand: the end of a hole, a cup, a weight, the top hand; see grips.js.
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   gripAt(x, y) {
     const { left, scale, middle } = this.place(this.surface.width);
     const grips = this.data?.grips ?? [];
@@ -140,10 +133,7 @@ export class BatView {
     return far[nearest] < 15 ? grips[nearest] : null;
   }
 
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   stationAt(x, y) {
     const { left, scale, middle } = this.place(this.surface.width);
     const far = (this.data?.bat.stations ?? []).map(({ position_m, diameter_m }) =>
@@ -152,12 +142,7 @@ export class BatView {
     return far[nearest] < 24 ? nearest : null;
   }
 
-  /**
-   * @param {number} index
-   * @param {number} along
-   * @param {number} width
-   * @param {boolean} last
-   */
+  /** @param {number} index @param {number} along @param {number} width @param {boolean} last */
   dragStation(index, along, width, last) {
     const stations = (this.data?.bat.stations ?? []).map((station) => ({ ...station }));
     const inner = index > 0 && index < stations.length - 1;
@@ -167,10 +152,7 @@ export class BatView {
     this.onStations?.(stations, { last });
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width */
   paint(context, width) {
     if (!this.data) return;
     const { colors } = this.app;
@@ -199,20 +181,14 @@ export class BatView {
     }
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Way} across
-   * @param {Place} place
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Way} across @param {Place} place */
   paintGrips(context, across, place) {
     const { colors } = this.app;
     for (const { at, aside } of this.data?.grips ?? []) {
       for (const side of aside ? [-1, 1] : [1]) {
-        Object.assign(context, { fillStyle: colors.panel, strokeStyle: colors.accent, lineWidth: 2 });
         context.beginPath();
         context.rect(across(at) - 4.5, place.middle + side * aside * place.scale - 4.5, 9, 9);
-        context.fill();
-        context.stroke();
+        ink(context, { fill: colors.panel, edge: colors.accent, width: 2 });
       }
     }
   }
@@ -230,12 +206,7 @@ export class BatView {
     context.fillStyle = colors.zone;
     context.fillRect(across(from), top, across(to) - across(from), bottom - top + 8);
     const y = bottom + 8;
-    context.strokeStyle = colors.zoneEdge;
-    context.lineWidth = 2;
-    context.beginPath();
-    context.moveTo(across(from), y);
-    context.lineTo(across(to), y);
-    context.stroke();
+    line(context, [[across(from), y], [across(to), y]], colors.zoneEdge, 2);
     context.font = `600 12px ${FONT}`;
     context.textAlign = "right";
     context.textBaseline = "top";
@@ -257,28 +228,13 @@ export class BatView {
     context.textAlign = "center";
     context.textBaseline = "top";
     if (hands) {
-      context.strokeStyle = colors.muted;
-      context.lineWidth = 1.5;
-      context.setLineDash([2, 2]);
-      for (const hand of hands) {
-        context.beginPath();
-        context.moveTo(across(hand), place.middle - radius(hand) - 6);
-        context.lineTo(across(hand), place.middle + radius(hand) + 6);
-        context.stroke();
-      }
-      context.setLineDash([]);
+      for (const hand of hands) line(context, [-1, 1].map((side) => [across(hand), place.middle + side * (radius(hand) + 6)]), colors.muted, 1.5, [2, 2]);
       context.fillStyle = colors.muted;
       context.fillText("hands", across((hands[0] + hands[1]) / 2), place.middle + radius(hands[0]) + 10);
     }
     if (bat.balance_point_m === undefined) return;
     const [x, y] = [across(bat.balance_point_m), place.middle + radius(bat.balance_point_m) + 2];
-    context.fillStyle = colors.ink;
-    context.beginPath();
-    context.moveTo(x, y);
-    context.lineTo(x - 5, y + 9);
-    context.lineTo(x + 5, y + 9);
-    context.closePath();
-    context.fill();
+    shape(context, [[x, y], [x - 5, y + 9], [x + 5, y + 9]], { fill: colors.ink });
     if (place.scale < NARROW) return;
     context.fillStyle = colors.muted;
     const words = `balance ${text("balance_point_m", bat.balance_point_m, this.app.units, 1)}`;
@@ -286,12 +242,7 @@ export class BatView {
   }
 
   // The middle of words under the bat, moved from where the ball would cover them.
-  /**
-   * @param {number} x
-   * @param {number} half
-   * @param {Way} across
-   * @param {Place} place
-   */
+  /** @param {number} x @param {number} half @param {Way} across @param {Place} place */
   besideBall(x, half, across, place) {
     const ball = this.data?.ball;
     if (!ball) return x;
@@ -324,20 +275,9 @@ export class BatView {
     context.textBaseline = "middle";
     found.forEach(({ color, at }, row) => {
       const [x, y] = [across(at), 12 + row * ROW];
-      const dot = place.middle + radiusAt(bat, at) * place.scale * (0.72 - (1.44 * row) / Math.max(1, found.length - 1)) * -1;
-      context.strokeStyle = colors[color ?? "ink"];
-      context.lineWidth = 1.4;
-      context.beginPath();
-      context.moveTo(column, y);
-      context.lineTo(x, y);
-      context.lineTo(x, dot);
-      context.stroke();
-      context.fillStyle = colors[color ?? "ink"];
-      context.strokeStyle = colors.panel;
-      context.beginPath();
-      context.arc(x, dot, 4.5, 0, 2 * Math.PI);
-      context.fill();
-      context.stroke();
+      const end = place.middle + radiusAt(bat, at) * place.scale * (0.72 - (1.44 * row) / Math.max(1, found.length - 1)) * -1;
+      line(context, [[column, y], [x, y], [x, end]], colors[color ?? "ink"], 1.4);
+      dot(context, [x, end], 4.5, { fill: colors[color ?? "ink"], edge: colors.panel, width: 1.4 });
     });
     const fontOf = (/** @type {(typeof found)[number]} */ one) => `${one.color === "red" ? "600 " : ""}12px ${FONT}`;
     found.forEach((one, row) => { // over all lines, which may run behind them where there is little room
@@ -369,13 +309,7 @@ export class BatView {
     const { colors } = this.app;
     for (const { position_m: position, diameter_m: diameter } of bat.stations) {
       for (const side of [-1, 1]) {
-        context.fillStyle = colors.panel;
-        context.strokeStyle = colors.accent;
-        context.lineWidth = 2;
-        context.beginPath();
-        context.arc(across(position), place.middle + (side * diameter * place.scale) / 2, HANDLE, 0, 2 * Math.PI);
-        context.fill();
-        context.stroke();
+        dot(context, [across(position), place.middle + (side * diameter * place.scale) / 2], HANDLE, { fill: colors.panel, edge: colors.accent, width: 2 });
       }
     }
   }

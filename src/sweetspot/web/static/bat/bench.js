@@ -6,14 +6,14 @@
 
 import { checked, textOf } from "./batfile.js";
 import { unchanged } from "./unchanged.js";
-import { button, choice, group, reveal, slider } from "../controls/controls.js";
+import { ANY_STEP, button, choice, group, reveal, slider } from "../controls/controls.js";
 import { make, partOf } from "../controls/parts.js";
 import { posted } from "../shell/post.js";
 import { wordsOf } from "../shell/status.js";
 import { endWithRow } from "../controls/tables.js";
 import { INCH, OUNCE, fromShown, toShown, unitOf } from "../controls/units.js";
-/** @import { BatPicture } from "../answers.js" */
-/** @import { App, State } from "../shell/main.js" */
+/** @import { BallPicture, BatShape, UsualHit } from "../answers.js" */
+/** @import { App, Field, State } from "../shell/main.js" */
 /** @import { Desk, Options, Words } from "../controls/controls.js" */
 /** @import { BatView } from "./batview.js" */
 /** @import { System } from "../controls/units.js" */
@@ -55,11 +55,11 @@ export function batChoice(app, label = "Bat") {
 
 // What a control stands at that nobody has moved: as is usual in the sport of the last answer's bat.
 /** @param {Desk} app */
-export const usual = (app, /** @type {string} */ field) => () => app.answer?.bat?.usual?.[field] ?? null;
+export const usual = (app, /** @type {keyof UsualHit} */ field) => () => app.answer?.bat?.usual?.[field] ?? null;
 
 // A choice that follows the bat's sport until somebody chooses.
 /** @param {Desk} app */
-export function usualChoice(app, /** @type {string} */ field, /** @type {{ label: Words, options: Options | Promise<Options>, note?: string }} */ look) {
+export function usualChoice(app, /** @type {keyof UsualHit & Field} */ field, /** @type {{ label: Words, options: Options | Promise<Options>, note?: string }} */ look) {
   return choice(app, field, { ...look, follows: true, shown: (state) => state[field] ?? usual(app, field)() });
 }
 
@@ -116,7 +116,7 @@ export function swingGroup(app, { open = true, title = "Swing and pitch", pitche
 
 /** @param {App} app */
 export function ballGroup(app) {
-  const known = (/** @type {string} */ name) => () => app.answer?.ball?.[name] ?? null;
+  const known = (/** @type {keyof BallPicture} */ name) => () => app.answer?.ball?.[name] ?? null;
   return group("Ball", [
     usualChoice(app, "ball", { label: "Ball", options: app.lists("balls").then(({ balls }) => balls.map(({ key, name }) => [key, name])) }),
     slider(app, "ball_cor", { label: "Restitution (COR) as bought", step: 0.005, empty: known("cor") }),
@@ -127,10 +127,7 @@ export function ballGroup(app) {
 }
 
 export class Bench {
-  /**
-   * @param {App} app
-   * @param {{ picture?: BatView | null, open?: boolean }} look
-   */
+  /** @param {App} app @param {{ picture?: BatView | null, open?: boolean }} look */
   constructor(app, { picture = null, open = true } = {}) {
     this.app = app;
     this.picture = picture;
@@ -152,16 +149,13 @@ export class Bench {
     this.app.redraw();
   }
 
-  /**
-   * @param {Station[]} stations
-   * @param {boolean} last
-   */
+  /** @param {Station[]} stations @param {boolean} last */
   reshape(stations, last) {
-    const profile = stations.map((station) => [rounded(station.position_m / INCH), rounded(station.diameter_m / INCH)]);
+    const profile = stations.map((station) => /** @type {[number, number]} */ ([rounded(station.position_m / INCH), rounded(station.diameter_m / INCH)]));
     this.app.setState({ profile_in: profile }, { commit: last });
   }
 
-  /** @param {{ bat?: BatPicture }} given */
+  /** @param {{ bat?: BatShape }} given */
   update({ bat }) {
     if (!bat) return;
     this.show(bat);
@@ -305,15 +299,12 @@ class Outline {
 
   get unit() { return unitOf("length", this.app.units); }
 
-  /**
-   * @param {Station} station
-   * @param {number} index
-   */
+  /** @param {Station} station @param {number} index */
   row(station, index) {
     const row = document.createElement("tr");
     const { unit, app: { units } } = this;
     for (const [key, words] of SIZES) {
-      const field = Object.assign(document.createElement("input"), { type: "number", step: "any", value: Number(toShown("length", station[key], units).toFixed(3)) });
+      const field = Object.assign(document.createElement("input"), { type: "number", step: ANY_STEP, value: Number(toShown("length", station[key], units).toFixed(3)) });
       field.setAttribute("aria-label", `Station ${index + 1}, ${words}, ${unit}`);
       field.addEventListener("change", () => this.change(index, { [key]: fromShown("length", Number(field.value), units) }));
       row.append(cellOf(field));
@@ -329,10 +320,7 @@ class Outline {
     return row;
   }
 
-  /**
-   * @param {number} index
-   * @param {Partial<Station>} values
-   */
+  /** @param {number} index @param {Partial<Station>} values */
   change(index, values) {
     this.onChange(this.stations.map((station, i) => (i === index ? { ...station, ...values } : station)), true);
   }

@@ -6,24 +6,18 @@ import { button } from "../controls/controls.js";
 import { download } from "../shell/download.js";
 import { make, write } from "../controls/parts.js";
 import { posted } from "../shell/post.js";
-/** @import { App, State } from "../shell/main.js" */
+/** @import { App, Field } from "../shell/main.js" */
 
-// A field that changes the bat: what to say of it.
-const CHANGES = {
-  profile_in: () => "outline drawn",
-  mass_oz: (/** @type {number} */ value, /** @type {App} */ app) => `weight ${app.text("mass_oz", value)}`,
-  wall_factor: (/** @type {number} */ value) => `wall × ${value}`,
-  bore_diameter_in: (/** @type {number} */ value, /** @type {App} */ app) => `hole ${app.text("bore_diameter_in", value)} wide`,
-  cup_diameter_in: (/** @type {number} */ value, /** @type {App} */ app) => `cup ${app.text("cup_diameter_in", value)} wide`,
-  weight_oz: (/** @type {number} */ value, /** @type {App} */ app) => `${app.text("weight_oz", value)} added`,
-  choke_up_in: (/** @type {number} */ value, /** @type {App} */ app) => `choked up ${app.text("choke_up_in", value)}`,
-};
+/** @type {[Field, string][]} a field that changes the bat, and what is said of it; #: its value */
+const CHANGES = [["profile_in", "outline drawn"], ["mass_oz", "weight #"], ["wall_factor", "wall × #"], ["bore_diameter_in", "hole # wide"],
+  ["cup_diameter_in", "cup # wide"], ["weight_oz", "# added"], ["choke_up_in", "choked up #"]];
 
 export class Chip {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
-    this.names = new Map(); // promises, by catalogue name or text
+    /** @type {Map<string, Promise<string>>} */
+    this.names = new Map(); // by catalogue name or text
     this.name = make("strong");
     this.changes = make("small");
     this.open = make("button", { type: "button", id: "bench-chip" }, make("span", {}, this.name, " ", this.changes));
@@ -32,23 +26,22 @@ export class Chip {
     this.open.addEventListener("click", () => this.menu());
   }
 
-  /** @returns {State} */
   get bat() {
-    return { bat: "r161-ash", ...this.app.carried };
+    return { bat: "r161-ash", bat_toml: null, ...this.app.carried };
   }
 
+  /** @returns {[Field, string][]} */
   made() {
-    const { schema } = this.app.entry("explorer");
-    const changed = Object.entries(CHANGES).filter(([field]) => (
-      this.bat[field] !== undefined && JSON.stringify(this.bat[field]) !== JSON.stringify(schema[field].default ?? null)));
-    return changed.map(([field, words]) => [field, words(this.bat[field], this.app)]);
+    const { app } = this, { schema } = app.entry("explorer"), { carried } = app;
+    const changed = CHANGES.filter(([field]) => carried[field] !== undefined && JSON.stringify(carried[field]) !== JSON.stringify(schema[field].default ?? null));
+    return changed.map(([field, words]) => [field, words.replace("#", field === "wall_factor" ? String(carried[field]) : app.text(field, Number(carried[field])))]);
   }
 
   // Where another sport's implement lies before one, it is named; where nothing does, the bat on the bench has nothing to say.
   async sync() {
     this.element.hidden = this.app.schema.bat === undefined && !this.other;
     if (this.other) {
-      this.show(this.app.answer?.tool?.name ?? this.app.state.implement, this.app.state.implement_toml ? "your own file" : "");
+      this.show(this.app.answer?.tool?.name ?? this.app.state.implement ?? "", this.app.state.implement_toml ? "your own file" : "");
       return;
     }
     const { bat, bat_toml: text } = this.bat;
@@ -57,7 +50,7 @@ export class Chip {
     const key = text ?? bat;
     this.name.textContent ||= bat; // until its name is known
     if (!this.names.has(key)) this.names.set(key, this.look(bat, text));
-    const name = await this.names.get(key);
+    const name = (await this.names.get(key)) ?? bat;
     const now = this.bat.bat_toml ?? this.bat.bat;
     if (key === now && !this.other) this.show(name, changes);
   }
@@ -65,10 +58,7 @@ export class Chip {
   // Whether the view shows an implement of its own, of any sport.
   get other() { return Boolean(this.app.state.implement); }
 
-  /**
-   * @param {string} name
-   * @param {string} changes
-   */
+  /** @param {string} name @param {string} changes */
   show(name, changes) {
     write(this.name, name);
     write(this.changes, changes);
@@ -76,10 +66,7 @@ export class Chip {
     if (this.open.getAttribute("aria-label") !== said) this.open.setAttribute("aria-label", said);
   }
 
-  /**
-   * @param {string} bat
-   * @param {string} text
-   */
+  /** @param {string} bat @param {string | null} text @returns {Promise<string>} */
   async look(bat, text) {
     try {
       const facts = text ? await posted("/api/v1/bat", { toml: text }) : (await this.app.lists("bats")).bats.find(({ key }) => key === bat);
@@ -111,7 +98,7 @@ export class Chip {
     const { app } = this;
     const made = this.made();
     const list = made.length ? make("ul", {}, ...made.map(([field, words]) => make("li", {}, `${words} `,
-      Object.assign(act("Undo", () => app.setState({ [field]: unchanged({ schema: app.entry("explorer").schema })[field] })), { ariaLabel: `Undo: ${words}` }))))
+      Object.assign(act("Undo", () => app.setState({ [field]: app.entry("explorer").schema[field].default ?? null })), { ariaLabel: `Undo: ${words}` }))))
       : make("p", { className: "note", textContent: "Nothing was changed of it." });
     return [list, make("div", { className: "row" },
       act("As it was", () => app.setState(unchanged({ schema: app.entry("explorer").schema }))),

@@ -37,10 +37,7 @@ export class Film {
     return [low, (moment - times[low]) / (times[high] - times[low])];
   }
 
-  /**
-   * @param {number[]} series
-   * @param {number} moment
-   */
+  /** @param {number[]} series @param {number} moment */
   value(series, moment) {
     const [index, part] = this.where(moment);
     return series[index] + part * (series[index + 1] - series[index]);
@@ -92,10 +89,7 @@ export class Film {
   }
 
   // Dent of the wall inwards at an angle from the ball, m.
-  /**
-   * @param {number} moment
-   * @param {number} angle
-   */
+  /** @param {number} moment @param {number} angle */
   dent(moment, angle) {
     const { hoop } = this.answer;
     if (!hoop || moment <= 0) return 0;

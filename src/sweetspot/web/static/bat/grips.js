@@ -6,11 +6,8 @@ import { INCH } from "../controls/units.js";
 /** @import { BatPicture } from "../answers.js" */
 /** @import { App, State } from "../shell/main.js" */
 
-/** @typedef {{ at: number, aside: number, take: (along: number, aside: number) => State }} Grip */
-/**
- * @param {{ bat: BatPicture, hands_m?: number[] }} answer
- * @param {App} app
- */
+/** @typedef {{ at: number, aside: number, take: (along: number, aside: number) => Partial<State> }} Grip */
+/** @param {{ bat: BatPicture, hands_m?: number[] }} answer @param {App} app */
 export function gripsOf({ bat, hands_m: hands }, app) {
   const { state } = app;
   const inches = (/** @type {number} */ metres) => Math.round((20 * metres) / INCH) / 20;

@@ -1,6 +1,7 @@
 // A motion of the bat: above, the bat at rest with the still places marked; below, the bat moving, larger than life.
 
-import { paintBat, radiusAt } from "./batview.js";
+import { around, looks, paintBat, radiusAt } from "./batpaint.js";
+import { dot, line, shape } from "../charts/pen.js";
 import { FONT, haloText } from "../charts/surface.js";
 /** @import { ModesAnswer, BatMotion } from "../answers.js" */
 /** @import { App, Colors } from "../shell/main.js" */
@@ -11,10 +12,7 @@ const ROUND = 0.3; // part of the barrel's radius, for a hoop motion of size 1
 
 /** @typedef {{ answer: ModesAnswer, motion: BatMotion, phase: number, size: number, both: boolean, colors: Colors, text: (name: string, value: number, digits?: number) => string }} Shown */
 export class Stage {
-  /**
-   * @param {ModesAnswer} answer
-   * @param {number} width
-   */
+  /** @param {ModesAnswer} answer @param {number} width */
   constructor(answer, width) {
     const { bat } = answer;
     this.answer = answer;
@@ -46,14 +44,7 @@ export function paintMotion(context, width, height, shown) {
   paintZone(context, stage, shown);
   paintBat(context, stage.bat, { left: PAD, scale: stage.scale, middle: stage.rest }, colors);
   paintMarks(context, stage, shown);
-  context.strokeStyle = colors.line;
-  context.lineWidth = 1;
-  context.setLineDash([5, 5]);
-  context.beginPath();
-  context.moveTo(stage.across(0), stage.axis);
-  context.lineTo(stage.across(answer.bat.length_m), stage.axis);
-  context.stroke();
-  context.setLineDash([]);
+  line(context, [[stage.across(0), stage.axis], [stage.across(answer.bat.length_m), stage.axis]], colors.line, 1, [5, 5]);
   if (shown.motion.family === "hoop") paintHoop(context, stage, shown);
   else paintBent(context, stage, shown);
   paintNodes(context, stage, shown);
@@ -78,32 +69,14 @@ function paintZone(context, stage, { answer, motion, colors }) {
  * @param {{ answer: ModesAnswer, colors: Colors }} given
  */
 function paintMarks(context, stage, { answer, colors }) {
-  context.strokeStyle = colors.muted;
-  context.lineWidth = 3;
   for (const hand of answer.hands_m) {
     const reach = radiusAt(stage.bat, hand) * stage.scale + 6;
-    for (const side of [-1, 1]) {
-      context.beginPath();
-      context.moveTo(stage.across(hand - 0.025), stage.rest + side * reach);
-      context.lineTo(stage.across(hand + 0.025), stage.rest + side * reach);
-      context.stroke();
-    }
+    for (const side of [-1, 1]) line(context, [-0.025, 0.025].map((beside) => [stage.across(hand + beside), stage.rest + side * reach]), colors.muted, 3);
   }
   const { position_m: place } = answer.tap;
   const [x, y] = [stage.across(place), stage.rest - radiusAt(stage.bat, place) * stage.scale - 3];
-  context.fillStyle = colors.red;
-  context.strokeStyle = colors.red;
-  context.lineWidth = 3;
-  context.beginPath();
-  context.moveTo(x, y - 22);
-  context.lineTo(x, y - 8);
-  context.stroke();
-  context.beginPath();
-  context.moveTo(x, y);
-  context.lineTo(x - 5, y - 9);
-  context.lineTo(x + 5, y - 9);
-  context.closePath();
-  context.fill();
+  line(context, [[x, y - 22], [x, y - 8]], colors.red, 3);
+  shape(context, [[x, y], [x - 5, y - 9], [x + 5, y - 9]], { fill: colors.red });
   context.font = `600 12px ${FONT}`;
   context.textAlign = x > stage.width - 60 ? "right" : "left";
   context.textBaseline = "middle";
@@ -121,15 +94,7 @@ function paintBent(context, stage, { motion, answer, phase, size, both, colors }
     const edges = [...new Set([...stage.bat.outline.position_m, ...answer.place_m])].sort((a, b) => a - b)
       .map((x) => [stage.across(x), stage.axis + shift(x), radiusAt(stage.bat, x) * stage.scale]);
     context.globalAlpha = strength;
-    context.beginPath();
-    for (const [x, y, radius] of edges) context.lineTo(x, y - radius);
-    for (const [x, y, radius] of [...edges].reverse()) context.lineTo(x, y + radius);
-    context.closePath();
-    context.fillStyle = stage.bat.hollow ? colors.metal : colors.wood;
-    context.fill();
-    context.strokeStyle = stage.bat.hollow ? colors.metalEdge : colors.woodEdge;
-    context.lineWidth = 1.2;
-    context.stroke();
+    shape(context, around(edges), looks(stage.bat, colors));
     context.globalAlpha = 1;
   };
   if (both) draw(-phase, 0.3);
@@ -146,20 +111,12 @@ function paintHoop(context, stage, { motion, answer, phase, size, both, colors }
   const { harmonic } = motion;
   const largest = stage.widest * ROUND * size;
   const opposite = harmonic % 2 ? -1 : 1; // cos(n pi): how the side away from the ball moves
-  const places = answer.place_m.filter((/** @type {number} */ x) => x >= (answer.hoop_start_m ?? 0) - 0.03);
+  const places = answer.place_m.filter((x) => x >= (answer.hoop_start_m ?? 0) - 0.03);
   const draw = (/** @type {number} */ part, /** @type {boolean} */ filled) => {
     const move = (/** @type {number} */ x) => part * largest * between(answer.place_m, motion.shape, x);
-    context.beginPath();
-    for (const x of places) context.lineTo(stage.across(x), stage.axis - (radiusAt(stage.bat, x) + move(x)) * stage.scale);
-    for (const x of [...places].reverse()) context.lineTo(stage.across(x), stage.axis + (radiusAt(stage.bat, x) + opposite * move(x)) * stage.scale);
-    context.closePath();
-    context.fillStyle = colors.metal;
-    if (filled) context.fill();
-    context.strokeStyle = colors.metalEdge;
-    context.lineWidth = 1.3;
-    context.setLineDash(filled ? [] : [3, 3]);
-    context.stroke();
-    context.setLineDash([]);
+    const upper = places.map((x) => [stage.across(x), stage.axis - (radiusAt(stage.bat, x) + move(x)) * stage.scale]);
+    const lower = places.map((x) => [stage.across(x), stage.axis + (radiusAt(stage.bat, x) + opposite * move(x)) * stage.scale]);
+    shape(context, [...upper, ...lower.reverse()], { edge: colors.metalEdge, ...(filled ? { fill: colors.metal } : { dash: [3, 3] }) });
   };
   draw(phase, true);
   if (both) draw(-phase, false);
@@ -172,44 +129,26 @@ function paintHoop(context, stage, { motion, answer, phase, size, both, colors }
  * @param {{ motion: BatMotion, answer: ModesAnswer, phase: number, largest: number, both: boolean, colors: Colors }} given
  */
 function paintCut(context, stage, { motion, answer, phase, largest, both, colors }) {
-  const top = motion.shape.reduce((/** @type {number} */ best, /** @type {number} */ value, /** @type {number} */ i) => (Math.abs(value) > Math.abs(motion.shape[best]) ? i : best), 0);
+  const top = motion.shape.reduce((best, value, i) => (Math.abs(value) > Math.abs(motion.shape[best]) ? i : best), 0);
   const place = answer.place_m[top];
   const zoom = Math.min(1.25, (0.42 * stage.width) / (stage.scale * 4.4 * stage.widest));
   const radius = radiusAt(stage.bat, place);
   const [x, y] = [stage.across(0) + 2 * stage.widest * stage.scale * zoom, stage.axis];
-  const ring = (/** @type {number} */ part) => {
-    context.beginPath();
-    for (let i = 0; i <= SIDES; i += 1) {
-      const angle = (2 * Math.PI * i) / SIDES;
-      const reach = (radius + part * largest * motion.shape[top] * Math.cos(motion.harmonic * angle)) * stage.scale * zoom;
-      context.lineTo(x + reach * Math.sin(angle), y - reach * Math.cos(angle));
-    }
-    context.closePath();
-  };
-  context.strokeStyle = colors.line;
-  context.lineWidth = 1;
-  context.setLineDash([4, 4]);
-  context.beginPath();
-  context.ellipse(x, y, radius * stage.scale * zoom, radius * stage.scale * zoom, 0, 0, 2 * Math.PI);
-  context.stroke();
-  context.setLineDash([]);
-  context.strokeStyle = colors.metalEdge;
+  const ring = (/** @type {number} */ part, /** @type {number} */ width) => shape(context, Array.from({ length: SIDES }, (_, i) => {
+    const angle = (2 * Math.PI * i) / SIDES;
+    const reach = (radius + part * largest * motion.shape[top] * Math.cos(motion.harmonic * angle)) * stage.scale * zoom;
+    return [x + reach * Math.sin(angle), y - reach * Math.cos(angle)];
+  }), { edge: colors.metalEdge, width });
+  dot(context, [x, y], radius * stage.scale * zoom, { edge: colors.line, width: 1, dash: [4, 4] });
   if (both) {
     context.globalAlpha = 0.4;
-    context.lineWidth = 2;
-    ring(-phase);
-    context.stroke();
+    ring(-phase, 2);
     context.globalAlpha = 1;
   }
-  context.lineWidth = 4;
-  ring(phase);
-  context.stroke();
-  context.fillStyle = colors.accent;
+  ring(phase, 4);
   for (let k = 0; k < 2 * motion.harmonic; k += 1) {
     const angle = ((k + 0.5) * Math.PI) / motion.harmonic;
-    context.beginPath();
-    context.arc(x + radius * stage.scale * zoom * Math.sin(angle), y - radius * stage.scale * zoom * Math.cos(angle), 4, 0, 2 * Math.PI);
-    context.fill();
+    dot(context, [x + radius * stage.scale * zoom * Math.sin(angle), y - radius * stage.scale * zoom * Math.cos(angle)], 4, { fill: colors.accent });
   }
   context.font = `12px ${FONT}`;
   context.textAlign = "left";
@@ -227,24 +166,10 @@ function paintNodes(context, stage, { motion, answer, colors, text }) {
   const few = motion.nodes_m.length <= 4;
   context.font = `12px ${FONT}`;
   context.textBaseline = "middle";
-  motion.nodes_m.forEach((/** @type {number} */ node) => {
+  motion.nodes_m.forEach((node) => {
     const x = stage.across(node);
-    context.strokeStyle = colors.accent;
-    context.lineWidth = 1.3;
-    context.setLineDash([3, 3]);
-    context.beginPath();
-    context.moveTo(x, stage.rest);
-    context.lineTo(x, stage.axis);
-    context.stroke();
-    context.setLineDash([]);
-    for (const y of [stage.rest, stage.axis]) {
-      context.beginPath();
-      context.arc(x, y, 4.5, 0, 2 * Math.PI);
-      context.fillStyle = colors.accent;
-      context.fill();
-      context.strokeStyle = colors.panel;
-      context.stroke();
-    }
+    line(context, [[x, stage.rest], [x, stage.axis]], colors.accent, 1.3, [3, 3]);
+    for (const y of [stage.rest, stage.axis]) dot(context, [x, y], 4.5, { fill: colors.accent, edge: colors.panel });
     const words = text("node_m", answer.bat.length_m - node, few ? undefined : 1);
     const last = x > stage.width - 70; // beside its line, which would run through it
     context.textAlign = last ? "right" : "left";
@@ -256,11 +181,7 @@ function paintNodes(context, stage, { motion, answer, colors, text }) {
   context.fillText(stage.width < 560 ? "● stands still" : "● stands still; numbers are from the tip", stage.width - PAD, stage.height - 8);
 }
 
-/**
- * @param {number[]} places
- * @param {number[]} values
- * @param {number} x
- */
+/** @param {number[]} places @param {number[]} values @param {number} x */
 export function between(places, values, x) {
   const step = places[1] - places[0];
   const i = Math.min(places.length - 2, Math.max(0, Math.floor(x / step + 1e-9)));

@@ -1,18 +1,15 @@
 // A bat, racket, club or stick by questions; which ones, and how far an answer may go, the server says (web/wizard.py).
 
 import { unchanged } from "./unchanged.js";
-import { button } from "../controls/controls.js";
+import { ANY_STEP, button } from "../controls/controls.js";
 import { make } from "../controls/parts.js";
 import { posted } from "../shell/post.js";
 import { wordsOf } from "../shell/status.js";
 import { fromShown, toShown, unitOf } from "../controls/units.js";
+/** @import { Form, Pattern, Usual, WizardQuestion } from "../answers.js" */
 /** @import { App } from "../shell/main.js" */
 /** @import { System } from "../controls/units.js" */
 
-/** @typedef {{ value: number | string | null, least: number | null, most: number | null }} Usual */
-/** @typedef {Usual & { field: string, label: Record<System, string>, kind: string, system: System | null, follows: string, by: Record<string, Usual>, proportion_to: string, options: { key: string, name: string }[] }} Question follows: another question of whose answer `by` has what is usual here, proportion_to: one in proportion to whose answer that is */
-/** @typedef {{ key: string, name: string, questions: Question[] }} Pattern */
-/** @typedef {{ sport: string, name: string, implement: string, view: string, patterns: Pattern[] }} Form */
 /** @typedef {HTMLInputElement | HTMLSelectElement} Field */
 
 const FIGURES = 4; // of a first value and of a bound
@@ -22,21 +19,18 @@ let begun = null; // closed before its answers lay on the bench: they are there 
 
 /** @param {App} app */
 export async function wizard(app) {
-  const { questions: forms } = /** @type {{ questions: Form[] }} */ (await app.lists("questions"));
+  const { questions: forms } = await app.lists("questions");
   (begun ?? new Wizard(app, forms)).open();
 }
 
 class Wizard {
-  /**
-   * @param {App} app
-   * @param {Form[]} forms
-   */
+  /** @param {App} app @param {Form[]} forms */
   constructor(app, forms) {
     this.app = app;
     this.forms = forms;
     /** @type {Map<string, HTMLElement>} */
     this.faults = new Map();
-    /** @type {[Question, Field][]} */
+    /** @type {[WizardQuestion, Field][]} */
     this.fields = [];
     this.sport = picked(forms.map(({ sport, name }) => [sport, name]));
     this.built = picked([]);
@@ -119,10 +113,7 @@ class Wizard {
   }
 
   // What is usual here, which may follow from other answers.
-  /**
-   * @param {Question} question
-   * @returns {Usual}
-   */
+  /** @param {WizardQuestion} question @returns {Usual} */
   usual(question) {
     const answerTo = (/** @type {string} */ name) => this.fields.find(([{ field }]) => field === name);
     const known = question.by[answerTo(question.follows)?.[1].value ?? ""];
@@ -135,40 +126,27 @@ class Wizard {
   }
 
   // The usual answer, unless somebody gave another one.
-  /**
-   * @param {Question} question
-   * @param {Field} field
-   */
+  /** @param {WizardQuestion} question @param {Field} field */
   fill(question, field) {
     const { value } = this.usual(question);
     if (typeof value !== "number" || field.value !== (field.dataset.usual ?? "")) return;
     field.value = field.dataset.usual = String(this.shown(question, value));
   }
 
-  /**
-   * @param {Question} question
-   * @param {number} value
-   */
+  /** @param {WizardQuestion} question @param {number} value */
   shown(question, value) { return Number(toShown(question.kind, value, this.system(question)).toPrecision(FIGURES)); }
 
-  /** @param {Question} question */
+  /** @param {WizardQuestion} question */
   system({ system }) { return system ?? this.app.units; }
 
-  /**
-   * @param {Question} question
-   * @returns {Field}
-   */
+  /** @param {WizardQuestion} question @returns {Field} */
   field(question) {
     const { kind, options } = question;
     if (options.length) return picked(options.map(({ key, name }) => [key, name]));
-    return kind ? make("input", { type: "number", step: "any" }) : make("input", { type: "text", maxLength: 20 });
+    return kind ? make("input", { type: "number", step: ANY_STEP }) : make("input", { type: "text", maxLength: 20 });
   }
 
-  /**
-   * @param {string} field
-   * @param {string} words
-   * @param {Field} input
-   */
+  /** @param {string} field @param {string} words @param {Field} input */
   row(field, words, input, unit = "") {
     input.id = `wizard-${field}`;
     const fault = make("p", { className: "fault", hidden: true, id: `wizard-${field}-fault` });
@@ -178,10 +156,7 @@ class Wizard {
       make("div", { className: "entry" }, input, make("span", { className: "unit", textContent: unit })), fault);
   }
 
-  /**
-   * @param {string} field
-   * @param {string} message
-   */
+  /** @param {string} field @param {string} message */
   fault(field, message) {
     const beside = this.faults.get(field);
     const place = beside && !beside.parentElement?.hidden ? beside : this.said;
@@ -268,10 +243,7 @@ class Wizard {
 }
 
 // A bound with a few figures, itself allowed.
-/**
- * @param {number} bound
- * @param {(value: number) => number} round
- */
+/** @param {number} bound @param {(value: number) => number} round */
 function inward(bound, round) {
   const step = 10 ** (Math.floor(Math.log10(bound)) + 1 - FIGURES);
   return Number((step * round(bound / step)).toPrecision(FIGURES));

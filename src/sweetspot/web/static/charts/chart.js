@@ -17,11 +17,12 @@
 // are shown in the chosen system. color names a colour of the theme. Missing values are null. The margins LEFT and RIGHT
 // are the same for every chart and for the bat above it.
 
-import { between, paintArea, paintAxis, paintGrid, paintLine, paintPoints, paintPublished, shownPlace, shownValues, vertical, within } from "./chartpaint.js";
+import { between, paintArea, paintAxis, paintGrid, paintLine, paintPoints, paintPublished, shownPlace, shownValues, within } from "./chartpaint.js";
 import { panelsOf } from "./chartpanels.js";
 import { paintNames, paintSample, rowsOfNames, ROW } from "./legend.js";
 import { Numbers } from "./numbers.js";
 import { make } from "../controls/parts.js";
+import { dot, line } from "./pen.js";
 import { Surface, FONT, haloText } from "./surface.js";
 import { grouped, kindOf, unitOf } from "../controls/units.js";
 import { Zoom } from "./zoom.js";
@@ -41,7 +42,7 @@ const ROWS = 24; // of the table
 /** @typedef {{ title: string, kind: string, height: number, lines: Curve[], zero?: boolean, stacked?: boolean, empty?: number[], term?: string }} Panel */
 /** @typedef {{ kind: string, label: string, from?: () => number }} Axis */
 /** @typedef {{ at: number, color: string, label?: string }} Mark */
-/** @typedef {{ from: number, to: number, low?: number, high?: number, label: string }} Published a stretch of the axis, or values around one place */
+/** @typedef {{ from: number, to: number, low?: number | null, high?: number | null, label: string }} Published a stretch of the axis, or values around one place */
 /** @typedef {{ x: number, y: number | null, low?: number | null, high?: number | null, label?: string }} Measured */
 /**
  * What a chart shows; xs are places of curves that have their own.
@@ -57,7 +58,7 @@ const ROWS = 24; // of the table
  * @property {Record<string, Measured[]>} [points]
  * @property {Record<string, Published[]>} [published]  beside which curve, by its key
  * @property {number | null} [cursor]
- * @property {Record<string, number | null>} [here]  values at the cursor by curve, where they are worked out for that very place
+ * @property {Record<string, number | null | undefined>} [here]  values at the cursor by curve, where they are worked out for that very place
  */
 
 export class Chart {
@@ -70,11 +71,10 @@ export class Chart {
     this.panels = panels;
     this.axis = axis;
     this.caption = label || "Curves";
-    /** @type {Shown} */
-    this.data = /** @type {any} */ (null); // until it is first drawn
+    this.data = /** @type {Shown} */ (/** @type {unknown} */ (null)); // until it is first drawn
     /** @type {number | null} */
     this.hover = null;
-    /** @type {any[]} */
+    /** @type {Placed[]} */
     this.places = []; // of the panels, since the ground was last painted
     /** @type {Map<Panel, { key: string, lines: Curve[], rows: Curve[][] }>} */
     this.legend = new Map();
@@ -95,10 +95,7 @@ export class Chart {
   tall(width) { return this.panels.reduce((sum, panel) => sum + panel.height + HEAD + ROW * this.namesOf(panel, width).length + GAP, FOOT); }
 
   // Rows of names beneath a panel's title, as worked out for this width, system of units and cursor.
-  /**
-   * @param {Panel} panel
-   * @param {number} width
-   */
+  /** @param {Panel} panel @param {number} width */
   namesOf(panel, width) {
     const { units } = this.app;
     const values = this.data?.cursor !== null && this.data?.cursor !== undefined;
@@ -140,10 +137,7 @@ export class Chart {
     if (this.data) this.surface.draw();
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width */
   paint(context, width) {
     if (!this.data) return;
     const { data, app: { colors, units } } = this;
@@ -151,7 +145,7 @@ export class Chart {
     const across = (/** @type {number} */ x) => LEFT + ((x - least) / (most - least)) * (width - LEFT - RIGHT);
     const about = [data.lines, data.x, data.xs, colors, units, least, most, this.axis.from?.(), ...this.panels, ...this.panels.map(({ lines }) => lines),
       JSON.stringify([data.bands, data.marks, data.points, data.published])];
-    this.surface.layer(context, about, (/** @type {any} */ ground) => {
+    this.surface.layer(context, about, (ground) => {
       this.places = panelsOf(this, { left: LEFT, right: width - RIGHT, head: HEAD, gap: GAP, row: ROW, namesOf: (panel) => this.namesOf(panel, width) });
       for (const place of this.places) this.paintGround(ground, place, across);
       paintAxis(ground, this, across, (this.places.at(-1)?.box.bottom ?? 0));
@@ -160,11 +154,7 @@ export class Chart {
   }
 
   // What stays while a pointer or the cursor moves: it is painted once.
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Placed} given
-   * @param {Way} across
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Placed} given @param {Way} across */
   paintGround(context, { panel, box, xs, shown, bands, points, low, high, up }, across) {
     const { data, app: { colors } } = this;
     within(context, box, () => {
@@ -176,20 +166,16 @@ export class Chart {
     paintGrid(context, colors, box, low, high, up);
     within(context, box, () => {
       const named = panel === this.panels[0] ? this.namedMarks() : [];
-      for (const mark of data.marks ?? []) vertical(context, across(mark.at), box, colors[mark.color], 1, [3, 3], box.top + ROW * rowOf(Math.max(0, named.indexOf(mark)), box));
-      panel.lines.forEach((line, i) => {
-        if (bands[i]) paintArea(context, xs[i], bands[i][1], bands[i][0], across, up, colors[line.color], 0.2);
-        paintLine(context, line, xs[i], shown[i], { across, up, colors, area: panel.stacked ? { below: i > 0 ? shown[i - 1] : null, low } : null });
-        paintPoints(context, points[i], across, up, colors[line.color], colors.panel);
+      for (const mark of data.marks ?? []) line(context, [[across(mark.at), box.top + ROW * rowOf(Math.max(0, named.indexOf(mark)), box)], [across(mark.at), box.bottom]], colors[mark.color], 1, [3, 3]);
+      panel.lines.forEach((curve, i) => {
+        if (bands[i]) paintArea(context, xs[i], bands[i][1], bands[i][0], across, up, colors[curve.color], 0.2);
+        paintLine(context, curve, xs[i], shown[i], { across, up, colors, area: panel.stacked ? { below: i > 0 ? shown[i - 1] : null, low } : null });
+        paintPoints(context, points[i], across, up, colors[curve.color], colors.panel);
       });
     });
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Placed} given
-   * @param {Way} across
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Placed} given @param {Way} across */
   paintOver(context, { panel, box, xs, shown, bare, published, up }, across) {
     const { colors } = this.app;
     within(context, box, () => {
@@ -208,11 +194,7 @@ export class Chart {
 
   // In the first panel, each name a row lower than the one before, where its line begins: no line crosses a name. Below the
   // last row they go on at the top.
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Box} box
-   * @param {Way} across
-   */
+  /** @param {CanvasRenderingContext2D} context @param {Box} box @param {Way} across */
   paintMarkNames(context, box, across) {
     const { colors } = this.app;
     context.font = `11px ${FONT}`;
@@ -234,15 +216,11 @@ export class Chart {
     const { colors } = this.app;
     for (const { at, color, dash } of [{ at: this.data.cursor, color: colors.ink, dash: [] }, { at: this.hover, color: colors.muted, dash: [2, 3] }]) {
       if (at === null || at === undefined) continue;
-      vertical(context, across(at), box, color, 1.2, dash);
+      line(context, [[across(at), box.top], [across(at), box.bottom]], color, 1.2, dash);
       if (panel.stacked) continue;
-      for (const [i, line] of [...panel.lines.entries()].reverse()) { // the first line's dot lies on top
-        const value = this.valueOf(panel, line, xs[i], shown[i], at);
-        if (value === null) continue;
-        context.fillStyle = colors[line.color];
-        context.beginPath();
-        context.arc(across(at), up(value), 3.5, 0, 2 * Math.PI);
-        context.fill();
+      for (const [i, curve] of [...panel.lines.entries()].reverse()) { // the first line's dot lies on top
+        const value = this.valueOf(panel, curve, xs[i], shown[i], at);
+        if (value !== null) dot(context, [across(at), up(value)], 3.5, { fill: colors[curve.color] });
       }
     }
   }

@@ -1,5 +1,6 @@
 // What charts are painted with: grids, lines, areas, points and axes; and their numbers in the reader's units.
 
+import { dot, line, shape } from "./pen.js";
 import { FONT, haloText, ticks } from "./surface.js";
 import { grouped, kindOf, toShown, unitOf } from "../controls/units.js";
 /** @import { App, Colors } from "../shell/main.js" */
@@ -21,29 +22,17 @@ const EDGE = 12; // pixels beside the last place of an axis that its number may 
  * @property {Span} [range]
  */
 
-/**
- * @param {{ kind: string }} given
- * @param {Values | undefined} values
- * @param {System} units
- */
+/** @param {{ kind: string }} given @param {Values | undefined} values @param {System} units */
 export function shownValues({ kind }, values, units) {
   return (values ?? []).map((value) => (value === null ? null : toShown(kind, value, units)));
 }
 
-/**
- * @param {Axis} axis
- * @param {number} x
- * @param {System} units
- * @returns {number}
- */
+/** @param {Axis} axis @param {number} x @param {System} units @returns {number} */
 export function shownPlace({ kind, from }, x, units) {
   return toShown(kind, from ? from() - x : x, units);
 }
 
-/**
- * @param {Axis} axis
- * @param {System} units
- */
+/** @param {Axis} axis @param {System} units */
 function axisWords({ kind, label }, units) {
   return [unitOf(kind, units), label].filter(Boolean).join(" ");
 }
@@ -71,10 +60,7 @@ export function stretches(values) {
 }
 
 // Least and most of what is shown of a panel within the range of its axis.
-/**
- * @param {Plotted} given
- * @param {Panel} panel
- */
+/** @param {Plotted} given @param {Panel} panel */
 export function limits({ xs, shown, bands = [], points = [], range = [-Infinity, Infinity] }, panel) {
   let [low, high] = [Infinity, -Infinity];
   const take = (/** @type {number | null | undefined} */ value) => {
@@ -93,11 +79,7 @@ export function limits({ xs, shown, bands = [], points = [], range = [-Infinity,
 }
 
 // As many as there is room for, but at least two: one number alone is no scale.
-/**
- * @param {number} low
- * @param {number} high
- * @param {number} room
- */
+/** @param {number} low @param {number} high @param {number} room */
 function scaleTicks(low, high, room) {
   for (let count = Math.max(2, room); ; count *= 2) {
     const found = ticks(low, high, count);
@@ -117,11 +99,11 @@ export function paintGrid(context, colors, box, low, high, up) {
   Object.assign(context, { font: `11px ${FONT}`, textAlign: "right", textBaseline: "middle" });
   for (const value of scaleTicks(low, high, (box.bottom - box.top) / 28)) {
     const y = Math.round(up(value)) + 0.5;
-    horizontal(context, y, box, colors.grid);
+    line(context, [[box.left, y], [box.right, y]], colors.grid);
     context.fillStyle = colors.muted;
     context.fillText(grouped(value).replace("-", "−"), box.left - 6, y);
   }
-  if (low < 0 && high > 0) horizontal(context, Math.round(up(0)) + 0.5, box, colors.line);
+  if (low < 0 && high > 0) line(context, [box.left, box.right].map((x) => [x, Math.round(up(0)) + 0.5]), colors.line);
 }
 
 // An area between two curves over the same places.
@@ -138,25 +120,20 @@ export function paintGrid(context, colors, box, low, high, up) {
 export function paintArea(context, xs, above, below, across, up, color, alpha) {
   const known = xs.map((_, i) => i).filter((i) => typeof above[i] === "number" && typeof below[i] === "number");
   if (known.length < 2) return;
-  context.beginPath();
-  for (const i of known) context.lineTo(across(xs[i]), up(above[i] ?? 0));
-  for (const i of [...known].reverse()) context.lineTo(across(xs[i]), up(below[i] ?? 0));
-  context.closePath();
-  context.fillStyle = color;
   context.globalAlpha = alpha;
-  context.fill();
+  shape(context, [...known.map((i) => [across(xs[i]), up(above[i] ?? 0)]), ...[...known].reverse().map((i) => [across(xs[i]), up(below[i] ?? 0)])], { fill: color });
   context.globalAlpha = 1;
 }
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {Curve} line
+ * @param {Curve} curve
  * @param {number[]} xs
  * @param {Values} values
  * @param {{ across: Way, up: Way, colors: Colors, area?: { below: Values | null, low: number } | null }} given
  */
-export function paintLine(context, line, xs, values, { across, up, colors, area }) {
-  const filled = area || line.fill;
+export function paintLine(context, curve, xs, values, { across, up, colors, area }) {
+  const filled = area || curve.fill;
   context.beginPath();
   for (const [first, last] of stretches(values)) {
     context.moveTo(across(xs[first]), up(values[first] ?? 0));
@@ -166,14 +143,14 @@ export function paintLine(context, line, xs, values, { across, up, colors, area 
     context.closePath();
   }
   if (filled) {
-    context.fillStyle = colors[line.color];
+    context.fillStyle = colors[curve.color];
     context.globalAlpha = area ? 0.85 : 0.25;
     context.fill();
     context.globalAlpha = 1;
     if (area) return;
   }
-  Object.assign(context, { strokeStyle: colors[line.color], lineWidth: line.width ?? 2, lineJoin: "round" });
-  context.setLineDash(line.dash ?? []);
+  Object.assign(context, { strokeStyle: colors[curve.color], lineWidth: curve.width ?? 2, lineJoin: "round" });
+  context.setLineDash(curve.dash ?? []);
   context.stroke();
   context.setLineDash([]);
 }
@@ -189,18 +166,8 @@ export function paintLine(context, line, xs, values, { across, up, colors, area 
  */
 export function paintPoints(context, points, across, up, color, ground) {
   for (const { x, y, low, high } of points) {
-    Object.assign(context, { strokeStyle: color, fillStyle: ground, lineWidth: 1.6 });
-    context.beginPath();
-    if (typeof low === "number" && typeof high === "number") {
-      context.moveTo(across(x), up(low));
-      context.lineTo(across(x), up(high));
-      context.stroke();
-    }
-    if (typeof y !== "number") continue;
-    context.beginPath();
-    context.arc(across(x), up(y), 4, 0, 2 * Math.PI);
-    context.fill();
-    context.stroke();
+    if (typeof low === "number" && typeof high === "number") line(context, [[across(x), up(low)], [across(x), up(high)]], color, 1.6);
+    if (typeof y === "number") dot(context, [across(x), up(y)], 4, { fill: ground, edge: color, width: 1.6 });
   }
 }
 
@@ -222,25 +189,10 @@ export function paintPublished(context, marks, { box, across, up, colors, hover,
     const [low, high] = [up(mark.low ?? 0), up(mark.high ?? 0)];
     const [x, y] = [(across(mark.from) + across(mark.to)) / 2, upright ? (low + high) / 2 : foot];
     const half = upright ? Math.abs(high - low) / 2 : (across(mark.to) - across(mark.from)) / 2;
-    Object.assign(context, { strokeStyle: colors.ink, fillStyle: colors.panel, lineWidth: 1.4 });
-    context.beginPath();
-    for (const [dx, dy, cap] of upright ? [[0, 1, 0]] : [[1, 0, 1]]) {
-      context.moveTo(x - dx * half, y - dy * half);
-      context.lineTo(x + dx * half, y + dy * half);
-      for (const side of [-1, 1]) {
-        context.moveTo(x + side * dx * half - (cap ? 0 : 4), y + side * dy * half - (cap ? 4 : 0));
-        context.lineTo(x + side * dx * half + (cap ? 0 : 4), y + side * dy * half + (cap ? 4 : 0));
-      }
-    }
-    context.stroke();
-    context.beginPath();
-    context.moveTo(x - 5, y);
-    context.lineTo(x, y - 5);
-    context.lineTo(x + 5, y);
-    context.lineTo(x, y + 5);
-    context.closePath();
-    context.fill();
-    context.stroke();
+    const [dx, dy] = upright ? [0, half] : [half, 0], [wide, tall] = upright ? [4, 0] : [0, 4];
+    line(context, [[x - dx, y - dy], [x + dx, y + dy]], colors.ink, 1.4);
+    for (const side of [-1, 1]) line(context, [-1, 1].map((end) => [x + side * dx + end * wide, y + side * dy + end * tall]), colors.ink, 1.4);
+    shape(context, [[x - 5, y], [x, y - 5], [x + 5, y], [x, y + 5]], { fill: colors.panel, edge: colors.ink, width: 1.4 });
     const reach = upright ? NEAR : Math.max(NEAR, half + NEAR);
     if (hover !== null && Math.abs(across(hover) - x) <= reach && (!told || reach < told.reach)) told = { label: mark.label, x, y: upright ? box.top + 10 : y - 14, reach };
     if (!upright) foot -= 12;
@@ -267,11 +219,7 @@ export function paintAxis(context, { app: { colors, units }, axis, range }, acro
   Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });
   for (const value of ticks(low, high, (across(most) - across(least)) / 60)) {
     const x = across(real(value));
-    Object.assign(context, { strokeStyle: colors.line, lineWidth: 1 });
-    context.beginPath();
-    context.moveTo(x, top);
-    context.lineTo(x, top + 4);
-    context.stroke();
+    line(context, [[x, top], [x, top + 4]], colors.line);
     const words = grouped(value).replace("-", "−");
     context.fillText(words, Math.min(x, across(most) + EDGE - context.measureText(words).width / 2), top + 6);
   }
@@ -280,11 +228,7 @@ export function paintAxis(context, { app: { colors, units }, axis, range }, acro
 }
 
 // Paint no farther than a panel's box.
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {Box} box
- * @param {() => void} paint
- */
+/** @param {CanvasRenderingContext2D} context @param {Box} box @param {() => void} paint */
 export function within(context, box, paint) {
   context.save();
   context.beginPath();
@@ -294,44 +238,8 @@ export function within(context, box, paint) {
   context.restore();
 }
 
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {number} x
- * @param {Box} box
- * @param {string} color
- * @param {number} width
- * @param {number[]} dash
- */
-export function vertical(context, x, box, color, width, dash, top = box.top) {
-  Object.assign(context, { strokeStyle: color, lineWidth: width });
-  context.setLineDash(dash);
-  context.beginPath();
-  context.moveTo(x, top);
-  context.lineTo(x, box.bottom);
-  context.stroke();
-  context.setLineDash([]);
-}
-
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {number} y
- * @param {Box} box
- * @param {string} color
- */
-function horizontal(context, y, box, color) {
-  Object.assign(context, { strokeStyle: color, lineWidth: 1 });
-  context.beginPath();
-  context.moveTo(box.left, y);
-  context.lineTo(box.right, y);
-  context.stroke();
-}
-
 // The value of a curve at x, straight between points; null outside.
-/**
- * @param {number[]} xs
- * @param {Values} values
- * @param {number} x
- */
+/** @param {number[]} xs @param {Values} values @param {number} x */
 export function between(xs, values, x) {
   if (!xs.length || x < xs[0] || x > xs[xs.length - 1]) return null;
   let [low, high] = [0, xs.length - 1];

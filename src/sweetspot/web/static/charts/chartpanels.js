@@ -41,10 +41,9 @@ export function panelsOf({ panels, data, range, app: { units } }, { left, right,
     const bare = panel.stacked ? shown.map((values) => [...values]) : shown;
     if (panel.stacked) stack(shown);
     const bands = panel.lines.map(({ band }) => band?.map((key) => inUnits(data.lines[key])));
-    const among = (/** @type {Record<string, any[]> | undefined} */ given, /** @type {string[]} */ names) => panel.lines.map(({ key }) => (given?.[key] ?? []).map((one) => ({
-      ...one, ...Object.fromEntries(names.map((name) => [name, inUnits([one[name] ?? null])[0]])) })));
-    const points = among(data.points, ["y", "low", "high"]);
-    const published = among(data.published, ["low", "high"]);
+    const inUnit = (/** @type {number | null | undefined} */ value) => inUnits([value ?? null])[0];
+    const points = panel.lines.map(({ key }) => (data.points?.[key] ?? []).map((point) => ({ ...point, y: inUnit(point.y), low: inUnit(point.low), high: inUnit(point.high) })));
+    const published = panel.lines.map(({ key }) => (data.published?.[key] ?? []).map((mark) => ({ ...mark, low: inUnit(mark.low), high: inUnit(mark.high) })));
     const wide = published.map((marks, i) => [...points[i], ...marks.map(({ from: x, low, high }) => ({ x, low, high }))]);
     const [low, high] = limits({ xs, shown, bands, points: wide, range }, panel);
     const up = (/** @type {number} */ value) => box.bottom - ((value - low) / (high - low || 1)) * (box.bottom - box.top);

@@ -17,6 +17,7 @@ import { LEFT, RIGHT } from "./chart.js";
 import { paintAxis, shownPlace } from "./chartpaint.js";
 import { heat } from "./heat.js";
 import { Numbers, evenly } from "./numbers.js";
+import { dot, line, shape } from "./pen.js";
 import { FONT, Surface, haloText, ticks } from "./surface.js";
 import { fromShown, grouped, kindOf, toShown, unitOf } from "../controls/units.js";
 /** @import { Axis, Values } from "./chart.js" */
@@ -45,8 +46,7 @@ export class HeatMap {
     this.z = z;
     this.zoom = zoom;
     this.lines = lines;
-    /** @type {Drawn} */
-    this.data = /** @type {any} */ (null); // until it is first drawn
+    this.data = /** @type {Drawn} */ (/** @type {unknown} */ (null)); // until it is first drawn
     this.axis = x;
     this.ends = { least: 0, most: 1 }; // of the values
     this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (context, width) => this.paint(context, width) });
@@ -64,7 +64,7 @@ export class HeatMap {
   }
 
   clear() {
-    this.data = /** @type {any} */ (null);
+    this.data = /** @type {Drawn} */ (/** @type {unknown} */ (null));
     this.surface.draw();
   }
 
@@ -128,10 +128,7 @@ export class HeatMap {
     return HEAD + (1 - (y - low) / (high - low)) * this.tall;
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   */
+  /** @param {CanvasRenderingContext2D} context @param {number} width */
   paint(context, width) {
     if (!this.data) return;
     const inside = (/** @type {CanvasRenderingContext2D} */ surface, /** @type {(() => void)[]} */ ...parts) => {
@@ -153,10 +150,7 @@ export class HeatMap {
     paintAxis(context, this, (/** @type {number} */ x) => this.across(x), HEAD + this.tall);
   }
 
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {{ least: number, most: number }} given
-   */
+  /** @param {CanvasRenderingContext2D} context @param {{ least: number, most: number }} given */
   paintCells(context, { least, most }) {
     const { x, y, z } = this.data;
     const beside = (/** @type {number[]} */ values, /** @type {number} */ i) => values[i] ?? (i < 0 ? 2 * values[0] - values[1] : 2 * values[values.length - 1] - values[values.length - 2]);
@@ -174,10 +168,7 @@ export class HeatMap {
   }
 
   // Lines of equal value, found square by square, each with its number once.
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {{ least: number, most: number }} given
-   */
+  /** @param {CanvasRenderingContext2D} context @param {{ least: number, most: number }} given */
   paintLines(context, { least, most }) {
     const { units, colors } = this.app;
     const shown = (/** @type {number} */ value) => toShown(this.z.kind, value, units);
@@ -200,11 +191,7 @@ export class HeatMap {
 
   /** @param {CanvasRenderingContext2D} context */
   paintOutline(context) {
-    Object.assign(context, { strokeStyle: this.app.colors.ink, lineWidth: 1.5 });
-    context.beginPath();
-    for (const [x, y] of this.data.outline ?? []) context.lineTo(this.across(x), this.up(y));
-    context.closePath();
-    context.stroke();
+    shape(context, (this.data.outline ?? []).map(([x, y]) => [this.across(x), this.up(y)]), { edge: this.app.colors.ink, width: 1.5 });
   }
 
   /** @param {CanvasRenderingContext2D} context */
@@ -212,22 +199,14 @@ export class HeatMap {
     if (!this.data.cross) return;
     const [x, y] = [this.across(this.data.cross[0]), this.up(this.data.cross[1])];
     for (const [color, width] of CROSS) {
-      Object.assign(context, { strokeStyle: color, lineWidth: width });
-      context.beginPath();
-      context.arc(x, y, 8, 0, 2 * Math.PI);
-      context.moveTo(x - 14, y);
-      context.lineTo(x + 14, y);
-      context.moveTo(x, y - 14);
-      context.lineTo(x, y + 14);
-      context.stroke();
+      dot(context, [x, y], 8, { edge: color, width });
+      line(context, [[x - 14, y], [x + 14, y]], color, width);
+      line(context, [[x, y - 14], [x, y + 14]], color, width);
     }
   }
 
   // The value at the pointer, or else at the cross; null outside.
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   valueAt(x, y) {
     const near = (/** @type {number[]} */ values, /** @type {number} */ wanted) => values.reduce((best, value, i) => (Math.abs(value - wanted) < Math.abs(values[best] - wanted) ? i : best), 0);
     return this.data.z[near(this.data.y, y)][near(this.data.x, x)];
@@ -273,30 +252,21 @@ export class HeatMap {
 }
 
 // The places of a list in about so many runs, each as long as the others but the last.
-/**
- * @param {number} length
- * @param {number} count
- */
+/** @param {number} length @param {number} count */
 function runs(length, count) {
   const long = Math.ceil(length / count);
   return Array.from({ length: Math.ceil(length / long) }, (_, k) => Array.from({ length: Math.min(long, length - k * long) }, (_, i) => k * long + i));
 }
 
 // Where a run of even boxes begins and ends, of which the values are the middles.
-/**
- * @param {number[]} values
- * @param {number[]} run
- */
+/** @param {number[]} values @param {number[]} run */
 function edgesOf(values, run) {
   const half = (values[1] - values[0]) / 2;
   return [values[run[0]] - half, values[run[run.length - 1]] + half];
 }
 
 // The pieces of the line z = level in a grid: [[x, y], [x, y]] each.
-/**
- * @param {{ x: number[], y: number[], z: Values[] }} given
- * @param {number} level
- */
+/** @param {{ x: number[], y: number[], z: Values[] }} given @param {number} level */
 export function squares({ x, y, z }, level) {
   const found = [];
   for (let j = 0; j + 1 < y.length; j += 1) {

@@ -1,5 +1,6 @@
 // The names of a chart's lines: beside the panel's title where there is room for them, else in rows beneath it.
 
+import { line as stroke } from "./pen.js";
 import { FONT } from "./surface.js";
 import { unitOf } from "../controls/units.js";
 /** @import { Curve, Panel } from "./chart.js" */
@@ -65,11 +66,5 @@ export function paintNames(context, panel, lines, { left, right, y, colors }) {
  * @param {{ from: number, to: number, y: number, colors: Record<string, string> }} place
  */
 export function paintSample(context, line, panel, { from, to, y, colors }) {
-  Object.assign(context, { strokeStyle: colors[line.color], lineWidth: line.fill || panel.stacked ? 8 : line.width ?? 2 });
-  context.setLineDash(line.dash ?? []);
-  context.beginPath();
-  context.moveTo(from, y);
-  context.lineTo(to, y);
-  context.stroke();
-  context.setLineDash([]);
+  stroke(context, [[from, y], [to, y]], colors[line.color], line.fill || panel.stacked ? 8 : line.width ?? 2, line.dash);
 }

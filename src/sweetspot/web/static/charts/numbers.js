@@ -37,11 +37,7 @@ export class Numbers {
 }
 
 // About so many of a list, evenly, with the first and the last.
-/**
- * @template Item
- * @param {Item[]} list
- * @param {number} count
- */
+/** @template Item @param {Item[]} list @param {number} count */
 export function evenly(list, count) {
   if (list.length <= count) return list;
   return Array.from({ length: count }, (_, i) => list[Math.round((i * (list.length - 1)) / (count - 1))]);

@@ -3,6 +3,7 @@
 //   const surface = new Surface(app, { height: (width) => 300, label: "what it shows", paint(context, width, height) {} });
 //   root.append(surface.element); surface.draw();
 
+/** @import { Point } from "./pen.js" */
 /** @import { App, Figure } from "../shell/main.js" */
 
 export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
@@ -125,10 +126,7 @@ export class Surface {
   }
 
   // For figures(): the drawing at its present size.
-  /**
-   * @param {string} name
-   * @returns {Figure}
-   */
+  /** @param {string} name @returns {Figure} */
   figure(name) {
     return { name, width: this.width, height: this.tall, paint: (context, width, height) => this.paint(context, width, height) };
   }
@@ -210,50 +208,6 @@ export class Surface {
   }
 }
 
-/** @typedef {[number, number]} Point */
-
-/** @typedef {{ color: string, width?: number, dash?: number[], cap?: CanvasLineCap }} Stroke */
-
-/**
- * A line through points.
- *
- * @param {CanvasRenderingContext2D} context
- * @param {Point[]} points
- * @param {Stroke} stroke
- */
-export function line(context, points, { color, width = 2, dash = [], cap = "round" }) {
-  Object.assign(context, { strokeStyle: color, lineWidth: width, lineJoin: "round", lineCap: cap });
-  context.setLineDash(dash);
-  context.beginPath();
-  points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
-  context.stroke();
-  context.setLineDash([]);
-  context.lineCap = "butt";
-}
-
-/**
- * A filled polygon.
- *
- * @param {CanvasRenderingContext2D} context
- * @param {Point[]} points
- * @param {string} color
- */
-export function area(context, points, color) {
-  context.fillStyle = color;
-  context.beginPath();
-  points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
-  context.closePath();
-  context.fill();
-}
-
-/** @param {CanvasRenderingContext2D} context @param {Point} place @param {number} radius @param {string} color */
-export function dot(context, [x, y], radius, color) {
-  context.fillStyle = color;
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.fill();
-}
-
 /**
  * A way from one point to another with a head at its end.
  *
@@ -282,11 +236,7 @@ export function arrow(context, [fromX, fromY], [toX, toY], color, width = 2) {
 }
 
 // Ticks at 1, 2 or 5 times a power of ten, about `count` of them.
-/**
- * @param {number} least
- * @param {number} most
- * @param {number} count
- */
+/** @param {number} least @param {number} most @param {number} count */
 export function ticks(least, most, count) {
   const span = most - least;
   if (!(span > 0)) return [least];

@@ -2,7 +2,7 @@
 // It knows what our drawings use: paths, rectangles, arcs, curves, text, dashes, alpha, save/restore, translate, rotate,
 // uniform scale and rectangular clips.
 
-const PROPERTIES = ["fillStyle", "strokeStyle", "lineWidth", "font", "textAlign", "textBaseline", "globalAlpha", "lineCap", "lineJoin"];
+const PROPERTIES = /** @type {const} */ (["fillStyle", "strokeStyle", "lineWidth", "font", "textAlign", "textBaseline", "globalAlpha", "lineCap", "lineJoin"]);
 /** @type {Record<string, string>} */
 const ANCHORS = { left: "start", start: "start", center: "middle", right: "end", end: "end" };
 /** @type {Record<string, string>} */
@@ -25,7 +25,7 @@ export class SvgContext {
   parts = [];
   /** @type {string[]} */
   path = [];
-  /** @type {any[]} */
+  /** @type {{ kept: Record<string, string | number>, matrix: Matrix, dash: number[], groups: number }[]} */
   stack = [];
   /** @type {Matrix} */
   matrix = [1, 0, 0, 1, 0, 0];
@@ -34,17 +34,14 @@ export class SvgContext {
   groups = 0;
   clips = 0;
 
-  /**
-   * @param {number} width
-   * @param {number} height
-   */
+  /** @param {number} width @param {number} height */
   constructor(width, height) {
     this.width = width;
     this.height = height;
   }
 
   save() {
-    const kept = Object.fromEntries(PROPERTIES.map((name) => [name, /** @type {any} */ (this)[name]]));
+    const kept = Object.fromEntries(PROPERTIES.map((name) => [name, this[name]]));
     this.stack.push({ kept, matrix: this.matrix, dash: this.dash, groups: this.groups });
     this.groups = 0;
   }
@@ -56,10 +53,7 @@ export class SvgContext {
     Object.assign(this, last.kept, { matrix: last.matrix, dash: last.dash, groups: last.groups });
   }
 
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   translate(x, y) { this.matrix = times(this.matrix, [1, 0, 0, 1, x, y]); }
   /** @param {number} x */
   scale(x, y = x) { this.matrix = times(this.matrix, [x, 0, 0, y, 0, 0]); }
@@ -88,22 +82,11 @@ export class SvgContext {
 
   beginPath() { this.path = []; }
   closePath() { this.path.push("Z"); }
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   moveTo(x, y) { this.path.push(`M${this.at(x, y)}`); }
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   lineTo(x, y) { this.path.push(`${this.path.length ? "L" : "M"}${this.at(x, y)}`); }
-  /**
-   * @param {number} a
-   * @param {number} b
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} a @param {number} b @param {number} x @param {number} y */
   quadraticCurveTo(a, b, x, y) { this.path.push(`Q${this.at(a, b)} ${this.at(x, y)}`); }
   /**
    * @param {number} a
@@ -114,12 +97,7 @@ export class SvgContext {
    * @param {number} y
    */
   bezierCurveTo(a, b, c, d, x, y) { this.path.push(`C${this.at(a, b)} ${this.at(c, d)} ${this.at(x, y)}`); }
-  /**
-   * @param {number} x
-   * @param {number} y
-   * @param {number} width
-   * @param {number} height
-   */
+  /** @param {number} x @param {number} y @param {number} width @param {number} height */
   rect(x, y, width, height) {
     this.moveTo(x, y);
     this.lineTo(x + width, y);
@@ -169,32 +147,14 @@ export class SvgContext {
     this.groups += 1;
     this.parts.push(`<clipPath id="clip${this.clips}"><path d="${this.path.join("")}"/></clipPath><g clip-path="url(#clip${this.clips})">`);
   }
-  /**
-   * @param {number} x
-   * @param {number} y
-   * @param {number} width
-   * @param {number} height
-   */
+  /** @param {number} x @param {number} y @param {number} width @param {number} height */
   fillRect(x, y, width, height) { this.alone(() => (this.rect(x, y, width, height), this.fill())); }
-  /**
-   * @param {number} x
-   * @param {number} y
-   * @param {number} width
-   * @param {number} height
-   */
+  /** @param {number} x @param {number} y @param {number} width @param {number} height */
   strokeRect(x, y, width, height) { this.alone(() => (this.rect(x, y, width, height), this.stroke())); }
   clearRect() {}
-  /**
-   * @param {string} words
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {string} words @param {number} x @param {number} y */
   fillText(words, x, y) { this.write(words, x, y, `fill="${escaped(this.fillStyle)}"`); }
-  /**
-   * @param {string} words
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {string} words @param {number} x @param {number} y */
   strokeText(words, x, y) { this.write(words, x, y, `fill="none" ${this.pen()}`); }
 
   toString() {
@@ -209,10 +169,7 @@ export class SvgContext {
     draw();
     this.path = path;
   }
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
+  /** @param {number} x @param {number} y */
   at(x, y) {
     const [a, b, c, d, e, f] = this.matrix;
     return `${number(a * x + c * y + e)} ${number(b * x + d * y + f)}`;
@@ -225,12 +182,7 @@ export class SvgContext {
   /** @param {string} look */
   draw(look) { this.parts.push(`<path d="${this.path.join("")}" ${look}${this.veil()}/>`); }
   veil() { return this.globalAlpha === 1 ? "" : ` opacity="${number(this.globalAlpha)}"`; }
-  /**
-   * @param {string} words
-   * @param {number} x
-   * @param {number} y
-   * @param {string} look
-   */
+  /** @param {string} words @param {number} x @param {number} y @param {string} look */
   write(words, x, y, look) {
     const matrix = times(this.matrix, [1, 0, 0, 1, x, y]).map(number).join(" ");
     const anchor = `text-anchor="${ANCHORS[this.textAlign]}" dominant-baseline="${BASELINES[this.textBaseline] ?? "auto"}"`;
@@ -242,11 +194,7 @@ const number = (/** @type {number} */ value) => String(Math.round(value * 100) /
 const escaped = (/** @type {string} */ words) => String(words).replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
 
 // The angle an arc goes through, as a canvas takes it: a whole turn at most, in the direction asked for.
-/**
- * @param {number} start
- * @param {number} stop
- * @param {boolean} backwards
- */
+/** @param {number} start @param {number} stop @param {boolean} backwards */
 function swept(start, stop, backwards) {
   const turn = 2 * Math.PI;
   const sweep = backwards ? start - stop : stop - start;
@@ -254,11 +202,7 @@ function swept(start, stop, backwards) {
   return backwards ? -size : size;
 }
 
-/**
- * @param {Matrix} first
- * @param {Matrix} second
- * @returns {Matrix}
- */
+/** @param {Matrix} first @param {Matrix} second @returns {Matrix} */
 function times([a, b, c, d, e, f], [p, q, r, s, t, u]) {
   return [a * p + c * q, b * p + d * q, a * r + c * s, b * r + d * s, a * t + c * u + e, b * t + d * u + f];
 }

@@ -30,20 +30,14 @@ export class Zoom {
 
   get range() { return this.own ?? this.usual ?? this.full; }
 
-  /**
-   * @param {Span} full
-   * @param {Span | null} usual
-   */
+  /** @param {Span} full @param {Span | null} usual */
   set(full, usual = null) {
     const other = full[0] !== this.full[0] || full[1] !== this.full[1];
     Object.assign(this, { full, usual });
     if (other && this.own) this.own = this.inside(this.own);
   }
 
-  /**
-   * @param {Span} range
-   * @returns {Span}
-   */
+  /** @param {Span} range @returns {Span} */
   inside([low, high]) {
     const [least, most] = this.full;
     const span = Math.min(most - least, Math.max(this.closest * (most - least), high - low));
@@ -58,10 +52,7 @@ export class Zoom {
   }
 
   // Nearer (a factor below 1) or farther about a place, which stays where it is.
-  /**
-   * @param {number} place
-   * @param {number} factor
-   */
+  /** @param {number} place @param {number} factor */
   about(place, factor) {
     const [low, high] = this.range;
     this.show([place - (place - low) * factor, place + (high - place) * factor]);
@@ -73,10 +64,7 @@ export class Zoom {
     this.onChange();
   }
 
-  /**
-   * @param {Surface} surface
-   * @param {(pixel: number) => number} placeAt
-   */
+  /** @param {Surface} surface @param {(pixel: number) => number} placeAt */
   listen(surface, placeAt) {
     const { element } = surface;
     element.addEventListener("wheel", (event) => {

@@ -14,10 +14,11 @@
 //   button("Reset", () => ..., { primary: false })
 // Each returns an element to append. A control shows the value of app.state[field] and calls app.setState.
 
-import { partOf } from "./parts.js";
+import { changed, partOf, showWords } from "./parts.js";
 import { fromShown, toShown, unitOf } from "./units.js";
 
-/** @import { App, State } from "../shell/main.js" */
+/** @import { Property } from "./fields.js" */
+/** @import { App, Field, State } from "../shell/main.js" */
 /** @typedef {string | (() => string)} Words */
 /** @typedef {string[][]} Options a value, what it is called and, where they are many, under which heading it stands */
 /**
@@ -25,12 +26,13 @@ import { fromShown, toShown, unitOf } from "./units.js";
  * @typedef {Pick<App, "schema" | "units" | "setState" | "commit" | "control"> & Partial<Pick<App, "state" | "bounds" | "lists" | "answer">>} Desk
  */
 
+export const ANY_STEP = "any"; // of a field for numbers that need not be round
 let count = 0;
 
 /**
  * @param {Desk} app
- * @param {string} field
- * @param {{ label: Words, step: number, empty?: number | null | (() => number | null), absent?: string, times?: number, note?: string, onInput?: ((value: number) => void) | null }} look
+ * @param {Field} field
+ * @param {{ label: Words, step: number, empty?: number | null | (() => number | string | null), absent?: string, times?: number, note?: string, onInput?: ((value: number) => void) | null }} look
  */
 export function slider(app, field, { label, step, empty = null, absent = "", times = 1, note = "", onInput = null }) {
   const limits = () => narrowed(boundsOf(app.schema[field]), app.bounds?.(field));
@@ -61,20 +63,17 @@ export function slider(app, field, { label, step, empty = null, absent = "", tim
       const fine = stepShown();
       one.min = String(round(shown(bounds.least), fine, Math.ceil));
       one.max = String(round(shown(bounds.most), fine, Math.floor));
-      one.step = one === range ? String(fine) : "any";
+      one.step = one === range ? String(fine) : ANY_STEP;
     }
     unit.textContent = unitOf(field, app.units);
     number.setAttribute("aria-label", `${words}${unit.textContent ? `, ${unit.textContent}` : ""}`);
   }
 
-  /**
-   * @param {string} text
-   * @param {boolean} commit
-   */
+  /** @param {string} text @param {boolean} commit */
   function take(text, commit) {
     const given = Number(text);
     if (absent && text.trim() === "" && !number.validity.badInput) {
-      app.setState({ [field]: null }, { commit });
+      app.setState(changed(field, null), { commit });
       return;
     }
     if (text.trim() === "" || !Number.isFinite(given)) {
@@ -87,7 +86,7 @@ export function slider(app, field, { label, step, empty = null, absent = "", tim
       return;
     }
     const inside = Math.min(bounds.most, Math.max(bounds.least, value));
-    app.setState({ [field]: inside }, { commit });
+    app.setState(changed(field, inside), { commit });
     onInput?.(inside);
   }
 
@@ -129,8 +128,8 @@ export function slider(app, field, { label, step, empty = null, absent = "", tim
 // shown: what of the state is chosen, take: what a choice does, where these are not the field alone.
 /**
  * @param {Desk} app
- * @param {string} field
- * @param {{ label: Words, options: Options | Promise<Options>, note?: string, follows?: boolean, shown?: (state: State) => any, take?: ((value: string) => void) | null }} look
+ * @param {Field} field
+ * @param {{ label: Words, options: Options | Promise<Options>, note?: string, follows?: boolean, shown?: (state: State) => unknown, take?: ((value: string) => void) | null }} look
  */
 export function choice(app, field, { label, options, note = "", follows = false, shown = (state) => state[field], take = null }) {
   const { box, fault, id } = frame(field, label, note);
@@ -152,7 +151,7 @@ export function choice(app, field, { label, options, note = "", follows = false,
   partOf(box, ".entry", HTMLElement).append(select);
   select.addEventListener("change", () => {
     if (take) take(select.value);
-    else app.setState({ [field]: select.value });
+    else app.setState(changed(field, select.value));
   });
   const control = {
     field,
@@ -172,26 +171,18 @@ export function choice(app, field, { label, options, note = "", follows = false,
   return box;
 }
 
-/**
- * @param {Desk} app
- * @param {string} field
- * @param {{ label: Words, note?: string }} look
- */
+/** @param {Desk} app @param {Field} field @param {{ label: Words, note?: string }} look */
 export function toggle(app, field, { label, note = "" }) {
   const { box, fault, id } = frame(field, label, note);
   const tick = input("checkbox", id);
   partOf(box, ".entry", HTMLElement).append(tick);
-  tick.addEventListener("change", () => app.setState({ [field]: tick.checked }));
+  tick.addEventListener("change", () => app.setState(changed(field, tick.checked)));
   const control = { field, sync: (/** @type {State} */ state) => (tick.checked = Boolean(state[field])), fault: faultSetter(fault, [tick]) };
   app.control(control);
   return box;
 }
 
-/**
- * @param {string} title
- * @param {(Node | string)[]} controls
- * @param {{ open?: boolean }} look
- */
+/** @param {string} title @param {(Node | string)[]} controls @param {{ open?: boolean }} look */
 export function group(title, controls, { open = true } = {}) {
   const details = document.createElement("details");
   details.className = "group";
@@ -214,11 +205,7 @@ export function button(words, onClick, { primary = false, title = "" } = {}) {
   return made;
 }
 
-/**
- * @param {string} field
- * @param {Words} label
- * @param {string} note
- */
+/** @param {string} field @param {Words} label @param {string} note */
 function frame(field, label, note) {
   count += 1;
   const id = `c${count}-${field}`;
@@ -233,10 +220,7 @@ function frame(field, label, note) {
   return { box, fault, id, name };
 }
 
-/**
- * @param {HTMLElement} place
- * @param {HTMLElement[]} inputs
- */
+/** @param {HTMLElement} place @param {HTMLElement[]} inputs */
 function faultSetter(place, inputs) {
   return (/** @type {string} */ message) => {
     if (message === place.textContent) return;
@@ -250,6 +234,19 @@ function faultSetter(place, inputs) {
   };
 }
 
+// Where it is said what is wrong with fields that have no control of their own.
+/** @param {Pick<App, "control">} app @param {Field[]} fields @param {(state: State) => void} sync */
+export function faultPlace(app, fields, sync = () => {}) {
+  const place = Object.assign(document.createElement("p"), { className: "fault", hidden: true });
+  place.setAttribute("role", "alert");
+  const fault = (/** @type {string} */ message) => {
+    showWords(place, message);
+    if (message) reveal(place);
+  };
+  for (const field of fields) app.control({ field, sync, fault });
+  return place;
+}
+
 // Open and show everything that a place lies in.
 /** @param {HTMLElement} place */
 export function reveal(place) {
@@ -260,28 +257,22 @@ export function reveal(place) {
   }
 }
 
-/**
- * @param {{ least: number, most: number }} given
- * @param {number[] | null | undefined} known
- */
+/** @param {{ least: number, most: number }} given @param {number[] | null | undefined} known */
 function narrowed({ least, most }, known) {
   if (!known) return { least, most };
   const [low, high] = [Math.max(least, known[0]), Math.min(most, known[1])];
   return low < high ? { least: low, most: high } : { least, most };
 }
 
-/**
- * @param {string} type
- * @param {string} id
- */
+/** @param {string} type @param {string} id */
 function input(type, id) {
   return Object.assign(document.createElement("input"), { type, id });
 }
 
 // Bounds of a number in a schema, also of one that may be null.
-/** @param {any} property */
+/** @param {Property} property */
 export function boundsOf(property) {
-  const numeric = (property.anyOf ?? [property]).find((/** @type {any} */ one) => one.minimum !== undefined || one.maximum !== undefined) ?? property;
+  const numeric = (property.anyOf ?? [property]).find((one) => one.minimum !== undefined || one.maximum !== undefined) ?? property;
   return {
     least: numeric.minimum ?? numeric.exclusiveMinimum ?? 0,
     most: numeric.maximum ?? numeric.exclusiveMaximum ?? 1,
@@ -289,10 +280,7 @@ export function boundsOf(property) {
 }
 
 // 1, 2 or 5 times a power of ten at or below a step; as it is in the unit in which it was written.
-/**
- * @param {number} step
- * @param {number} written
- */
+/** @param {number} step @param {number} written */
 function niceStep(step, written) {
   if (Math.abs(step / written - 1) < 1e-6) return written;
   const power = 10 ** Math.floor(Math.log10(step) + 1e-9);

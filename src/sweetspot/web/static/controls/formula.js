@@ -66,11 +66,7 @@ function spaced() {
 }
 
 // The bar or brace that belongs to the brace at `start`.
-/**
- * @param {string[]} words
- * @param {number} start
- * @param {"|" | "}"} sign
- */
+/** @param {string[]} words @param {number} start @param {"|" | "}"} sign */
 function find(words, start, sign) {
   let depth = 0;
   for (let i = start; i < words.length; i += 1) {
@@ -122,10 +118,7 @@ function token(text) {
   return made;
 }
 
-/**
- * @param {string} tag
- * @param {(Node | string)[]} children
- */
+/** @param {string} tag @param {(Node | string)[]} children */
 function element(tag, ...children) {
   const made = document.createElementNS(SPACE, tag);
   made.append(...children);

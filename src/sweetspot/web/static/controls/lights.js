@@ -6,7 +6,7 @@
 
 import { make, partOf } from "./parts.js";
 /** @import { RuleCheck } from "../answers.js" */
-/** @import { Answer, App } from "../shell/main.js" */
+/** @import { App } from "../shell/main.js" */
 
 const SIGNS = { pass: ["✓", "kept"], fail: ["✗", "not kept"], unsure: ["?", "not sure"], doubt: ["?", "not decidable"], none: ["–", "does not apply"] };
 
@@ -51,7 +51,7 @@ const KINDS = { m: "length", "kg m^2": "moi" };
 
 // A value, and what it may be.
 /**
- * @param {{ value: any, least: number | null, most: number | null }} one
+ * @param {{ value: number, least: number | null, most: number | null }} one
  * @param {(value: number) => string} show
  */
 export function beside({ value, least, most }, show) {
@@ -62,14 +62,14 @@ export function beside({ value, least, most }, show) {
 /**
  * A league's rules, each with what the bat has and the limit.
  * @param {Lights} lights
- * @param {Answer[]} rules
+ * @param {RuleCheck[]} rules
  * @param {App} app
  */
 export function showRules(lights, rules, app) {
   lights.head(rules.length ? `Rules of ${rules[0].league_name}` : "Rules");
   lights.show(rules.map((rule) => {
     const show = (/** @type {number} */ one) => app.text(KINDS[rule.unit] ?? "ratio", one);
-    const known = typeof rule.value === "number" && rule.unit !== "yes or no" ? beside(rule, show) : "";
+    const known = typeof rule.value === "number" && rule.unit !== "yes or no" ? beside({ ...rule, value: rule.value }, show) : "";
     return { state: stateOf(rule), name: rule.title, words: [known, rule.reason].filter(Boolean).join("; ") };
   }));
 }

@@ -130,10 +130,7 @@ export class Listening {
 }
 
 // A sound file of 32-bit numbers, as they came.
-/**
- * @param {Float32Array[]} pieces
- * @param {number} rate
- */
+/** @param {Float32Array[]} pieces @param {number} rate */
 export function wavOf(pieces, rate) {
   const count = pieces.reduce((sum, piece) => sum + piece.length, 0);
   const bytes = new DataView(new ArrayBuffer(44 + 4 * count));

@@ -2,7 +2,7 @@
 
 import { fitted, unbroken } from "./tables.js";
 import { MPH, grouped, toShown, unitOf } from "./units.js";
-/** @import { App, Control, State, Step } from "../shell/main.js" */
+/** @import { App, AppOf, Control, Field, State, Step } from "../shell/main.js" */
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -31,6 +31,21 @@ export function partOf(place, selector, kind) {
   if (first instanceof kind) return first;
   throw new TypeError(`no ${kind.name} at ${selector}`);
 }
+
+// A part of a view with its heading.
+/** @param {string} title @param {(Node | string)[]} parts */
+export const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+
+// Words in a place that is hidden without any.
+/** @param {HTMLElement} place @param {string} words */
+export function showWords(place, words) {
+  place.textContent = words;
+  place.hidden = words === "";
+}
+
+// A change of one field of a state.
+/** @param {Field} field @param {unknown} value */
+export const changed = (field, value) => /** @type {Partial<State>} */ ({ [field]: value });
 
 // An element of the page's frame (index.html), which is always there.
 export const byId = (/** @type {string} */ id) => partOf(document, `#${id}`, HTMLElement);
@@ -91,16 +106,10 @@ export function write(place, words) {
 }
 
 // A sentence where another stands; no line breaks a number from its unit.
-/**
- * @param {Element} place
- * @param {string} words
- */
+/** @param {Element} place @param {string} words */
 export function tell(place, words) { return write(place, unbroken(words)); }
 
-/**
- * @param {HTMLElement} place
- * @param {string[]} texts
- */
+/** @param {HTMLElement} place @param {string[]} texts */
 export function paragraphs(place, texts) {
   const rows = [...place.children];
   if (rows.length === texts.length && rows.every((row) => row.localName === "p")) rows.forEach((row, i) => write(row, printed(texts[i])));
@@ -115,11 +124,7 @@ const KIND_OF = {
 /** @type {Record<string, number>} */
 const TO_SI = { mm: 1e-3, mph: MPH, kN: 1e3 };
 
-/**
- * @param {any} value
- * @param {string} unit
- * @param {App} app
- */
+/** @param {number | string | null} value @param {string} unit @param {App} app */
 export function inReadersUnit(value, unit, app) {
   if (typeof value !== "number") return value ?? "–";
   const kind = KIND_OF[unit];
@@ -137,63 +142,42 @@ function four(value) {
 }
 
 // Four figures, but no more decimals than four.
-/**
- * @param {string} kind
- * @param {number} value
- * @param {App} app
- */
+/** @param {string} kind @param {number} value @param {App} app */
 function decimalsFor(kind, value, app) {
   const size = Math.abs(toShown(kind, value, app.units));
   return size === 0 ? 1 : Math.min(4, Math.max(0, 3 - Math.floor(Math.log10(size))));
 }
 
-// An app for the controls of one item of a list of bats in the state: scoped(app, "others", 1, bounds).
+// An app for the controls of one of the other bats in the state of a comparison: scoped(app, 1, bounds).
 // The list keeps only what differs from the defaults, so that addresses stay short.
-/**
- * @param {App} app
- * @param {string} list
- * @param {number} index
- * @param {App["bounds"]} bounds
- */
-export function scoped(app, list, index, bounds) {
+/** @param {AppOf<"compare">} app @param {number} index @param {App["bounds"]} bounds */
+export function scoped(app, index, bounds) {
   const { schema } = app;
   const defaults = Object.fromEntries((app.views.get(app.name)?.bat ?? []).map((field) => [field, schema[field].default ?? null]));
+  const whole = (/** @type {Partial<State>} */ bat) => /** @type {State} */ ({ ...defaults, ...bat });
   return {
     schema,
     bounds,
-    lists: (/** @type {string[]} */ ...names) => app.lists(...names),
-    text: (/** @type {string} */ name, /** @type {any} */ value, /** @type {number=} */ digits) => app.text(name, value, digits),
+    lists: app.lists.bind(app),
+    text: app.text.bind(app),
     get units() { return app.units; },
-    /** @returns {State} */
-    get state() { return { ...defaults, ...app.state[list][index] }; },
-    /**
-     * @param {State} partial
-     * @param {Step} [options]
-     */
-    setState(partial, options) {
-      const items = app.state[list].map((/** @type {State} */ item, /** @type {number} */ i) => slim({ ...defaults, ...item, ...(i === index ? partial : {}) }, defaults));
-      app.setState({ [list]: items }, options);
+    get state() { return whole(app.state.others[index]); },
+    /** @param {Partial<State>} partial @param {Step} [step] */
+    setState(partial, step) {
+      const slim = (/** @type {State} */ bat) => Object.fromEntries(Object.entries(bat).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field])));
+      app.setState(changed("others", app.state.others.map((bat, i) => slim(whole({ ...bat, ...(i === index ? partial : {}) })))), step);
     },
-    commit: (/** @type {Step} */ options) => app.commit(options),
+    commit: app.commit.bind(app),
     /** @param {Control} control */
     control(control) {
       app.control({
-        field: `${list}.${index}.${control.field}`,
+        field: `others.${index}.${control.field}`,
         follows: control.follows,
-        sync: (state) => state[list][index] && control.sync({ ...defaults, ...state[list][index] }),
+        sync: ({ others }) => others[index] && control.sync(whole(others[index])),
         fault: (message) => control.fault?.(message),
       });
     },
   };
-}
-
-/**
- * @param {State} item
- * @param {State} defaults
- */
-function slim(item, defaults) {
-  const kept = Object.entries(item).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
-  return Object.fromEntries(kept);
 }
 
 // A list of numbers with names: facts as [name, (answer) => [kind, value] or text]; fill it after every answer.
@@ -202,11 +186,7 @@ function slim(item, defaults) {
  * @template A  the answer
  * @typedef {[string, (answer: A, app: App) => string | Shown]} Fact
  */
-/**
- * @template A
- * @param {Fact<A>[]} facts
- * @param {App} app
- */
+/** @template A @param {Fact<A>[]} facts @param {App} app */
 export function factList(facts, app) {
   const values = facts.map(() => make("dd"));
   const element = make("dl", { className: "facts" }, ...facts.map(([name], i) => make("div", {}, make("dt", { textContent: name }), values[i])));

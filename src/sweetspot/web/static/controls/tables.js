@@ -48,11 +48,7 @@ export function fitted(box, { column = COLUMN } = {}) {
 }
 
 // A cell with its column's name, its numbers in one piece; the name of a row that is a number says what of.
-/**
- * @param {HTMLElement} cell
- * @param {number} i
- * @param {string} label
- */
+/** @param {HTMLElement} cell @param {number} i @param {string} label */
 function fit(cell, i, label) {
   const words = cell.textContent ?? "";
   if (i > 0 || /^[−-]?[\d.,]+$/.test(words)) cell.dataset.label ??= label;

@@ -8,8 +8,8 @@
 // The moment is the view's own while it plays or is scrubbed; where it rests, it goes into app.state[field] in ms.
 
 import { button } from "./controls.js";
-import { write } from "./parts.js";
-/** @import { App, State } from "../shell/main.js" */
+import { changed, write } from "./parts.js";
+/** @import { App, Field, State } from "../shell/main.js" */
 
 /** @type {Record<string, (transport: Transport) => void>} */
 const KEYS = { k: (transport) => transport.flip(), ",": (transport) => transport.step(-1), ".": (transport) => transport.step(1) };
@@ -17,14 +17,14 @@ const KEYS = { k: (transport) => transport.flip(), ",": (transport) => transport
 export class Transport {
   /**
    * @param {App} app
-   * @param {{ field: string, onMoment: (moment: number) => void, describe: (moment: number) => { short: string, long: string } }} options
+   * @param {{ field: Field, onMoment: (moment: number) => void, describe: (moment: number) => { short: string, long: string } }} options
    */
   constructor(app, { field, onMoment, describe }) {
     this.app = app;
     this.field = field;
     this.onMoment = onMoment;
     this.describe = describe;
-    this.moment = 0;
+    this.moment = this.known = 0;
     this.from = 0;
     this.to = 1;
     /** @type {number[]} */
@@ -67,9 +67,10 @@ export class Transport {
   // The address' moment, unless it is the one that this view has just put there.
   /** @param {State} state */
   sync(state) {
-    if (state[this.field] === this.known || this.stop) return;
-    this.known = state[this.field];
-    this.moment = this.known / 1000;
+    const moment = Number(state[this.field]);
+    if (moment === this.known || this.stop) return;
+    this.known = moment;
+    this.moment = moment / 1000;
     if (this.frames.length) this.show(this.moment);
   }
 
@@ -88,7 +89,7 @@ export class Transport {
   rest() {
     const moment = Math.round(this.moment * 1e6) / 1000;
     this.known = moment;
-    if (moment !== this.app.state[this.field]) this.app.setState({ [this.field]: moment });
+    if (moment !== this.app.state[this.field]) this.app.setState(changed(this.field, moment));
     this.app.announce(this.describe(this.moment).long);
   }
 

@@ -24,30 +24,19 @@ export function kindOf(name) {
   return ending ? ending[1] : scales.ratio;
 }
 
-/**
- * @param {string} name
- * @param {System} system
- */
+/** @param {string} name @param {System} system */
 export function unitOf(name, system) {
   return kindOf(name)[system].unit;
 }
 
 // A stored value as the number that is shown, and back.
-/**
- * @param {string} name
- * @param {number} value
- * @param {System} system
- */
+/** @param {string} name @param {number} value @param {System} system */
 export function toShown(name, value, system) {
   const { scale, offset = 0 } = kindOf(name)[system];
   return value * scale + offset;
 }
 
-/**
- * @param {string} name
- * @param {number} shown
- * @param {System} system
- */
+/** @param {string} name @param {number} shown @param {System} system */
 export function fromShown(name, shown, system) {
   const { scale, offset = 0 } = kindOf(name)[system];
   return (shown - offset) / scale;

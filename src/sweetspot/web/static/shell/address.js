@@ -5,13 +5,9 @@ export const LONG_ADDRESS = 2000; // letters from which mail programs, chats and
 const MOST_UNPACKED = 65536; // letters of what a short address may hold
 
 /** @typedef {Record<string, unknown>} Fields the state of a view, by its fields */
-/** @typedef {{ type?: string, enum?: unknown[], anyOf?: Property[] }} Property of a schema */
+/** @import { Property } from "../controls/fields.js" */
 
-/**
- * @param {string} name
- * @param {Fields} state
- * @param {Fields} defaults
- */
+/** @param {string} name @param {Fields} state @param {Fields} defaults */
 export function addressOf(name, state, defaults, embedded = false) {
   const query = new URLSearchParams();
   for (const [field, value] of Object.entries(state)) {
@@ -23,11 +19,7 @@ export function addressOf(name, state, defaults, embedded = false) {
 }
 
 // The same as a short address: what differs, packed by deflate. It needs no server to remember it.
-/**
- * @param {string} name
- * @param {Fields} state
- * @param {Fields} defaults
- */
+/** @param {string} name @param {Fields} state @param {Fields} defaults */
 export async function shortAddressOf(name, state, defaults, embedded = false) {
   const changed = Object.entries(state).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
   const path = `${embedded ? "/embed" : ""}/${name}`;
@@ -65,11 +57,7 @@ async function through(stream, bytes) {
 }
 
 // Unknown names are left out; values are read by the schema's type and checked by the server.
-/**
- * @param {string} search
- * @param {Record<string, Property>} schema
- * @param {Fields} defaults
- */
+/** @param {string} search @param {Record<string, Property>} schema @param {Fields} defaults */
 export async function stateIn(search, schema, defaults) {
   const state = { ...defaults };
   const packed = new URLSearchParams(search).get(PACKED);

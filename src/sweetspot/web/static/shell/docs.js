@@ -2,37 +2,34 @@
 
 import { partOf } from "../controls/parts.js";
 import { posted } from "./post.js";
+/** @import { Property, Schema } from "../controls/fields.js" */
 
 const main = partOf(document, "#api", HTMLElement);
 
-/**
- * @param {string} tag
- * @param {string} words
- */
+/** @param {string} tag @param {string} words */
 function make(tag, words, properties = {}) {
   return Object.assign(document.createElement(tag), { textContent: words, ...properties });
 }
 
-/**
- * @param {any} document
- * @param {any} schema
- */
-function resolve(document, schema) {
-  return schema?.$ref ? document.components.schemas[schema.$ref.split("/").pop()] : schema;
-}
+/** @typedef {{ $ref?: string }} Reference */
+/** @typedef {{ description?: string, summary?: string, tags: string[], requestBody?: { content: Record<string, { schema: Reference }> } }} Operation */
+/** @typedef {{ info: { description: string }, paths: Record<string, Record<string, Operation>>, components: { schemas: Record<string, Schema> } }} Described */
 
-/** @param {any} property */
+/** @param {Described} document @param {Reference | undefined} schema */
+const resolve = (document, schema) => (schema?.$ref ? document.components.schemas[schema.$ref.split("/").pop() ?? ""] : undefined);
+
+/** @param {Property} property */
 function kindOf(property) {
   const choices = property.anyOf ?? [property];
-  return choices.map((/** @type {any} */ one) => {
+  return choices.map((one) => {
     if (one.enum) return one.enum.join(" | ");
     const bounds = [one.minimum ?? one.exclusiveMinimum, one.maximum ?? one.exclusiveMaximum];
     const range = bounds.some((bound) => bound !== undefined) ? ` ${bounds[0] ?? "…"} to ${bounds[1] ?? "…"}` : "";
-    return `${one.type ?? one.$ref?.split("/").pop() ?? "any"}${range}`;
+    return (one.type ?? one.$ref?.split("/").pop() ?? "value") + range;
   }).join(", or ");
 }
 
-/** @param {any} schema */
+/** @param {Schema} schema */
 function fieldsTable(schema) {
   const box = make("div", "", { className: "scroll", tabIndex: 0 });
   const table = document.createElement("table");
@@ -69,26 +66,18 @@ function trial(path) {
 }
 
 // What to type for a route's answer: the first control that has a number, a little of it.
-/**
- * @param {string} path
- * @param {any} schema
- */
+/** @param {string} path @param {Schema} schema */
 function example(path, schema) {
-  const named = Object.entries(schema?.properties ?? {}).find(([, { default: usual }]) => typeof usual === "number");
-  const state = named ? JSON.stringify({ [named[0]]: /** @type {any} */ (named[1]).default }) : "{}";
+  const numbers = Object.entries(schema.properties ?? {}).filter(([, { default: usual }]) => typeof usual === "number").slice(0, 1);
+  const state = JSON.stringify(Object.fromEntries(numbers.map(([name, { default: usual }]) => [name, usual])));
   return `curl -s ${location.origin}${path} -H 'content-type: application/json' -d '${state}'`;
 }
 
-/**
- * @param {any} document
- * @param {string} path
- * @param {string} method
- * @param {any} operation
- * @param {string | undefined} above  the route of the group that has the same fields
- */
+// Above: the route of the group that has the same fields.
+/** @param {Described} document @param {string} path @param {string} method @param {Operation} operation @param {string | undefined} above */
 function route(document, path, method, operation, above) {
   const box = make("details", "", { className: "card" });
-  const body = resolve(document, operation.requestBody?.content["application/json"].schema);
+  const body = resolve(document, operation.requestBody?.content["application/json"]?.schema);
   box.append(make("summary", `${method.toUpperCase()} ${path}`), make("p", operation.description ?? operation.summary ?? ""));
   if (body) box.append(above ? make("p", `Its fields are those of ${above}.`, { className: "note" }) : fieldsTable(body));
   if (path.includes("{")) return box;
@@ -97,7 +86,7 @@ function route(document, path, method, operation, above) {
   return box;
 }
 
-/** @param {any} found */
+/** @param {Described} found */
 function groups(found) {
   /** @type {Map<string, HTMLElement[]>} */
   const all = new Map();
@@ -107,7 +96,7 @@ function groups(found) {
     for (const [method, operation] of Object.entries(methods)) {
       const [tag] = operation.tags;
       const name = tag === "catalogue" ? "Catalogue" : path.split("/")[3];
-      const fields = operation.requestBody?.content["application/json"].schema.$ref;
+      const fields = operation.requestBody?.content["application/json"].schema.$ref ?? "";
       const made = route(found, path, method, operation, told.get(fields));
       if (fields && !told.has(fields)) told.set(fields, `${method.toUpperCase()} ${path}`);
       all.set(name, [...(all.get(name) ?? []), made]);

@@ -35,10 +35,7 @@ export function drawerOf(side, /** @type {HTMLElement} */ root, /** @type {Abort
 }
 
 // Scroll what has the focus between the picture on top and the drawer, as far as it has room there.
-/**
- * @param {HTMLElement} side
- * @param {HTMLElement} root
- */
+/** @param {HTMLElement} side @param {HTMLElement} root */
 function uncover(side, root) {
   const at = document.activeElement;
   const lies = (/** @type {Element} */ one) => getComputedStyle(one).position === "sticky";

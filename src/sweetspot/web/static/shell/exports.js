@@ -35,10 +35,10 @@ export async function openExports(app) {
 function choices(app) {
   /** @type {[string, () => void][]} */
   const found = [];
-  if (app.view.figures?.().length) {
+  if (app.view?.figures?.().length) {
     found.push(["PNG", () => savePng(app)], ["SVG", () => save(app, "svg", "image/svg+xml", svgOf(app))]);
   }
-  if (app.view.table) found.push(["CSV", () => save(app, "csv", "text/csv", csvOf(app.view.table?.() ?? {}))]);
+  if (app.view?.table) found.push(["CSV", () => save(app, "csv", "text/csv", csvOf(app.view?.table?.() ?? {}))]);
   found.push(["JSON", () => save(app, "json", "application/json", jsonOf(app))]);
   return found;
 }
@@ -103,8 +103,8 @@ function block(app, /** @type {string} */ words, /** @type {string} */ lines, /*
 // All drawings of the view, one below the other, on the theme's ground: what they show above, under which conditions,
 // by what and when below, so that a picture that travels alone still says what it is.
 /** @param {App} app */
-function onto(app, /** @type {(width: number, height: number) => any} */ make) {
-  const figures = app.view.figures?.() ?? [];
+function onto(app, /** @type {(width: number, height: number) => CanvasRenderingContext2D} */ make) {
+  const figures = app.view?.figures?.() ?? [];
   const width = Math.max(...figures.map((figure) => figure.width));
   const measure = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d")); // which every browser has
   const rows = [
@@ -167,7 +167,7 @@ export function onPaper(app) {
 
 /** @param {App} app */
 export function svgOf(app) {
-  return onto(app, (width, height) => new SvgContext(width, height)).toString();
+  return onto(app, (width, height) => /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (new SvgContext(width, height)))).toString();
 }
 
 /** @param {App} app */
@@ -175,18 +175,18 @@ function savePng(app) {
   const canvas = document.createElement("canvas");
   onto(app, (width, height) => {
     Object.assign(canvas, { width: width * SHARP, height: height * SHARP });
-    const context = canvas.getContext("2d");
-    context?.scale(SHARP, SHARP);
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    context.scale(SHARP, SHARP);
     return context;
   });
   canvas.toBlob((blob) => blob && downloadBlob(`sweetspot-${app.name}.png`, blob));
 }
 
-/** @param {Record<string, any[]>} table */
+/** @param {Record<string, unknown[]>} table */
 export function csvOf(table) {
   const columns = Object.entries(table).filter(([, values]) => Array.isArray(values));
   const rows = Math.max(0, ...columns.map(([, values]) => values.length));
-  const cell = (/** @type {number} */ value) => (value === null || value === undefined ? "" : /[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
+  const cell = (/** @type {unknown} */ value) => (value === null || value === undefined ? "" : /[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
   const lines = [columns.map(([name]) => name).join(",")];
   for (let row = 0; row < rows; row += 1) lines.push(columns.map(([, values]) => cell(values[row])).join(","));
   return `${lines.join("\n")}\n`;

@@ -20,8 +20,7 @@ export function welcome(app) {
 }
 
 /** @param {App} app */
-function open({ view }) {
-  const steps = view.guide;
+function open({ guide: steps }) {
   const dialog = document.createElement("dialog");
   dialog.className = "guide";
   dialog.setAttribute("aria-labelledby", "guide-title");

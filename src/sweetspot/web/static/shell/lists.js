@@ -2,7 +2,7 @@
 
 import { asked } from "./post.js";
 
-const ALL = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
+/** @import { Catalogue } from "../answers.js" */
 
 export class Lists {
   /**
@@ -12,21 +12,17 @@ export class Lists {
   constructor(waits, lacks) {
     this.waits = waits;
     this.lacks = lacks;
-    /** @type {Map<string, Promise<any[]>>} */
+    /** @type {Map<keyof Catalogue, Promise<Catalogue[keyof Catalogue]>>} */
     this.known = new Map();
   }
 
-  /**
-   * @param {string[]} names  all of them where none is named
-   * @returns {Promise<Record<string, any[]>>}
-   */
+  /** @template {keyof Catalogue} Name @param {Name[]} names @returns {Promise<Pick<Catalogue, Name>>} */
   async named(names) {
-    const wanted = names.length ? names : ALL;
-    const found = await Promise.all(wanted.map((name) => this.known.get(name) ?? this.fetched(name)));
-    return Object.fromEntries(wanted.map((name, i) => [name, found[i]]));
+    const found = await Promise.all(names.map(async (name) => [name, await (this.known.get(name) ?? this.fetched(name))]));
+    return Object.fromEntries(found);
   }
 
-  /** @param {string} name */
+  /** @param {keyof Catalogue} name */
   fetched(name) {
     const what = `list of ${name}`;
     this.waits(what);

@@ -11,45 +11,46 @@
 
 import { keep, kept } from "./kept.js";
 import { posted } from "./post.js";
+/** @import { Jobs } from "../answers.js" */
+/** @import { State } from "./main.js" */
 
 const PAUSE = 400; // ms between two looks
 const ELSEWHERE = 5000; // the same while another view is open
 const LOST = 2000; // the same while the server does not answer
-/** @type {Map<string, Work>} */
+/** @typedef {{ "season/read": Jobs["season"]["read"], "design/search": Jobs["design"]["search"] }} Works what comes of each */
+/** @type {Map<string, unknown>} */
 const all = new Map();
 
-/** @param {string} name */
+/** @template {keyof Works} Name @param {Name} name @returns {Work<Name>} */
 export function longWork(name) {
-  const known = all.get(name) ?? new Work(name);
+  const known = /** @type {Work<Name> | undefined} */ (all.get(name)) ?? new Work(name);
   all.set(name, known);
   return known;
 }
 
+/** @template {keyof Works} Name */
 class Work {
-  /** @param {string} name */
+  /** @param {Name} name */
   constructor(name) {
     this.name = name;
-    /** @type {{ key: string | null, about: any }} */
+    /** @type {{ key: string | null, about: Partial<State> | null }} */
     const before = kept(name, { key: null, about: null });
     /** @type {string | null} */
     this.key = before.key;
     this.about = before.about; // as the view's own work has it
     this.status = this.key ? "running" : "none"; // until the server has said how it stands
-    /** @type {any} */
-    this.found = null; // as the view's own work has it
+    /** @type {Works[Name] | null} */
+    this.found = null;
     /** @type {{ field: string, message: string } | null} */
     this.fault = null;
     this.seen = 0;
     this.taken = false;
-    /** @type {((work: Work) => void) | null} */
+    /** @type {((work: Work<Name>) => void) | null} */
     this.onChange = null;
     this.turn = 0;
   }
 
-  /**
-   * @param {AbortSignal} signal
-   * @param {(work: Work) => void} onChange
-   */
+  /** @param {AbortSignal} signal @param {(work: Work<Name>) => void} onChange */
   watch(signal, onChange) {
     this.onChange = onChange;
     signal.addEventListener("abort", () => this.onChange === onChange && (this.onChange = null));
@@ -57,10 +58,7 @@ class Work {
     if (this.key && this.status === "running") this.look();
   }
 
-  /**
-   * @param {object} state
-   * @param {any} [about]
-   */
+  /** @param {object} state @param {Partial<State> | null} about */
   async start(state, about = null) {
     Object.assign(this, { key: null, about, status: "starting", found: null, fault: null, seen: 0, taken: false });
     this.onChange?.(this);
@@ -82,7 +80,7 @@ class Work {
     keep(this.name, null);
   }
 
-  /** @param {any} fault */
+  /** @param {{ field: string, message: string }} fault */
   failed(fault) {
     Object.assign(this, { key: null, status: "failed", fault });
     keep(this.name, null);

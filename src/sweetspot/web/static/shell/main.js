@@ -2,18 +2,17 @@
 //
 // How to write a view, say static/views/modes.js (plain ES modules; nothing is built, nothing comes from elsewhere):
 //
-//   export const view = {
-//     name: "modes",                  // as in web/views/__init__.py, which also gives title, fields, bounds, defaults
-//     guide: [[title, words]],        // the steps of the guide
-//     mount(root, app) {},            // build the elements once; no answer is there yet
-//     update(answer, state) {},       // a new answer, or the same one again after a change of units, theme or size: draw
-//     unmount() {},                   // stop what runs; the shell empties root
-//     figures() { return [] },        // optional: [{ name, width, height, paint(context, width, height) }] for PNG and SVG;
+//   export class view {             // made when it is opened, with every field set; static, and as in web/views/__init__.py:
+//     static guide = [[title, words]];   // the steps of the guide
+//     constructor(root, app) {}       // build the elements once; no answer is there yet
+//     update(answer, state) {}        // a new answer, or the same one again after a change of units, theme or size: draw
+//     unmount() {}                    // optional: stop what runs; the shell empties root
+//     figures() { return []; }        // optional: [{ name, width, height, paint(context, width, height) }] for PNG and SVG;
 //                                     //   paint uses only what SvgContext in svgcontext.js knows of a canvas' 2d context
-//     table() { return {} },          // optional: { column_name_with_unit: [numbers] } for CSV
-//   };
+//     table() { return {}; }          // optional: { column_name_with_unit: [numbers] } for CSV
+//   }
 //
-// The app that mount gets:
+// The app that it gets:
 //
 //   app.state, app.setState({field: value}, {commit: false})   commit false while dragging (no step for the back button)
 //   app.schema     JSON schema of each field: app.schema.pitch_speed_mph.maximum
@@ -21,9 +20,9 @@
 //   app.units      "us" or "si"; app.text("exit_speed_m_s", 41.2) is "92.2 mph"; see units.js
 //   app.colors     the theme's colours for canvases: ink, muted, grid, paper, panel, accent, zone, zoneEdge, zoneInk,
 //                  blue, sky, green, orange, red, purple, wood, woodEdge, hollow
-//   app.onFrame(step)   calls step(milliseconds) before every repaint until the returned function is called or unmount
+//   app.onFrame(step)   calls step(milliseconds) before every repaint until the returned function is called or the view goes
 //   app.announce(text)  says something to a screen reader, at most twice a second
-//   app.ask(view, state)     a promise of another answer, over the API
+//   app.ask("own/tap", state)   a promise of another answer, of a view or one of its asides, over the API
 //   app.aside(name, but, wait, onAnswer)   asks for one of the view's asides (web/view.py) once the state has rested
 //   app.afterwards(who, draw)   draws what may follow the picture: while something is dragged, once the hand rests
 //   app.rests      whether no hand is dragging just now: what moves by itself stands still meanwhile
@@ -51,10 +50,13 @@ import { exportButton, stepButton, switchOf, themeButton } from "./toolbar.js";
 import { text } from "../controls/units.js";
 import { fillBar, pointBar } from "./viewbar.js";
 import { fetchOthers, fetched } from "./viewfiles.js";
-/** @import { Answers, Asides, States } from "../answers.js" */
+/** @import { Answers, Asides, BallPicture, BatState, Catalogue, HitConditions, States, UsualHit } from "../answers.js" */
+/** @import { Property, Schema } from "../controls/fields.js" */
 /** @import { System } from "../controls/units.js" */
 
 const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "{}");
+/** @type {Field[]} */
+const CARRIED = facts.carried; // from view to view
 const LONGEST_ADDRESS = 16000; // of a packed one, which the server still takes
 const LONG_FIELD = 1000; // letters beyond which a field does not go into an address that is too long
 const EMBED = "/embed/";
@@ -68,51 +70,46 @@ const MEANINGS = "meanings of words";
  * @template {AsideName} Aside
  * @typedef {{ [Name in ViewName]: Aside extends keyof Asides[Name] ? Asides[Name][Aside] : never }[ViewName]} AsideAnswer
  */
-/** @typedef {any} Answer  of any view */
-/** @typedef {Record<string, any>} State of a view: its fields, by their names in web/views */
+/** @typedef {{ [Name in ViewName]: keyof States[Name] }[ViewName]} Field of some view */
+/** @typedef {{ [Wanted in Exclude<Field, "others">]: { [Name in ViewName]: Wanted extends keyof States[Name] ? States[Name][Wanted] : never }[ViewName] } & { others: Partial<BatState>[] }} State of a view, which has some of these fields */
+/**
+ * What is read of an answer by the shell and by parts that views share, where it has it.
+ * @typedef {object} Answer
+ * @property {{ name: string, length_m: number, mass_kg: number, bounds: Record<string, [number, number]>, usual?: UsualHit, swung?: Record<System, string> | null, sport?: string }} [bat]
+ * @property {Partial<BallPicture>} [ball]
+ * @property {{ name: string } | null} [tool]
+ * @property {HitConditions} [conditions]
+ * @property {string} [sport]
+ */
+/** @template {string} Path @typedef {Path extends `${infer Name extends ViewName}/${infer Aside}` ? Aside extends keyof Asides[Name] ? Asides[Name][Aside] : never : Path extends ViewName ? Answers[Path] : never} AnswerAt */
 /** @typedef {Record<string, string>} Colors by name */
-/** @typedef {{ name: string, width: number, height: number, paint: (context: any, width: number, height: number) => void }} Figure */
+/** @typedef {{ name: string, width: number, height: number, paint: (context: CanvasRenderingContext2D, width: number, height: number) => void }} Figure */
 /** @typedef {{ field: string, message: string, words?: Record<System, string>, more?: Fault[], again?: boolean }} Fault words: for readers of either system, where it tells lengths or weights */
 /** @typedef {{ commit?: boolean, merge?: string | null, instead?: boolean }} Step how a change goes into the address */
 /** @typedef {{ field: string, follows?: boolean, sync: (state: State) => void, fault?: (message: string) => void }} Control */
-/** @typedef {{ name: string, title: string, schema: Record<string, any>, bat: string[] }} Entry */
-/**
- * A view, and whatever else it keeps; the shell calls nothing but these.
- * @template {ViewName} Name
- * @typedef {object} OwnView
- * @property {string} name
- * @property {[string, string][]} guide
- * @property {(root: HTMLElement, app: App) => void} mount
- * @property {(answer: Answers[Name], state: States[Name]) => void} update
- * @property {() => void} unmount
- * @property {() => Figure[]} [figures]
- * @property {() => Record<string, unknown[]>} [table]
- */
-/**
- * @template {ViewName} Name
- * @typedef {OwnView<Name> & Record<string, any> & ThisType<OwnView<Name> & { app: App, answer: Answers[Name], state: States[Name] } & Record<string, any>>} View
- */
+/** @typedef {{ name: string, title: string, schema: Record<string, Property>, bat: string[] }} Entry */
+/** @typedef {[string, string][]} Guide title and words of each step */
+/** @typedef {{ update(answer: Answer, state: State): void, unmount?(): void, figures?(): Figure[], table?(): Record<string, unknown[]> }} View */
+/** @template {ViewName} Name @typedef {{ aside<Aside extends keyof Asides[Name]>(name: Aside, but: string[], wait: number, onAnswer: (answer: Asides[Name][Aside]) => void): void }} AsidesOf */
+/** @template {ViewName} Name @typedef {AsidesOf<Name> & App<Answers[Name] & Answer>} AppOf */
 
+/** @template {Answer} [Own=Answer] of the view */
 export class App {
-  /** @type {View<any>} */
-  view = /** @type {any} */ (null); // until the first one's files are there
-  /** @type {State} */
-  state = {};
-  /** @type {State} */
-  defaults = {};
+  /** @type {View | null} */
+  view = null; // until the first one's files are there
+  /** @type {Guide} */
+  guide = [];
+  state = /** @type {State} */ ({});
+  defaults = /** @type {State} */ ({});
   name = "";
   /** @type {AbortSignal} */
   signal = new AbortController().signal;
   /** @type {Colors} */
   colors = {};
-  /** @type {Line} */
-  line = /** @type {any} */ (null); // it and the chip are there before the first view
-  /** @type {Chip} */
-  chip = /** @type {any} */ (null);
 
   constructor() {
     /** @type {Map<string, Entry>} */
-    this.views = new Map(facts.views.map((/** @type {{ name: string, title: string, schema: Record<string, any> }} */ { name, title, schema }) => [
+    this.views = new Map(facts.views.map((/** @type {{ name: string, title: string, schema: Schema }} */ { name, title, schema }) => [
       name, { name, title, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
     const units = new URLSearchParams(location.search).get("units") ?? localStorage.getItem("units"); // a shared picture has its own
     /** @type {System} */
@@ -127,24 +124,30 @@ export class App {
     this.hollow = false; // whether the view lacks what a lost server could not give
     /** @type {Set<(now: number) => void>} */
     this.frames = new Set();
-    /** @type {State} */
+    /** @type {Partial<State>} */
     this.carried = {}; // what goes along from view to view: the bat, how it is swung, where the ball meets it
+    /** @type {Map<string, Partial<State>>} */
     this.left = new Map(); // view -> its own controls as they were left
+    /** @type {Set<string>} */
     this.awaited = new Set(); // what is asked for and not there yet; #view says it as data-waiting
     this.turn = 0;
     /** @type {Fault[]} */
     this.faults = []; // of the present state
     this.embedded = location.pathname.startsWith(EMBED);
-    /** @type {Answer} */
+    /** @type {Own | null} */
     this.answer = null;
     this.version = facts.version;
+    this.chip = new Chip(this);
+    this.line = new Line({
+      apart: true,
+      onAnswer: (view, answer, state) => view === this.name && this.answers(/** @type {Own} */ (answer), state),
+      onFault: (view, fault, state) => view === this.name && this.faulted(fault, state),
+      onStatus: (status) => this.heard(status),
+    });
   }
 
   // What is known of a view; every name that the page uses is known.
-  /**
-   * @param {string} name
-   * @returns {Entry}
-   */
+  /** @param {string} name @returns {Entry} */
   entry(name) {
     const known = this.views.get(name);
     if (known) return known;
@@ -155,29 +158,19 @@ export class App {
     return this.entry(this.name).schema;
   }
 
-  /**
-   * @param {string} name
-   * @param {number | null} value
-   * @param {number} [digits]
-   */
+  /** @param {string} name @param {number | null} value @param {number} [digits] */
   text(name, value, digits) {
     return text(name, value, this.units, digits);
   }
 
-  /**
-   * @param {string} field
-   * @returns {[number, number] | undefined}
-   */
+  /** @param {string} field @returns {[number, number] | undefined} */
   bounds(field) {
     return this.answer?.bat?.bounds?.[field];
   }
 
   // A merge is a name: steps of the same one after the other, such as key presses on a slider, are undone together.
   // Instead: nobody asked for this step, so that going back does not lead to what was before it.
-  /**
-   * @param {State} partial
-   * @param {Step} [step]
-   */
+  /** @param {Partial<State>} partial @param {Step} [step] */
   setState(partial, { commit = true, merge = null, instead = false } = {}) {
     this.take({ ...this.state, ...partial });
     if (commit) this.commit({ merge, instead });
@@ -197,7 +190,7 @@ export class App {
     this.waits(QUESTION);
     this.state = state;
     this.later.moved = performance.now();
-    for (const field of facts.carried) if (Object.hasOwn(this.schema, field)) this.carried[field] = state[field];
+    Object.assign(this.carried, Object.fromEntries(CARRIED.filter((field) => Object.hasOwn(this.schema, field)).map((field) => [field, state[field]])));
     this.left.set(this.name, state);
     this.line.ask(this.name, state);
     for (const control of this.controls.values()) control.sync(state);
@@ -215,7 +208,7 @@ export class App {
     let kept = {};
     const long = address.length > LONG_ADDRESS;
     if (long) { // the browser keeps the rest, so that back and reload work at once; packed it all goes into the address
-      const short = Object.entries(this.state).map(([field, value]) => [field, (JSON.stringify(value) ?? "").length > LONG_FIELD ? this.defaults[field] : value]);
+      const short = Object.entries(this.state).map(([field, value]) => [field, (JSON.stringify(value) ?? "").length > LONG_FIELD ? this.schema[field].default ?? null : value]);
       address = addressOf(this.name, Object.fromEntries(short), this.defaults, this.embedded);
       kept = { view: this.name, state: this.state };
     }
@@ -237,10 +230,7 @@ export class App {
     control.sync(this.state);
   }
 
-  /**
-   * @param {(now: number) => void} step
-   * @returns {() => void}
-   */
+  /** @param {(now: number) => void} step @returns {() => void} */
   onFrame(step) {
     this.frames.add(step);
     if (this.frames.size === 1) requestAnimationFrame((now) => this.frame(now));
@@ -260,12 +250,13 @@ export class App {
   }
 
   /**
-   * @param {string} view
-   * @param {State} state
-   * @returns {Promise<Answer>}
+   * @template {string} Path
+   * @param {Path} path
+   * @param {object} state
+   * @returns {Promise<AnswerAt<Path>>}
    */
-  async ask(view, state) {
-    return posted(`/api/v1/${view}`, state);
+  async ask(path, state) {
+    return posted(`/api/v1/${path}`, state);
   }
 
   get rests() {
@@ -287,10 +278,7 @@ export class App {
     return this.awaited.has(QUESTION);
   }
 
-  /**
-   * @param {string[]} names
-   * @returns {Promise<Record<string, any[]>>}
-   */
+  /** @template {keyof Catalogue} Name @param {Name[]} names */
   async lists(...names) {
     return this.catalogue.named(names);
   }
@@ -321,7 +309,7 @@ export class App {
     if (entry.name !== this.name || !this.view || this.hollow) {
       let view;
       try {
-        ({ view } = await fetched(entry.name));
+        view = (await fetched(entry.name)).default;
       } catch {
         if (turn !== this.turn) return; // someone has gone elsewhere meanwhile
         this.heard("lost");
@@ -341,12 +329,9 @@ export class App {
     else pointBar(this);
   }
 
-  /**
-   * @param {Entry} entry
-   * @param {View<any>} view
-   */
-  show(entry, view) {
-    this.view?.unmount();
+  /** @param {Entry} entry @param {{ new (root: HTMLElement, app: App): View, guide: Guide }} kind */
+  show(entry, kind) {
+    this.view?.unmount?.();
     this.mounted?.abort();
     this.mounted = new AbortController();
     this.signal = this.mounted.signal;
@@ -358,14 +343,14 @@ export class App {
     this.name = entry.name;
     this.defaults = defaultsOf(entry.schema);
     this.state = { ...this.defaults };
-    this.view = view;
+    this.guide = kind.guide;
     const root = byId("view");
     root.replaceChildren();
     root.dataset.view = entry.name;
     delete root.dataset.answered;
     document.title = `${entry.title} – sweetspot`;
     this.say([]);
-    view.mount(root, this);
+    this.view = new kind(root, this);
     if (!root.querySelector("h1")) root.prepend(Object.assign(document.createElement("h1"), { className: "unseen", textContent: entry.title }));
     drawerOf(/** @type {HTMLElement | null} */ (root.querySelector(":scope > .side")), root, this.signal);
     this.hollow = false;
@@ -399,10 +384,7 @@ export class App {
   }
 
   // What an overtaken question, or the first picture, gives is drawn; what is wrong with the present one stays said.
-  /**
-   * @param {Answer} answer
-   * @param {State} state
-   */
+  /** @param {Own} answer @param {State} state */
   answers(answer, state) {
     const first = this.answer === null;
     this.answer = answer;
@@ -419,10 +401,7 @@ export class App {
   }
 
   // Say beside each control what is wrong with it, and on top what belongs to none; without any picture, draw the first.
-  /**
-   * @param {Fault} fault
-   * @param {State} state
-   */
+  /** @param {Fault} fault @param {State} state */
   faulted(fault, state) {
     if (state !== this.state) return;
     this.say([fault, ...(fault.more ?? [])]);
@@ -444,21 +423,14 @@ export class App {
   start() {
     fillBar(this);
     this.readColors();
-    byId("tools").append(switchOf("units", ["us", "US"], ["si", "SI"], this.units, (units) => this.setUnits(units)));
+    byId("tools").append(switchOf("units", [["us", "US"], ["si", "SI"]], this.units, (units) => this.setUnits(units)));
     byId("tools").append(stepButton("undo", "↶", "Undo (Ctrl+Z)", () => this.steps.undo(-1)), stepButton("redo", "↷", "Redo (Ctrl+Y)", () => this.steps.undo(1)),
       themeButton(() => this.readColors(true)), shareButton(this), exportButton(this), guide(this));
     document.body.classList.toggle("embed", this.embedded);
     this.steps.mark();
-    this.chip = new Chip(this);
     byId("chip").append(this.chip.element);
     byId("terms").addEventListener("click", () => listTerms(this));
     partOf(byId("fault"), "button", HTMLElement).addEventListener("click", () => this.reset());
-    this.line = new Line({
-      apart: true,
-      onAnswer: (view, answer, state) => view === this.name && this.answers(answer, state),
-      onFault: (view, fault, state) => view === this.name && this.faulted(fault, state),
-      onStatus: (status) => this.heard(status),
-    });
     addEventListener("popstate", () => {
       this.steps.arrive();
       this.go();
@@ -475,13 +447,10 @@ export class App {
   }
 
   // To another view, with some of its controls set.
-  /**
-   * @param {string} name
-   * @param {State} fields
-   */
+  /** @param {ViewName} name @param {Partial<State>} fields */
   visitWith(name, fields) {
     this.left.set(name, { ...defaultsOf(this.entry(name).schema), ...this.left.get(name), ...fields });
-    for (const field of Object.keys(fields)) if (Object.hasOwn(this.carried, field)) this.carried[field] = fields[field];
+    Object.assign(this.carried, Object.fromEntries(Object.entries(fields).filter(([field]) => Object.hasOwn(this.carried, field))));
     return this.visit(this.addressFor(name));
   }
 

@@ -1,11 +1,7 @@
 // Questions to the API.
 
 // What the server answers. One that cannot be reached is a refusal, marked as lost.
-/**
- * @param {string} path
- * @param {RequestInit} [question]
- * @returns {Promise<Response>}
- */
+/** @param {string} path @param {RequestInit} [question] @returns {Promise<Response>} */
 export async function asked(path, question) {
   try {
     return await fetch(path, question);
@@ -17,10 +13,7 @@ export async function asked(path, question) {
 
 // POST JSON; a refusal is thrown as {field, message}.
 
-/**
- * @param {string} path
- * @param {object} table
- */
+/** @param {string} path @param {object} table */
 export async function posted(path, table) {
   const response = await asked(path, {
     method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(table),

@@ -32,10 +32,7 @@ export class Line {
     this.open();
   }
 
-  /**
-   * @param {string} view
-   * @param {State} state
-   */
+  /** @param {string} view @param {State} state */
   ask(view, state) {
     this.last = { view, state };
     this.next.set(view, state);
@@ -43,10 +40,7 @@ export class Line {
     else this.flush();
   }
 
-  /**
-   * @param {string} view
-   * @param {State} state
-   */
+  /** @param {string} view @param {State} state */
   async askApart(view, state) {
     this.id += 1;
     const asked = { id: this.id, state };
@@ -120,7 +114,7 @@ export class Line {
       this.handlers.onStatus("slow");
       setTimeout(() => this.last?.state === state && this.ask(view, state), AGAIN);
     } else if (message.error) this.handlers.onFault(view, message.error, state);
-    else this.handlers.onAnswer(view, message.answer, state);
+    else if (message.answer) this.handlers.onAnswer(view, message.answer, state);
     this.flush();
   }
 }

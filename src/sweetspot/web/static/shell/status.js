@@ -30,18 +30,11 @@ export function showAbsent(title) {
 }
 
 // What is wrong, in the reader's units.
-/**
- * @param {Fault} fault
- * @param {System} units
- */
+/** @param {Fault} fault @param {System} units */
 export const wordsOf = ({ words, message }, units) => words?.[units] ?? message;
 
 // Beside each control what is wrong with it, and on top what belongs to none.
-/**
- * @param {Fault[]} faults
- * @param {Map<string, Control>} controls
- * @param {System} units
- */
+/** @param {Fault[]} faults @param {Map<string, Control>} controls @param {System} units */
 export function showFaults(faults, controls, units) {
   for (const control of controls.values()) control.fault?.("");
   const homeless = faults.filter((fault) => {
@@ -55,10 +48,7 @@ export function showFaults(faults, controls, units) {
 }
 
 // "profile_in.3.1" belongs to the control of profile_in.
-/**
- * @param {string} field
- * @param {Map<string, Control>} controls
- */
+/** @param {string} field @param {Map<string, Control>} controls */
 function controlOf(field, controls) {
   const parts = field.split(".");
   for (let length = parts.length; length > 0; length -= 1) {

@@ -25,10 +25,7 @@ function meanings() {
 }
 
 // Give every heading and name below a root that is known its meaning.
-/**
- * @param {ParentNode} root
- * @param {App} app
- */
+/** @param {ParentNode} root @param {App} app */
 export async function explain(root, app) {
   const map = await meanings();
   if (!map.size) return;

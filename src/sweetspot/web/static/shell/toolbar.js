@@ -2,12 +2,7 @@
 
 /** @import { App } from "./main.js" */
 
-/**
- * @param {string} id
- * @param {string} words
- * @param {string} title
- * @param {() => void} act
- */
+/** @param {string} id @param {string} words @param {string} title @param {() => void} act */
 export function stepButton(id, words, title, act) {
   const made = Object.assign(document.createElement("button"), { type: "button", id, textContent: words, title });
   made.setAttribute("aria-label", title);
@@ -15,21 +10,15 @@ export function stepButton(id, words, title, act) {
   return made;
 }
 
-/**
- * @param {string} name
- * @param {[string, string]} given
- * @param {[string, string]} given
- * @param {string} chosen
- * @param {(value: any) => void} onChange
- */
-export function switchOf(name, [first, firstWords], [second, secondWords], chosen, onChange) {
+/** @template {string} Value @param {string} name @param {[Value, string][]} choices @param {Value} chosen @param {(value: Value) => void} onChange */
+export function switchOf(name, choices, chosen, onChange) {
   const group = document.createElement("fieldset");
   group.className = "switch";
-  group.innerHTML = `<legend class="unseen">${name}</legend>` + [[first, firstWords], [second, secondWords]].map(
+  group.innerHTML = `<legend class="unseen">${name}</legend>` + choices.map(
     ([value, words]) => `<label><input type="radio" name="${name}" value="${value}"><span>${words}</span></label>`).join("");
   for (const one of group.querySelectorAll("input")) {
     one.checked = one.value === chosen;
-    one.addEventListener("change", () => onChange(one.value));
+    one.addEventListener("change", () => onChange(/** @type {Value} */ (one.value)));
   }
   return group;
 }

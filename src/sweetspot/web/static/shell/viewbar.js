@@ -29,10 +29,7 @@ export function pointBar(app) {
   }
 }
 
-/**
- * @param {MouseEvent} event
- * @param {App} app
- */
+/** @param {MouseEvent} event @param {App} app */
 function follow(event, app) {
   const link = event.target instanceof Element ? event.target.closest("a") : null;
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;

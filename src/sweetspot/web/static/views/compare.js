@@ -4,12 +4,12 @@ import { Chart } from "../charts/chart.js";
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
 import { choice, group, slider } from "../controls/controls.js";
 import { HowSure } from "../controls/howsure.js";
-import { make, paragraphs, tableOf, tell, withDoubt } from "../controls/parts.js";
+import { make, paragraphs, section, tableOf, tell, withDoubt } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
-/** @import { CertifiedBats, DrawnComparedBat, RuleRow, SureBat, SureComparison } from "../answers.js" */
-/** @import { App, View } from "../shell/main.js" */
+/** @import { CertifiedBats, ComparisonPicture, DrawnComparedBat, RuleRow, States, SureBat, SureComparison } from "../answers.js" */
+/** @import { AppOf, Guide } from "../shell/main.js" */
 /** @import { Curve } from "../charts/chart.js" */
 
 /** @typedef {DrawnComparedBat & Partial<SureBat>} Bat  with its intervals, once they are there */
@@ -17,34 +17,43 @@ const BARREL = 12 * INCH; // shown until somebody zooms
 const SWUNG = ["pitch_speed_mph", "bat_speed_mph", "hands_in", "same", "swing_law"]; // which no rule asks about
 const VERDICT = 110; // pixels that a column of verdicts needs
 
-/** @type {View<"compare">} */
-export const view = {
-  name: "compare",
-  guide: [
+export default class CompareView {
+  /** @type {Guide} */
+  static guide = [
     ["Which bat hits harder", "Up to four bats in the same player's hands, or one bat against itself with a hole or another wall. " +
       "The verdict says what changes and how sure that is."],
     ["Read the curves", "One curve for each bat, tips aligned: how fast the ball leaves from each place. The table below " +
       "gives weight, swing weight, speeds, and the swing that would make up for the difference."],
     ["Change the question", "Choose the bats, the same effort or the same bat speed, and whose rules they are held against. "],
-  ],
+  ];
 
-  mount(root, app) {
-    Object.assign(this, { app, root });
+  /** @param {HTMLElement} root @param {AppOf<"compare">} app */
+  constructor(root, app) {
+    this.app = app;
+    /** @type {ComparisonPicture | null} */
+    this.answer = null;
+    this.longest = 1; // m
+    /** @type {{ asked: string, found: SureComparison } | null} */
+    this.known = null; // the intervals, and of which question
+    /** @type {CertifiedBats | null} */
+    this.certified = null;
+    this.ruled = ""; // the system of units in which it is shown
+    this.rulesOpen = false;
     this.bench = new Bench(app);
     this.slots = new Slots(app);
-    this.hole = make("div", {},
+    const hole = make("div", {},
       slider(app, "hole_diameter_in", { label: "Hole, width", step: 0.05 }),
       slider(app, "hole_depth_in", { label: "Hole, depth from the tip", step: 0.25 }));
-    this.wall = slider(app, "wall_times", { label: "Wall, times bat 1's own", step: 0.01 });
+    const wall = slider(app, "wall_times", { label: "Wall, times bat 1's own", step: 0.01 });
     app.control({ field: "parts of what_if", sync: ({ what_if: asked }) => {
-      this.hole.hidden = asked !== "cork";
-      this.wall.hidden = asked !== "wall";
+      hole.hidden = asked !== "cork";
+      wall.hidden = asked !== "wall";
     } });
     const side = make("div", { className: "side" },
       group("Question", [
         choice(app, "what_if", { label: "Compare", options: [
           ["none", "these bats"], ["cork", "bat 1 drilled and corked"], ["wall", "bat 1 with another wall"]] }),
-        this.hole, this.wall,
+        hole, wall,
         choice(app, "same", { label: "Swung with", options: [["effort", "the same effort"], ["speed", "the same bat speed"]] }),
         usualChoice(app, "swing_law", { label: "Players", options: [["baseball", "baseball"], ["slow-pitch", "slow-pitch softball"]] }),
       ]),
@@ -60,15 +69,15 @@ export const view = {
     this.assumed = make("p", { className: "note" });
     this.sure = new HowSure(app, { but: ["league"] });
     this.sureRules = new HowSure(app, { aside: "rules_sure", but: SWUNG, title: "How sure each bat's test is, and what that comes from" });
-    const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: its 90 % interval. Square: a weight fixed to the bat." });
     const main = make("div", { className: "stack" },
       section("Verdict", this.words, this.wait, this.change.element),
       section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed, this.sure.element),
       section("League rules", usualChoice(app, "league", { label: "Rules of", options: leagues(app) }), this.rules, this.sureRules.element));
     root.append(side, main);
-  },
+  }
 
+  /** @param {ComparisonPicture} answer @param {States["compare"]} state */
   update(answer, state) {
     this.answer = answer;
     this.longest = Math.max(...answer.bats.map(({ bat }) => bat.length_m));
@@ -76,24 +85,25 @@ export const view = {
     this.slots.update(answer, state);
     this.rows.draw(answer.bats, this.longest, answer.fastest[this.app.units].join(" "));
     const asked = JSON.stringify({ ...state, league: null });
-    this.judge(this.known?.asked === asked ? this.known.found : null);
+    this.judge(answer, this.known?.asked === asked ? this.known.found : null);
     this.app.aside("intervals", ["league"], 150, (found) => {
       this.known = { asked, found };
-      this.judge(found);
+      if (this.answer) this.judge(this.answer, found);
     });
     this.showRules();
     this.sure.update();
     this.sureRules.update();
     this.app.aside("rules", SWUNG, 150, (certified) => {
       this.certified = certified;
+      this.ruled = "";
       this.showRules();
     });
-  },
+  }
 
   // What changes. Nothing is called a gain or a loss before the whole interval is there.
-  /** @param {SureComparison | null} sure */
-  judge(sure) {
-    const { answer, app: { units } } = this;
+  /** @param {ComparisonPicture} answer @param {SureComparison | null} sure */
+  judge(answer, sure) {
+    const { units } = this.app;
     /** @type {Bat[]} */
     const bats = answer.bats.map((bat, i) => ({ ...bat, ...sure?.bats[i] }));
     const { verdict, assumptions, changes } = sure ?? answer;
@@ -104,7 +114,7 @@ export const view = {
     this.change.draw(bats, changes[units].join(" "));
     this.drawCurves(bats);
     this.app.afterwards(this.bats, () => this.bats.replaceChildren(this.tableOfBats(bats)));
-  },
+  }
 
   // The curves, and below them how far each lies from the first one's, with its interval.
   /** @param {Bat[]} bats */
@@ -132,7 +142,7 @@ export const view = {
     this.chart.draw({ x: [], xs, lines, range: [0, this.longest], usual: [this.longest - Math.min(BARREL, this.longest), this.longest],
       marks: [], bands: zone ? [{ from: zone[0], to: zone[1] }] : [] });
     this.chart.label(`Exit speed, its difference from the first bat's, and collision efficiency along ${bats.map(({ label }) => label).join(", ")}, tips aligned.`);
-  },
+  }
 
   /** @param {Bat[]} bats */
   tableOfBats(bats) {
@@ -149,14 +159,14 @@ export const view = {
       range("exit_speed_m_s", one.exit_speed_m_s), i ? range("speed_change", one.change_m_s, "+") : "reference",
       i ? show("bat_speed_m_s", one.break_even_bat_speed_m_s) : "reference", one.max_bbcor.toFixed(3),
     ]));
-  },
+  }
 
   showRules() {
     const { certified, app: { units } } = this;
-    if (!certified || (this.ruled?.certified === certified && this.ruled.units === units)) return;
-    this.ruled = { certified, units };
+    if (!certified || this.ruled === units) return;
+    this.ruled = units;
     this.rules.replaceChildren(...this.rulesOf(certified));
-  },
+  }
 
   // Rules that say something of one of the bats; those that do not apply or cannot be decided are folded away.
   /** @param {CertifiedBats} certified */
@@ -171,26 +181,20 @@ export const view = {
       return made;
     };
     const [decided, rest] = [true, false].map((wanted) => rules.filter((row) => row.decided === wanted));
-    const fold = make("details", { open: this.rulesOpen ?? false }, make("summary", { textContent: `${rest.length} more that do not apply to these bats or cannot be decided` }),
+    const fold = make("details", { open: this.rulesOpen }, make("summary", { textContent: `${rest.length} more that do not apply to these bats or cannot be decided` }),
       table("Rules without a verdict", rest));
     fold.addEventListener("toggle", () => (this.rulesOpen = fold.open));
     return [...(decided.length ? [table("Every rule held against every bat, from the simulated test", decided)] : []), ...(rest.length ? [fold] : [])];
-  },
+  }
 
-  unmount() { Object.assign(this, { certified: null, ruled: null, known: null }); },
-
-  figures() { return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")]; },
+  figures() { return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")]; }
   table() {
-    /** @type {Record<string, unknown[]>} */
-    const columns = { label: [], position_m: [], exit_speed_m_s: [], collision_efficiency: [], bbcor: [] };
-    for (const { label, scan } of this.answer.bats) {
-      const { position_m, exit_speed_m_s, collision_efficiency, bbcor } = scan;
-      const rows = { label: position_m.map(() => label), position_m, exit_speed_m_s, collision_efficiency, bbcor };
-      for (const [key, values] of Object.entries(rows)) columns[key].push(...values);
-    }
-    return columns;
-  },
-};
+    const bats = this.answer?.bats ?? [];
+    const column = (/** @type {"position_m" | "exit_speed_m_s" | "collision_efficiency" | "bbcor"} */ name) => bats.flatMap(({ scan }) => scan[name]);
+    return { label: bats.flatMap(({ label, scan }) => scan.position_m.map(() => label)), position_m: column("position_m"), exit_speed_m_s: column("exit_speed_m_s"),
+      collision_efficiency: column("collision_efficiency"), bbcor: column("bbcor") };
+  }
+}
 
-/** @param {App} app */
+/** @param {AppOf<"compare">} app */
 const leagues = (app) => app.lists("leagues").then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);

@@ -2,10 +2,10 @@
 
 import { paintBat } from "../bat/batview.js";
 import { LEFT, RIGHT } from "../charts/chart.js";
-import { FONT, Surface, dot, haloText, line, ticks } from "../charts/surface.js";
+import { dot, line } from "../charts/pen.js";
+import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
 import { kindOf, toShown, unitOf } from "../controls/units.js";
 /** @import { DrawnComparedBat } from "../answers.js" */
-/** @import { Point } from "../charts/surface.js" */
 /** @import { App } from "../shell/main.js" */
 /** @import { Way } from "../bat/batpaint.js" */
 
@@ -45,7 +45,13 @@ export class RowsPicture {
     this.bats.forEach((one, i) => this.paintRow(context, one, LINES[i], i * this.row(width), width));
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {DrawnComparedBat} given @param {Look} look @param {number} top @param {number} width */
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {DrawnComparedBat} given
+   * @param {Look} look
+   * @param {number} top
+   * @param {number} width
+   */
   paintRow(context, { bat, shape, label, zone_m: zone, max_exit_speed_m: best }, look, top, width) {
     const { colors } = this.app;
     const scale = this.scale(width);
@@ -57,9 +63,8 @@ export class RowsPicture {
       context.fillRect(across(zone[0]), top + NAME + WIDEST * scale + 4, across(zone[1]) - across(zone[0]), 4);
     }
     paintBat(context, { ...bat, ...shape }, { left, scale, middle }, colors);
-    dot(context, [across(best), middle], 6, colors.panel);
-    dot(context, [across(best), middle], 4.5, colors.red);
-    line(context, [[LEFT, top + 10], [LEFT + 30, top + 10]], { color: colors[look.color], width: 3, dash: look.dash, cap: "butt" });
+    dot(context, [across(best), middle], 5, { fill: colors.red, edge: colors.panel, width: 1.5 });
+    line(context, [[LEFT, top + 10], [LEFT + 30, top + 10]], colors[look.color], 3, look.dash);
     Object.assign(context, { font: `600 12px ${FONT}`, textAlign: "left", textBaseline: "middle" });
     haloText(context, label, LEFT + 36, top + 10, colors.ink, colors.panel);
   }
@@ -100,7 +105,7 @@ export class ChangePicture {
     context.fillText("Change of exit speed", 0, 9);
     context.font = `11px ${FONT}`;
     for (const value of ticks(least, most, (width - names) / 60)) {
-      line(context, [[across(value), HEAD], [across(value), bottom]], { color: value === 0 ? colors.ink : colors.grid, width: 1, cap: "butt" });
+      line(context, [[across(value), HEAD], [across(value), bottom]], value === 0 ? colors.ink : colors.grid);
       Object.assign(context, { fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });
       context.fillText(String(value).replace("-", "−"), across(value), bottom + 4);
     }
@@ -109,16 +114,23 @@ export class ChangePicture {
     others.forEach((one, i) => this.paintRow(context, one, LINES[i + 1], HEAD + (i + 0.5) * CHANGE_ROW, { across, shown, names }));
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {DrawnComparedBat} given @param {Look} look @param {number} y @param {{ across: Way, shown: Way, names: number }} place */
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {DrawnComparedBat} given
+   * @param {Look} look
+   * @param {number} y
+   * @param {{ across: Way, shown: Way, names: number }} given
+   */
   paintRow(context, { label, change_m_s: change }, look, y, { across, shown, names }) {
     const { colors } = this.app;
     Object.assign(context, { font: `12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "middle" });
     context.fillText(clipped(context, label, names), 0, y);
     const judged = change.low < change.high; // until its interval is there a change is a grey mark
     const color = judged ? colors[look.color] : colors.muted;
-    const at = (/** @type {number} */ value) => /** @type {Point} */ ([across(shown(value)), y]);
-    if (judged) line(context, [at(change.low), at(change.high)], { color, width: 4 });
-    dot(context, at(change.value), 6, color);
+    context.lineCap = "round";
+    if (judged) line(context, [[across(shown(change.low)), y], [across(shown(change.high)), y]], color, 4);
+    context.lineCap = "butt";
+    dot(context, [across(shown(change.value)), y], 6, { fill: color });
     Object.assign(context, { font: `600 11px ${FONT}`, textAlign: "center" });
     const digits = kindOf("speed_change")[this.app.units].digits;
     const words = `${change.value > 0 ? "+" : ""}${shown(change.value).toFixed(digits).replace("-", "−")}`;

@@ -3,34 +3,30 @@
 import { checked, textOf } from "../bat/batfile.js";
 import { batChoice, workshop } from "../bat/bench.js";
 import { unchanged } from "../bat/unchanged.js";
-import { button } from "../controls/controls.js";
+import { button, faultPlace } from "../controls/controls.js";
 import { make, scoped } from "../controls/parts.js";
 import { wordsOf } from "../shell/status.js";
-/** @import { ComparisonPicture } from "../answers.js" */
-/** @import { App, State } from "../shell/main.js" */
+/** @import { BatState, ComparisonPicture, States } from "../answers.js" */
+/** @import { AppOf, State } from "../shell/main.js" */
 
 const MOST = 3;
 const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];
 const SOFTBALL = ["softball", "slow-pitch"]; // both are played with one kind of bat
 
 export class Slots {
-  /** @param {App} app */
+  /** @param {AppOf<"compare">} app */
   constructor(app) {
     this.app = app;
     this.slots = Array.from({ length: MOST }, (_, index) => this.slot(index));
     this.more = button("Add a bat", () => this.add());
-    this.fault = make("p", { className: "fault", hidden: true });
     this.element = make("details", { className: "group", open: true }, make("summary", { textContent: "Compared with" }),
-      ...this.slots.map(({ element }) => element), this.more, this.fault);
-    app.control({ field: "others", sync: (state) => this.sync(state), fault: (message) => {
-      this.fault.textContent = message;
-      this.fault.hidden = message === "";
-    } });
+      ...this.slots.map(({ element }) => element), this.more);
+    this.element.append(faultPlace(app, ["others"], (state) => this.sync(state)));
   }
 
   /** @param {number} index */
   slot(index) {
-    const one = scoped(this.app, "others", index, (field) => this.app.answer?.others_bounds?.[index]?.[field]);
+    const one = scoped(this.app, index, (field) => this.app.answer?.others_bounds?.[index]?.[field]);
     const title = `Bat ${index + 2}`;
     const file = make("input", { type: "file", accept: ".toml,text/plain", ariaLabel: `${title}: your own bat file (TOML)` });
     file.addEventListener("change", () => this.read(file, one, index));
@@ -52,14 +48,14 @@ export class Slots {
     this.element.hidden = asked !== "none";
   }
 
-  /** @param {ComparisonPicture} answer @param {State} state */
+  /** @param {ComparisonPicture} answer @param {States["compare"]} state */
   update({ bat, bats }, { what_if: asked, others }) {
     if (asked === "none") this.keepToTheSport(bat.sport, others);
     if (asked === "none") bats.slice(1).forEach(({ shape }, i) => this.slots[i].show(shape));
   }
 
   // The bats that stand there before anybody chose are baseball's: beside a bat of another sport those of its own stand.
-  /** @param {string} sport @param {State[]} others */
+  /** @param {string} sport @param {Partial<BatState>[]} others */
   async keepToTheSport(sport, others) {
     const first = JSON.stringify(this.app.defaults.others);
     if (JSON.stringify(others) !== first || alike(sport, "baseball")) return;
@@ -76,14 +72,14 @@ export class Slots {
   async add() {
     const sport = this.app.answer?.bat.sport ?? "baseball";
     const choices = alike(sport, "baseball") ? FIRST_CHOICES : [...(await this.ofTheSport(sport)), ...FIRST_CHOICES];
-    const taken = [this.app.state.bat, ...this.app.state.others.map((/** @type {{ bat: string }} */ { bat }) => bat)];
+    const taken = [this.app.state.bat, ...this.app.state.others.map(({ bat }) => bat)];
     const next = choices.find((name) => !taken.includes(name)) ?? choices[0];
     this.app.setState({ others: [...this.app.state.others, { bat: next }] });
   }
 
   /** @param {number} index */
   remove(index) {
-    this.app.setState({ others: this.app.state.others.filter((/** @type {State} */ _, /** @type {number} */ i) => i !== index) });
+    this.app.setState({ others: this.app.state.others.filter((_, i) => i !== index) });
     this.more.focus();
   }
 

@@ -7,12 +7,12 @@ import { Chart } from "../charts/chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls/controls.js";
 import { download } from "../shell/download.js";
 import { Lights, showRules } from "../controls/lights.js";
-import { make, paragraphs, tableOf, tell, write } from "../controls/parts.js";
+import { make, paragraphs, section, showWords, tableOf, tell, write } from "../controls/parts.js";
 import { Front, WANTS } from "./design_front.js";
 import { grouped } from "../controls/units.js";
-/** @import { DesignLight, DesignPicture, ShapedNumber, Station } from "../answers.js" */
+/** @import { DesignFiles, DesignWorth, DesignLight, DesignPicture, ShapedNumber, States, Station } from "../answers.js" */
 /** @import { Light } from "../controls/lights.js" */
-/** @import { App, Control, State, Step, View } from "../shell/main.js" */
+/** @import { App, AppOf, Control, Field, Guide, State, Step } from "../shell/main.js" */
 
 const LONGEST = 40000;
 /** @type {Record<string, number>} */
@@ -30,18 +30,30 @@ const PANELS = [
 const CHANGES = { speed: "speed_change", place: "length" }; // how a change is shown where it is shown otherwise
 const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv", "swings_of"]; // what the gain does not depend on
 
-/** @type {View<"design">} */
-export const view = {
-  name: "design",
-  guide: [
+export default class DesignView {
+  /** @type {Guide} */
+  static guide = [
     ["Pull it into shape", "Pull the round handles on the outline. Weight, balance, swing weight, league rules and the curves follow at once; " +
       "what is locked stays, and the other numbers give way."],
     ["For this batter", "Tell where the batter meets the ball, or bring swings: the gain counts over these contacts, beside what two pieces of wood differ."],
     ["Find better", "The search looks for bats that keep every limit; each small bat of the front can be taken with a click."],
-  ],
+  ];
 
-  mount(root, app) {
-    Object.assign(this, { app, answer: null, worth: null, noise: null, base: null, own: [] });
+  /** @param {HTMLElement} root @param {AppOf<"design">} app */
+  constructor(root, app) {
+    this.app = app;
+    /** @type {DesignPicture | null} */
+    this.answer = null;
+    /** @type {DesignWorth | null} */
+    this.worth = null; // of the bat that is shown
+    /** @type {DesignWorth | null} */
+    this.noise = null; // of the last bat that it was worked out for
+    /** @type {{ index: number, numbers: number[] } | null} */
+    this.base = null; // the bat's numbers as one of them began to be pulled, and which
+    /** @type {Control[]} */
+    this.own = []; // of the bat's numbers
+    this.about = ""; // what the gain is about
+    this.made = ""; // for which numbers
     this.bench = new Bench(app, { open: false });
     this.picture = new BatView(app, { onBall() {}, onStations: (stations, { last }) => this.pulled(stations, last), label: "The bat that is shaped" });
     this.picture.drawing = true;
@@ -54,13 +66,25 @@ export const view = {
     this.lights = { locks: new Lights("What must stay"), rules: new Lights("Rules"), limits: new Lights("Can be turned, will not break") };
     this.beside = make("div");
     this.numbers = make("div");
-    this.front = new Front(app, { state: () => ({ ...app.state, swings_csv: null }), onTake: (/** @type {number[]} */ numbers) => this.take(numbers) });
+    this.front = new Front(app, { state: () => ({ ...app.state, swings_csv: null }), onTake: (numbers) => this.take(numbers) });
+    const file = (/** @type {string} */ words, /** @type {string} */ ending, /** @type {string} */ type, /** @type {(files: DesignFiles) => string | undefined} */ of) => button(words, async () => {
+      download(`designed-bat.${ending}`, type, of(await app.ask("design/files", { ...app.state, swings_csv: null })) ?? "");
+    });
+    const drawing = (/** @type {string} */ words, /** @type {"svg" | "dxf" | "csv"} */ ending, /** @type {string} */ type) => file(words, ending, type, (files) => files[app.units]?.[ending]);
+    this.drawings = [drawing("Drawing (SVG)", "svg", "image/svg+xml"), drawing("Drawing (DXF)", "dxf", "image/vnd.dxf"), drawing("Diameters (CSV)", "csv", "text/csv")];
+    const tools = make("div", { className: "row tight" },
+      button("As the present bat", () => this.anew({ design_si: null, design_for: null, pulled: null })),
+      button("Put it on the bench", async () => {
+        const { toml } = await app.ask("design/files", { ...app.state, swings_csv: null });
+        this.anew({ ...unchanged(app), bat_toml: toml, design_si: null, design_for: null, pulled: null });
+      }, { title: "From now on it is the present bat in every view" }),
+      file("Bat file", "toml", "application/toml", ({ toml }) => toml), ...this.drawings);
     root.append(this.side(app), make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.picture.element, this.note,
-        make("div", { className: "light-rows" }, ...Object.values(this.lights).map(({ element }) => element)), this.tools(app)),
-      make("section", { className: "picture" }, make("h2", { textContent: "Find better" }), this.front.element),
-      make("section", { className: "picture" }, make("h2", { textContent: "What it does, beside the present bat" }), this.chart.element, this.gain, this.beside)));
-  },
+        make("div", { className: "light-rows" }, ...Object.values(this.lights).map(({ element }) => element)), tools),
+      section("Find better", this.front.element),
+      section("What it does, beside the present bat", this.chart.element, this.gain, this.beside)));
+  }
 
   /** @param {App} app */
   side(app) {
@@ -91,86 +115,71 @@ export const view = {
         "Here bats of baseball and softball are designed. Cricket bats, rackets and golf clubs have a few numbers of their own, and the command designs them: ",
         make("code", { textContent: "sweetspot design cricket-bat --out blade" }), ", ", make("code", { textContent: "tennis-racket" }), ", ", make("code", { textContent: "golf-driver" }), ".")], { open: false }),
       group("The bat's numbers", [this.numbers], { open: false }), this.bench.element, swingGroup(app, { open: false }), ballGroup(app));
-  },
+  }
 
   // A batter from swings: a table, an answer of fit-player, or the table of the Player view.
   /** @param {App} app */
   swings(app) {
     const file = make("input", { type: "file", id: "batter-file", accept: ".csv,.json,text/csv,application/json,text/plain" });
     const wrong = make("p", { className: "fault", hidden: true });
+    const refuse = (/** @type {string} */ message) => {
+      showWords(wrong, message);
+      reveal(wrong);
+    };
     const read = async (/** @type {string} */ text, /** @type {string | null} */ whose = null) => {
       wrong.hidden = true;
       file.setAttribute("aria-busy", "true");
       try {
         app.setState(await app.ask("design/batter", { ...app.state, swings_csv: text, swings_of: whose }));
       } catch (fault) {
-        wrong.textContent = fault.message;
-        wrong.hidden = false;
-        reveal(wrong);
+        refuse(fault.message);
       }
       file.removeAttribute("aria-busy");
     };
     file.addEventListener("change", async () => {
-      const one = file.files?.[0];
-      if (!one) return;
-      const text = await one.text();
+      const chosen = file.files?.[0];
+      if (!chosen) return;
+      const text = await chosen.text();
       file.value = "";
-      if (text.length > LONGEST) {
-        wrong.textContent = `${one.name} has ${text.length} letters; at most ${LONGEST}. Bring it to the view Player, which takes longer ones, and come back.`;
-        wrong.hidden = false;
-      } else read(text);
+      if (text.length > LONGEST) refuse(`${chosen.name} has ${text.length} letters; at most ${LONGEST}. Bring it to the view Player, which takes longer ones, and come back.`);
+      else read(text);
     });
     const { swings_csv: known, swings_of: whose } = app.left.get("player") ?? {};
     return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: `Or from swings (CSV, or player.json of fit-player; up to ${grouped(LONGEST)} letters)` }), file, wrong,
       ...(known ? [button("The swings of the view Player", () => read(known, whose))] : []));
-  },
+  }
 
-  /** @param {App} app */
-  tools(app) {
-    const file = (/** @type {string} */ words, /** @type {string} */ ending, /** @type {string} */ type) => button(words, async () => {
-      const found = await app.ask("design/files", { ...app.state, swings_csv: null });
-      download(`designed-bat.${ending}`, type, ending === "toml" ? found.toml : found[app.units][ending]);
-    });
-    this.drawings = [file("Drawing (SVG)", "svg", "image/svg+xml"), file("Drawing (DXF)", "dxf", "image/vnd.dxf"), file("Diameters (CSV)", "csv", "text/csv")];
-    return make("div", { className: "row tight" },
-      button("As the present bat", () => this.anew({ design_si: null, design_for: null, pulled: null })),
-      button("Put it on the bench", async () => {
-        const { toml } = await app.ask("design/files", { ...app.state, swings_csv: null });
-        this.anew({ ...unchanged(app), bat_toml: toml, design_si: null, design_for: null, pulled: null });
-      }, { title: "From now on it is the present bat in every view" }),
-      file("Bat file", "toml", "application/toml"), ...this.drawings);
-  },
-
-  /** @param {State} change */
+  /** @param {Partial<State>} change */
   anew(change) {
     this.base = null;
     this.app.setState(change);
-  },
+  }
 
   /** @param {number[]} numbers */
-  take(numbers) { this.anew({ design_si: numbers, design_for: this.answer.key, pulled: null }); },
+  take(numbers) { if (this.answer) this.anew({ design_si: numbers, design_for: this.answer.key, pulled: null }); }
 
   // One number pulled: the others as they were when the pulling began, so that back is back.
-  /** @param {number} index @param {number} value @param {Step} options */
+  /** @param {number} index @param {number} value @param {Step} [options] */
   pull(index, value, options) {
     if (!this.answer) return;
     if (this.base?.index !== index) this.base = { index, numbers: this.answer.variables.map(({ value: present }) => present) };
-    const numbers = this.base.numbers.map((/** @type {number} */ number, /** @type {number} */ i) => (i === index ? value : number));
+    const numbers = this.base.numbers.map((number, i) => (i === index ? value : number));
     this.app.setState({ design_si: numbers, design_for: this.answer.key, pulled: index }, options);
     if (options?.commit !== false) this.base = null;
-  },
+  }
 
   /** @param {Station[]} stations @param {boolean} last */
   pulled(stations, last) {
-    const index = stations.findIndex(({ diameter_m: wide }, i) => wide !== this.answer.design.stations[i].diameter_m);
+    if (!this.answer) return;
+    const { design, variables } = this.answer, index = stations.findIndex(({ diameter_m: wide }, i) => wide !== design.stations[i].diameter_m);
     if (index < 0 && last) this.app.commit();
     if (index < 0) {
       if (last) this.base = null;
       return;
     }
-    const { low, high } = this.answer.variables[index];
+    const { low, high } = variables[index];
     this.pull(index, Math.min(high, Math.max(low, stations[index].diameter_m)), { commit: last });
-  },
+  }
 
   // A slider a number, for the keyboard and for what has no handle; made anew where another kind of bat has others.
   /** @param {ShapedNumber[]} variables */
@@ -188,18 +197,19 @@ export const view = {
           app.commit(options);
         },
         control: (/** @type {Control} */ control) => this.own.push(control),
-        setState: (/** @type {State} */ partial, /** @type {Step} */ options) => {
+        setState: (/** @type {Partial<State>} */ partial, /** @type {Step} */ options) => {
           const [[name, value]] = Object.entries(partial);
-          this.pull(this.answer.variables.findIndex(({ key }) => key === name), value, options);
+          this.pull(variables.findIndex(({ key }) => key === name), Number(value), options);
         },
       };
-      this.numbers.replaceChildren(...variables.map(({ key, label, scale, low, high }) => slider(inner, key, { label: () => label[app.units], step: STEPS[scale] ?? (high - low) / 100 })));
+      this.numbers.replaceChildren(...variables.map(({ key, label, scale, low, high }) => slider(inner, /** @type {Field} */ (key), { label: () => label[app.units], step: STEPS[scale] ?? (high - low) / 100 })));
     }
-    const state = Object.fromEntries(variables.map(({ key, value }) => [key, value]));
+    const state = /** @type {State} */ (/** @type {unknown} */ (Object.fromEntries(variables.map(({ key, value }) => [key, value]))));
     for (const control of this.own) control.sync(state);
-  },
+  }
 
-  update(answer) {
+  /** @param {DesignPicture} answer @param {States["design"]} state */
+  update(answer, state) {
     this.answer = answer;
     const { app } = this;
     this.bench.update(answer);
@@ -212,23 +222,25 @@ export const view = {
     const note = [...answer.left_out, design.stations.length ? "Dashed: the present bat. Pull a round handle." : "Dashed: the present bat. A hollow bat's wall is changed by “The bat's numbers” among the controls."].join(" ");
     write(this.note, note);
     for (const file of this.drawings) file.hidden = design.hollow;
-    this.worth = null; // of the bat before
+    const about = JSON.stringify(Object.entries(state).filter(([field]) => !ELSEWHERE.includes(field)));
+    if (about !== this.about) Object.assign(this, { about, worth: null }); // that is of the bat before
     this.draw(answer);
-    this.say();
-    this.gain.ariaBusy = "true";
+    this.say(answer);
+    this.gain.ariaBusy = String(!this.worth);
     app.aside("gain", ELSEWHERE, 120, (found) => {
       this.worth = this.noise = found;
+      if (!this.answer) return;
       this.draw(this.answer);
-      this.say();
+      this.say(this.answer);
     });
-  },
+  }
 
   /** @param {DesignPicture} answer */
   draw({ curves, design }) {
-    const noise = this.noise ?? { noise_low_m_s: [], noise_high_m_s: [] };
-    const lines = { ...curves, nothing: curves.position_m.map(() => 0), ...noise };
+    const { noise_low_m_s = [], noise_high_m_s = [] } = this.noise ?? {};
+    const lines = { ...curves, nothing: curves.position_m.map(() => 0), noise_low_m_s, noise_high_m_s };
     this.chart.draw({ x: curves.position_m, lines, range: [curves.position_m[0], design.length_m] });
-  },
+  }
 
   /** @param {DesignPicture} answer */
   light({ locks, rules, limits }) {
@@ -236,7 +248,7 @@ export const view = {
     this.lights.locks.show(locks.map(lamp));
     this.lights.limits.show(limits.map(lamp));
     showRules(this.lights.rules, rules, this.app);
-  },
+  }
 
   /** @param {DesignPicture} answer */
   compare({ measures }) {
@@ -246,11 +258,12 @@ export const view = {
     };
     this.app.afterwards(this.beside, () => this.beside.replaceChildren(tableOf("Beside the present bat", ["Measure", "present", "this bat", "change"],
       measures.map(({ label, scale, present, value, change }) => [label, show(scale, present), show(scale, value), show(scale, change, true)]))));
-  },
+  }
 
   // First what is gained over this batter's contacts and, once that is known, whether anybody could see it.
-  say() {
-    const { answer, app: { units }, worth } = this;
+  /** @param {DesignPicture} answer */
+  say(answer) {
+    const { app: { units }, worth } = this;
     const words = [...(worth ?? answer).gained[units], ...answer.weighs[units]].join(" ");
     tell(this.words, words);
     this.app.announce(words);
@@ -260,9 +273,8 @@ export const view = {
       paragraphs(this.gain, worth.sentences[units]);
       this.gain.ariaBusy = "false";
     }
-  },
+  }
 
-  unmount() { Object.assign(this, { answer: null, worth: null, noise: null, base: null, made: null }); },
-  figures() { return [this.picture.figure("bat"), this.chart.figure("curves"), ...(this.front.found ? [this.front.surface.figure("front")] : [])]; },
-  table() { return this.app.answer.curves; },
-};
+  figures() { return [this.picture.figure("bat"), this.chart.figure("curves"), ...(this.front.found ? [this.front.surface.figure("front")] : [])]; }
+  table() { return { ...this.answer?.curves }; }
+}

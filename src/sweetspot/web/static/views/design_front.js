@@ -3,10 +3,11 @@
 import { button } from "../controls/controls.js";
 import { longWork } from "../shell/longwork.js";
 import { make, tableOf, write } from "../controls/parts.js";
-import { FONT, Surface, area, dot, haloText, line, ticks } from "../charts/surface.js";
+import { dot, line, shape } from "../charts/pen.js";
+import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
 import { fromShown, toShown, unitOf } from "../controls/units.js";
 /** @import { DesignFront, FrontBat } from "../answers.js" */
-/** @import { Point } from "../charts/surface.js" */
+/** @import { Point } from "../charts/pen.js" */
 /** @import { App, State } from "../shell/main.js" */
 
 const LEFT = 56, RIGHT = 18, TOP = 14, FOOT = 40, TALL = 300, SMALL = 64, THICK = 2.2;
@@ -125,15 +126,14 @@ export class Front {
       const [[kind], [least, most]] = [WANTS[name], ranges[name]];
       return ticks(toShown(kind, least, units), toShown(kind, most, units), count).map((value) => /** @type {[string, number]} */ ([String(value), fromShown(kind, value, units)]));
     };
-    const rule = (/** @type {Point} */ from, /** @type {Point} */ to) => line(context, [from, to], { color: colors.grid, width: 1 });
     Object.assign(context, { textAlign: "right", textBaseline: "middle" });
     for (const [words, value] of marks(y, 5)) {
-      rule([LEFT, up(value)], [width - RIGHT, up(value)]);
+      line(context, [[LEFT, up(value)], [width - RIGHT, up(value)]], colors.grid);
       context.fillText(words, LEFT - 6, up(value));
     }
     Object.assign(context, { textAlign: "center", textBaseline: "top" });
     for (const [words, value] of marks(x, width / 110)) {
-      rule([across(value), TOP], [across(value), TALL - FOOT]);
+      line(context, [[across(value), TOP], [across(value), TALL - FOOT]], colors.grid);
       context.fillText(words, across(value), TALL - FOOT + 4);
     }
     Object.assign(context, { textAlign: "right", textBaseline: "alphabetic" });
@@ -160,15 +160,15 @@ export class Front {
     front.forEach(({ values, outline }, row) => {
       const [px, py] = place(values);
       const hidden = row !== chosen && drawn.some(([a, b]) => Math.abs(a - px) < SMALL * 0.8 && Math.abs(b - py) < 16);
-      const color = row === chosen ? colors.red : colors.blue;
-      if (hidden || !outline) return dot(context, [px, py], row === chosen ? 6 : 3, color);
+      const fill = row === chosen ? colors.red : colors.blue;
+      if (hidden || !outline) {
+        dot(context, [px, py], row === chosen ? 6 : 3, { fill });
+        return;
+      }
       drawn.push([px, py]);
-      const { position_m: along, diameter_m: wide } = outline;
-      const scale = SMALL / along[along.length - 1];
-      const edge = (/** @type {number} */ side) => along.map((at, i) => /** @type {Point} */ ([px - SMALL / 2 + at * scale, py + (side * wide[i] / 2) * scale * THICK]));
-      const points = [...edge(-1), ...edge(1).reverse()];
-      area(context, points, color);
-      return line(context, [...points, points[0]], { color: colors.panel, width: 1 });
+      const { position_m: along, diameter_m: wide } = outline, scale = SMALL / along[along.length - 1];
+      const edge = (/** @type {number} */ side) => along.map((place, i) => [px - SMALL / 2 + place * scale, py + (side * wide[i] / 2) * scale * THICK]);
+      shape(context, [...edge(-1), ...edge(1).reverse()], { fill, edge: colors.panel, width: 1 });
     });
   }
 

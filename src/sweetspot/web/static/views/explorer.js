@@ -11,10 +11,10 @@ import { partsOf } from "../charts/ledger.js";
 import { factList, make, paragraphs, tell, withDoubt } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
 import { Zoom } from "../charts/zoom.js";
-/** @import { Curve, Panel } from "../charts/chart.js" */
-/** @import { Answers, SpeedSpan } from "../answers.js" */
+/** @import { Curve, Panel, Published } from "../charts/chart.js" */
+/** @import { ExplorerAnswer, PowerMap, ReportWords, States } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
-/** @import { State, View } from "../shell/main.js" */
+/** @import { AppOf, Guide, State } from "../shell/main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
 const ROOM = 1.06; // part of the greatest offset that the map leaves free, so that a ball met there is seen whole
@@ -33,7 +33,7 @@ const PANELS = [
   { title: "Jolt at the top hand", kind: "hand_impulse_n_s", height: 70, zero: true, lines: [{ key: "hand_impulse_n_s", color: "green" }] },
   { title: "Sting, vibration at the hands", kind: "sting", height: 70, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] },
 ];
-/** @type {Fact<Answers["explorer"]>[]} */
+/** @type {Fact<ExplorerAnswer>[]} */
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Lost against the best", (a) => ["exit_speed_m_s", a.lost_m_s]],
@@ -47,20 +47,29 @@ const FACTS = [
   ["Swing weight", (a, app) => withDoubt("moi_6in_kg_m2", a.bat.moi_6in_kg_m2, a.bat.moi_6in_half_kg_m2, app)],
 ];
 
-/** @type {View<"explorer">} */
-export const view = {
-  name: "explorer",
-  guide: [
+export default class ExplorerView {
+  /** @type {Guide} */
+  static guide = [
     ["A bat, and where it hits best", "The bat is drawn to scale. Coloured marks are its sweet spots: there are several, " +
       "for each answers another question. The green zone is where a hit costs little speed and stings little."],
     ["Drag the ball", "Drag the ball along the bat, or anywhere on the curves or the map. The sentence below the numbers says " +
       "why a hit there is what it is. Small squares can be dragged too: hands, holes, weights. With the keyboard: arrow keys on the picture."],
     ["Change everything", "Move a slider and all follows at once: pitch, swing, hands, ball. Choose another bat, drop a bat " +
       "file on the page, or drill, cork and cup this one. "],
-  ],
+  ];
 
-  mount(root, app) {
-    Object.assign(this, { app, root, map: null, told: null, listed: null, warm: true });
+  /** @param {HTMLElement} root @param {AppOf<"explorer">} app */
+  constructor(root, app) {
+    this.app = app;
+    /** @type {ExplorerAnswer | null} */
+    this.answer = null;
+    /** @type {PowerMap | null} */
+    this.map = null;
+    /** @type {ReportWords | null} */
+    this.found = null; // of the report
+    this.listed = ""; // what was published of the bat
+    this.offset = 0; // in, of the answer
+    this.warm = true;
     this.zoom = new Zoom({ onChange: () => this.paint(), closest: 0.25, shared: true });
     const onPick = (/** @type {number} */ position, /** @type {{ last: boolean }} */ { last }) => this.moveBall(position, last);
     this.picture = new BatView(app, {
@@ -97,13 +106,13 @@ export const view = {
       tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.again, this.bars, this.known, this.report, this.sure.element);
     root.append(this.words, side, picture);
     this.handle();
-  },
+  }
 
   switchHeat() {
     this.warm = !this.warm;
     this.heatSwitch.textContent = this.warm ? "Colours off" : "Colours on";
     this.paint();
-  },
+  }
 
   // The picture is also a slider for those who use the keyboard.
   handle() {
@@ -117,33 +126,34 @@ export const view = {
       event.preventDefault();
       this.app.setState({ impact_from_tip_in: this.within(this.app.state.impact_from_tip_in + step) }, { merge: "keys on the picture" });
     });
-  },
+  }
 
   /** @param {number} inches */
   within(inches) {
-    const most = (this.app.answer.bat.length_m - this.app.answer.hands_m[0]) / INCH;
+    const { bat, hands_m: hands } = this.app.answer ?? { bat: { length_m: 1 }, hands_m: [0] };
+    const most = (bat.length_m - hands[0]) / INCH;
     return Math.round(100 * Math.min(most, Math.max(0, inches))) / 100;
-  },
+  }
 
-  /** @param {number} position @param {boolean} last */
-  moveBall(position, last, offset = null) {
-    const { answer, schema } = this.app;
+  /** @param {number} position @param {boolean} last @param {number} [offset] */
+  moveBall(position, last, offset) {
+    const { answer, schema: { offset_in: { minimum = -Infinity, maximum = Infinity } } } = this.app;
     if (!answer) return;
-    /** @type {State} */
+    /** @type {Partial<State>} */
     const change = { impact_from_tip_in: this.within((answer.bat.length_m - position) / INCH) };
-    if (offset !== null) {
-      const { minimum, maximum } = schema.offset_in;
+    if (offset !== undefined) {
       const inches = Math.round((20 * offset) / INCH) / 20;
       change.offset_in = Math.abs(inches) < 0.08 ? 0 : Math.min(maximum, Math.max(minimum, inches));
     }
     this.app.setState(change, { commit: last });
-  },
+  }
 
-  update(answer, state) {
-    Object.assign(this, { answer, state });
-    const { bat } = answer;
+  /** @param {ExplorerAnswer} answer @param {States["explorer"]} state */
+  update(answer, { offset_in: offset }) {
+    Object.assign(this, { answer, offset });
+    const { bat } = answer, { units } = this.app;
     this.zoom.set([0, bat.length_m], [bat.length_m - Math.min(BARREL, bat.length_m), bat.length_m]);
-    PANELS[0].lines = state.offset_in === 0 ? SPEEDS : SPEEDS.slice(0, 1); // off the axis there is no rigid one
+    PANELS[0].lines = offset === 0 ? SPEEDS : SPEEDS.slice(0, 1); // off the axis there is no rigid one
     PANELS[1].lines = partsOf(answer.energy_names).map((line) => ({ ...line, label: line.name }));
     this.paint();
     this.facts.fill(answer);
@@ -154,71 +164,67 @@ export const view = {
       this.paint();
     });
     this.app.aside("why", ELSEWHERE, 600, (found) => {
-      this.costs = found.other_law;
       this.found = found;
       paragraphs(this.told, found.sentences[this.app.units]);
       this.paint();
     });
-    if (this.found) paragraphs(this.told, this.found.sentences[this.app.units]);
+    if (this.found) paragraphs(this.told, this.found.sentences[units]);
     this.sure.update();
-  },
+  }
 
   paint() {
-    const { answer, state, app } = this;
+    const { answer, map } = this;
     if (!answer) return;
-    const { bat, sweet_spots: spots, scan, hit } = answer;
-    const speeds = scan.exit_speed_m_s;
-    const most = Math.max(...speeds.filter((value) => value !== null));
-    this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, grips: gripsOf(answer, app),
+    const { bat, sweet_spots: spots, scan, hit, hands_m } = answer, offset_m = this.offset * INCH;
+    const { exit_speed_m_s, collision_efficiency, bbcor, hand_impulse_n_s, sting_m_s } = hit;
+    const speeds = scan.exit_speed_m_s, most = Math.max(...speeds.filter((value) => value !== null));
+    const costs = offset_m === 0 ? this.found?.other_law ?? [] : [];
+    this.picture.draw({ bat, sweet_spots: spots, hands_m, grips: gripsOf(answer, this.app),
       warm: this.warm ? { position_m: scan.position_m, values: speeds, least: 0.55 * most, most } : null,
-      ball: { position_m: hit.position_m, radius_m: answer.ball.radius_m, offset_m: state.offset_in * INCH, launch_angle_rad: hit.launch_angle_rad } });
+      ball: { position_m: hit.position_m, radius_m: answer.ball.radius_m, offset_m, launch_angle_rad: hit.launch_angle_rad } });
     const zone = spots.zone_m;
     this.chart.draw({
       x: scan.position_m, lines: { ...scan, ...answer.energy_shares }, range: [0, bat.length_m], cursor: hit.position_m,
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [],
       marks: [{ at: spots.max_exit_speed_m, color: "red" }],
       published: this.published(answer),
-      here: { exit_speed_m_s: hit.exit_speed_m_s, collision_efficiency: hit.collision_efficiency, bbcor: hit.bbcor, hand_impulse_n_s: hit.hand_impulse_n_s, sting_m_s: hit.sting_m_s },
-      points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map((/** @type {SpeedSpan} */ { position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
+      here: { exit_speed_m_s, collision_efficiency, bbcor, hand_impulse_n_s, sting_m_s },
+      points: { exit_speed_m_s: costs.map(({ position_m: x, low_m_s: low, high_m_s: high }) => ({ x, y: null, low, high })) },
     });
-    this.bars.hidden = state.offset_in !== 0 || !this.costs?.length;
-    if (this.map) this.power.draw({ x: this.map.position_m, y: this.map.offset_m, z: this.map.exit_speed_m_s, heights: [this.map.offset_m[0] * ROOM, this.map.offset_m.at(-1) * ROOM], cross: [hit.position_m, state.offset_in * INCH] });
-  },
+    this.bars.hidden = !costs.length;
+    if (map) this.power.draw({ x: map.position_m, y: map.offset_m, z: map.exit_speed_m_s, heights: [map.offset_m[0] * ROOM, map.offset_m[map.offset_m.length - 1] * ROOM], cross: [hit.position_m, offset_m] });
+  }
 
   // What others have published of this very bat, where it lies on the curves, and in a list with its source.
-  /** @param {Answers["explorer"]} given */
+  /** @param {ExplorerAnswer} given */
   published({ published }) {
     const { units } = this.app;
     this.known.hidden = published.length === 0;
     const list = published.map(({ words, source }) => `${words[units]} ${source}`).join();
     if (list !== this.listed) this.knownList.replaceChildren(...published.map(({ words, source }) => make("li", {}, `${words[units]} `, make("small", { textContent: source }))));
     this.listed = list;
-    /** @type {Record<string, object[]>} */
+    /** @type {Record<string, Published[]>} */
     const marks = {};
     for (const { curve, words, place_m: [from, to], values } of published) (marks[curve] ??= []).push({ from, to, low: values?.[0], high: values?.[1], label: words[units] });
     return marks;
-  },
+  }
 
-  /** @param {Answers["explorer"]} given */
-  say({ bat, hit, place, headline, why, where_energy_goes: energy, touched_again: stretches }) {
-    const { units } = this.app;
-    const words = headline[units].join(" ");
+  /** @param {ExplorerAnswer} given */
+  say({ bat, hit, hands_m: hands, place, headline, why, where_energy_goes: energy, touched_again: stretches }) {
+    const { units } = this.app, again = hit.touched_again[units];
+    const words = headline[units].join(" "), reasons = [...why[units], ...again, ...energy[units]].join(" ");
     tell(this.words, words);
-    tell(this.why, [...why[units], ...hit.touched_again[units], ...energy[units]].join(" "));
-    tell(this.again, hit.touched_again[units].length ? "" : stretches[units].join(" "));
+    tell(this.why, reasons);
+    tell(this.again, again.length ? "" : stretches[units].join(" "));
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
-    this.chart.label(`Curves along the bat. ${words} ${this.why.textContent}`);
+    this.chart.label(`Curves along the bat. ${words} ${reasons}`);
     this.power.label(`Exit speed over the barrel and how far off its axis the ball is met. ${words}`);
-    const canvas = this.picture.element;
     const inches = (/** @type {number} */ metres) => (metres / INCH).toFixed(2);
-    canvas.setAttribute("aria-valuemin", inches(this.answer.hands_m[0]));
-    canvas.setAttribute("aria-valuemax", inches(bat.length_m));
-    canvas.setAttribute("aria-valuenow", inches(hit.position_m)); // from the knob, so that right is more
-    canvas.setAttribute("aria-valuetext", place[this.app.units]);
-  },
+    const slider = { min: inches(hands[0]), max: inches(bat.length_m), now: inches(hit.position_m), text: place[units] }; // from the knob, so that right is more
+    for (const [name, value] of Object.entries(slider)) this.picture.element.setAttribute(`aria-value${name}`, value);
+  }
 
-  unmount() { Object.assign(this, { answer: null, found: null, costs: null }); },
-  figures() { return [this.picture.figure("bat"), ...(this.map ? [this.power.figure("map")] : []), this.chart.figure("curves")]; },
-  table() { return this.app.answer.scan; },
-};
+  figures() { return [this.picture.figure("bat"), ...(this.map ? [this.power.figure("map")] : []), this.chart.figure("curves")]; }
+  table() { return { ...this.answer?.scan }; }
+}

@@ -1,34 +1,29 @@
 // One field of the state that may be empty: a select whose list comes with the answer, as [value], [value, how many] or
 // [value, how many, words]; hidden where there is nothing to choose.
 
-import { reveal } from "../controls/controls.js";
-import { make } from "../controls/parts.js";
+import { faultPlace } from "../controls/controls.js";
+import { changed, make } from "../controls/parts.js";
 import { grouped } from "../controls/units.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { App, Field, State } from "../shell/main.js" */
 
 export class Filter {
   /** @param {App} app */
-  constructor(app, /** @type {string} */ field, /** @type {{ label: string, all: string }} */ { label, all }) {
+  constructor(app, /** @type {Field} */ field, /** @type {{ label: string, all: string }} */ { label, all }) {
     this.app = app;
     this.field = field;
     this.all = all;
     this.made = "";
     const id = `${app.name}-${field}`;
     this.select = make("select", { id });
-    this.fault = make("p", { className: "fault", id: `${id}-fault`, hidden: true });
-    this.select.setAttribute("aria-describedby", this.fault.id);
-    this.select.addEventListener("change", () => app.setState({ [field]: this.select.value || null }));
-    this.element = make("div", { className: "control", hidden: true }, make("label", { htmlFor: id, textContent: label }), make("div", { className: "entry" }, this.select), this.fault);
+    const fault = Object.assign(faultPlace(app, [field], (state) => this.sync(state)), { id: `${id}-fault` });
+    this.select.setAttribute("aria-describedby", fault.id);
+    this.select.addEventListener("change", () => app.setState(changed(field, this.select.value || null)));
+    this.element = make("div", { className: "control", hidden: true }, make("label", { htmlFor: id, textContent: label }), make("div", { className: "entry" }, this.select), fault);
     this.element.dataset.field = field;
     this.fill([]);
-    app.control({ field, sync: (state) => this.sync(state), fault: (message) => {
-      this.fault.textContent = message;
-      this.fault.hidden = message === "";
-      if (message) reveal(this.fault);
-    } });
   }
 
-  /** @param {Answer[]} list */
+  /** @param {[value: string, balls?: number, words?: string][]} list */
   fill(list) {
     const made = JSON.stringify(list);
     if (made !== this.made) {
@@ -41,7 +36,7 @@ export class Filter {
 
   /** @param {State} state */
   sync(state) {
-    const value = state[this.field] ?? "";
+    const value = String(state[this.field] ?? "");
     if (![...this.select.options].some((option) => option.value === value)) this.select.append(new Option(value, value));
     this.select.value = value;
   }

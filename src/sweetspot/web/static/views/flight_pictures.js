@@ -1,11 +1,13 @@
 // The flight from the side (distance over the ground against height) and from above (the field with its fence).
 
+import { between } from "../charts/chartpaint.js";
 import { Numbers, evenly } from "../charts/numbers.js";
-import { FONT, Surface, area, arrow, dot, haloText, line, ticks } from "../charts/surface.js";
-/** @import { Point } from "../charts/surface.js" */
+import { dot, line, shape } from "../charts/pen.js";
+import { FONT, Surface, arrow, haloText, ticks } from "../charts/surface.js";
 import { fromShown, kindOf, toShown, unitOf } from "../controls/units.js";
-/** @import { DrawnPark, DrawnPath, FenceOutline, FlownBall } from "../answers.js" */
-/** @import { App, State } from "../shell/main.js" */
+/** @import { DrawnPark, DrawnPath, FenceOutline, FlownBall, States } from "../answers.js" */
+/** @import { App } from "../shell/main.js" */
+/** @import { Point } from "../charts/pen.js" */
 /** @import { Way } from "../bat/batpaint.js" */
 
 /** @typedef {(right: number, out: number) => Point} Placing from a place on the field, m from home, to a pixel */
@@ -16,11 +18,9 @@ const MOUND = 18.44;
 
 // Where a ball is at a moment, straight between the points of its path.
 /** @param {DrawnPath} given @param {number} moment */
-function placeAt({ time_s: times, ...path }, moment) {
-  let i = times.findIndex((time) => time >= moment);
-  if (i < 0) i = times.length - 1;
-  const part = i === 0 ? 1 : (moment - times[i - 1]) / (times[i] - times[i - 1]);
-  return Object.fromEntries(Object.entries(path).map(([name, values]) => [name, i === 0 ? values[0] : values[i - 1] + Math.min(1, part) * (values[i] - values[i - 1])]));
+function placeAt({ time_s: times, distance_m, right_m, out_m, up_m }, moment) {
+  const at = (/** @type {number[]} */ values) => between(times, values, Math.min(times[times.length - 1], Math.max(times[0], moment))) ?? 0;
+  return { distance_m: at(distance_m), right_m: at(right_m), out_m: at(out_m), up_m: at(up_m) };
 }
 
 export class SidePicture {
@@ -102,21 +102,21 @@ export class SidePicture {
     context.beginPath();
     context.rect(LEFT, 0, width - LEFT - RIGHT, height - FOOT + 6);
     context.clip();
-    line(context, points(vacuum), { color: colors.muted, width: 1.4, dash: [4, 4] });
-    line(context, points(path), { color: colors.red, width: 2.6 });
+    line(context, points(vacuum), colors.muted, 1.4, [4, 4]);
+    line(context, points(path), colors.red, 2.6);
     if (this.moment !== null) {
       const here = placeAt(path, this.moment);
-      dot(context, [across(here.distance_m), up(here.up_m)], 7, colors.ink);
+      dot(context, [across(here.distance_m), up(here.up_m)], 7, { fill: colors.ink });
     }
     context.restore();
-    line(context, [[across(distance), up(0)], [across(distance), up(top)]], { color: colors.green, width: 5 });
+    line(context, [[across(distance), up(0)], [across(distance), up(top)]], colors.green, 5);
     const roomy = across(distance) < width - 100 && !((end.clearance_m ?? 0) > 0); // beyond a fence that it clears the ball comes down
     Object.assign(context, { font: `600 11px ${FONT}`, textAlign: roomy ? "left" : "right", textBaseline: "middle" });
     haloText(context, `fence ${this.app.text("distance", top)}`, across(distance) + (roomy ? 7 : -7), up(0) - 8, colors.ink, colors.panel);
     context.textAlign = "right";
     if (end.clearance_m !== null) {
       const [x, y] = [across(end.distance_m), up(end.height_m)];
-      dot(context, [x, y], 4.5, colors.red);
+      dot(context, [x, y], 4.5, { fill: colors.red });
       haloText(context, margin[this.app.units].join(" "), x - 9, Math.min(y + 12, up(0) - 24), colors.ink, colors.panel);
     }
     Object.assign(context, { font: `11px ${FONT}`, textAlign: "left" });
@@ -131,13 +131,13 @@ export class SidePicture {
     const room = (height - FOOT - TOP) / scale;
     for (const value of ticks(0, toShown("distance", room, units), (height - FOOT) / 34)) {
       const y = up(fromShown("distance", value, units));
-      line(context, [[LEFT, y], [width - RIGHT, y]], { color: value ? colors.grid : colors.line, width: 1 });
+      line(context, [[LEFT, y], [width - RIGHT, y]], value ? colors.grid : colors.line);
       context.fillText(String(value), LEFT - 6, y);
     }
     Object.assign(context, { textAlign: "center", textBaseline: "top" });
     for (const value of ticks(0, toShown("distance", far, units), width / 80)) {
       const x = across(fromShown("distance", value, units));
-      line(context, [[x, up(0)], [x, up(0) + 4]], { color: colors.line, width: 1 });
+      line(context, [[x, up(0)], [x, up(0) + 4]], colors.line);
       context.fillText(String(value), x, height - FOOT + 6);
     }
     context.textAlign = "right";
@@ -157,8 +157,7 @@ export class FieldPicture {
     /** @type {FenceOutline[] | null} */
     this.fences = null;
     this.winding = false;
-    /** @type {State | null} */
-    this.state = null;
+    this.wind = { wind_speed_mph: 0, wind_direction_deg: 0 };
     /** @type {Point | null} */
     this.plate = null; // where home plate is painted
     this.scale = 1; // pixels per m
@@ -206,10 +205,9 @@ export class FieldPicture {
     this.surface.draw();
   }
 
-  /** @param {FlownBall} answer @param {State} state */
-  draw(answer, state) {
-    this.data = answer;
-    this.state = state;
+  /** @param {FlownBall} answer @param {States["flight"]} wind */
+  draw(answer, wind) {
+    Object.assign(this, { data: answer, wind });
     this.surface.label(answer.above[this.app.units].join(" "));
     this.surface.draw();
   }
@@ -229,20 +227,20 @@ export class FieldPicture {
     this.plate = at(0, 0);
     this.scale = scale;
     this.vane = [46, height - 66];
-    area(context, [at(0, 0), ...fence], colors.grass);
+    shape(context, [at(0, 0), ...fence], { fill: colors.grass });
     this.paintInfield(context, at, scale, fence);
-    for (const other of this.fences ?? []) line(context, other.right_m.map((right, i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
-    park.height_m.slice(1).forEach((high, i) => line(context, fence.slice(i, i + 2), { color: colors.green, width: Math.min(9, 1.5 + 0.6 * high) }));
-    line(context, path.right_m.map((right, i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
+    for (const other of this.fences ?? []) line(context, other.right_m.map((right, i) => at(right, other.out_m[i])), colors.line, 0.7);
+    park.height_m.slice(1).forEach((high, i) => line(context, fence.slice(i, i + 2), colors.green, Math.min(9, 1.5 + 0.6 * high))); // the thicker the higher it is
+    line(context, path.right_m.map((right, i) => at(right, path.out_m[i])), colors.red, 2.6);
     this.landed = at(path.right_m.at(-1) ?? 0, path.out_m.at(-1) ?? 0);
-    dot(context, this.landed, 6, colors.red);
+    dot(context, this.landed, 6, { fill: colors.red });
     if (this.moment !== null) {
       const here = placeAt(path, this.moment);
-      dot(context, at(here.right_m, here.out_m), 5 + here.up_m / 8, colors.ink);
+      dot(context, at(here.right_m, here.out_m), 5 + here.up_m / 8, { fill: colors.ink });
     }
     if (end.clearance_m !== null) {
       const place = at(end.distance_m * Math.sin(end.direction_rad), end.distance_m * Math.cos(end.direction_rad));
-      dot(context, place, 3.5, colors.ink);
+      dot(context, place, 3.5, { fill: colors.ink });
     }
     Object.assign(context, { font: `600 12px ${FONT}`, textAlign: "center", textBaseline: "middle" });
     const [x, y] = this.landed;
@@ -255,20 +253,17 @@ export class FieldPicture {
   /** @param {CanvasRenderingContext2D} context @param {Placing} at @param {number} scale @param {Point[]} fence */
   paintInfield(context, at, scale, fence) {
     const { colors } = this.app;
-    context.save();
-    context.beginPath();
-    context.moveTo(...at(0, -2));
     const [first, last] = [fence[0], fence[fence.length - 1]];
-    for (const [x, y] of [first, [last[0], first[1]], last]) context.lineTo(x, y);
-    context.closePath();
+    context.save();
+    shape(context, [at(0, -2), first, [last[0], first[1]], last], {});
     context.clip();
-    dot(context, at(0, MOUND), 28.956 * scale, colors.dirt); // 95 ft about the pitcher's plate
+    dot(context, at(0, MOUND), 28.956 * scale, { fill: colors.dirt }); // 95 ft about the pitcher's plate
     context.restore();
     const h = BASE / Math.SQRT2;
-    area(context, [at(0, 2), at(h - 2, h), at(0, 2 * h - 2), at(2 - h, h)], colors.grass);
-    line(context, [first, at(0, 0), last], { color: colors.paper, width: 1.5 });
-    for (const [right, out] of [[0, 0], [h, h], [0, 2 * h], [-h, h]]) dot(context, at(right, out), 2.5, colors.ink);
-    dot(context, at(0, MOUND), 2.5, colors.ink);
+    shape(context, [[0, 2], [h - 2, h], [0, 2 * h - 2], [2 - h, h]].map(([right, out]) => at(right, out)), { fill: colors.grass });
+    line(context, [first, at(0, 0), last], colors.paper, 1.5);
+    for (const [right, out] of [[0, 0], [h, h], [0, 2 * h], [-h, h]]) dot(context, at(right, out), 2.5, { fill: colors.ink });
+    dot(context, at(0, MOUND), 2.5, { fill: colors.ink });
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Point[]} fence @param {DrawnPark} park */
@@ -287,13 +282,10 @@ export class FieldPicture {
   // The wind's arrow down in the corner, where no ball goes; it can be dragged.
   /** @param {CanvasRenderingContext2D} context */
   paintWind(context) {
-    const { wind_speed_mph: speed, wind_direction_deg: to } = this.state ?? {};
+    const { wind_speed_mph: speed, wind_direction_deg: to } = this.wind;
     const { colors } = this.app;
     const [[x, y], angle] = [this.vane, (to * Math.PI) / 180];
-    Object.assign(context, { strokeStyle: colors.line, lineWidth: 1 });
-    context.beginPath();
-    context.arc(x, y, 8, 0, 2 * Math.PI);
-    context.stroke();
+    dot(context, [x, y], 8, { edge: colors.line, width: 1 });
     const reach = 8 + speed * 0.6;
     if (speed) arrow(context, [x, y], [x + reach * Math.sin(angle), y - reach * Math.cos(angle)], colors.blue, 3);
     Object.assign(context, { font: `11px ${FONT}`, textAlign: "left", textBaseline: "middle" });

@@ -4,34 +4,47 @@ import { Bench } from "../bat/bench.js";
 import { button, group, slider, toggle } from "../controls/controls.js";
 import { Stage, paintMotion } from "../bat/modescene.js";
 import { Numbers, evenly } from "../charts/numbers.js";
-import { make, partOf, tell } from "../controls/parts.js";
+import { changed, make, partOf, tell } from "../controls/parts.js";
 import { Surface } from "../charts/surface.js";
 import { unbroken } from "../controls/tables.js";
 import { strike } from "../controls/tapsound.js";
 import { INCH, kindOf, toShown } from "../controls/units.js";
-/** @import { BatMotion } from "../answers.js" */
-/** @import { View } from "../shell/main.js" */
+/** @import { BatMotion, ModesAnswer, States } from "../answers.js" */
+/** @import { AppOf, Guide } from "../shell/main.js" */
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
 const MOST_ROWS = 14;
 
-/** @type {View<"modes">} */
-export const view = {
-  name: "modes",
-  guide: [
+export default class ModesView {
+  /** @type {Guide} */
+  static guide = [
     ["How a bat rings", "A bat that is struck bends to and fro in several ways at once, its modes. One of them is shown, " +
       "slowed down and drawn larger than it is."],
     ["Tap it", "Press or drag along the bat to tap it there. A tap where a mode stands still does not excite it. " +
       "Listen to the tap, and choose the mode to look at from the table."],
     ["Change the tap", "A short, hard tap excites the high notes, a long, soft one only the low. Hold the bat with hands, or let " +
       "it hang free. "],
-  ],
+  ];
 
-  mount(root, app) {
-    Object.assign(this, { app, answer: null, phase: 1, stop: null, begun: false });
+  /** @param {HTMLElement} root @param {AppOf<"modes">} app */
+  constructor(root, app) {
+    this.app = app;
+    /** @type {ModesAnswer | null} */
+    this.answer = null;
+    this.state = /** @type {States["modes"]} */ (app.state);
+    this.phase = 1;
+    /** @type {(() => void) | null} */
+    this.stop = null;
+    this.begun = false;
+    this.all = false; // whether motions are listed that are hardly woken
+    this.listed = this.spoken = ""; // the motions in the list, and what was last said
+    /** @type {{ line: HTMLElement, input: HTMLInputElement, share: HTMLElement, felt: HTMLElement }[]} */
+    this.cells = [];
+    /** @type {Set<number>} */
+    this.woken = new Set(); // rows that some tap has woken so far: none goes while one drags
     this.stage = new Surface(app, {
       label: "A motion of the bat", height: (width) => (this.answer ? new Stage(this.answer, width).height : 360),
-      paint: (...all) => this.answer && paintMotion(...all, this.shown()),
+      paint: (context, width, height) => this.answer && paintMotion(context, width, height, this.shown(this.answer)),
     });
     this.stage.element.style.cursor = "ew-resize";
     this.stage.element.classList.add("pinned");
@@ -40,41 +53,36 @@ export const view = {
     this.toggle = button("Play", () => (this.stop ? this.pause() : this.play()), { primary: true, title: "Play or pause (K)" });
     this.toggle.id = "play";
     this.speed = make("span", { className: "note" });
-    const row = make("div", { className: "transport" },
-      this.toggle, button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
+    const row = make("div", { className: "transport" }, this.toggle,
+      button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
     this.rowsBox = make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: "List of the motions" });
     this.aside = make("p", { className: "note" });
-    this.all = false;
     this.more = button("", () => {
       this.all = !this.all;
-      this.list();
+      if (this.answer) this.list(this.answer);
     });
-    this.numbers = new Numbers(app, "This motion as a table", () => this.answer && this.tabled());
-    root.append(this.controls(), make("section", { className: "picture", ariaLabel: "Motions of the bat" },
-      this.words, this.stage.element, row, this.numbers.element, this.rowsBox, this.more, this.aside));
-    this.heard = new AbortController();
-    root.addEventListener("keydown", (event) => this.key(event), { signal: this.heard.signal });
-  },
-
-  controls() {
-    const { app } = this;
+    this.numbers = new Numbers(app, "This motion as a table", () => this.answer && this.tabled(this.answer));
     this.bench = new Bench(app);
-    const held = { label: "Typical hands hold the bat", note: "Without hands it hangs free, as in a laboratory." };
-    return make("div", { className: "side" }, this.bench.element,
-      group("Tap", [
-        toggle(app, "held", held),
-        slider(app, "tap_from_tip_in", { label: "Where, from the tip", step: 0.1 }),
-        slider(app, "tap_ms", { label: "How long", step: 0.05, note: "A ball about 1 ms, a knuckle 2, a steel ball 0.1." }),
-      ]),
-      group("Picture", [slider(app, "exaggeration", { label: "Size of the motion", step: 0.1 })], { open: false }));
-  },
+    root.append(
+      make("div", { className: "side" },
+        this.bench.element,
+        group("Tap", [
+          toggle(app, "held", { label: "Typical hands hold the bat", note: "Without hands it hangs free, as in a laboratory." }),
+          slider(app, "tap_from_tip_in", { label: "Where, from the tip", step: 0.1 }),
+          slider(app, "tap_ms", { label: "How long", step: 0.05, note: "A ball about 1 ms, a knuckle 2, a steel ball 0.1." }),
+        ]),
+        group("Picture", [slider(app, "exaggeration", { label: "Size of the motion", step: 0.1 })], { open: false })),
+      make("section", { className: "picture", ariaLabel: "Motions of the bat" },
+        this.words, this.stage.element, row, this.numbers.element, this.rowsBox, this.more, this.aside));
+    root.addEventListener("keydown", (event) => this.key(event), { signal: app.signal });
+  }
 
   /** @param {KeyboardEvent} event */
   key(event) {
     if (event.key.toLowerCase() !== "k" || !(event.target instanceof Element) || event.target.matches("input[type=number], select") || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     this.toggle.click();
-  },
+  }
 
   /** @param {number} pixel @param {boolean} last */
   tapAt(pixel, last) {
@@ -82,32 +90,28 @@ export const view = {
     const stage = new Stage(this.answer, this.stage.width);
     const inches = (this.answer.bat.length_m - stage.along(pixel)) / INCH;
     this.app.setState({ tap_from_tip_in: Math.round(20 * inches) / 20 }, { commit: last });
-  },
+  }
 
-  // The motion that is shown.
-  motion() { return this.answer.modes[this.answer.shown]; },
-
+  /** @param {ModesAnswer} answer @param {States["modes"]} state */
   update(answer, state) {
     Object.assign(this, { answer, state });
     this.bench.update(answer);
-    this.list();
-    this.say();
+    this.list(answer);
+    this.say(answer);
     this.numbers.redraw();
-    this.aside.textContent = state.held
-      ? "Shaded: between the nodes of the first two bending modes. Damping of a held bat is each motion's own part; the hands' dampers couple the motions too. Hands: typical values, recalled and not measured."
-      : "Shaded: between the nodes of the first two bending modes. Damping of the hanging bat: the material's, the same ratio for every motion.";
+    this.aside.textContent = `Shaded: between the nodes of the first two bending modes. ${state.held
+      ? "Damping of a held bat is each motion's own part; the hands' dampers couple the motions too. Hands: typical values, recalled and not measured."
+      : "Damping of the hanging bat: the material's, the same ratio for every motion."}`;
     this.stage.draw();
     if (!this.begun && !this.app.calm) this.play();
     this.begun = true;
-  },
+  }
 
-  shown() {
-    const { answer, state, app } = this;
-    return {
-      answer, motion: this.motion(), phase: this.phase, size: state.exaggeration, both: !this.stop, colors: app.colors,
-      text: (/** @type {string} */ name, /** @type {number} */ value, /** @type {number=} */ digits) => app.text(name, value, digits),
-    };
-  },
+  /** @param {ModesAnswer} answer */
+  shown(answer) {
+    const { state, app } = this;
+    return { answer, motion: answer.modes[answer.shown], phase: this.phase, size: state.exaggeration, both: !this.stop, colors: app.colors, text: app.text.bind(app) };
+  }
 
   play() {
     let begin = NaN;
@@ -117,7 +121,7 @@ export const view = {
       this.stage.draw();
     });
     this.toggle.textContent = "Pause";
-  },
+  }
 
   // At rest the picture shows both ends of the motion.
   pause() {
@@ -126,16 +130,17 @@ export const view = {
     this.phase = 1;
     this.toggle.textContent = "Play";
     this.stage.draw();
-  },
+  }
 
-  list() {
-    const rows = this.answer.modes.slice(0, MOST_ROWS);
+  /** @param {ModesAnswer} answer */
+  list({ modes, shown }) {
+    const rows = modes.slice(0, MOST_ROWS);
     const shape = JSON.stringify(rows.map((row) => [row.family, row.number, row.shape]));
     if (shape !== this.listed) {
       this.listed = shape;
       this.rows(rows);
     }
-    const chosen = this.motion();
+    const chosen = modes[shown];
     const most = Math.max(...rows.map((row) => row.tap.hand_speed_m_s_per_n_s));
     rows.forEach((row, i) => {
       const cells = this.cells[i];
@@ -150,68 +155,59 @@ export const view = {
     const quiet = rows.length - this.woken.size;
     this.more.hidden = quiet === 0;
     this.more.textContent = this.all ? "Leave out what is hardly woken" : `Show ${quiet} more, which are hardly woken`;
-  },
+  }
 
   /** @param {BatMotion[]} rows */
   rows(rows) {
     const held = document.activeElement?.matches("[name=motion]") ?? false;
     const heads = ["Motion", "Frequency", "Damping", "Dies away in", "Share of the tap's energy", "Felt at the hands after 1 N s"];
-    const table = make("table", { className: "motions" },
-      make("caption", { className: "unseen", textContent: "Motions of the bat; choose one to see it" }),
-      make("tr", {}, ...heads.map((words, i) => make("th", { textContent: unbroken(words), scope: "col", className: i && i < 4 ? "number" : "" }))));
+    const head = make("tr", {}, ...heads.map((words, i) => make("th", { textContent: unbroken(words), scope: "col", className: i && i < 4 ? "number" : "" })));
+    const table = make("table", { className: "motions" }, make("caption", { className: "unseen", textContent: "Motions of the bat; choose one to see it" }), head);
     this.cells = rows.map((row) => {
       const input = make("input", { type: "radio", name: "motion", value: `${row.family} ${row.number}` });
-      input.addEventListener("change", () => this.app.setState({ family: row.family, number: row.number }));
-      const cells = heads.map(() => make("td"));
-      const line = make("tr", {}, ...cells);
-      cells[0].append(make("label", {}, input, thumbnail(row), row.name));
-      cells[1].textContent = row.frequency_hz ? this.app.text("f_hz", row.frequency_hz) : "–";
-      cells[2].textContent = row.damping_ratio === null ? "–" : `${(100 * row.damping_ratio).toFixed(row.damping_ratio < 0.1 ? 2 : 0)} %`;
-      cells[3].textContent = row.decay_s === null ? "–" : this.app.text("decay_s", row.decay_s, row.decay_s < 0.01 ? 1 : 0);
-      for (const cell of cells.slice(1, 4)) cell.className = "number";
-      for (const [i, cell] of cells.entries()) if (i > 0) cell.dataset.label = heads[i];
+      input.addEventListener("change", () => this.app.setState({ ...changed("family", row.family), number: row.number }));
+      const { damping_ratio: damping, decay_s: decay } = row, numbers = [
+        row.frequency_hz ? this.app.text("f_hz", row.frequency_hz) : "–", damping === null ? "–" : `${(100 * damping).toFixed(damping < 0.1 ? 2 : 0)} %`,
+        decay === null ? "–" : this.app.text("decay_s", decay, decay < 0.01 ? 1 : 0)].map((textContent) => make("td", { className: "number", textContent }));
+      const [share, felt] = [make("td"), make("td")];
+      [...numbers, share, felt].forEach((cell, i) => (cell.dataset.label = heads[i + 1]));
+      const line = make("tr", {}, make("td", {}, make("label", {}, input, thumbnail(row), row.name)), ...numbers, share, felt);
       table.append(line);
-      return { line, input, share: cells[4], felt: cells[5] };
+      return { line, input, share, felt };
     });
-    this.woken = new Set(); // rows that some tap has woken so far: none goes while one drags
+    this.woken.clear();
     this.rowsBox.replaceChildren(table);
     if (held) /** @type {HTMLElement | null} */ (table.querySelector(":checked"))?.focus();
-  },
+  }
 
-  say() {
-    const { answer, app } = this;
-    const motion = this.motion();
-    tell(this.words, answer.words[app.units].join(" "));
-    this.speed.textContent = motion.frequency_hz ? `slowed down ${Math.round((motion.frequency_hz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
-    this.stage.label(`${answer.bat.name}. ${this.words.textContent}`);
-    if (this.stage.element.ariaLabel !== this.spoken) app.announce(this.words.textContent);
-    this.spoken = this.stage.element.ariaLabel;
-  },
+  /** @param {ModesAnswer} answer */
+  say({ bat, modes, shown, words }) {
+    const { app } = this, { frequency_hz: hertz } = modes[shown], said = words[app.units].join(" ");
+    tell(this.words, said);
+    this.speed.textContent = hertz ? `slowed down ${Math.round((hertz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
+    const label = `${bat.name}. ${said}`;
+    this.stage.label(label);
+    if (label !== this.spoken) app.announce(said);
+    this.spoken = label;
+  }
 
   // The chosen motion at even places along the bat.
-  tabled() {
-    const { answer: { bat, place_m: places }, app: { units } } = this;
-    const { shape, ...motion } = this.motion();
-    const { digits, unit } = kindOf("node_m")[units];
+  /** @param {ModesAnswer} answer */
+  tabled({ bat, place_m: places, modes, shown }) {
+    const { units } = this.app, { digits, unit } = kindOf("node_m")[units], { shape, name } = modes[shown];
     return {
-      caption: `${motion.name}: how far each place moves, as a part of the most`, columns: [`${unit} from the tip`, "Moves by"],
+      caption: `${name}: how far each place moves, as a part of the most`, columns: [`${unit} from the tip`, "Moves by"],
       rows: evenly([...places.keys()], 18).map((i) => [toShown("node_m", bat.length_m - places[i], units).toFixed(digits), shape[i].toFixed(2).replace(/^-(0\.00)$/, "$1").replace("-", "−")]),
     };
-  },
+  }
 
-  unmount() {
-    this.stop?.();
-    this.stop = null;
-    this.heard.abort();
-  },
-
-  figures() { return [this.stage.figure("mode")]; },
+  unmount() { this.stop?.(); }
+  figures() { return [this.stage.figure("mode")]; }
   table() {
-    const { modes } = this.answer;
-    const shapes = Object.fromEntries(modes.map((row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape]));
-    return { position_m: this.answer.place_m, ...shapes };
-  },
-};
+    const { modes, place_m: position_m } = this.answer ?? { modes: [], place_m: [] };
+    return { position_m, ...Object.fromEntries(modes.map((row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape])) };
+  }
+}
 
 // Whether a tap wakes a motion so that a number shows it; rigid motions have no share of the vibration.
 const worthShowing = (/** @type {BatMotion} */ { tap: { energy_share: share, hand_speed_m_s_per_n_s: felt } }) => share === null || share >= 1e-3 || felt >= 0.05;

@@ -4,21 +4,24 @@ import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
 import { group, slider } from "../controls/controls.js";
 import { DocumentPlace } from "../controls/document.js";
 import { HeatMap } from "../charts/heatmap.js";
-import { make, tell } from "../controls/parts.js";
+import { make, section, tell } from "../controls/parts.js";
 import { MPH } from "../controls/units.js";
-/** @import { View } from "../shell/main.js" */
+/** @import { LaunchAnswer } from "../answers.js" */
+/** @import { AppOf, Guide } from "../shell/main.js" */
 
-/** @type {View<"optimum">} */
-export const view = {
-  name: "optimum",
-  guide: [
+export default class OptimumView {
+  /** @type {Guide} */
+  static guide = [
     ["The best swing", "For a pitch and a bat speed: how far below the ball, how steeply upwards and with which part of the barrel a hit carries farthest."],
     ["The best launch", "The map shows how far a ball carries by its exit speed and launch angle; the cross is the best angle for yours. Drag it."],
     ["The easiest fence", "The last table has the slowest ball that leaves each park. "],
-  ],
+  ];
 
-  mount(root, app) {
-    Object.assign(this, { app, answer: null });
+  /** @param {HTMLElement} root @param {AppOf<"optimum">} app */
+  constructor(root, app) {
+    this.app = app;
+    /** @type {LaunchAnswer | null} */
+    this.answer = null;
     this.bench = new Bench(app, { open: false });
     const pitches = app.lists("pitches").then(({ pitches: all }) => all.map(({ key, name }) => [key, name]));
     const parks = app.lists("parks").then((lists) => lists.parks.map(({ key, name }) => [key, name]));
@@ -43,45 +46,38 @@ export const view = {
     this.park = make("p", { className: "note" });
     this.swing = new DocumentPlace(app, "Searching the best contact …");
     this.parks = new DocumentPlace(app, "Searching every park …");
-    const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     root.append(side, make("div", { className: "stack" },
       section("How high to send it", this.words, this.map.element, this.map.numbers.element, this.park, this.chances.element, this.chances.numbers.element),
       section("How to swing", this.swing.element),
       section("The slowest home run of every park", this.parks.element)));
-  },
+  }
 
+  /** @param {LaunchAnswer} answer */
   update(answer) {
     this.answer = answer;
     this.bench.update(answer);
     const { launch, map } = answer;
-    tell(this.words, answer.words[this.app.units].join(" "));
-    this.app.announce(this.words.textContent);
+    const words = answer.words[this.app.units].join(" ");
+    tell(this.words, words);
+    this.app.announce(words);
     const [x, y, cross] = [map.exit_speed_m_s, map.launch_angle_rad, [launch.exit_speed_m_s, launch.launch_angle_rad]];
     this.map.draw({ x, y, z: map.carry_m, cross });
     this.chances.draw({ x, y, z: map.chance, cross });
     const chance = `How likely a ball to centre field leaves ${answer.park}, in its own air, with what balls, spin and weather scatter by.`;
     this.park.textContent = chance;
     this.chances.label(`${chance} The table below has its numbers.`);
-    this.map.label(`How far balls carry, by exit speed and launch angle. ${this.words.textContent}`);
+    this.map.label(`How far balls carry, by exit speed and launch angle. ${words}`);
     this.swing.redraw();
     this.parks.redraw();
     this.app.aside("swing", ["park"], 500, (found) => this.swing.show(found));
     const others = Object.keys(this.app.state).filter((field) => !["ball", "bat", "bat_toml", "backspin_rpm"].includes(field)); // another bat may be of another sport, with another ball
     this.app.aside("parks", others, 900, (found) => this.parks.show(found));
-  },
+  }
 
-  unmount() { Object.assign(this, { answer: null }); },
-  figures() { return [this.map.figure("carry"), this.chances.figure("chance")]; },
+  figures() { return [this.map.figure("carry"), this.chances.figure("chance")]; }
   table() {
-    const { map } = this.answer;
-    /** @type {Record<string, unknown[]>} */
-    const columns = { exit_speed_m_s: [], launch_angle_rad: [], carry_m: [], chance: [] };
-    map.launch_angle_rad.forEach((angle, row) => map.exit_speed_m_s.forEach((speed, column) => {
-      columns.exit_speed_m_s.push(speed);
-      columns.launch_angle_rad.push(angle);
-      columns.carry_m.push(map.carry_m[row][column]);
-      columns.chance.push(map.chance[row][column]);
-    }));
-    return columns;
-  },
-};
+    if (!this.answer) return {};
+    const { exit_speed_m_s: speeds, launch_angle_rad: angles, carry_m, chance } = this.answer.map;
+    return { exit_speed_m_s: angles.flatMap(() => speeds), launch_angle_rad: angles.flatMap((angle) => speeds.map(() => angle)), carry_m: carry_m.flat(), chance: chance.flat() };
+  }
+}

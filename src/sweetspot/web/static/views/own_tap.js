@@ -5,9 +5,10 @@ import { button } from "../controls/controls.js";
 import { keep, kept } from "../shell/kept.js";
 import { Lights } from "../controls/lights.js";
 import { Listening } from "../controls/listening.js";
-import { make, tableOf } from "../controls/parts.js";
+import { make, showWords, tableOf } from "../controls/parts.js";
 import { upload, whereTo } from "../controls/upload.js";
-/** @import { Answer, App, State } from "../shell/main.js" */
+/** @import { HeardTaps, OwnAnswer, TapSpectrum } from "../answers.js" */
+/** @import { AppOf, State } from "../shell/main.js" */
 
 export const SOUNDS = [".wav", ".flac", ".ogg", ".mp3", ".aiff", ".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm"];
 const TAPS = "taps";
@@ -17,11 +18,11 @@ const LIVE = 100; // ms between two pictures of what is heard now
 const SPECTRUM = [{ title: "What rings, dB below the loudest", kind: "count", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the last good tap", color: "blue", width: 1.4 }] }];
 const WAVE = [{ title: "The last recording, full scale 1", kind: "ratio", height: 70, empty: [-1, 1], lines: [{ key: "high", label: "", color: "blue", width: 1 }, { key: "low", label: "", color: "blue", width: 1, silent: true }] }];
 const ROOM = "room’s?: a tone that the room may have added, or the same mode in another plane. Such a tone holds less energy than another within 10 % of it, or less than a thousandth of the greatest.";
-/** @type {{ recordings: string[], found: any, of: string | null, expected: string }} of: which implement; expected: its tones when they were named */
+/** @type {{ recordings: string[], found: HeardTaps | null, of: string | null, expected: string }} of: which implement; expected: its tones when they were named */
 const heard = { recordings: kept(TAPS, []), found: null, of: null, expected: "" }; // as long as the page is open; where sounds lie, as long as the tab
 
 export class TapPlace {
-  /** @param {App} app */
+  /** @param {AppOf<"own">} app */
   constructor(app) {
     this.app = app;
     this.signal = app.signal;
@@ -54,7 +55,7 @@ export class TapPlace {
     this.chart = new Chart(app, { label: "Spectrum of the tap", panels: SPECTRUM, axis: { kind: "frequency_hz", label: "" } });
     this.wave = new Chart(app, { label: "The sound of the last recording", panels: WAVE, axis: { kind: "time_s", label: "" } });
     this.progress = make("progress", { hidden: true, ariaLabel: "Recordings heard" });
-    this.again = make("p", { className: "note", hidden: true }, "These tones do not count now. ", button("Count them", () => this.count(heard.found)));
+    this.again = make("p", { className: "note", hidden: true }, "These tones do not count now. ", button("Count them", () => heard.found && this.count(heard.found)));
     this.element = make("div", {}, make("div", { className: "row" }, this.listen, this.level, this.clear),
       make("p", { className: "own" }, make("label", { htmlFor: "tap-file", textContent: "Or sound files of taps; drop them anywhere" }), this.file),
       this.words, this.progress, this.fault, this.chart.element, this.wave.element, this.lights.element, this.again, this.tones);
@@ -103,8 +104,7 @@ export class TapPlace {
 
   /** @param {string} words */
   say(words) {
-    this.fault.textContent = words;
-    this.fault.hidden = words === "";
+    showWords(this.fault, words);
   }
 
   // Sounds handed to the server, then all of them heard anew.
@@ -148,10 +148,7 @@ export class TapPlace {
     if (!this.signal.aborted) this.app.waits("taps", false);
   }
 
-  /**
-   * @param {string[]} recordings
-   * @param {boolean} again
-   */
+  /** @param {string[]} recordings @param {boolean} again */
   async ask(recordings, again) {
     if (!recordings.length) return;
     const [expected, of] = [tonesOf(this.app.answer), this.app.state.implement];
@@ -173,8 +170,8 @@ export class TapPlace {
     } finally {
       busy.end();
     }
-    this.refused.push(...found.refused.map((/** @type {{ fault: string }} */ { fault }) => sentence(fault)));
-    const bad = found.refused.map((/** @type {{ recording: string }} */ { recording }) => recording);
+    this.refused.push(...found.refused.map(({ fault }) => sentence(fault)));
+    const bad = found.refused.map(({ recording }) => recording);
     heard.recordings = heard.recordings.filter((key) => !bad.includes(key));
     this.heard();
     this.say(this.refused.join(" "));
@@ -182,14 +179,14 @@ export class TapPlace {
     Object.assign(heard, { found, expected, of });
     this.say([...this.refused, ...(found.fault ? [sentence(found.fault)] : []), ...found.doubts].join(" "));
     this.draw(this.app.answer);
-    if (!again) this.count(found.unlike ? { ...found, damping: null } : found);
-    this.app.announce(`${found.taps.filter((/** @type {Answer} */ one) => one.good).length} of ${found.taps.length} taps used.`);
+    if (!again) this.count(found.unlike ? { ...found, damping: undefined } : found);
+    this.app.announce(found.words);
   }
 
   // Tones among the measurements; none where the taps hold none that counts.
-  /** @param {Answer} found */
+  /** @param {HeardTaps} found */
   count({ damping, measured }) {
-    if (damping) this.app.setState({ tones: measured.map((/** @type {[string, number, number]} */ [name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(damping[0]), damping_error: tidy(damping[1]) });
+    if (damping) this.app.setState({ tones: measured.map(([name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(damping[0]), damping_error: tidy(damping[1]) });
     else if (this.app.state.tones.length) this.app.setState({ tones: [], damping: null });
   }
 
@@ -247,31 +244,29 @@ export class TapPlace {
   }
 
   // How far up the spectrum is drawn, Hz.
-  /** @param {Answer} answer @param {Answer} spectrum */
+  /** @param {OwnAnswer} answer @param {TapSpectrum | null} spectrum */
   most(answer, spectrum) {
-    return spectrum ? spectrum.frequency_hz.at(-1) : Math.min(2600, 1.1 * answer.expected.at(-1).frequency_hz);
+    return spectrum?.frequency_hz.at(-1) ?? Math.min(2600, 1.1 * (answer.expected.at(-1)?.frequency_hz ?? 1000));
   }
 
-  /** @param {Answer} answer @param {{ frequency_hz: number[], level_db: number[] } | null} spectrum @param {string} of */
+  /** @param {OwnAnswer} answer @param {TapSpectrum | null} spectrum @param {string} of */
   picture(answer, spectrum, of) {
-    const { app } = this;
     const most = this.most(answer, spectrum);
     if (SPECTRUM[0].lines[0].label !== of) SPECTRUM[0].lines = [{ ...SPECTRUM[0].lines[0], label: of }];
     this.chart.draw({ x: spectrum?.frequency_hz ?? [0, most], lines: { level: spectrum?.level_db ?? [null, null] }, range: [0, most],
-      marks: answer.expected.filter((/** @type {{ frequency_hz: number }} */ { frequency_hz: at }) => at < most).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => ({ at, color: "muted", label: name })) });
-    const said = answer.expected.slice(0, 4).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => `${name} ${app.text("frequency_hz", at)}`).join(", ");
-    this.chart.label(`Spectrum of the tap; expected: ${said}.`);
+      marks: answer.expected.filter(({ frequency_hz: at }) => at < most).map(({ name, frequency_hz: at }) => ({ at, color: "muted", label: name })) });
+    this.chart.label(`Spectrum of the tap; ${answer.expected_words[this.app.units]}`);
   }
 
   // The same taps of something that is described otherwise now: its modes may have other names.
-  /** @param {Answer} answer */
+  /** @param {OwnAnswer} answer */
   rename(answer) {
     if (this.asking || heard.expected === tonesOf(answer) || tonesOf(answer) !== tonesOf(this.app.answer)) return;
     heard.expected = tonesOf(answer);
-    this.hear({ again: Boolean(heard.found.damping) && !heard.found.unlike && !this.app.state.tones.length }); // what was undone stays so
+    this.hear({ again: Boolean(heard.found?.damping) && !heard.found?.unlike && !this.app.state.tones.length }); // what was undone stays so
   }
 
-  /** @param {Answer} answer */
+  /** @param {OwnAnswer | null} answer */
   draw(answer) {
     if (!answer) return;
     if (this.reloaded) {
@@ -280,25 +275,25 @@ export class TapPlace {
     }
     if (heard.found && heard.of !== this.app.state.implement) this.empty(); // of something else
     if (heard.found && heard.expected !== tonesOf(answer)) this.app.afterwards(this, () => this.rename(answer));
-    const { found } = heard;
-    const { app } = this;
+    const { found } = heard, { app } = this;
     this.wave.element.hidden = !found?.waveform;
     if (found?.waveform) {
       const { time_s: time, low, high } = found.waveform;
-      this.wave.draw({ x: time, lines: { high, low }, range: [time[0], time.at(-1)] });
+      this.wave.draw({ x: time, lines: { high, low }, range: [time[0], time[time.length - 1]] });
       this.wave.label("The sound of the last recording over time.");
     }
     this.again.hidden = !found?.damping || app.state.tones.length > 0;
     this.picture(answer, found?.spectrum ?? null, "the last good tap");
-    this.lights.show((found?.taps ?? []).map((/** @type {{ recording: number, time_s: number, good: boolean, fault: string | null }} */ { recording, time_s: time, good, fault }) => ({
-      state: good ? "pass" : "fail", name: `${recording}, ${time.toFixed(2)} s`, words: good ? "used" : fault })));
-    this.tones.replaceChildren(...(found?.tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps", "whose"], found.tones.map((/** @type {Answer} */ one) => [
-      one.name ?? "no mode of this bat", `${one.frequency_hz.toFixed(1)} ± ${one.half_hz.toFixed(1)} Hz`, one.expected_hz ? `${one.expected_hz.toFixed(0)} Hz` : "–",
-      app.text("share", one.damping_ratio, 2), String(one.taps), one.own ? "its own" : "room’s?"])), ...(found.tones.every((/** @type {Answer} */ one) => one.own) ? [] : [make("p", { className: "note", textContent: ROOM })])] : []));
+    this.lights.show((found?.taps ?? []).map(({ recording, time_s: time, good, fault }) => ({
+      state: good ? "pass" : "fail", name: `${recording}, ${time.toFixed(2)} s`, words: good ? "used" : fault ?? "" })));
+    const tones = found?.tones ?? [];
+    this.tones.replaceChildren(...(tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps", "whose"], tones.map((tone) => [
+      tone.name ?? "no mode of this bat", `${tone.frequency_hz.toFixed(1)} ± ${tone.half_hz.toFixed(1)} Hz`, tone.expected_hz ? `${tone.expected_hz.toFixed(0)} Hz` : "–",
+      app.text("share", tone.damping_ratio, 2), String(tone.taps), tone.own ? "its own" : "room’s?"]))] : []), ...(tones.every(({ own }) => own) ? [] : [make("p", { className: "note", textContent: ROOM })]));
   }
 }
 
-const tonesOf = (/** @type {Answer} */ answer) => JSON.stringify(answer?.expected ?? null);
+const tonesOf = (/** @type {OwnAnswer | null} */ answer) => JSON.stringify(answer?.expected ?? null);
 const tidy = (/** @type {number} */ value) => Number(value.toPrecision(7));
 // Words of the library as a sentence of several.
 const sentence = (/** @type {string} */ words) => (/[.!?]$/.test(words) ? words : `${words}.`);

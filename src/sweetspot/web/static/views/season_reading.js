@@ -1,11 +1,11 @@
 // Tables to the server and what becomes of them: handed in piece by piece, read in a job that can be stopped, and told.
 
-import { button } from "../controls/controls.js";
+import { button, faultPlace } from "../controls/controls.js";
 import { longWork } from "../shell/longwork.js";
-import { make, paragraphs, partOf } from "../controls/parts.js";
+import { make, paragraphs, partOf, showWords } from "../controls/parts.js";
 import { takeDrops, upload, whereTo } from "../controls/upload.js";
-import { grouped } from "../controls/units.js";
-/** @import { Answer, App } from "../shell/main.js" */
+/** @import { ReadSeason, SeasonReading } from "../answers.js" */
+/** @import { App } from "../shell/main.js" */
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
 const MOST = 60;
@@ -20,7 +20,9 @@ export class Reading {
   constructor(app, /** @type {{ onSeason: (read: { uploads: string[], season: string }) => void }} */ { onSeason }) {
     this.app = app;
     this.onSeason = onSeason;
+    /** @type {AbortController | null} */
     this.going = null;
+    /** @type {ReadSeason | null} */
     this.season = null;
     this.wrong = ""; // with the work
     this.work = longWork("season/read");
@@ -37,14 +39,12 @@ export class Reading {
     this.bar = make("progress", { max: 1, ariaLabel: "Rows read" });
     this.words = make("p", { className: "note" });
     this.words.setAttribute("role", "status");
-    this.fault = make("p", { className: "fault", hidden: true });
-    this.fault.setAttribute("role", "alert");
+    this.fault = faultPlace(app, ["season", "uploads"]);
     this.unread = make("div", { className: "fault", hidden: true });
     this.first = [button("Choose tables", () => this.file.click(), { primary: true }), button("Look at a made-up season", () => this.begin({ uploads: [] }))];
     this.chooser = make("div", { className: "own" }, make("label", { htmlFor: "season-files", textContent: "Tables (CSV, .csv.gz, Parquet), or drop them anywhere" }), this.file,
       make("p", { className: "note", textContent: whereTo("A table") }));
     this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.anew, this.bar), this.words, this.fault, this.unread);
-    for (const field of ["season", "uploads"]) app.control({ field, sync: () => {}, fault: (message) => this.say(message) });
     takeDrops(partOf(document, "#view", HTMLElement), TABLES, app.signal, (tables) => this.hand(tables));
     app.signal.addEventListener("abort", () => this.going?.abort());
     this.work.watch(app.signal, () => this.update());
@@ -52,8 +52,7 @@ export class Reading {
 
   /** @param {string} words */
   say(words) {
-    this.fault.textContent = words;
-    this.fault.hidden = words === "";
+    showWords(this.fault, words);
   }
 
   // Files to the server, one after the other; then they are read together.
@@ -90,10 +89,7 @@ export class Reading {
     if (uploads.length === files.length) this.begin({ uploads });
   }
 
-  /**
-   * @param {string} name
-   * @param {number} part
-   */
+  /** @param {string} name @param {number} part */
   handed(name, part) {
     this.bar.value = part;
     this.words.textContent = `Handing in ${name}: ${Math.round(100 * part)} %`;
@@ -106,12 +102,12 @@ export class Reading {
     this.work.start({ ...this.app.state, uploads, season: null }, { uploads });
   }
 
-  // season: what the last answer says of one, null where none was read.
-  /** @param {Answer} season */
+  // What the last answer says of a season, null where none was read.
+  /** @param {ReadSeason | null} season */
   draw(season) {
     this.season = season;
     const unread = season?.unread ?? [];
-    paragraphs(this.unread, unread.map((/** @type {string} */ words) => `Not read: ${words}`));
+    paragraphs(this.unread, unread.map((words) => `Not read: ${words}`));
     this.unread.hidden = !unread.length;
     this.update();
   }
@@ -121,14 +117,14 @@ export class Reading {
     const runs = ["running", "starting"].includes(status);
     if (status === "done" && found?.season && !this.work.taken) {
       this.work.takenOver(); // once: who goes back finds what was before
-      this.onSeason({ ...this.work.about, season: found.season });
+      this.onSeason({ uploads: this.work.about?.uploads ?? [], season: found.season });
     }
     const idle = !runs && this.going === null;
     for (const one of this.first) one.hidden = !idle || this.season !== null;
     this.element.classList.toggle("dropped", idle && this.season === null);
     this.again.hidden = runs || this.going !== null || !this.season || this.season.same_bat;
     this.halt.hidden = !(this.going || status === "running");
-    const begun = found?.phase === "rows" || found?.phase === "players";
+    const begun = Boolean(found?.reached);
     this.on.hidden = !(status === "stopped" || (status === "failed" && this.work.key && begun)) || this.going !== null;
     this.anew.hidden = !(status === "failed" && !this.work.key && handed.length) || this.going !== null;
     this.bar.hidden = !(this.going || runs);
@@ -138,23 +134,14 @@ export class Reading {
     if (this.going) return;
     if (runs && found?.phase === "rows" && found.rows) this.bar.value = found.done / found.rows;
     else this.bar.removeAttribute("value");
-    this.words.textContent = this.told(status, found);
+    this.words.textContent = this.progress(status, found);
   }
 
-  /**
-   * @param {string} status
-   * @param {Answer} found
-   */
-  told(status, found) {
-    const number = (/** @type {number} */ value) => grouped(Math.round(value));
-    const far = found?.phase === "rows" ? `${number(found.done)} of ${number(found.rows)} rows` : "";
-    if (status === "starting") return "The reading begins …";
-    if (status === "running" && far) return found.rows_per_s === null ? `${far} …` : `${far}, ${number(found.rows_per_s)} rows/s, ${Math.ceil(found.left_s)} s left`;
-    if (status === "running") return found?.phase === "players" ? "Working out players, clubs and months …" : "Looking through the tables; a bat that is new here takes some seconds more …";
-    if (status === "stopped") return `Stopped${far ? ` after ${far}` : ""}. Go on, or hand in other tables.`;
-    if (!this.season) return `Statcast and Trackman exports, plain CSV with units in the headings, Parquet; many files at once, of any size. ${whereTo("A table")}`;
-    const { files, rows, same_bat: same } = this.season;
-    const named = files.length > 3 ? `${files.slice(0, 3).join(", ")} and ${files.length - 3} more` : files.join(", ");
-    return `${number(rows)} rows of ${named}.${same ? "" : " They were read with another bat than the one on the bench now."}`;
+  /** @param {string} status @param {SeasonReading | null} found */
+  progress(status, found) {
+    if (status === "starting" || (status === "running" && !found)) return "The reading begins …";
+    if (status === "running") return found?.words ?? "";
+    if (status === "stopped") return `Stopped${found?.reached ? ` after ${found.reached}` : ""}. Go on, or hand in other tables.`;
+    return this.season?.words ?? `Statcast and Trackman exports, plain CSV with units in the headings, Parquet; many files at once, of any size. ${whereTo("A table")}`;
   }
 }

@@ -3,20 +3,20 @@
 import { Chart } from "../charts/chart.js";
 import { textOf } from "../bat/batfile.js";
 import { describeOwn } from "../bat/bench.js";
-import { button, choice, group, slider } from "../controls/controls.js";
+import { button, choice, faultPlace, group, slider } from "../controls/controls.js";
 import { HeatMap } from "../charts/heatmap.js";
-import { factList, make, paragraphs, partOf, tell } from "../controls/parts.js";
+import { factList, make, paragraphs, partOf, section, showWords, tell } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
 import { takeDrops } from "../controls/upload.js";
 import { FORGOTTEN } from "./own_measured.js";
-/** @import { Answers } from "../answers.js" */
+/** @import { SportsAnswer, SportsFace, SportsWords } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
-/** @import { App, State, View } from "../shell/main.js" */
+/** @import { AppOf, Guide, State } from "../shell/main.js" */
 
 const OWN = "own file";
 const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it changes neither map nor words
 
-/** @type {Fact<Answers["sports"]>[]} */
+/** @type {Fact<SportsAnswer>[]} */
 const FACTS = [
   ["Leaves at", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Efficiency", (a) => ["ratio", a.hit.collision_efficiency]],
@@ -29,17 +29,24 @@ const FACTS = [
   ["Balance from the grip's end", (a) => ["balance_point_m", a.tool.balance_point_m]],
 ];
 
-/** @type {View<"sports">} */
-export const view = {
-  name: "sports",
-  guide: [
+export default class SportsView {
+  /** @type {Guide} */
+  static guide = [
     ["Every sport", "Rackets, bats, clubs and sticks by the same physics: choose one, and its usual stroke meets its usual ball."],
     ["The face", "The map shows how fast the ball leaves from every place of the face. Press or drag on it to hit there."],
     ["Another stroke", "Change how fast it is swung and how fast the ball comes. "],
-  ],
+  ];
 
-  mount(root, app) {
-    Object.assign(this, { app, answer: null });
+  /** @param {HTMLElement} root @param {AppOf<"sports">} app */
+  constructor(root, app) {
+    this.app = app;
+    /** @type {SportsAnswer | null} */
+    this.answer = null;
+    /** @type {SportsFace["face"] | null} */
+    this.face = null;
+    /** @type {SportsWords["sentences"] | null} */
+    this.sentences = null;
+    this.shown = ""; // the implement of both
     const tools = app.lists("implements").then(({ implements: all }) => all.map(({ key, name, sport }) => [key, name, sport]));
     const usual = (/** @type {"swing_mph" | "incoming_mph"} */ name) => () => app.answer?.[name] ?? null;
     const side = make("div", { className: "side" },
@@ -72,45 +79,43 @@ export const view = {
     this.report = make("div", { className: "words" });
     root.append(side, make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.map.element, this.again, this.map.numbers.element, this.facts.element, this.chart.element),
-      make("section", { className: "picture" }, make("h2", { textContent: "Where it hits best, and why" }), this.report)));
-  },
+      section("Where it hits best, and why", this.report)));
+  }
 
   // A file of one's own: chosen, or dropped anywhere on the view.
-  /** @param {App} app */
+  /** @param {AppOf<"sports">} app */
   ownFile(app) {
     const chosen = make("input", { type: "file", id: "implement-file", accept: ".toml,text/plain" });
-    const fault = make("p", { className: "fault", hidden: true });
-    fault.setAttribute("role", "alert");
-    const say = (/** @type {string} */ message) => Object.assign(fault, { textContent: message, hidden: message === "" });
-    const read = (/** @type {File} */ file) => textOf(file).then((text) => app.setState({ ...app.defaults, implement_toml: text }), ({ message }) => say(message));
+    const fault = faultPlace(app, ["implement_toml"]);
+    const read = (/** @type {File} */ file) => textOf(file).then((text) => app.setState({ ...app.defaults, implement_toml: text }), ({ message }) => showWords(fault, message));
     chosen.addEventListener("change", () => {
       if (chosen.files?.[0]) read(chosen.files[0]);
       chosen.value = ""; // so that the same file can be chosen again once it is mended
     });
     takeDrops(partOf(document, "#view", HTMLElement), /\.toml$/i, app.signal, ([file]) => read(file));
-    app.control({ field: "implement_toml", sync: () => {}, fault: say });
     return make("div", { className: "control" }, make("label", { htmlFor: chosen.id, textContent: "Your own (file, TOML)" }), chosen, fault);
-  },
+  }
 
   // What its people call things; before the first answer, what everybody does.
-  ownWords() { return this.app.answer?.words ?? { implement: "implement", ball: "ball", tip: "tip" }; },
+  ownWords() { return this.app.answer?.words ?? { implement: "implement", ball: "ball", tip: "tip" }; }
 
   fromTip() {
     const { answer } = this.app;
     return answer ? (answer.tool.length_m - answer.hit.position_m) / INCH : null;
-  },
+  }
 
   /** @param {number} position @param {number | null} across @param {boolean} last */
   pick(position, across, last) {
     const { answer } = this;
     if (!answer) return;
     const inches = (/** @type {number} */ metres) => Math.round((20 * metres) / INCH) / 20;
-    /** @type {State} */
+    /** @type {Partial<State>} */
     const change = { met_from_tip_in: Math.max(0, inches(answer.tool.length_m - position)) };
     if (across !== null) change.aside_in = inches(across);
     this.app.setState(change, { commit: last });
-  },
+  }
 
+  /** @param {SportsAnswer} answer */
   update(answer) {
     this.answer = answer;
     const { hit, scan, sweet_spots: spots, words } = answer;
@@ -118,31 +123,33 @@ export const view = {
     this.chart.panels[0].title = `Speed of the ${words.ball}`;
     this.map.title = `Speed of the ${words.ball} over the face`;
     const { units } = this.app;
-    tell(this.words, [...answer.headline[units], ...hit.touched_again[units]].join(" "));
+    const headline = [...answer.headline[units], ...hit.touched_again[units]].join(" ");
+    tell(this.words, headline);
     tell(this.again, hit.touched_again[units].length ? "" : answer.touched_again[units].join(" "));
-    this.app.announce(this.words.textContent ?? "");
+    this.app.announce(headline);
     this.facts.fill(answer);
     const shown = this.app.state.implement_toml ?? answer.implement;
     if (shown !== this.shown) Object.assign(this, { face: null, sentences: null, shown });
-    this.drawFace();
+    this.drawFace(answer);
     paragraphs(this.report, this.sentences?.[this.app.units] ?? []);
     this.app.aside("face", PLACE, 80, ({ face }) => {
       this.face = face;
-      this.drawFace();
+      if (this.answer) this.drawFace(this.answer);
     });
     this.app.aside("sentences", PLACE, 400, ({ sentences }) => {
       this.sentences = sentences;
       paragraphs(this.report, sentences[this.app.units]);
     });
     const zone = spots.zone_m;
-    this.chart.draw({ x: scan.position_m, lines: scan, range: [scan.position_m[0], scan.position_m.at(-1)], cursor: hit.position_m,
+    this.chart.draw({ x: scan.position_m, lines: { ...scan }, range: [scan.position_m[0], scan.position_m[scan.position_m.length - 1]], cursor: hit.position_m,
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [], marks: [{ at: spots.max_exit_speed_m, color: "red", label: "fastest" }] });
-    this.chart.label(`Speed of the ${words.ball}, efficiency and vibration along the ${words.implement}. ${this.words.textContent}`);
-  },
+    this.chart.label(`Speed of the ${words.ball}, efficiency and vibration along the ${words.implement}. ${headline}`);
+  }
 
   // The map comes apart: the last one stands there until then.
-  drawFace() {
-    const { face, answer: { hit, has_face: some } } = this;
+  /** @param {SportsAnswer} answer */
+  drawFace({ hit, has_face: some }) {
+    const { face } = this;
     this.map.element.hidden = this.map.numbers.element.hidden = !some;
     if (!some) return;
     if (!face) {
@@ -151,9 +158,8 @@ export const view = {
     }
     this.map.draw({ x: face.position_m, y: face.lateral_m, z: face.exit_speed_m_s, cross: [hit.position_m, hit.lateral_m] });
     this.map.label(`How fast the ${this.ownWords().ball} leaves from every place of the face. ${this.words.textContent}`);
-  },
+  }
 
-  unmount() { Object.assign(this, { answer: null, face: null, sentences: null, shown: null }); },
-  figures() { return [...(this.face ? [this.map.figure("face")] : []), this.chart.figure("curves")]; },
-  table() { return this.app.answer.scan; },
-};
+  figures() { return [...(this.face ? [this.map.figure("face")] : []), this.chart.figure("curves")]; }
+  table() { return { ...this.answer?.scan }; }
+}
