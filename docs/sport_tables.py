@@ -11,6 +11,8 @@ from sweetspot import validation
 from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.papers.sports import sport_rows
+from sweetspot.reports.paper.statements import stated
+from sweetspot.reports.quantities import SI
 from sweetspot.validation.cases import Result
 
 CASES: dict[str, tuple[str, ...]] = {
@@ -98,10 +100,7 @@ def _marks(found: Sport) -> str:
 
 
 def _formulas(found: Sport) -> str:
-    rows = [
-        (row.equation, row.quantity, row.unit, row.paper, row.computed, row.full_model, row.comment)
-        for row in sport_rows(found)
-    ]
+    rows = [tuple(vars(stated(row, SI)).values()) for row in sport_rows(found)]
     return table(("eq.", "quantity", "unit", "rule or claim", "formula", "full model", "comment"), rows)
 
 

@@ -18,6 +18,7 @@ from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.papers.chain import paper_rows
+from sweetspot.reports.paper.statements import stated
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.cases import EVIDENCE
 from sweetspot.validation.computations.flight import pitch_flight
@@ -115,10 +116,7 @@ def along_table() -> str:
 
 def paper_table() -> str:
     """Return the implemented paper's chain beside the full model."""
-    rows = [
-        (row.equation, row.quantity, row.unit, row.paper, row.computed, row.full_model, row.comment)
-        for row in paper_rows(analysed())
-    ]
+    rows = [tuple(vars(stated(row)).values()) for row in paper_rows(analysed())]
     return table(("eq.", "quantity", "unit", "paper", "computed", "full model", "comment"), rows)
 
 

@@ -8,7 +8,9 @@ names here are words. `sweetspot.papers.chain` puts each statement beside the fu
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Annotated
 
 from sweetspot.collision.contact_law import loading_force
 from sweetspot.dynamics.rigid import RigidBody
@@ -26,15 +28,21 @@ Value = float | str | None
 
 @dataclass(frozen=True)
 class PaperRow:
-    """One statement: the paper's number or claim, its formula evaluated here, the full model's answer."""
+    """One statement: the paper's number or claim, its formula evaluated here, the full model's answer.
+
+    Parameters
+    ----------
+    name : of what is stated, by which `sweetspot.reports.paper.statements` has its words.
+    facts : numbers in SI, words and conditions that stand in these.
+    """
 
     equation: str
-    quantity: str
+    name: str
     unit: str
     paper: Value
     computed: Value
     full_model: Value
-    comment: str
+    facts: Annotated[Mapping[str, object], "internal"] = field(default_factory=dict)
 
 
 def path_acceleration(force: float, *, angle: float, ball_mass: float) -> float:

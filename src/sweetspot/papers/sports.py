@@ -69,17 +69,13 @@ def _percussion(analysis: Analysis[Implement]) -> Iterator[PaperRow]:
     """Yield equations 9 and 11: the centre of percussion and the hand."""
     bat, body, hands = analysis.bat, analysis.body, analysis.conditions.hands.position
     rod = paper.rod(bat.length, body.mass)
-    yield PaperRow(
-        "11", f"b = J_D / (m l): centre of percussion of {bat.name}", "cm", None,
-        100 * centre_of_percussion(rod, pivot=0.0), 100 * centre_of_percussion(body, pivot=hands),
-        "From the butt. Computed: a uniform rod of this length held at its end. Full model: this mass, balance and "
-        f"swing weight, held {100 * hands:.0f} cm from the butt. Same formula, other coefficients: exact for both.",
-    )  # fmt: skip
-    yield PaperRow(
-        "9", "hand force over blow, hit at the far end", "ratio", None,
-        paper.hand_force_ratio(rod, bat.length, hands=0.0), hand_impulse_ratio(body, bat.length, hands=hands),
-        "Negative: the hand is jerked forwards.",
-    )  # fmt: skip
+    rod_place, place = 100 * centre_of_percussion(rod, pivot=0.0), 100 * centre_of_percussion(body, pivot=hands)
+    ratio, of_bat = (
+        paper.hand_force_ratio(rod, bat.length, hands=0.0),
+        hand_impulse_ratio(body, bat.length, hands=hands),
+    )
+    yield PaperRow("11", "percussion in a sport", "cm", None, rod_place, place, {"bat": bat.name, "hands": hands})
+    yield PaperRow("9", "hand force in a sport", "ratio", None, ratio, of_bat)
 
 
 def _energy(analysis: Analysis[Implement]) -> Iterator[PaperRow]:
@@ -91,17 +87,15 @@ def _energy(analysis: Analysis[Implement]) -> Iterator[PaperRow]:
     returned = paper.energy_returned(bat_restitution=face_restitution, ball_restitution=ball_restitution, share=share)
     recoil = ball.mass / effective_mass(analysis.body, best.position)
     measured = best.collision_efficiency * (1 + recoil) + recoil
-    yield PaperRow(
-        "z", "share of the stored energy that the face takes", "ratio", None, share, None,
-        f"At the best place, pressed slowly; a ball on a rigid wall at {speed:.1f} m/s would store as much.",
-    )  # fmt: skip
-    yield PaperRow(
-        "W", "W = k_bat^2 z + k_ball^2 (1 - z): energy returned over energy stored", "ratio", None, returned,
-        measured**2,
-        f"k_bat = {face_restitution:.3f} (face alone), k_ball = {ball_restitution:.3f} (at the speed of its share); "
-        f"e = {math.sqrt(returned):.3f}, full model {measured:.3f}. The formula knows no bending, and a face that "
-        "follows without delay.",
-    )  # fmt: skip
+    facts = {
+        "face": face_restitution,
+        "ball": ball_restitution,
+        "formula": math.sqrt(returned),
+        "model": measured,
+        "speed": speed,
+    }
+    yield PaperRow("z", "share of the face", "ratio", None, share, None, facts)
+    yield PaperRow("W", "energy returned in a sport", "ratio", None, returned, measured**2, facts)
 
 
 def rule_book_drop(rule: DropRule, *, ball: Ball) -> Rebound:
@@ -136,10 +130,13 @@ def _drops(sport: Sport, ball: Ball) -> Iterator[PaperRow]:
         block = _block(rule)
         limit = paper.drop_test(ball, height=rule.drop_height, material=block.material)
         real = drop(block, ball=ball, height=rule.drop_height, air_density=ROOM_AIR)
+        facts = {
+            "rule": rule.name,
+            "height": rule.drop_height,
+            "restitution": real.restitution,
+            "speed": real.fall_speed,
+            "root": math.sqrt(real.rebound / rule.drop_height),
+        }
         yield PaperRow(
-            "Fig. 6", f"{rule.name}: rebound from {100 * rule.drop_height:.4g} cm", "cm", rule.printed,
-            100 * limit.rebound, 100 * real.rebound,
-            f"The claim is the rule's. The formula leaves the air out, the full model does not: e = "
-            f"{real.restitution:.3f} at {real.fall_speed:.2f} m/s, while sqrt(rebound / fall) = "
-            f"{math.sqrt(real.rebound / rule.drop_height):.3f}.",
-        )  # fmt: skip
+            "Fig. 6", "drop of the rules", "cm", rule.printed, 100 * limit.rebound, 100 * real.rebound, facts
+        )

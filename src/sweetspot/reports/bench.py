@@ -8,10 +8,12 @@ from sweetspot import validation
 from sweetspot.answers.drop import DropAnswer
 from sweetspot.answers.paper import PaperAnswer
 from sweetspot.answers.pendulum import PendulumAnswer
+from sweetspot.answers.records import to_dict
 from sweetspot.papers.formulas import PaperRow, Value
 from sweetspot.reports.document import Block, Cell, Column, Document, Marked, Paragraph, Table
 from sweetspot.reports.json_shapes import as_columns
-from sweetspot.reports.quantities import SI
+from sweetspot.reports.paper.statements import CHAIN, StatedRow, stated
+from sweetspot.reports.quantities import SI, Reader
 from sweetspot.reports.sentences import Slot, say
 from sweetspot.reports.uncertainty.section import how_sure
 from sweetspot.units.text import GROUPED_FROM, grouped
@@ -120,7 +122,7 @@ def validation_document(results: Sequence[Result]) -> Document:
 
 def paper_document(answer: PaperAnswer) -> Document:
     """Return the paper's chain as a document."""
-    data = answer.to_dict()
+    data = answer.to_dict() | {"rows": [to_dict(stated(row)) for row in answer.rows]}
     return Document(
         name="paper",
         title="The paper's chain",
@@ -131,13 +133,13 @@ def paper_document(answer: PaperAnswer) -> Document:
     )
 
 
-def paper_table(rows: Sequence[PaperRow], title: str = "") -> Table:
+def paper_table(rows: Sequence[PaperRow], title: str = "", reading: Reader = CHAIN) -> Table:
     """Return the paper's chain, each statement with its comment below it; units are those of the paper."""
     columns = [Column(name) for name in ("eq.", "statement", "paper", "computed", "full model", "unit")]
-    return Table(title, columns, [_cells(row) for row in rows], name="paper")
+    return Table(title, columns, [_cells(stated(row, reading)) for row in rows], name="paper")
 
 
-def _cells(row: PaperRow) -> list[Cell]:
+def _cells(row: StatedRow) -> list[Cell]:
     numbers = [_shown(value) for value in (row.paper, row.computed, row.full_model)]
     return [row.equation, f"{row.quantity}\n{row.comment}\n", *numbers, row.unit]
 

@@ -34,7 +34,7 @@ class Slot:
     digits : None: as many as is usual.
     sign : whether a plus is written.
     unit : whether its unit is written.
-    round : whether a zero behind the point is left out: "3 mph", but "1.3 m/s".
+    round : whether zeros behind the point are left out: "3 mph", but "1.3 m/s".
     """
 
     value: Number
@@ -54,7 +54,7 @@ class Slot:
         sides = self._sides
         if sides is not None and all(map(math.isfinite, sides)) and sum(sides) > SHARP * abs(value):
             return self._give_or_take(value, sides, reader) + unit
-        return (number.removesuffix(".0") if self.round else number) + unit
+        return (number.rstrip("0").rstrip(".") if self.round and "." in number else number) + unit
 
     @property
     def _sides(self) -> tuple[float, float] | None:

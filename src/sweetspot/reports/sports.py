@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sweetspot.answers.catalogued import SportAnswer, SportsAnswer, SportSummary
+from sweetspot.answers.records import to_dict
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.reports.bench import paper_table
 from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.paper.statements import stated
 from sweetspot.reports.quantities import SI, reader
 from sweetspot.reports.sentences import Sentence, say
 
@@ -56,11 +58,11 @@ def sport_document(answer: SportAnswer) -> Document:
     if described.marks:
         blocks.append(_marks(described))
     if answer.formulas:
-        blocks.append(paper_table(answer.formulas, title="The paper's formulas with this sport's numbers"))
+        blocks.append(paper_table(answer.formulas, "The paper's formulas with this sport's numbers", SI))
     if described.terms:
         blocks.append(Table("Words", [Column("word"), Column("what it is here")], described.terms))
     missing = Bullets(described.not_covered)
-    data = answer.to_dict()
+    data = answer.to_dict() | {"formulas": [to_dict(stated(row, SI)) for row in answer.formulas]}
     return Document(
         name="sports",
         title=described.name,

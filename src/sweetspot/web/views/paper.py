@@ -16,9 +16,9 @@ from sweetspot.dynamics.block import Support
 from sweetspot.papers.chain import PARTS
 from sweetspot.papers.choices import RATIOS, Choices
 from sweetspot.papers.formulas import PaperRow
-from sweetspot.papers.words import Number, Words
 from sweetspot.reports.paper.page_words import paper_words
-from sweetspot.reports.quantities import SYSTEMS, Reader, System
+from sweetspot.reports.paper.statements import PAPER_READERS, StatedRow, stated, statement
+from sweetspot.reports.quantities import System
 from sweetspot.reports.sentences import Part, Sentence, Slot, say
 from sweetspot.units import INCH
 from sweetspot.web.bats import analysed
@@ -62,7 +62,7 @@ class StatementWords:
 
 
 @dataclass(frozen=True)
-class Statement(PaperRow):
+class Statement(StatedRow):
     """One statement of the paper, with its words for readers of either system."""
 
     words: Mapping[System, StatementWords]
@@ -118,7 +118,7 @@ def answer(state: PaperState) -> PaperPicture:
     return PaperPicture(
         question=state.question,
         asked=Asked(entry.text("question"), entry.texts("claim"), entry.texts("formulas"), entry.texts("misprints")),
-        rows=tuple(Statement(**vars(row), words=_words(row)) for row in rows),
+        rows=tuple(Statement(**vars(stated(row)), words=_words(row)) for row in rows),
         picture=picture,
         truth=in_both_systems(truth),
         live=in_both_systems(live),
@@ -144,21 +144,11 @@ def _numbers_of(picture: PaperPictures) -> dict[str, Part | Sentence]:
 
 
 def _words(row: PaperRow) -> dict[System, StatementWords]:
+    quantity, comment = statement(row)
     return {
-        system: StatementWords(_read(row.quantity, reader), _read(row.comment, reader))
-        for system, reader in SYSTEMS.items()
+        system: StatementWords(*(text.read(reader).replace(" - ", " \N{MINUS SIGN} ") for text in (quantity, comment)))
+        for system, reader in PAPER_READERS.items()
     }
-
-
-def _read(text: str, reader: Reader) -> str:
-    words = text.template.format(*(_number(part, reader) for part in text.numbers)) if isinstance(text, Words) else text
-    return words.replace(" - ", " \N{MINUS SIGN} ")
-
-
-def _number(number: Number, reader: Reader) -> str:
-    """Return a number as the chain has it where that is the reader's unit, else in the reader's own."""
-    slot = Slot(number.value, number.scale, digits=number.digits, round=True)
-    return number.text if number.text.endswith(reader.behind(number.scale)) else slot.read(reader)
 
 
 def choices_of(state: PaperState) -> Choices:

@@ -20,9 +20,8 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.papers import formulas
-from sweetspot.papers.choices import Choices, can_be_drilled, corked_analysis
+from sweetspot.papers.choices import Choices, can_be_drilled, corked_analysis, metal_wall_point
 from sweetspot.papers.formulas import PaperRow
-from sweetspot.papers.metal_wall import metal_wall_point
 from sweetspot.reports.paper.page_words import percussion_places
 from sweetspot.units.dimensions import FORCE, LENGTH, SPEED, TIME
 from sweetspot.web.drawings import BatShape, outline
