@@ -1,4 +1,4 @@
-"""Write `src/sweetspot/__init__.pyi`: every public name as type checkers see it, questions with all their parameters.
+"""Write `src/sweetspot/__init__.pyi`: every public name as type checkers see it, functions as the door takes them.
 
 Run: python -m tools.stub
 """
@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import inspect
 import re
+import typing
 from pathlib import Path
+from types import FunctionType
 
 import sweetspot
 from sweetspot.units.quantities import KIND_OF
@@ -15,19 +17,30 @@ from sweetspot.units.quantities import KIND_OF
 STUB = Path(sweetspot.__file__).with_suffix(".pyi")
 HEAD = '''"""The public front door as type checkers see it; `python -m tools.stub` writes this file."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Literal
+from typing import Literal, overload
 
+from numpy.typing import ArrayLike
 from pint import Quantity
 
-from .analysis.certification.shots import Shots
-from .catalog.implements import Loaded
 '''
-ALIASES = "Tool = Implement | Analysis | Loaded | str | Path\nAmount = float | str | Quantity[float] | Measured"
+ALIASES = """Tool = Implement | Analysis[Implement] | ReducedBat[Implement] | BeamModel | Loaded | str | Path
+Amount = float | str | Quantity[float] | Measured
+Amounts = ArrayLike | Sequence[Amount] | Quantity[float] | str"""
 WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b")
 PUBLIC = {
     "Loaded": "Tool",
+    "Implement": "Tool",
+    "Implement | str | Path": "Tool",
+    "Analysis": "Tool",
+    "BeamModel": "Tool",
+    "RigidBody": "RigidBody | Tool",
+    "Modes": "Modes | Tool",
+    "ReducedBat[Bat]": "Tool",
+    "Ball": "Ball | str",
+    "Contact": "Contact | tuple[Amount, Amount]",
+    "Iterable[Park]": "Iterable[Park | str]",
     "Loaded | None": "Tool | None",
     "Mapping[str, ArrayLike]": "Mapping[str, Sequence[Amount]]",
     "BatCell": 'Literal["exit_speed", "collision_efficiency", "bbcor", "bat_speed", "mass", "balance_point", "moi", '
@@ -47,41 +60,67 @@ PUBLIC = {
 
 def stub() -> str:
     """Return the text of the file."""
-    homes = {home: names.split() for home, names in vars(sweetspot)["_HOMES"].items()}
-    lines, definitions = [], []
-    for home, names in sorted(homes.items()):
-        if home.startswith("answers.ask_"):
-            definitions += [_definition(name) for name in names]
-            continue
-        listed = ", ".join(f"{name} as {name}" for name in names)
-        lines.append(f"from .{home} import {listed}")
+    imported = {
+        "analysis.certification.shots": {"Shots"},
+        "catalog.implements": {"Loaded"},
+        "numerics.arrays": {"Array"},
+    }
+    definitions = []
+    for home, names in vars(sweetspot)["_HOMES"].items():
+        for name in names.split():
+            function = inspect.unwrap(getattr(sweetspot, name))
+            if isinstance(function, FunctionType):
+                definitions += _definitions(name, function, imported)
+            else:
+                imported.setdefault(home, set()).add(f"{name} as {name}")
+    lines = [f"from .{home} import {', '.join(sorted(names))}" for home, names in sorted(imported.items())]
     names = "".join(f'    "{name}",\n' for name in sweetspot.__all__)
     parts = ["\n".join(lines), f"__version__: str\n\n__all__ = [\n{names}]", ALIASES, "\n".join(sorted(definitions))]
     return HEAD + "\n\n".join(parts) + "\n"
 
 
-def _definition(name: str) -> str:
-    signature = inspect.signature(getattr(sweetspot, name))
+def _definitions(name: str, function: FunctionType, imported: dict[str, set[str]]) -> list[str]:
+    """Return a function as the door takes it, each of its overloads; ``imported`` gets the types that it names."""
+    signature, overloads = inspect.signature(getattr(sweetspot, name)), typing.get_overloads(function)
+    forms = [(_parameters(form), str(form.return_annotation)) for form in map(inspect.signature, overloads)]
+    if signature.return_annotation == "Real":
+        typed = _parameters(signature)
+        forms = [(typed.replace("Amounts", "Amount"), "float"), (typed, "float | Array")]
+    if not forms and any(each.annotation == "Given" for each in signature.parameters.values()):
+        typed, answer = _parameters(signature), str(signature.return_annotation)
+        forms = [(typed, answer), (typed.replace("Given", "Tool"), answer.replace("Given", "Implement"))]
+    written = [
+        f"def {name}(\n{parameters}) -> {answer}: ..."
+        for parameters, answer in forms or [(_parameters(signature), signature.return_annotation)]
+    ]
+    for word in set(re.findall(r"\b[A-Z]\w+", " ".join(written))):
+        found = function.__globals__.get(word)
+        home = getattr(found, "__module__", "")
+        if home.startswith("sweetspot.") and word not in sweetspot.__all__:
+            imported.setdefault(home.removeprefix("sweetspot."), set()).add(word)
+    return ["\n".join(f"@overload\n{each}" for each in written)] if len(written) > 1 else written
+
+
+def _parameters(signature: inspect.Signature) -> str:
     words, starred = [], False
     for each in signature.parameters.values():
-        if each.kind is each.VAR_POSITIONAL:
-            words.append(f"*{each.name}: {_public(each)}")
-            starred = True
-            continue
+        star = "*" if each.kind is each.VAR_POSITIONAL else "**" if each.kind is each.VAR_KEYWORD else ""
         if each.kind is each.KEYWORD_ONLY and not starred:
             words.append("*")
-            starred = True
+        starred = starred or each.kind in (each.KEYWORD_ONLY, each.VAR_POSITIONAL)
         default = "" if each.default is each.empty else f" = {_default(each.default)}"
-        words.append(f"{each.name}: {_public(each)}{default}")
-    listed = "".join(f"    {word},\n" for word in words)
-    return f"def {name}(\n{listed}) -> {signature.return_annotation}: ..."
+        words.append(f"{star}{each.name}: {_public(each)}{default}")
+    return "".join(f"    {word},\n" for word in words)
 
 
 def _public(parameter: inspect.Parameter) -> str:
     kind = str(parameter.annotation)
     if kind in PUBLIC:
         return PUBLIC[kind]
-    if WRITTEN.search(kind) or (kind.startswith("float") and parameter.name in KIND_OF):
+    is_amount = parameter.name in KIND_OF or parameter.kind is parameter.VAR_KEYWORD
+    if kind in ("ArrayLike", "Real") and is_amount:
+        return "Amounts"
+    if WRITTEN.search(kind) or (kind.startswith("float") and is_amount):
         return "Amount | None" if "None" in kind else "Amount"
     return kind
 

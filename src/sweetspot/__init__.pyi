@@ -1,17 +1,17 @@
 """The public front door as type checkers see it; `python -m tools.stub` writes this file."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Literal
+from typing import Literal, overload
 
+from numpy.typing import ArrayLike
 from pint import Quantity
 
 from . import catalog as catalog
 from . import units as units
 from .analysis.bat_analysis import Analysis as Analysis
-from .analysis.bat_analysis import analyse as analyse
 from .analysis.certification.shots import Shots
-from .analysis.full_play import plays as plays
+from .analysis.full_play import Plays
 from .answers.calibrate import CalibrateAnswer as CalibrateAnswer
 from .answers.certify import CertifyAnswer as CertifyAnswer
 from .answers.compare import CompareAnswer as CompareAnswer
@@ -32,30 +32,18 @@ from .answers.tap import TapAnswer as TapAnswer
 from .answers.what_if import FlyTableAnswer as FlyTableAnswer
 from .answers.what_if import WhatIfAnswer as WhatIfAnswer
 from .calibration.measured import Measured as Measured
-from .catalog.bats import bat as bat
 from .catalog.implements import Loaded
-from .catalog.implements import implement as implement
-from .catalog.standard_hit import standard_analysis as standard_analysis
-from .catalog.standard_hit import standard_conditions as standard_conditions
-from .catalog.standard_hit import standard_flight as standard_flight
 from .collision.hit_in_space import Contact as Contact
-from .collision.hit_in_space import strike as strike
-from .collision.hit_in_space import strikes as strikes
+from .collision.hit_in_space import Strike, Strikes
 from .collision.impact import Impact as Impact
-from .collision.kernel import hits as hits
+from .collision.impact import Impacts
 from .collision.oblique_contact import Friction as Friction
 from .dynamics.beam import BeamModel as BeamModel
-from .dynamics.beam import beam_model as beam_model
-from .dynamics.hands import held_modes as held_modes
-from .dynamics.hoop import hoop_modes as hoop_modes
+from .dynamics.modes import Modes
+from .dynamics.patch import PatchLaw
+from .dynamics.reduction import Given
 from .dynamics.reduction import ReducedBat as ReducedBat
-from .dynamics.reduction import all_modes as all_modes
-from .dynamics.reduction import bending_modes as bending_modes
-from .dynamics.reduction import reduced_bat as reduced_bat
 from .dynamics.rigid import RigidBody as RigidBody
-from .dynamics.rigid import centre_of_percussion as centre_of_percussion
-from .dynamics.rigid import effective_mass as effective_mass
-from .dynamics.rigid import rigid_body as rigid_body
 from .equipment.ball import Ball as Ball
 from .equipment.ball import RestitutionLaw as RestitutionLaw
 from .equipment.bat import Bat as Bat
@@ -66,20 +54,21 @@ from .errors import SweetspotError as SweetspotError
 from .flight.air import Air as Air
 from .flight.air import Wind as Wind
 from .flight.conditions import FlightConditions as FlightConditions
-from .flight.fence import fly_all_parks as fly_all_parks
-from .flight.flying import trajectory as trajectory
+from .flight.fence import Landings
+from .flight.kernel import Flights
 from .flight.park import Park as Park
 from .flight.trajectory import Flight as Flight
 from .motion.ball_motion import BallMotion as BallMotion
 from .motion.ball_motion import BallMotions as BallMotions
-from .motion.ball_motion import batted_ball as batted_ball
 from .motion.swing import Conditions as Conditions
 from .motion.swing import Hands as Hands
 from .motion.swing import Pitch as Pitch
 from .motion.swing import Swing as Swing
 from .motion.swing_path import SwingPath as SwingPath
 from .motion.swing_path import Swings as Swings
-from .papers.chain import paper_rows as paper_rows
+from .numerics.arrays import Array
+from .papers.choices import Choices
+from .papers.formulas import PaperRow
 
 __version__: str
 
@@ -178,9 +167,101 @@ __all__ = [
     "what_if",
 ]
 
-Tool = Implement | Analysis | Loaded | str | Path
+Tool = Implement | Analysis[Implement] | ReducedBat[Implement] | BeamModel | Loaded | str | Path
 Amount = float | str | Quantity[float] | Measured
+Amounts = ArrayLike | Sequence[Amount] | Quantity[float] | str
 
+@overload
+def analyse(
+    bat: Given,
+    conditions: Conditions = ...,
+) -> Analysis[Given]: ...
+@overload
+def analyse(
+    bat: Tool,
+    conditions: Conditions = ...,
+) -> Analysis[Implement]: ...
+@overload
+def batted_ball(
+    *,
+    speed: Amount,
+    launch_angle: Amount,
+    spray: Amount = 0.0,
+    backspin: Amount = 0.0,
+    sidespin: Amount = 0.0,
+    gyrospin: Amount = 0.0,
+    position: Amounts = ...,
+) -> BallMotion: ...
+@overload
+def batted_ball(
+    *,
+    speed: Amounts,
+    launch_angle: Amounts,
+    spray: Amounts = 0.0,
+    backspin: Amounts = 0.0,
+    sidespin: Amounts = 0.0,
+    gyrospin: Amounts = 0.0,
+    position: Amounts = ...,
+) -> BallMotion | BallMotions: ...
+@overload
+def effective_mass(
+    body: RigidBody | Tool,
+    position: Amount,
+    *,
+    pivot: Amount | None = None,
+) -> float: ...
+@overload
+def effective_mass(
+    body: RigidBody | Tool,
+    position: Amounts,
+    *,
+    pivot: Amount | None = None,
+) -> float | Array: ...
+@overload
+def reduced_bat(
+    bat: Given,
+    *,
+    ball: Ball | str = ...,
+) -> ReducedBat[Given]: ...
+@overload
+def reduced_bat(
+    bat: Tool,
+    *,
+    ball: Ball | str = ...,
+) -> ReducedBat[Implement]: ...
+@overload
+def trajectory(
+    motion: BallMotion,
+    conditions: FlightConditions,
+    *,
+    step: Amount | None = None,
+) -> Flight: ...
+@overload
+def trajectory(
+    motion: BallMotions,
+    conditions: FlightConditions,
+    *,
+    step: Amount | None = None,
+) -> Flights: ...
+def all_modes(
+    beam: Tool,
+    ball: Ball | str = ...,
+    *,
+    patch_factor: float = 1.0,
+    count: int | None = None,
+) -> Modes: ...
+def bat(
+    name: str | Path = "r161-ash",
+) -> Bat: ...
+def beam_model(
+    bat: Tool,
+) -> BeamModel: ...
+def bending_modes(
+    beam: Tool,
+    *,
+    count: int = 12,
+    elements: int | None = None,
+) -> Modes: ...
 def calibrate(
     implement: Tool,
     *,
@@ -191,6 +272,11 @@ def calibrate(
     pivot: Amount | None = None,
     tones: Mapping[str, float | Measured] | None = None,
 ) -> CalibrateAnswer: ...
+def centre_of_percussion(
+    body: RigidBody | Tool,
+    *,
+    pivot: Amount,
+) -> float: ...
 def certify(
     bat: Tool,
     *,
@@ -322,6 +408,13 @@ def fly(
     calm_below: Amount = 0.0,
     park: str | Park | None = None,
 ) -> FlyAnswer: ...
+def fly_all_parks(
+    motions: BallMotion | BallMotions,
+    conditions: FlightConditions,
+    *,
+    parks: Iterable[Park | str],
+    own_elevation: bool = True,
+) -> tuple[Landings, ...]: ...
 def fly_table(
     vary: Mapping[str, Sequence[Amount]],
     *,
@@ -348,6 +441,10 @@ def fly_table(
     calm_below: Amount = 0.0,
     park: str | Park | None = None,
 ) -> FlyTableAnswer: ...
+def held_modes(
+    modes: Modes | Tool,
+    hands: Hands,
+) -> Modes: ...
 def hit(
     implement: Tool,
     *,
@@ -365,6 +462,27 @@ def hit(
     ball_temperature: Amount | None = None,
     same_speed: bool = False,
 ) -> HitAnswer: ...
+def hits(
+    modes: Modes | Tool,
+    *,
+    ball: Ball | str = ...,
+    position: Amounts,
+    closing_speed: Amounts,
+    lateral: Amounts = 0.0,
+    step: Amount | None = None,
+    threads: int | None = None,
+) -> Impacts: ...
+def hoop_modes(
+    beam: Tool,
+    *,
+    law: PatchLaw,
+    harmonics: tuple[int, ...] = ...,
+    axial_modes: int = 5,
+    elements: int = 24,
+) -> Modes: ...
+def implement(
+    name: str | Path,
+) -> Implement: ...
 def optimum(
     bat: Tool,
     *,
@@ -435,6 +553,10 @@ def paper(
     ball_temperature: Amount | None = None,
     same_speed: bool = False,
 ) -> PaperAnswer: ...
+def paper_rows(
+    analysis: Tool,
+    choices: Choices | None = None,
+) -> list[PaperRow]: ...
 def pendulum(
     *,
     mass: Amount,
@@ -481,6 +603,16 @@ def play(
     calm_below: Amount = 0.0,
     park: str | Park | None = None,
 ) -> PlayAnswer: ...
+def plays(
+    reduced: Tool,
+    conditions: FlightConditions,
+    *,
+    swings: Swings,
+    pitches: BallMotion | BallMotions,
+    contact: Contact | tuple[Amount, Amount],
+    friction: Friction = ...,
+    threads: int | None = None,
+) -> Plays: ...
 def rank(
     table: Path | str,
     *,
@@ -513,6 +645,9 @@ def report(
     ball_temperature: Amount | None = None,
     same_speed: bool = False,
 ) -> ReportAnswer: ...
+def rigid_body(
+    beam: Tool,
+) -> RigidBody: ...
 def season(
     *tables: Path | str,
     bats: Mapping[str, str] | str | None = None,
@@ -525,6 +660,39 @@ def season(
     pressure: Amount = 101320.74811900273,
     elevation: Amount | None = None,
 ) -> SeasonAnswer: ...
+def standard_analysis(
+    implement: Tool,
+    **speeds: Amount,
+) -> Analysis[Implement]: ...
+def standard_conditions(
+    implement: Tool,
+    *,
+    pitch_speed: Amount | None = None,
+    bat_speed: Amount | None = None,
+) -> Conditions: ...
+def standard_flight(
+    ball: str = "baseball",
+) -> FlightConditions: ...
+def strike(
+    reduced: Tool,
+    *,
+    ball: Ball | str = ...,
+    swing: Swing,
+    path: SwingPath,
+    pitch: BallMotion,
+    contact: Contact | tuple[Amount, Amount],
+    friction: Friction = ...,
+) -> Strike: ...
+def strikes(
+    reduced: Tool,
+    *,
+    ball: Ball | str = ...,
+    swings: Swings,
+    pitches: BallMotion | BallMotions,
+    contact: Contact | tuple[Amount, Amount],
+    friction: Friction = ...,
+    threads: int | None = None,
+) -> Strikes: ...
 def tap(
     *recordings: Path | str,
     implement: Tool | None = None,
