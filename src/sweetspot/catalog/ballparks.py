@@ -123,9 +123,12 @@ def _field(key: str) -> Park:
         middle * math.cos(turn) + math.sqrt((centre - middle) ** 2 - (middle * math.sin(turn)) ** 2) for turn in turns
     ]
     return Park(
-        name=field.name, team=field.text("league"), city="", elevation=0.0,
+        name=field.name,
+        team=field.text("league"),
+        city="",
+        elevation=0.0,
         fence=tuple((turn, distance, high) for turn, distance in zip(turns, far, strict=True)),
-    )  # fmt: skip
+    )
 
 
 def _park(entry: Entry) -> Park:

@@ -13,9 +13,15 @@ from sweetspot.units import Kind
 
 FILE = "materials.toml"
 CALLED = {
-    "ash": "white-ash", "maple": "sugar-maple", "hard-maple": "sugar-maple", "rock-maple": "sugar-maple",
-    "birch": "yellow-birch", "willow": "english-willow", "aluminium": "aluminium-7xxx", "aluminum": "aluminium-7xxx",
-}  # fmt: skip
+    "ash": "white-ash",
+    "maple": "sugar-maple",
+    "hard-maple": "sugar-maple",
+    "rock-maple": "sugar-maple",
+    "birch": "yellow-birch",
+    "willow": "english-willow",
+    "aluminium": "aluminium-7xxx",
+    "aluminum": "aluminium-7xxx",
+}
 """Trade names of materials, with the catalogue's name of the usual one for bats."""
 FIELDS: dict[str, Kind] = {
     "density": "density",
@@ -79,9 +85,14 @@ def material_spreads(name: str) -> dict[str, float]:
 
 RUBBERS, RACKETS = "rubbers.toml", "racket_stiffness.toml"
 KINDS_OF_RUBBER: dict[str, Kind] = {
-    "thickness": "length", "areal_density": "areal density", "stiffness": "stiffness", "moving_mass": "mass",
-    "restitution": "ratio", "friction": "ratio", "tangential_restitution": "ratio",
-}  # fmt: skip
+    "thickness": "length",
+    "areal_density": "areal density",
+    "stiffness": "stiffness",
+    "moving_mass": "mass",
+    "restitution": "ratio",
+    "friction": "ratio",
+    "tangential_restitution": "ratio",
+}
 
 
 def rubber_names() -> list[str]:

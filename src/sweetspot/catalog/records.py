@@ -209,9 +209,13 @@ def all_records(entry: TomlTable, name: str) -> list[Record]:
     found = ((field, Entry(name, value)) for field, value in entry.items() if isinstance(value, Mapping))
     return [
         Record(
-            f"{name}.{field}", record["value"], record.get("spread"), record.text("source"), record.text("where", ""),
+            f"{name}.{field}",
+            record["value"],
+            record.get("spread"),
+            record.text("source"),
+            record.text("where", ""),
             record.choice("kind", CERTAINTIES),
         )
         for field, record in found
         if "value" in record and "source" in record
-    ]  # fmt: skip
+    ]

@@ -119,9 +119,11 @@ def _thickened(tool: Implement, mass: float) -> tuple[Implement, str]:
     """Return an implement of a mass by its thickness; beyond what that can be, density has to make the rest."""
     thicker, what = THICKER[type(tool)]
     way: Way[Implement] = Way(
-        what, THICKNESS, lambda factor: thicker(tool, factor),
+        what,
+        THICKNESS,
+        lambda factor: thicker(tool, factor),
         lambda factor: f"{what} {factor:.3f} times as thick as the pattern's",
-    )  # fmt: skip
+    )
     factor = way.size_for(mass, drawn_mass)
     if factor is None:
         factor = THICKNESS[0] if mass <= way.weights(drawn_mass)[0] else THICKNESS[1]

@@ -32,9 +32,15 @@ DEFAULT_SPORT = "baseball"
 
 
 UNITS: dict[Kind, str] = {
-    "length": "m", "mass": "kg", "speed": "m/s", "moi": "kg m^2", "time": "s", "frequency": "Hz", "force": "N",
+    "length": "m",
+    "mass": "kg",
+    "speed": "m/s",
+    "moi": "kg m^2",
+    "time": "s",
+    "frequency": "Hz",
+    "force": "N",
     "ratio": "",
-}  # fmt: skip
+}
 """SI unit of every kind of quantity that a sport's numbers can have."""
 
 

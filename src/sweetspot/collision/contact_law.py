@@ -74,9 +74,14 @@ def unloading_power(ball: LossyBall, peak: float, force: float) -> float:
 
 
 def pressed_in_series(
-    law: ContactLaw, *, approach: float, compliance: float, rate: float, turned_at: float | None,
+    law: ContactLaw,
+    *,
+    approach: float,
+    compliance: float,
+    rate: float,
+    turned_at: float | None,
     force: float = 0.0,
-) -> tuple[float, float, float]:  # fmt: skip
+) -> tuple[float, float, float]:
     """Return the compression of a ball by an approach w shared with the surface, u + C F(u) = w, by Newton's method.
 
     The surface under the ball deflects by C F without delay: a massless spring in series with the ball, without loss.

@@ -239,9 +239,19 @@ def _integrated(
         course.approaches = [0.0]
     displacement, velocity = motion.bat.reshape(2, -1)
     return _Contact(
-        outcome, release, late, motion.ball_speed, displacement, velocity, course.greatest or max(course.compressions),
-        course.hardest, motion.work - flow.energy(motion), course.forces, course.compressions, course.impulses,
-    )  # fmt: skip
+        outcome,
+        release,
+        late,
+        motion.ball_speed,
+        displacement,
+        velocity,
+        course.greatest or max(course.compressions),
+        course.hardest,
+        motion.work - flow.energy(motion),
+        course.forces,
+        course.compressions,
+        course.impulses,
+    )
 
 
 def _kicks(

@@ -25,7 +25,7 @@ from sweetspot.collision.oblique_contact import (
     launch,
     travel,
     turning_surface,
-)  # fmt: skip
+)
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -155,9 +155,16 @@ def strike(
         return Strike(impact.outcome, bat_speed)
     surface = bat_velocity + turning_surface(frame, axes, angular_speed=swing.angular_speed, radius=radius)
     departure = _leaving(
-        frame, reduced, ball=ball, pitch=pitch, surface_velocity=surface, place=(position, radius), closing=closing,
-        normal=impact, friction=friction,
-    )  # fmt: skip
+        frame,
+        reduced,
+        ball=ball,
+        pitch=pitch,
+        surface_velocity=surface,
+        place=(position, radius),
+        closing=closing,
+        normal=impact,
+        friction=friction,
+    )
     past, given = pitch.velocity - surface, departure.impulses
     return Strike(
         outcome=impact.outcome,
@@ -308,6 +315,11 @@ def _leaving(
         reduced.modes, reduced.body, position=position, radius=radius, velocity=normal.velocity, normal_impulse=impulse
     )
     return launch(
-        frame, ball=ball, pitch=pitch, surface_velocity=surface_velocity, normal_impulse=impulse, give=give,
+        frame,
+        ball=ball,
+        pitch=pitch,
+        surface_velocity=surface_velocity,
+        normal_impulse=impulse,
+        give=give,
         friction=friction,
-    )  # fmt: skip
+    )

@@ -64,8 +64,15 @@ class EnergyLedger:
     def imbalance(self) -> float:
         """Relative residual of the energy balance: the error of the time steps."""
         parts = (
-            self.ball, self.heat, self.translation, self.rotation, self.bending, self.hoop, self.damping, self.face,
-        )  # fmt: skip
+            self.ball,
+            self.heat,
+            self.translation,
+            self.rotation,
+            self.bending,
+            self.hoop,
+            self.damping,
+            self.face,
+        )
         return sum(parts) / self.incoming - 1 if self.incoming else 0.0
 
 

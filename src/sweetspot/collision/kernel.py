@@ -104,9 +104,8 @@ def hits_with_motion(
 
 
 def _hits(
-    modes: Modes, ball: Ball, where: tuple[ArrayLike, ArrayLike, ArrayLike], step: float | None, threads: int | None,
-    *, keep_motion: bool,
-) -> Impacts:  # fmt: skip
+    modes: Modes, ball: Ball, where: Sequence[ArrayLike], step: float | None, threads: int | None, *, keep_motion: bool
+) -> Impacts:
     """Return the collisions of (position, closing speed, lateral)."""
     position, closing_speed, lateral = where
     step = contact_step(modes, ball, longest=STEP) if step is None else step
@@ -127,10 +126,9 @@ def _hits(
 
     def work(part: slice) -> None:
         here, speed = places[part], speeds[part]
-        shapes, give = with_quick_modes_as_springs(
-            modes.shape_at(here, across[part], closing_speed=speed),
-            modes.compliance_at(here, closing_speed=speed), omega, step,
-        )  # fmt: skip
+        shapes = modes.shape_at(here, across[part], closing_speed=speed)
+        give = modes.compliance_at(here, closing_speed=speed)
+        shapes, give = with_quick_modes_as_springs(shapes, give, omega, step)
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = output_of(len(speed), size, keep_motion=keep_motion)
         bat = BatNumbers(contiguous(shapes), contiguous(give), omega, *of_modes)
@@ -150,9 +148,8 @@ def _of_modes(modes: Modes, step: float) -> tuple[Array, ...]:
     constants = modes.for_steps.get(step)
     if constants is None:
         omega = modes.angular_frequency
-        every = (omega, give_of_steps(omega, step), modal_propagator_of(modes, step), modes.dashpots,
-                 dashpot_factors(modes, step / 2))  # fmt: skip
-        constants = tuple(contiguous(each) for each in every)
+        of_steps = give_of_steps(omega, step), modal_propagator_of(modes, step)
+        constants = tuple(map(contiguous, (omega, *of_steps, modes.dashpots, dashpot_factors(modes, step / 2))))
         modes.for_steps.clear()  # one step serves all hits but those that are asked for another
         modes.for_steps[step] = constants
     return constants

@@ -65,9 +65,15 @@ def replayed(impact: Impact, modes: Modes) -> ModalMotion:
 
 @compiled(error_model="numpy")
 def _drive(
-    shape: Array, impulses: Array, drift: Array, dashpots: Array, half_dash: Array, path: Array, incoming: Array,
+    shape: Array,
+    impulses: Array,
+    drift: Array,
+    dashpots: Array,
+    half_dash: Array,
+    path: Array,
+    incoming: Array,
     outgoing: Array,
-) -> None:  # fmt: skip
+) -> None:
     """Fill places, and velocities before and after each kick, in rows of one per kick and one at the end."""
     size = len(shape)
     velocity = np.empty(size)

@@ -64,9 +64,11 @@ def _kicks(
     place = (struck.lightness, struck.compliance)
     count = _followed(bat, flow.matrix, shape, place, numbers_of(law.ball), flow.step, state, history, before)
     for row, values in (
-        (APPROACHES, course.approaches), (COMPRESSIONS, course.compressions), (FORCES, course.forces),
+        (APPROACHES, course.approaches),
+        (COMPRESSIONS, course.compressions),
+        (FORCES, course.forces),
         (IMPULSES, course.impulses),
-    ):  # fmt: skip
+    ):
         values.extend(history[row, before:count].tolist())
     course.peak, course.greatest, course.hardest = (float(state[row]) for row in (PEAK, GREATEST, HARDEST))
     course.turned_at = None if math.isnan(state[TURNED_AT]) else float(state[TURNED_AT])

@@ -138,11 +138,13 @@ def _table(along: float, across: float, shear: float, poisson: float, across_poi
 def _stiffness(along: float, across: float, shear: float, poisson: float, across_poisson: float) -> Array:
     """Return the stiffness matrix for strains (r, theta, z, r-theta, r-z, theta-z) in Pa."""
     give = np.zeros((6, 6))
-    give[:3, :3] = np.array([
-        [1 / across, -across_poisson / across, -poisson / along],
-        [-across_poisson / across, 1 / across, -poisson / along],
-        [-poisson / along, -poisson / along, 1 / along],
-    ])  # fmt: skip
+    give[:3, :3] = np.array(
+        [
+            [1 / across, -across_poisson / across, -poisson / along],
+            [-across_poisson / across, 1 / across, -poisson / along],
+            [-poisson / along, -poisson / along, 1 / along],
+        ]
+    )
     give[3, 3] = 2 * (1 + across_poisson) / across
     give[4, 4] = give[5, 5] = 1 / shear
     return np.asarray(np.linalg.inv(give), dtype=np.float64)
@@ -184,10 +186,16 @@ def _radial_parts(stiffness: Array, void: float) -> Array:
     area = weights * half * radius
     stress = np.einsum("ab,kebug->keaug", stiffness, strains) * area[:, :, None]
     between = np.einsum("keaug,meavg->kmeuv", strains, stress)
-    return np.stack([
-        between[0, 0], between[0, 1] + between[1, 0], between[0, 2] + between[2, 0],
-        between[1, 1], between[1, 2] + between[2, 1], between[2, 2],
-    ])  # fmt: skip
+    return np.stack(
+        [
+            between[0, 0],
+            between[0, 1] + between[1, 0],
+            between[0, 2] + between[2, 0],
+            between[1, 1],
+            between[1, 2] + between[2, 1],
+            between[2, 2],
+        ]
+    )
 
 
 def _work(give: Array, waves: Array, patch: float) -> Array:

@@ -112,9 +112,15 @@ def _assembled(size: int, matrices: Array, held: IntArray, of_held: float) -> tu
 
 @inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _pushed(
-    size: int, factor: tuple[Array, Array], held: IntArray, pushes: Pushes, h: int, vectors: Array, felt: Array,
+    size: int,
+    factor: tuple[Array, Array],
+    held: IntArray,
+    pushes: Pushes,
+    h: int,
+    vectors: Array,
+    felt: Array,
     give: Array,
-) -> None:  # fmt: skip
+) -> None:
     """Fill in the response and the compliance of harmonic ``h`` for every push: p^T K^-1 p = |L^-1 p|^2.
 
     L^-1 p goes on from the last element that is pushed to the tip; what is left there is four unknowns' work.

@@ -124,11 +124,13 @@ def ring_at_edge(material: Material, *, harmonic: int, outer: float, hole: float
     if hole == 0:  # nothing moves on the axis
         values, slopes = values[1:], slopes[1:]
     zero = np.zeros_like(values)
-    strain = np.array([
-        np.concatenate([slopes, zero]),
-        np.concatenate([values, harmonic * values]) / radius,
-        np.concatenate([-harmonic * values / radius, slopes - values / radius]),
-    ])  # fmt: skip
+    strain = np.array(
+        [
+            np.concatenate([slopes, zero]),
+            np.concatenate([values, harmonic * values]) / radius,
+            np.concatenate([-harmonic * values / radius, slopes - values / radius]),
+        ]
+    )
     poisson = material.poisson
     modulus = material.longitudinal_modulus / (1 - poisson**2)
     law = modulus * np.array([[1, poisson, 0], [poisson, 1, 0], [0, 0, (1 - poisson) / 2]])

@@ -14,7 +14,7 @@ from typing import Generic, Literal, TypeVar
 from sweetspot.dynamics.beam import BeamModel, beam_model, moments
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.implement import UNMEASURED, Implement
 from sweetspot.equipment.shell import Shell, between
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, OUNCE, format_mass
@@ -169,9 +169,12 @@ def with_barrel_wall(bat: Bat, factor: float) -> Bat:
     if sleeve is not None:
         sleeve = sleeve.replaced(wall=tuple((place, factor * size) for place, size in sleeve.wall))
     return bat.replaced(
-        name=f"{bat.name}, barrel wall × {factor:.3g}", shell=shell.replaced(wall=wall, inner_wall=sleeve),
-        mass=None, balance_point=None, moi=None, original=None, remark="",
-    )  # fmt: skip
+        **UNMEASURED,
+        name=f"{bat.name}, barrel wall × {factor:.3g}",
+        shell=shell.replaced(wall=wall, inner_wall=sleeve),
+        original=None,
+        remark="",
+    )
 
 
 def _hollow(bat: Bat) -> Shell:
@@ -201,10 +204,7 @@ def _mass_of(bat: Bat) -> float:
 
 def _made_with(bat: Bat, shell: Shell, name: str = "") -> Bat:
     """Return a bat made with another shell: measurements on the original fix its density alone."""
-    return bat.replaced(
-        name=name or bat.name, shell=shell, mass=None, balance_point=None, moi=None, original=bat.as_measured(),
-        remark="",
-    )  # fmt: skip
+    return bat.replaced(**UNMEASURED, name=name or bat.name, shell=shell, original=bat.as_measured(), remark="")
 
 
 def _density_can(bat: Bat) -> bool:
@@ -222,37 +222,47 @@ def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
     def put_on(name: WeightBy, field: str, most: float) -> Way[Bat]:
         was = _weighed(getattr(shell, field))
         return Way(
-            name, (0.0, most), lambda mass: bat.replaced(shell=shell.replaced(**{field: mass})),
+            name,
+            (0.0, most),
+            lambda mass: bat.replaced(shell=shell.replaced(**{field: mass})),
             lambda mass: f"its {name} of {was} counts as {_weighed(mass)}",
-        )  # fmt: skip
+        )
 
     drawn = _thick(float(shell.wall[0][1]))
     return {
         "handle": Way(
-            "handle", _handle_walls(bat, shell), lambda size: _handle_wall(bat, shell, size),
+            "handle",
+            _handle_walls(bat, shell),
+            lambda size: _handle_wall(bat, shell, size),
             lambda size: f"its handle's wall of {drawn} counts as {_thick(size)}",
         ),
         "knob": put_on("knob", "knob_mass", HEAVIEST_KNOB),
         "end cap": put_on("end cap", "end_cap_mass", HEAVIEST_CAP),
         "wall": Way(
-            "wall", WALL_FACTOR, lambda factor: bat.replaced(shell=shell.scaled(factor)),
+            "wall",
+            WALL_FACTOR,
+            lambda factor: bat.replaced(shell=shell.scaled(factor)),
             lambda factor: f"every wall counts as {factor:.3f} times as thick as drawn",
         ),
-    }  # fmt: skip
+    }
 
 
 def _made_otherwise(bat: Bat, shell: Shell) -> tuple[Way[Bat], ...]:
     """Return how a bat can be made of another weight."""
     return (
         Way(
-            "end cap", (0.0, HEAVIEST_CAP), lambda mass: _made_with(bat, shell.replaced(end_cap_mass=mass)),
+            "end cap",
+            (0.0, HEAVIEST_CAP),
+            lambda mass: _made_with(bat, shell.replaced(end_cap_mass=mass)),
             lambda mass: f"an end cap of {format_mass(mass)}",
         ),
         Way(
-            "wall", WALL_FACTOR, lambda factor: with_wall_factor(bat, factor),
+            "wall",
+            WALL_FACTOR,
+            lambda factor: with_wall_factor(bat, factor),
             lambda factor: f"walls {factor:.3g} times as thick; no end cap makes it",
         ),
-    )  # fmt: skip
+    )
 
 
 def _handle_walls(bat: Bat, shell: Shell) -> tuple[float, float]:

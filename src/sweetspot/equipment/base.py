@@ -52,9 +52,15 @@ MACHINERY = {name for name in (*dir(BaseModel), *vars(BaseModel)) if name not in
 MOST_FAULTS, LONGEST_INPUT = 5, 80
 """Faults reported together, and letters of the input that a message repeats."""
 UNIT_OF = {
-    "mass": "oz", "wall": "mm", "tension": "lb", "frequency": "Hz", "moi": "oz*in^2", "density": "kg/m^3",
-    "modulus": "GPa", "angle": "deg",
-}  # fmt: skip
+    "mass": "oz",
+    "wall": "mm",
+    "tension": "lb",
+    "frequency": "Hz",
+    "moi": "oz*in^2",
+    "density": "kg/m^3",
+    "modulus": "GPa",
+    "angle": "deg",
+}
 """Unit that an example of a value is written with, by how its key ends; of all others inches."""
 
 

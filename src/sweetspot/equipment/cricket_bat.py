@@ -65,8 +65,12 @@ class CricketBat(OfMaterial):
     @model_validator(mode="after")
     def _holds_together(self) -> CricketBat:
         check_order(self.handle, "handle")  # its end is where the others begin
-        for stations, what in ((self.handle, "handle"), (self.width, "width"), (self.spine, "spine"),
-                               (self.edge, "edge")):  # fmt: skip
+        for stations, what in (
+            (self.handle, "handle"),
+            (self.width, "width"),
+            (self.spine, "spine"),
+            (self.edge, "edge"),
+        ):
             start, end = (0.0, self.shoulder) if what == "handle" else (self.shoulder, self.length)
             check_along(stations, what, start=start, end=end)
         if self.shoulder + self.splice >= self.length:

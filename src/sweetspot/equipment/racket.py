@@ -184,11 +184,13 @@ class Racket(Implement):
         places, weights = quadrature(self.breakpoints())
         about_butt = self.moi + 2 * self.moi_axis * self.mass * self.balance_point - self.moi_axis**2 * self.mass
         first, second = self.mass * self.balance_point, about_butt - self.mass * GYRATION**2
-        targets = np.array([
-            self.mass,
-            2 * first / self.length - self.mass,
-            4 * second / self.length**2 - 4 * first / self.length + self.mass,
-        ])  # fmt: skip
+        targets = np.array(
+            [
+                self.mass,
+                2 * first / self.length - self.mass,
+                4 * second / self.length**2 - 4 * first / self.length + self.mass,
+            ]
+        )
         return maximum_entropy_mass(self._drawn, places=places, weights=weights, length=self.length, targets=targets)
 
     @cached_property

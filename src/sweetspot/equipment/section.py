@@ -137,6 +137,9 @@ def evenly(mass: Array | float, radius: Array | float, sections: CrossSection) -
     """Return sections in a thin sleeve of mass per length (kg/m) at a radius (m), which adds no stiffness."""
     about = np.asarray(mass) * np.asarray(radius) ** 2
     return CrossSection(
-        sections.mass + mass, sections.rotary_inertia + about / 2, sections.bending_stiffness, sections.shear_stiffness,
+        sections.mass + mass,
+        sections.rotary_inertia + about / 2,
+        sections.bending_stiffness,
+        sections.shear_stiffness,
         sections.roll_inertia + about,
-    )  # fmt: skip
+    )

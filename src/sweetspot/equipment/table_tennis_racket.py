@@ -107,10 +107,14 @@ class TableTennisRacket(Implement):
     @property
     def density_range(self) -> DensityRange:
         """Of the plies: veneers vary as woods do."""
-        low = min((ply.material.density_range or (ply.material.density,))[0] / ply.material.density
-                  for ply in self.blade.plies)  # fmt: skip
-        high = max((ply.material.density_range or (ply.material.density,))[-1] / ply.material.density
-                   for ply in self.blade.plies)  # fmt: skip
+        low = min(
+            (ply.material.density_range or (ply.material.density,))[0] / ply.material.density
+            for ply in self.blade.plies
+        )
+        high = max(
+            (ply.material.density_range or (ply.material.density,))[-1] / ply.material.density
+            for ply in self.blade.plies
+        )
         usual = self.blade.density
         return DensityRange(usual, low * usual, high * usual)
 

@@ -105,14 +105,26 @@ class BallMotions:
 
 @overload
 def batted_ball(
-    *, speed: float, launch_angle: float, spray: float = 0.0, backspin: float = 0.0, sidespin: float = 0.0,
-    gyrospin: float = 0.0, position: ArrayLike = (0.0, 0.0, 0.0),
-) -> BallMotion: ...  # fmt: skip
+    *,
+    speed: float,
+    launch_angle: float,
+    spray: float = 0.0,
+    backspin: float = 0.0,
+    sidespin: float = 0.0,
+    gyrospin: float = 0.0,
+    position: ArrayLike = (0.0, 0.0, 0.0),
+) -> BallMotion: ...
 @overload
 def batted_ball(
-    *, speed: ArrayLike, launch_angle: ArrayLike, spray: ArrayLike = 0.0, backspin: ArrayLike = 0.0,
-    sidespin: ArrayLike = 0.0, gyrospin: ArrayLike = 0.0, position: ArrayLike = (0.0, 0.0, 0.0),
-) -> BallMotion | BallMotions: ...  # fmt: skip
+    *,
+    speed: ArrayLike,
+    launch_angle: ArrayLike,
+    spray: ArrayLike = 0.0,
+    backspin: ArrayLike = 0.0,
+    sidespin: ArrayLike = 0.0,
+    gyrospin: ArrayLike = 0.0,
+    position: ArrayLike = (0.0, 0.0, 0.0),
+) -> BallMotion | BallMotions: ...
 
 
 def batted_ball(

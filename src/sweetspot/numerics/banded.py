@@ -231,9 +231,15 @@ def _scaled(vector: Array, target: Array, size: int) -> float:
 
 @inner(fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 def _from_steps(
-    size: int, factor: tuple[Array, Array], basis: Array, ritz: tuple[Array, Array, IntArray], steps: int, shift: float,
-    values: Array, vectors: Array,
-) -> None:  # fmt: skip
+    size: int,
+    factor: tuple[Array, Array],
+    basis: Array,
+    ritz: tuple[Array, Array, IntArray],
+    steps: int,
+    shift: float,
+    values: Array,
+    vectors: Array,
+) -> None:
     """Fill in eigenvalues and mass-normalised vectors from those of the tridiagonal matrix."""
     roots, turned, order = ritz
     for i in range(len(values)):

@@ -123,7 +123,7 @@ def turn_on_cubic(before: float, after: float, slope_before: float, slope_after:
 
 def root_on_cubic(
     before: float, after: float, slope_before: float, slope_after: float, low: float, high: float
-) -> float:  # fmt: skip
+) -> float:
     """Return the part of the step between ``low`` and ``high`` where the cubic crosses zero, by guarded Newton steps.
 
     Parameters

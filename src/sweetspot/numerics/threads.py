@@ -45,9 +45,7 @@ def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: i
         work(part)
 
 
-def in_order(
-    work: Callable[[ITEM], RESULT], items: Iterable[ITEM], *, threads: int | None = None
-) -> Iterator[RESULT]:  # fmt: skip
+def in_order(work: Callable[[ITEM], RESULT], items: Iterable[ITEM], *, threads: int | None = None) -> Iterator[RESULT]:
     """Yield what ``work`` makes of every item, in their order; the next ones are worked on meanwhile, a few at a time.
 
     Parameters

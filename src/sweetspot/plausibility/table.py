@@ -55,8 +55,15 @@ SPEEDS: Mapping[str, Sports] = {
         **dict.fromkeys(("baseball", "youth-baseball", "softball", "slow-pitch"), _BAT),
     },
     "closing_speed": {
-        "": PlausibleRange(0, 200, "mph", "it is that of ball and bat together", (0, 2 * MAX_SPEED / MPH), absent=True,
-                   why="the fastest pitch and the fastest swing make 195 mph; laboratories fire up to 140 mph")
+        "": PlausibleRange(
+            0,
+            200,
+            "mph",
+            "it is that of ball and bat together",
+            (0, 2 * MAX_SPEED / MPH),
+            absent=True,
+            why="the fastest pitch and the fastest swing make 195 mph; laboratories fire up to 140 mph",
+        )
     },
     "rebound_speed": {"": PlausibleRange(0, 130, "mph", why="of a laboratory's ball: no faster than in play")},
     "exit_speed": {
@@ -72,7 +79,7 @@ SPEEDS: Mapping[str, Sports] = {
         "golf": _off(110, 1, "m/s"),
         "field-hockey": _off(65, 1, "m/s"),
     },
-}  # fmt: skip
+}
 QUANTITIES: Mapping[str, PlausibleRange] = {
     "launch_angle": PlausibleRange(-89, 89, "deg", "0deg is level, 90deg straight up"),
     "spray": PlausibleRange(-90, 90, "deg", CENTER),

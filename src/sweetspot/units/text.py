@@ -19,12 +19,28 @@ from sweetspot.units.usual_units import written
 from sweetspot.units.wind import in_words
 
 Kind = Literal[
-    "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "wind direction",
+    "length",
+    "mass",
+    "speed",
+    "moi",
+    "density",
+    "pressure",
+    "force",
+    "time",
+    "angle",
+    "wind direction",
     "angular speed",
-    "linear density", "areal density", "first moment", "temperature",
-    "stiffness", "damping", "frequency", "ratio", "slope per speed",
+    "linear density",
+    "areal density",
+    "first moment",
+    "temperature",
+    "stiffness",
+    "damping",
+    "frequency",
+    "ratio",
+    "slope per speed",
     "slope per temperature",
-]  # fmt: skip
+]
 
 GROUPED_FROM = 10_000
 """Four digits are read at a glance; what people type in has no commas at all."""

@@ -26,8 +26,15 @@ WRITTEN: Mapping[str, Mapping[str, float]] = {
     "speed": {"mph": MPH, "m/s": 1.0, "km/h": 1 / 3.6, "ft/s": FOOT},
     "moi": {"oz*in^2": OUNCE_INCH_SQUARED, "kg*m^2": 1.0, "kg*cm^2": 1e-4, "g*cm^2": 1e-7},
     "density": {"kg/m^3": 1.0, "g/cm^3": 1e3, "lb/ft^3": 16 * OUNCE / FOOT**3},
-    "pressure": {"Pa": 1.0, "hPa": 100.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "inHg": INCH_OF_MERCURY,
-                 "psi": POUND_FORCE / INCH**2},
+    "pressure": {
+        "Pa": 1.0,
+        "hPa": 100.0,
+        "kPa": 1e3,
+        "MPa": 1e6,
+        "GPa": 1e9,
+        "inHg": INCH_OF_MERCURY,
+        "psi": POUND_FORCE / INCH**2,
+    },
     "force": {"N": 1.0, "kN": 1e3, "lbf": POUND_FORCE},
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "1/krpm": 1e-3 / RPM},
     "angle": {"deg": DEGREE, "rad": 1.0},
@@ -38,7 +45,7 @@ WRITTEN: Mapping[str, Mapping[str, float]] = {
     "frequency": {"Hz": 1.0, "kHz": 1e3},
     "slope per speed": {"1/mph": 1 / MPH, "s/m": 1.0},
     "slope per temperature": {"1/delta_degC": 1.0},
-}  # fmt: skip
+}
 """Size in SI of each unit, by the kind of quantity."""
 TEMPERATURES = {"degC": (1.0, 0.0), "degF": (5 / 9, 32.0)}
 """Size in degC, and which number stands for 0 degC."""

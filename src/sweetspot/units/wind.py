@@ -7,9 +7,15 @@ import re
 from sweetspot.units.factors import DEGREE
 
 BLOWS_TO = {
-    "out": 0, "out to right field": 45, "left to right": 90, "in from left field": 135, "in": 180,
-    "in from right field": -135, "right to left": -90, "out to left field": -45,
-}  # fmt: skip
+    "out": 0,
+    "out to right field": 45,
+    "left to right": 90,
+    "in from left field": 135,
+    "in": 180,
+    "in from right field": -135,
+    "right to left": -90,
+    "out to left field": -45,
+}
 """Degrees that the wind blows to, as words say it: 0 is out to centre field, positive to right field.
 
 The words are the eight of the league's weather reports ("Out To RF", "L To R", "In From CF"), an eighth of a turn
@@ -17,15 +23,22 @@ apart.
 """
 ALIKE = (
     (r"[-_\s]+", " "),
-    (r"\brf\b", "right field"), (r"\blf\b", "left field"), (r"\bcf\b", "center"),
-    (r"\br\b", "right"), (r"\bl\b", "left"),
+    (r"\brf\b", "right field"),
+    (r"\blf\b", "left field"),
+    (r"\bcf\b", "center"),
+    (r"\br\b", "right"),
+    (r"\bl\b", "left"),
     (r"\b(?:the|blowing|blows|straight|dead|wind|side) ?", ""),
-    (r"\btowards?\b", "to"), (r"\b(out|in)wards?\b", r"\1"), (r"\bcent(?:re|er)(?: ?field)?\b", "center"),
-    (r"^(?:out )?to center$", "out"), (r"^(?:in )?from center$", "in"),
-    (r"^from left$|^to right$", "left to right"), (r"^from right$|^to left$", "right to left"),
+    (r"\btowards?\b", "to"),
+    (r"\b(out|in)wards?\b", r"\1"),
+    (r"\bcent(?:re|er)(?: ?field)?\b", "center"),
+    (r"^(?:out )?to center$", "out"),
+    (r"^(?:in )?from center$", "in"),
+    (r"^from left$|^to right$", "left to right"),
+    (r"^from right$|^to left$", "right to left"),
     (r"^out (?:to )?(right|left)$|^to (right|left) ?field$", r"out to \1\2 field"),
     (r"^in from (right|left)$|^from (right|left) ?field$", r"in from \1\2 field"),
-)  # fmt: skip
+)
 """What is spelled otherwise and means the same, put right one after the other."""
 
 

@@ -29,7 +29,7 @@ from sweetspot.catalog.files.tables import (
     check_sport,
     in_si,
     made,
-)  # fmt: skip
+)
 from sweetspot.catalog.materials import frequency_of_ra, rubber
 from sweetspot.catalog.records import TomlTable, unwrapped, unwrapped_table
 from sweetspot.equipment.cricket_bat import CricketBat

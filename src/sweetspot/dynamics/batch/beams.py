@@ -162,9 +162,12 @@ class SolidBats:
         solid = of_solid(self.material, outer=outer, void=void, inclusions=(), scale=self.density_factor[owner])
         stiffer = self.stiffness_factor[owner]
         return CrossSection(
-            solid.mass, solid.rotary_inertia, solid.bending_stiffness * stiffer, solid.shear_stiffness * stiffer,
+            solid.mass,
+            solid.rotary_inertia,
+            solid.bending_stiffness * stiffer,
+            solid.shear_stiffness * stiffer,
             solid.roll_inertia,
-        )  # fmt: skip
+        )
 
     def as_measured(self) -> SolidBats:
         """Return the bats unchanged: nothing was measured."""
@@ -230,11 +233,14 @@ class BeamRow:
         """Return them as their frequencies were measured: before weights were added; themselves where none was."""
         if not any(beam.bat.added and beam.bat.frequency is not None for beam in self.beams):
             return self
-        return BeamRow([
-            replace(beam, bat=beam.bat.replaced(added=()), point_masses=beam.point_masses[: -len(beam.bat.added)])
-            if beam.bat.added else beam
-            for beam in self.beams
-        ])  # fmt: skip
+        return BeamRow(
+            [
+                replace(beam, bat=beam.bat.replaced(added=()), point_masses=beam.point_masses[: -len(beam.bat.added)])
+                if beam.bat.added
+                else beam
+                for beam in self.beams
+            ]
+        )
 
     def part(self, which: slice) -> BeamRow:
         """Return some of them."""

@@ -190,10 +190,19 @@ def mass_properties(beams: Beams) -> BendingBatch:
     _, (mass, moment, moi_cm, roll), _, _ = _weighed(beams, mesh, 0)
     none = np.zeros((len(beams), 0))
     return BendingBatch(
-        length=length, mass=mass, balance_point=moment / mass, moi_cm=moi_cm, roll_moi=roll, omega=none,
-        damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=np.zeros((len(mesh.left), 5, 0)), left_out=none,
-        sampled_at=none, corner=np.zeros(len(beams), np.int64),
-    )  # fmt: skip
+        length=length,
+        mass=mass,
+        balance_point=moment / mass,
+        moi_cm=moi_cm,
+        roll_moi=roll,
+        omega=none,
+        damping_ratio=beams.damping_ratio,
+        mesh=mesh,
+        coefficients=np.zeros((len(mesh.left), 5, 0)),
+        left_out=none,
+        sampled_at=none,
+        corner=np.zeros(len(beams), np.int64),
+    )
 
 
 def joined_batches(parts: list[BendingBatch]) -> BendingBatch:
@@ -261,10 +270,19 @@ def _some(beams: Beams, count: int, elements: int, start: int) -> BendingBatch:
     slow = extrapolated(*(_slowly(beams, cut, drawn.points, sampled_at) for cut in slices)) / stiffening[:, None]
     left_out = slow - np.einsum("bpm,bm->bp", sampled**2, 1 / squares)
     return BendingBatch(
-        length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,
-        omega=np.sqrt(squares), damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=coefficients,
-        left_out=left_out, sampled_at=sampled_at, corner=corner,
-    )  # fmt: skip
+        length=length,
+        mass=mass,
+        balance_point=first_moment / mass,
+        moi_cm=moi_cm,
+        roll_moi=roll,
+        omega=np.sqrt(squares),
+        damping_ratio=beams.damping_ratio,
+        mesh=mesh,
+        coefficients=coefficients,
+        left_out=left_out,
+        sampled_at=sampled_at,
+        corner=corner,
+    )
 
 
 def _length(plain: Mesh) -> Array:

@@ -57,9 +57,7 @@ class Points(NamedTuple):
 
 
 @compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
-def bend(
-    elements: Elements, ends: Array, points: Points, mass: Array, squares: Array, coefficients: Array
-) -> int:  # fmt: skip
+def bend(elements: Elements, ends: Array, points: Points, mass: Array, squares: Array, coefficients: Array) -> int:
     """Fill in squared angular frequencies (beams, count) and shapes (elements, 5 powers, count) of many beams.
 
     Parameters
@@ -160,9 +158,7 @@ def _behind(rising: Array, start: int, stop: int, value: float) -> int:
 
 
 @compiled(nogil=True, error_model="numpy")
-def shapes_at(
-    first: IntArray, ends: Array, width: Array, coefficients: Array, position: Array, shapes: Array
-) -> None:  # fmt: skip
+def shapes_at(first: IntArray, ends: Array, width: Array, coefficients: Array, position: Array, shapes: Array) -> None:
     """Fill in the elastic shapes (beams, places, count) at places (beams, places) in m; they go on beyond the ends."""
     count = coefficients.shape[2]
     for beam in range(len(position)):
@@ -205,9 +201,13 @@ def merged(first: IntArray, ends: Array, position: Array, cells: Array, counts: 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def give_slowly(
-    first: IntArray, middle: Array, cells: tuple[Array, Array, Array, Array, Array], points: Points, position: Array,
+    first: IntArray,
+    middle: Array,
+    cells: tuple[Array, Array, Array, Array, Array],
+    points: Points,
+    position: Array,
     compliance: Array,
-) -> None:  # fmt: skip
+) -> None:
     """Fill in the static compliance of every free beam, m/N at places (beams, places) in m.
 
     The sums over cells of `static_compliance`, taken apart so that each is made once and not for every place.
