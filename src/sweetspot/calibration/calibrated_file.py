@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
-from sweetspot.calibration.measurements import Measurement, predicted, prediction_of_body
+from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.posterior import BatPosterior
-from sweetspot.calibration.unknowns import OF_BALL, Unknown, UnknownName, deviated, deviated_bodies
+from sweetspot.calibration.unknowns import OF_BALL, Unknown, UnknownName, deviated
 from sweetspot.catalog.files.implement import ClubHeadTable
 from sweetspot.catalog.files.write import bat_table, implement_table, written
 from sweetspot.catalog.records import TomlTable, TomlValue
@@ -78,14 +78,10 @@ def _slopes(posterior: BatPosterior, wanted: Sequence[Measurement]) -> Array:
     """Return the derivatives of the wanted quantities with respect to every unknown, shape (unknowns, wanted)."""
     beam, unknowns = posterior.beam, posterior.unknowns
     steps = STEP * np.array([unknown.spread for unknown in unknowns])
-    places = np.vstack([np.diag(steps), -np.diag(steps)])
-    bodies = deviated_bodies(beam, unknowns, places)
-    if bodies is None:
-        predictions = np.array([predicted(deviated(beam, unknowns, place), wanted) for place in places])
-    else:
-        predictions = np.array([[prediction_of_body(body, measurement) for measurement in wanted] for body in bodies])
-    ahead, behind = np.split(predictions, 2)
-    return np.asarray((ahead - behind) / (2 * steps[:, None]))
+    ahead, behind = (
+        [predicted(deviated(beam, unknowns, way * step), wanted) for step in np.diag(steps)] for way in (1, -1)
+    )
+    return (np.array(ahead) - np.array(behind)) / (2 * steps[:, None])
 
 
 def material_values(posterior: BatPosterior) -> dict[str, CalibratedValue]:

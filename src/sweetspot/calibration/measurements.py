@@ -136,7 +136,7 @@ def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier:
     values = []
     for measurement in measurements:
         if body is not None and measurement.kind in OF_BODY:
-            values.append(prediction_of_body(body, measurement))
+            values.append(_of_body(body, measurement))
         elif measurement.shooting is not None:
             values.append(efficiencies[measurement.shooting])
         elif measurement.mode is None:
@@ -158,7 +158,7 @@ def _bending(beam: BeamModel, count: int) -> Array:
     return bending_frequencies(beam, count=count, elements=ELEMENTS)
 
 
-def prediction_of_body(body: RigidBody, measurement: Measurement) -> float:
+def _of_body(body: RigidBody, measurement: Measurement) -> float:
     """Return the value that a rigid body predicts for a measurement on scale, edge or pendulum, SI."""
     if measurement.kind == "mass":
         return body.mass

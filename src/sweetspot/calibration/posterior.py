@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import OF_BODY, Measurement, predicted, prediction_of_body
-from sweetspot.calibration.unknowns import OF_BALL, Unknown, deviated, deviated_bodies
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.unknowns import OF_BALL, Unknown, deviated
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -165,26 +165,14 @@ def calibrate(
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([unknown.spread for unknown in unknowns])
-    quick = all(measurement.kind in OF_BODY for measurement in measurements)
     misses = _misses(beam, unknowns, measurements)
 
-    def at_all(places: Array) -> Array:
-        bodies = deviated_bodies(beam, unknowns, places * spreads) if quick else None
-        if bodies is None:
-            return np.array([misses(place) for place in places])
-        predictions = np.array(
-            [[prediction_of_body(body, measurement) for measurement in measurements] for body in bodies]
-        )
-        values, errors = np.array([(measurement.value.value, measurement.error) for measurement in measurements]).T
-        return np.hstack([(predictions - values) / errors, places])
-
     try:
-        most_likely = _least_squares(at_all, len(unknowns), agreeing=agreeing)
+        most_likely = _least_squares(misses, len(unknowns), agreeing=agreeing)
     except IMPOSSIBLE as error:
         raise InputError(f"nothing of this kind comes near what was measured: {error}") from None
     steps = STEP * np.eye(len(unknowns))
-    after, before = np.split(at_all(np.vstack([most_likely + steps, most_likely - steps])), 2)
-    slopes = (after - before).T / (2 * STEP)
+    slopes = np.array([misses(most_likely + step) - misses(most_likely - step) for step in steps]).T / (2 * STEP)
     nearer = most_likely + np.linalg.lstsq(slopes, -misses(most_likely))[0]
     if np.all(np.abs(nearer) < FARTHEST):
         most_likely = nearer
@@ -206,40 +194,34 @@ def calibrate(
     )
 
 
-def _least_squares(at_all: Callable[[Array], Array], count: int, *, agreeing: bool) -> Array:
+def _least_squares(misses: Callable[[Array], Array], count: int, *, agreeing: bool) -> Array:
     """Return the least-squares estimate of the unknowns, in units of their spreads, shape (count,).
 
     A bat that cannot be, or cannot hang, is infinitely far off, so that the solver takes shorter steps.
 
-    ``at_all``: from many places, shape (n, count), to the misses at each. ``agreeing``: whether to give up, by an
-    `InputError`, where no place is without a contradiction.
+    ``agreeing``: whether to give up, by an `InputError`, where no place is without a contradiction.
     """
     from scipy.optimize import least_squares
 
-    steps = np.vstack([np.zeros(count), STEP * np.eye(count)])
-    misses_there = len(at_all(np.zeros((1, count)))[0])
+    first = misses(np.zeros(count))
 
-    def with_slopes(x: Array) -> tuple[Array, Array]:
-        each = at_all(x + steps)
-        return each[0], np.asarray((each[1:] - each[0]).T / STEP)
-
-    def misses(x: Array) -> Array:
+    def possible(x: Array) -> Array:
         try:
-            return np.asarray(at_all(x[None])[0])
+            return misses(x)
         except IMPOSSIBLE:
-            return np.full(misses_there, np.inf)
+            return np.full(len(first), np.inf)
 
     def slopes(x: Array) -> Array:
-        return with_slopes(x)[1]
+        here = misses(x)
+        return np.array([(misses(x + step) - here) / STEP for step in STEP * np.eye(count)]).T
 
-    if agreeing and _hopeless(with_slopes, count):
+    if agreeing and _hopeless(misses, slopes, count):
         raise InputError("the measurements contradict each other")
-    return np.asarray(
-        least_squares(misses, np.zeros(count), jac=slopes, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6).x
-    )
+    reach = (-FARTHEST, FARTHEST)
+    return np.asarray(least_squares(possible, np.zeros(count), jac=slopes, bounds=reach, xtol=1e-4, ftol=1e-6).x)
 
 
-def _hopeless(with_slopes: Callable[[Array], tuple[Array, Array]], count: int) -> bool:
+def _hopeless(misses: Callable[[Array], Array], slopes_at: Callable[[Array], Array], count: int) -> bool:
     """Return whether it is clear that every place has a contradiction.
 
     Without one no miss is more than three sigma. Expectations are among the misses, so such a place is less than three
@@ -251,7 +233,7 @@ def _hopeless(with_slopes: Callable[[Array], tuple[Array, Array]], count: int) -
     x = np.zeros(count)
     for _ in range(LOOKS):
         try:
-            off, slopes = with_slopes(x)
+            off, slopes = misses(x), slopes_at(x)
         except IMPOSSIBLE:
             return False
         best = lsq_linear(slopes, slopes @ x - off, bounds=(-CONTRADICTION, CONTRADICTION))

@@ -21,9 +21,9 @@ from typing import Literal
 import numpy as np
 
 from sweetspot.catalog.materials import material_spreads
-from sweetspot.dynamics.beam import BeamModel, beam_model, density_scale
+from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.reduction import bending_frequencies
-from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat, PointMass
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
@@ -33,7 +33,6 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.gauss_legendre import quadrature
 
 SPREADS = {"mass": 0.06, "balance_point": 0.04, "gyration": 0.06, "first_frequency": 0.2}
 """One sigma of the logarithms before anything is measured: implements of one kind differ so (assumed)."""
@@ -253,44 +252,3 @@ def barrel_parts(profile: Stations, length: float) -> Array:
     thin, thick = np.min(there), np.max(there)
     part = np.clip((diameters - thin) / (thick - thin), 0, 1) if thick > thin else np.zeros(len(places))
     return np.asarray(np.where(places < beyond_knob[0], 0.0, part))
-
-
-def deviated_bodies(beam: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> list[RigidBody] | None:
-    """Return the rigid bodies of bats with these deviations from a bat's beam, shape (bats, n).
-
-    They are those of `deviated`, to rounding. None: the bat is hollow, or no bat with an outline of stations.
-    """
-    bat = beam.bat
-    if not isinstance(bat, Bat) or bat.shell is not None or bat.profile is None:
-        return None
-    by = {entry.name: deviations[:, index] for index, entry in enumerate(unknowns)}
-    nothing = np.zeros(len(deviations))
-    edges = bat.breakpoints()
-    places, weights = quadrature(edges)
-    widths = np.array([diameter for _, diameter in bat.profile])
-    if "handle" in by:
-        part = barrel_parts(bat.profile, bat.length)
-        widths = widths * np.exp(np.outer(by["handle"], 1 - part) + np.outer(by["barrel"], part))
-    outer = np.atleast_2d(widths) @ _between(tuple(place for place, _ in bat.profile), edges) / 2
-    drawn = density_scale(beam, places) / beam.density_factor
-    more = by.get("density_gradient", nothing)[:, None] * (2 * places / bat.length - 1)
-    scale = beam.density_factor * np.exp(by.get("density", nothing))[:, None] * (drawn + more)
-    at = bat.section_within(places, outer, scale)
-    first, second = at.mass * places, at.mass * places**2 + at.rotary_inertia
-    parts = at.mass, first, second, at.roll_inertia
-    mass, balance, turning, roll = (np.sum(weights * values, axis=1) for values in parts)
-    balance, turning = balance + beam.unplaced[0], turning + beam.unplaced[1]
-    lumps, knob = len(bat.lumps()), np.exp(by.get("knob_mass", nothing))
-    for index, lump in enumerate(beam.point_masses):
-        heavy = lump.mass * knob if index < lumps and lump.position == 0 else lump.mass + nothing
-        mass, balance, turning = mass + heavy, balance + heavy * lump.position, turning + heavy * lump.position**2
-        turning, roll = turning + lump.moi, roll + lump.roll_moi
-    rows = zip(mass.tolist(), balance.tolist(), turning.tolist(), roll.tolist(), strict=True)
-    return [RigidBody(entry, first / entry, second - first**2 / entry, axial) for entry, first, second, axial in rows]
-
-
-@lru_cache(maxsize=16)
-def _between(stations: tuple[float, ...], edges: tuple[float, ...]) -> Array:
-    """Return the interpolation weights of the stations at each place of the integration, shape (stations, places)."""
-    places, _ = quadrature(edges)
-    return np.array([np.interp(places, stations, unit) for unit in np.eye(len(stations))])
