@@ -42,15 +42,14 @@ class SweetSpots:
 
 def sweet_spots(scan: Scan, *, body: RigidBody, modes: Modes, conditions: Conditions) -> SweetSpots:
     """Return every definition's answer for one bat and swing."""
-    held = exit_speed_without_spikes(scan)
     return SweetSpots(
         center_of_percussion=centre_of_percussion(body, pivot=conditions.hands.position),
         node_1=barrel_node(modes, harmonic=1),
         node_2=barrel_node(modes, harmonic=2),
         max_collision_efficiency=max_collision_efficiency(scan, body=body),
-        max_exit_speed=_top(scan.position, held),
+        max_exit_speed=max_exit_speed(scan),
         min_sting=min_sting(scan, body=body),
-        zone=_zone(scan, held, ZONE_LOSS, ZONE_STING),
+        zone=sweet_zone(scan),
     )
 
 
@@ -126,11 +125,7 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
     ``loss``: m/s that the exit speed may lie below its best. ``sting``: part of the scan's mean sting that must not be
     reached.
     """
-    return _zone(scan, exit_speed_without_spikes(scan), loss, sting)
-
-
-def _zone(scan: Scan, held: Array, loss: float, sting: float) -> tuple[float, float] | None:
-    """Return the sweet zone by the exit speeds that count; see `sweet_zone`."""
+    held = exit_speed_without_spikes(scan)
     least = np.nanmax(held) - loss
     places = np.linspace(scan.position[0], scan.position[-1], 20 * len(held))
     speed = np.interp(places, scan.position, held)

@@ -32,13 +32,17 @@ HEAD_REACH = 0.15
 """Part by which the mass and the moments of a club's head may change."""
 
 
+def _around(name: str, label: str, scale: str, now: float, reach: float) -> Variable:
+    return Variable(name, label, scale, (1 - reach) * now, (1 + reach) * now, now)
+
+
 def racket_space(racket: Racket) -> ImplementSpace:
     """Return the space of rackets like one: mass and swing weight, which lead tape changes."""
     if racket.mass is None or racket.moi is None:
         raise InputError(f"{racket.name} has no measured mass and swing weight; give both")
-    variables = tuple(
-        Variable(name, label, name, (1 - REACH) * now, (1 + REACH) * now, now)
-        for name, label, now in (("mass", "mass", racket.mass), ("moi", "swing weight", racket.moi))
+    variables = (
+        _around("mass", "mass", "mass", racket.mass, REACH),
+        _around("moi", "swing weight", "moi", racket.moi, REACH),
     )
 
     def change(implement: Implement, numbers: Array) -> Implement:
@@ -59,9 +63,6 @@ def cricket_space(bat: CricketBat) -> ImplementSpace:
     before, place, after = (bat.spine[swell + step][0] for step in (-1, 0, 1))
     depth, edge, width = (max(size for _, size in row) for row in (bat.spine, bat.edge, bat.width))
 
-    def around(name: str, label: str, now: float, reach: float) -> Variable:
-        return Variable(name, label, "length", (1 - reach) * now, (1 + reach) * now, now)
-
     variables = (
         Variable(
             "swell",
@@ -71,9 +72,9 @@ def cricket_space(bat: CricketBat) -> ImplementSpace:
             bat.length - place + 0.8 * (place - before),
             bat.length - place,
         ),
-        around("spine", "depth of the spine at the swell", depth, BLADE_REACH),
-        around("edge", "thickness of the edges", edge, BLADE_REACH),
-        around("width", "width of the blade", width, BLADE_REACH / 3),
+        _around("spine", "depth of the spine at the swell", "length", depth, BLADE_REACH),
+        _around("edge", "thickness of the edges", "length", edge, BLADE_REACH),
+        _around("width", "width of the blade", "length", width, BLADE_REACH / 3),
         Variable("concavity", "concavity of the back", "ratio", 1.0, max(SCOOPED, bat.concavity), bat.concavity),
     )
     factor = beam_model(bat).density_factor
@@ -126,12 +127,9 @@ def willow_variants(bat: Implement) -> list[tuple[Implement, Implement]]:
 def club_space(club: GolfClub) -> ImplementSpace:
     """Return the space of clubs like one: mass of the head, and its moment against twisting up and down."""
     head = club.head
-    variables = tuple(
-        Variable(name, label, scale, (1 - HEAD_REACH) * now, (1 + HEAD_REACH) * now, now)
-        for name, label, scale, now in (
-            ("head_mass", "mass of the head", "mass", head.mass),
-            ("head_moi", "moment of the head", "moi", head.moi),
-        )
+    variables = (
+        _around("head_mass", "mass of the head", "mass", head.mass, HEAD_REACH),
+        _around("head_moi", "moment of the head", "moi", head.moi, HEAD_REACH),
     )
 
     def change(implement: Implement, numbers: Array) -> Implement:

@@ -35,21 +35,16 @@ def read_outline(
     ``length``: m of the bat; needed where places count from the tip, and where a drawing has no units. ``ruler``,
     ``camera_distance``: m, of photographs only; see `sweetspot.calibration.outline.photo.photo_outline.read_photo`.
     """
-    if path.suffix.lower() in TABLES and ruler is None and camera_distance is None:
-        outline = read_stations(path, length=length, given=given)
-    else:
-        outline = _read(path, length=length, ruler=ruler, camera_distance=camera_distance)
-    return replace(outline, notes=(*outline.notes, *unlike_bats(outline.profile)))
-
-
-def _read(path: Path, *, length: float | None, ruler: float | None, camera_distance: float | None) -> MeasuredOutline:
-    """Return the content of a file with this ending; see `read_outline`."""
     ending = path.suffix.lower()
     if ending in PHOTOGRAPHS + HEIF:
-        return read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)
-    if ruler is not None or camera_distance is not None:
+        outline: MeasuredOutline = read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)
+    elif ruler is not None or camera_distance is not None:
         raise InputError(f"--ruler and --camera-distance are for photographs; {path} is none")
-    if ending in DRAWINGS:
+    elif ending in TABLES:
+        outline = read_stations(path, length=length, given=given)
+    elif ending in DRAWINGS:
         curves, unit = svg_curves(path) if ending == ".svg" else dxf_curves(path)
-        return outline_of_curves(curves, str(path), unit=unit, length=length, axis=ending == ".dxf")
-    raise InputError(f"{path} has no ending that is understood; allowed are {', '.join(ENDINGS)}")
+        outline = outline_of_curves(curves, str(path), unit=unit, length=length, axis=ending == ".dxf")
+    else:
+        raise InputError(f"{path} has no ending that is understood; allowed are {', '.join(ENDINGS)}")
+    return replace(outline, notes=(*outline.notes, *unlike_bats(outline.profile)))
