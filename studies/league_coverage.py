@@ -18,10 +18,9 @@ from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.expected_gain import expectation
 from sweetspot.player.goal import Goal
-from sweetspot.player.league import own_share, population_of
 from sweetspot.player.model import player_model
 from sweetspot.player.player_swing import PlayerSwing
-from sweetspot.player.posterior import PlayerPosterior, fit_player, refitted
+from sweetspot.player.posterior import PlayerPosterior, fit_player, own_share, population_of, refitted
 from sweetspot.player.prior import NAMES, natural, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import MPH

@@ -86,7 +86,7 @@ ADDITIONS = {
     "a measuring system": Addition(
         {"tables/headings.toml": '\n[systems.moon]\nname = "Moon radar"\nmarks = [["luna"]]\n\n[systems.moon.columns]\n'
          'luna = "exit_speed mph"\n'},
-        "from sweetspot.player.columns import columns_of\nfrom sweetspot.seasons.headings import headings_of\n"
+        "from sweetspot.player.player_swing import columns_of\nfrom sweetspot.seasons.headings import headings_of\n"
         "assert headings_of(['LUNA']).system == columns_of(['Luna'], file_name='f').system == 'Moon radar'\n",
     ),
     "a bat": Addition(

@@ -42,7 +42,7 @@ from sweetspot.reports.player.document import player_document
 from sweetspot.reports.player.phrases import pitch_words
 from sweetspot.reports.player.words import answers, findings, notes
 from sweetspot.reports.quantities import US
-from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import BadRow
 from sweetspot.units import FOOT, INCH, MPH
 from tests.real_data import real_file
 

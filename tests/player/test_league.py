@@ -9,10 +9,17 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
-from sweetspot.player import league
-from sweetspot.player.league import SwingEvidence, likeliest_population, own_share, population_of
+from sweetspot.player import posterior
 from sweetspot.player.model import player_model
-from sweetspot.player.posterior import PlayerPosterior, fit_player, refitted
+from sweetspot.player.posterior import (
+    PlayerPosterior,
+    SwingEvidence,
+    fit_player,
+    likeliest_population,
+    own_share,
+    population_of,
+    refitted,
+)
 from sweetspot.player.prior import ANYBODY, NAMES, Population, natural, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import MPH
@@ -30,7 +37,7 @@ def test_the_slope_is_that_of_the_height() -> None:
     place = np.array([0.3, -0.2, 0.5, -0.7, 0.1, -1.2])
 
     def height(at: Array) -> tuple[float, Array]:
-        return league._height(told, at[:3], np.exp(at[3:]))
+        return posterior._height(told, at[:3], np.exp(at[3:]))
 
     steps = 1e-5 * np.eye(6)
     differences = [(height(place + step)[0] - height(place - step)[0]) / 2e-5 for step in steps]
@@ -41,7 +48,7 @@ def test_what_no_swing_tells_keeps_its_prior() -> None:
     """Exact: half of the prior's variance between leagues and half within are the prior, but for the model's doubt."""
     found = likeliest_population(SwingEvidence(np.zeros((30, 2, 2)), np.zeros((30, 2))))
     assert found.mean == pytest.approx(np.zeros(2), abs=1e-6)
-    assert found.spread**2 == pytest.approx(np.full(2, 1 + league.MODEL_DOUBT**2), abs=1e-3)
+    assert found.spread**2 == pytest.approx(np.full(2, 1 + posterior.MODEL_DOUBT**2), abs=1e-3)
 
 
 def test_a_told_league_comes_back_through_noise() -> None:
@@ -51,7 +58,7 @@ def test_a_told_league_comes_back_through_noise() -> None:
     seen = truth + generator.standard_normal(600) / np.sqrt(precision)
     found = likeliest_population(SwingEvidence(precision[:, None, None], (precision * seen)[:, None]))
     assert found.mean[0] == pytest.approx(0.8, abs=0.07)
-    assert np.sqrt(found.spread[0] ** 2 - league.MODEL_DOUBT**2) == pytest.approx(0.3, abs=0.08)
+    assert np.sqrt(found.spread[0] ** 2 - posterior.MODEL_DOUBT**2) == pytest.approx(0.3, abs=0.08)
 
 
 @pytest.fixture(scope="module")

@@ -12,8 +12,7 @@ import pytest
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import is_larger
 from sweetspot.player import swing_table
-from sweetspot.player.columns import columns_of
-from sweetspot.player.player_swing import PlayerSwing
+from sweetspot.player.player_swing import PlayerSwing, columns_of
 from sweetspot.player.swing_table import ScannedTable, open_swings
 from sweetspot.player.swings import batters, read_swings
 

@@ -14,10 +14,9 @@ import pytest
 from sweetspot.errors import InputError
 from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
 from sweetspot.plausibility import insisting
-from sweetspot.player.columns import columns_of
-from sweetspot.player.player_swing import PlayerSwing, check_enough
+from sweetspot.player.player_swing import PlayerSwing, check_enough, columns_of
 from sweetspot.player.swings import SwingFile, evenly, read_swings
-from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import BadRow
 from sweetspot.tables.headings import GivenColumns
 from sweetspot.tables.vocabulary import simplified
 from sweetspot.units import INCH, MPH

@@ -13,7 +13,7 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.seasons.season_table import analyse_season, season_setting
-from sweetspot.seasons.table_warnings import WARNINGS
+from sweetspot.seasons.table_file import WARNINGS
 from tests.seasons.conftest import made_up
 
 ROW = pl.int_range(pl.len())

@@ -11,12 +11,11 @@ import pytest
 from sweetspot.analysis.certification.shots import read_shots
 from sweetspot.calibration.bat_table import read_bats
 from sweetspot.errors import InputError
-from sweetspot.player.columns import SWINGS, columns_of
+from sweetspot.player.player_swing import SWINGS, columns_of
 from sweetspot.player.swings import read_swings
 from sweetspot.seasons.headings import BALLS, headings_of
 from sweetspot.tables.headings import GivenColumns, Headings, maybe_heading, read_headings
-from sweetspot.tables.unit_words import UNITS, UNMEASURED
-from sweetspot.tables.vocabulary import quantities, quantities_of, systems
+from sweetspot.tables.vocabulary import UNITS, UNMEASURED, quantities, quantities_of, systems
 from sweetspot.units import DEGREE, FOOT, MPH
 
 

@@ -10,7 +10,7 @@ from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import CLAMP, BatTest, Certification, SwungTest, besr
 from sweetspot.answers.records import INTERNAL, Length, Ratio, Speed
 from sweetspot.numerics.arrays import Array
-from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import BadRow
 from sweetspot.units.dimensions import LENGTH, SPEED, STIFFNESS
 
 Ends = tuple[float, float]

@@ -37,7 +37,7 @@ from sweetspot.player.goal import GoalName
 from sweetspot.player.posterior import Learned, PlayerPosterior
 from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import SwingFile
-from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import BadRow
 from sweetspot.units import Kind
 from sweetspot.units.dimensions import ANGLE, DISTANCE, LENGTH, RATIO, SPEED, Dimension, System
 

@@ -16,11 +16,13 @@ import polars as pl
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL
 from sweetspot.answers.season_question import SeasonQuestion, checked_season
+from sweetspot.collision.contact_table import table_errors, tabled_bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
 from sweetspot.seasons.ball_maps import is_home_run, known_sum
 from sweetspot.seasons.batters import unknown_batter
+from sweetspot.seasons.contact import ContactSetting
 from sweetspot.seasons.place_relation import SCALE, PlaceRelation
 from sweetspot.seasons.plan import Plan, Progress
 from sweetspot.seasons.pooling import Spread
@@ -37,9 +39,9 @@ from sweetspot.seasons.standings import (
 )
 from sweetspot.seasons.survey import Survey, TrackingBias, tracking_bias
 from sweetspot.seasons.swings import SwingSpeeds
-from sweetspot.seasons.table_warnings import cannot_tell
+from sweetspot.seasons.table_file import cannot_tell
 from sweetspot.units import FOOT
-from sweetspot.units.dimensions import LENGTH, SPEED, System
+from sweetspot.units.dimensions import ANGLE, LENGTH, SPEED, System
 
 MOST_DRAWN = 2_000_000
 """Balls that are held together, for what cannot be added up part by part."""
@@ -128,6 +130,15 @@ class Places:
 
 
 @dataclass(frozen=True)
+class BatErrors:
+    """By how much 95 of 100 hits of a bat's table miss the kernel."""
+
+    bat: str
+    speed_error: Annotated[float, SPEED]
+    angle_error: Annotated[float, ANGLE]
+
+
+@dataclass(frozen=True)
 class SeasonMeans:
     """What all balls together say; None: no table tells.
 
@@ -166,6 +177,7 @@ class SeasonAnswer(Answer):
     temporary : a folder that is removed with the answer; None: it was asked for.
     untracked : how balls without exit speed bias the mean.
     places : where along the bat balls are met; None: contacts were not asked for.
+    surfaces : of the bats' tables.
     other_bats : gains with the bats that were tried.
     left_over : tracked distance less carry, by what balls are compared by.
     scatter : how balls and groups scatter, by grouping and measure.
@@ -184,6 +196,7 @@ class SeasonAnswer(Answer):
     league: SeasonMeans
     untracked: TrackingBias | None
     places: Places | None
+    surfaces: tuple[BatErrors, ...]
     other_bats: tuple[OtherBatGain, ...]
     drag: tuple[DragOfMonth, ...]
     left_over: Mapping[str, tuple[LeftOver, ...]]
@@ -312,6 +325,7 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
         league=_league(counted, drag, balls),
         untracked=tracking_bias(survey),
         places=None if contact is None else _places(contact.relation),
+        surfaces=() if contact is None else tuple(_errors_of_tables(contact)),
         other_bats=tuple(bat_gains(season)),
         drag=drag,
         left_over={kind: left_over_by(drawn, kind) for kind in EDGES},
@@ -319,6 +333,11 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
         rare_shares={key: rare_shares(standing) for key, standing in standings.items()},
         cannot_tell=cannot_tell(survey.tables),
     )
+
+
+def _errors_of_tables(contact: ContactSetting) -> Iterator[BatErrors]:
+    for surface in (*contact.surfaces, *(other.surface for other in contact.others)):
+        yield BatErrors(surface.bat.name, *table_errors(tabled_bat(surface.bat, ball=contact.ball)))
 
 
 def _tables(survey: Survey) -> Iterator[SeasonTable]:

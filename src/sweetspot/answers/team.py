@@ -20,8 +20,7 @@ from sweetspot.errors import InputError, SweetspotError
 from sweetspot.numerics.interval import Number
 from sweetspot.numerics.threads import side_by_side
 from sweetspot.player.advice import Advice, Option
-from sweetspot.player.league import own_share, population_of
-from sweetspot.player.posterior import PlayerPosterior, refitted
+from sweetspot.player.posterior import PlayerPosterior, own_share, population_of, refitted
 from sweetspot.player.prior import NAMES, Population, population_range
 from sweetspot.player.swings import batters
 from sweetspot.units.dimensions import Dimension, System

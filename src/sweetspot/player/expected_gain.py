@@ -8,8 +8,18 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.bat_response import MIDDLE, RATIOS, BatResponse, farthest_offset
-from sweetspot.player.gain_kernel import CARRY, LINE, SPEED, BatInHand, CarryGrid, Scattered, WantedOfHit, fill_gains
-from sweetspot.player.goal import CarryTable, Goal
+from sweetspot.player.goal import (
+    CARRY,
+    LINE,
+    SPEED,
+    BatInHand,
+    CarryGrid,
+    CarryTable,
+    Goal,
+    Scattered,
+    WantedOfHit,
+    fill_gains,
+)
 from sweetspot.player.model import PlayerModel, speed_ratio
 from sweetspot.player.posterior import PlayerPosterior
 from sweetspot.player.prior import NAMES, fixed

@@ -29,7 +29,7 @@ from sweetspot.player.off_centre import (
 )
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import ANYBODY, NAMES, Population, fixed, log_prior, natural, priors
-from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import BadRow
 
 PLACES_TAKEN = 2
 """Of the tabled places every second is summed over: half an inch is well below the resolution of the scatter."""

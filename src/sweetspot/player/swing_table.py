@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from sweetspot.errors import InputError, first_line
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, is_larger, read_text
 from sweetspot.numerics.whole_parquet import reading_parquet
-from sweetspot.player.columns import columns_of, is_heading_line
+from sweetspot.player.player_swing import columns_of, is_heading_line
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
 from sweetspot.tables.text_encoding import heading_lines, pointed, separator_of, table_rows
 from sweetspot.tables.vocabulary import simplified, systems

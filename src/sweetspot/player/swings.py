@@ -12,11 +12,20 @@ from pathlib import Path
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.pitch.home_plate import PLATE_OVER_RELEASE
 from sweetspot.plausibility import insisted
-from sweetspot.player.columns import NEEDED, TEXTS, columns_of, day_of, maybe_a_column
-from sweetspot.player.player_swing import TOO_FAST, PlayerSwing, check_speeds, fault_of, full_swings
+from sweetspot.player.player_swing import (
+    NEEDED,
+    TEXTS,
+    TOO_FAST,
+    PlayerSwing,
+    check_speeds,
+    columns_of,
+    day_of,
+    fault_of,
+    full_swings,
+    maybe_a_column,
+)
 from sweetspot.player.swing_table import Lines, SwingTable, one_name, open_swings
-from sweetspot.tables.bad_row import BadRow
-from sweetspot.tables.cells import EMPTY, cell_in_si, place_in_si, require_units
+from sweetspot.tables.cells import EMPTY, BadRow, cell_in_si, place_in_si, require_units
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings, TableColumn
 from sweetspot.units import format_length, format_speed
 

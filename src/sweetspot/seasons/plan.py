@@ -25,10 +25,9 @@ from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.whole_files import file_digest, refusal, sweep, written_whole
-from sweetspot.seasons.ball_columns import SeasonSetting, answer_columns, answers_of
+from sweetspot.seasons.ball_columns import SeasonSetting, answer_columns, answers_of, counted_rows
 from sweetspot.seasons.duplicates import with_duplicates
 from sweetspot.seasons.rows import USED, rows_of
-from sweetspot.seasons.stat_rows import counted_rows
 from sweetspot.seasons.table_copies import MOST_CELLS, rows_together
 from sweetspot.seasons.table_file import TableFile
 from sweetspot.seasons.table_reader import TableReader
@@ -228,7 +227,7 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
     from sweetspot.flight.fence_compiled import chances
     from sweetspot.numerics.kernel_cache import fingerprint
     from sweetspot.seasons.contact_kernel import fill_posteriors
-    from sweetspot.seasons.launch_table import expected_of
+    from sweetspot.seasons.flight_columns import expected_of
 
     digest = hashlib.blake2b(digest_size=16)
     kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors, expected_of, tabled_bat)

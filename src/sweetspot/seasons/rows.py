@@ -16,7 +16,7 @@ import polars as pl
 from sweetspot.plausibility import bounds, fine
 from sweetspot.seasons.headings import DAY_FIRST
 from sweetspot.tables.headings import Headings, TableColumn
-from sweetspot.tables.unit_words import UNITS
+from sweetspot.tables.vocabulary import UNITS
 
 USED = "used"
 REASONS = {

@@ -50,10 +50,9 @@ from sweetspot.seasons.plane_hits import bat_in_plane
 from sweetspot.seasons.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.seasons.survey import Survey, survey_tables
 from sweetspot.seasons.table_copies import LEFT_OUT
-from sweetspot.seasons.table_file import frame_headings
+from sweetspot.seasons.table_file import TableWarning, frame_headings
 from sweetspot.seasons.table_look import ENOUGH
 from sweetspot.seasons.table_reader import PART, parts
-from sweetspot.seasons.table_warnings import TableWarning
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
 MOST_PARTS = 16

@@ -10,12 +10,11 @@ from typing import Annotated
 import numpy as np
 import polars as pl
 
-from sweetspot.seasons.ball_columns import ENDINGS, columns_in, columns_of_other
+from sweetspot.seasons.ball_columns import ENDINGS, WITH, columns_in, columns_of_other
 from sweetspot.seasons.ball_maps import is_home_run
 from sweetspot.seasons.pooling import BALLS, MEAN, POSITIVE, SQUARES, Bounds, Spread, pooled_groups
 from sweetspot.seasons.rows import by_value
 from sweetspot.seasons.season_table import Season
-from sweetspot.seasons.stat_rows import WITH
 from sweetspot.units import MPH
 from sweetspot.units.dimensions import DISTANCE, LENGTH, RATIO, SPEED, Dimension, System
 

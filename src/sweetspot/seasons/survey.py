@@ -18,10 +18,9 @@ from sweetspot.numerics.threads import in_order
 from sweetspot.seasons.duplicates import duplicate_rows
 from sweetspot.seasons.rows import USED
 from sweetspot.seasons.table_copies import strips_of
-from sweetspot.seasons.table_file import TableFile, open_table
+from sweetspot.seasons.table_file import TableFile, TableWarning, open_table
 from sweetspot.seasons.table_look import TableLook
 from sweetspot.seasons.table_reader import PART, TableReader, part_of
-from sweetspot.seasons.table_warnings import TableWarning
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 from sweetspot.units.dimensions import SPEED
 

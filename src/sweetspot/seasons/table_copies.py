@@ -28,7 +28,7 @@ from sweetspot.seasons.headings import headings_of
 from sweetspot.seasons.rows import ABSENT
 from sweetspot.tables.headings import GivenColumns, Headings
 from sweetspot.tables.text_encoding import TextEnds, require_no_more_cells, separator_of
-from sweetspot.tables.unit_words import KNOWN_UNITS
+from sweetspot.tables.vocabulary import KNOWN_UNITS
 
 MOST_CELLS = 8_000_000
 """Numbers and words of whole rows that are held together; a season's export has as many in 65,536 rows."""

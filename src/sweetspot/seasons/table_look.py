@@ -20,10 +20,9 @@ from sweetspot.plausibility import PlausibleRange, bounds
 from sweetspot.seasons.balls import ELSEWHERE, FIRST_MIDDLE_SEASON, home_park
 from sweetspot.seasons.duplicates import tells_pitches, with_duplicates
 from sweetspot.seasons.rows import BUNTED, DATED, POSSIBLE, REASONED, REASONS, SIDED, TIP, USED, by_value
-from sweetspot.seasons.table_file import TableFile
-from sweetspot.seasons.table_warnings import TableWarning
+from sweetspot.seasons.table_file import TableFile, TableWarning
 from sweetspot.tables.headings import Headings, TableColumn
-from sweetspot.tables.unit_words import FAHRENHEIT_ZERO, UNITS
+from sweetspot.tables.vocabulary import FAHRENHEIT_ZERO, UNITS
 from sweetspot.units import DEGREE, MPH, grouped
 
 ENOUGH = 30

@@ -5,11 +5,20 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from sweetspot.plausibility import parse_position
 from sweetspot.tables.headings import Headings, TableColumn, no_unit, refuse_faults
-from sweetspot.tables.unit_words import UNITS, zero_of
-from sweetspot.tables.vocabulary import simplified
+from sweetspot.tables.vocabulary import UNITS, simplified, zero_of
+
+
+@dataclass(frozen=True)
+class BadRow:
+    """A row that cannot be used, and why."""
+
+    row: int
+    reason: str
+
 
 NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+))\s*([^\d\s.,+-].*)")
 HAS_UNIT = re.compile("[A-Za-zµ%\"'\u2032\u2033]")

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sweetspot.errors import InputError, nearest_names, spelt_almost
-from sweetspot.tables.unit_words import (
+from sweetspot.tables.vocabulary import (
     FILE_UNITS,
     KNOWN_UNITS,
     ONLY_UNIT,
@@ -21,9 +21,6 @@ from sweetspot.tables.unit_words import (
     UNITS,
     UNMEASURED,
     FileUnits,
-    zero_of,
-)
-from sweetspot.tables.vocabulary import (
     MeasuringSystem,
     joined,
     quantities,
@@ -31,6 +28,7 @@ from sweetspot.tables.vocabulary import (
     simplified,
     spelled_names,
     systems,
+    zero_of,
 )
 
 COPY = re.compile(r"_duplicated_\d+$")

@@ -31,7 +31,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import ENDS, REACH, ROBUST_SCALE
 from sweetspot.plausibility import check
-from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import BadRow
 from sweetspot.units import INCH, MPH, format_length
 
 BRACKET = 1.05 * INCH

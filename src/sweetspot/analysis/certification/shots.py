@@ -16,8 +16,7 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import objection
-from sweetspot.tables.bad_row import BadRow
-from sweetspot.tables.cells import cell_in_si, place_in_si, require_units
+from sweetspot.tables.cells import BadRow, cell_in_si, place_in_si, require_units
 from sweetspot.tables.headings import (
     NOTHING_GIVEN,
     GivenColumns,

@@ -25,8 +25,7 @@ from sweetspot.tables.headings import (
     refuse_faults,
 )
 from sweetspot.tables.text_encoding import FIRST_LINES, table_rows
-from sweetspot.tables.unit_words import UNITS
-from sweetspot.tables.vocabulary import quantities_of
+from sweetspot.tables.vocabulary import UNITS, quantities_of
 from sweetspot.units import INCH, format_length
 
 STATIONS = quantities_of("stations")

@@ -20,7 +20,7 @@ from sweetspot.player.swings import SwingFile
 from sweetspot.reports.player.pair_words import of_those_swung
 from sweetspot.reports.player.phrases import goal_shown, goal_words, option_words
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say, within
-from sweetspot.tables.bad_row import BadRow
+from sweetspot.tables.cells import BadRow
 from sweetspot.units import INCH, MPH, OUNCE
 
 PARAMETERS: dict[str, tuple[str, str, int | None]] = {

@@ -16,13 +16,12 @@ from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, P
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.season.words import few_of_a_kind, league_words, left_over_words, untracked_words
 from sweetspot.reports.sentences import Slot, within
+from sweetspot.seasons.ball_columns import WITH
 from sweetspot.seasons.rows import REASONS
 from sweetspot.seasons.season_drag import DragOfMonth
 from sweetspot.seasons.standings import MEASURES, Standing
-from sweetspot.seasons.stat_rows import WITH
 from sweetspot.seasons.table_copies import LEFT_OUT
-from sweetspot.seasons.table_file import is_parquet
-from sweetspot.seasons.table_warnings import WARNINGS
+from sweetspot.seasons.table_file import WARNINGS, is_parquet
 from sweetspot.units import grouped
 
 SHOWN = 15

@@ -15,7 +15,7 @@ from sweetspot.reports.quantities import Reader
 from sweetspot.reports.season.words import best_bat_words, few_of_a_kind, player_words
 from sweetspot.reports.sentences import Slot, joined
 from sweetspot.seasons.standings import MEASURES
-from sweetspot.seasons.table_warnings import CANNOT_TELL
+from sweetspot.seasons.table_file import CANNOT_TELL
 
 TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""

@@ -9,9 +9,9 @@ import numpy as np
 from sweetspot.answers.season import SeasonAnswer
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.reports.sentences import Line, Sentence, Slot, say, tell
+from sweetspot.seasons.ball_columns import WITH
 from sweetspot.seasons.season_drag import LeftOver
 from sweetspot.seasons.standings import MEASURES
-from sweetspot.seasons.stat_rows import WITH
 from sweetspot.units import grouped
 
 SCALES: Mapping[str, str] = {"launch_angle": "angle", "exit_speed": "speed", "bearing": "angle", "park": ""}
