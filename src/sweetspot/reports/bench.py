@@ -10,8 +10,17 @@ from sweetspot.answers.paper import PaperAnswer
 from sweetspot.answers.pendulum import PendulumAnswer
 from sweetspot.answers.records import to_dict
 from sweetspot.papers.formulas import PaperRow, Value
-from sweetspot.reports.document import Block, Cell, Column, Document, Marked, Paragraph, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import (
+    Block,
+    Cell,
+    Column,
+    Document,
+    Marked,
+    Paragraph,
+    Table,
+    as_columns,
+    values_table,
+)
 from sweetspot.reports.paper.statements import CHAIN, StatedRow, stated
 from sweetspot.reports.quantities import SI, Reader
 from sweetspot.reports.sentences import Slot, say
@@ -24,7 +33,7 @@ SUPPORTS = {"clamped": "clamped at its edges", "floor": "lying on a floor", "fre
 
 def drop_document(answer: DropAnswer) -> Document:
     """Return a drop test as a document; in SI unless somebody says otherwise, as its laboratories have it."""
-    blocks: list[Block] = [Table("", [Column(""), Column("value", right=True)], _rows(answer))]
+    blocks: list[Block] = [values_table(_rows(answer))]
     if float(answer.deflection) > float(answer.thickness):
         bent = say(
             "Beware: the block deflects by {deflection:pressed}, more than its thickness: real plates are stiffer "
@@ -95,7 +104,7 @@ def pendulum_document(answer: PendulumAnswer) -> Document:
         name="pendulum",
         title="Pendulum",
         blocks=[
-            Table("", [Column(""), Column("value", right=True)], rows),
+            values_table(rows),
             *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, named)]),
         ],
         data=data,

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import chain, product
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, Literal
 
 from sweetspot.numerics.notebook_display import ShownInNotebooks
@@ -101,6 +103,22 @@ class Column:
         return bool(self.scale) or self.right
 
 
+def table_head(heads: str) -> list[Column]:
+    """Return columns by their heads between bars, with ": scale, digits, sign" or, of other numbers, ">" behind them.
+
+    >>> [column.scale for column in table_head("bat | mass: mass, 1 | change: speed, sign | limit >")]
+    ['', 'mass', 'speed', '']
+    """
+    return [_column(head) for head in heads.split(" | ")]
+
+
+def _column(head: str) -> Column:
+    heading, _, shown_as = head.partition(": ")
+    scale, *options = shown_as.split(", ")
+    digits = next((int(option) for option in options if option.isdecimal()), None)
+    return Column(heading.removesuffix(">").rstrip(), scale, digits, "sign" in options, heading.endswith(">"))
+
+
 @dataclass(frozen=True)
 class Table:
     """A table whose first column names its rows; ``name`` is its style on a page."""
@@ -109,6 +127,11 @@ class Table:
     columns: Sequence[Column]
     rows: Sequence[Sequence[Cell]]
     name: str = ""
+
+
+def values_table(rows: Sequence[Sequence[Cell]], title: Words = "") -> Table:
+    """Return a table of names and values."""
+    return Table(title, [Column(""), Column("value", right=True)], rows)
 
 
 @dataclass(frozen=True)
@@ -159,6 +182,16 @@ class Picture:
     label: Words
     caption: Words = ""
     sheet: Callable[[Reader], Figure] | None = None
+
+
+def drawn(figure: str, *answer: Any, **options: Any) -> Callable[[Reader], Figure]:
+    """Return what draws an answer for a reader by a function given as "module:name", loaded when a renderer draws."""
+    return partial(_draw, figure, answer, options)
+
+
+def _draw(figure: str, answer: Sequence[Any], options: Mapping[str, Any], reading: Reader) -> Figure:
+    made: Figure = resolve_name(figure)(*answer, reading=reading, **options)
+    return made
 
 
 @dataclass(frozen=True)
@@ -227,3 +260,21 @@ class Document(ShownInNotebooks):
     def reader_of(self, system: System | None) -> Reader:
         """Return who reads: of a system of units, or the sport's people where none is named."""
         return self.reader if system is None else SYSTEMS[system]
+
+
+def as_columns(rows: Sequence[Mapping[str, object]]) -> dict[str, list[object]]:
+    """Return rows as columns, None where a row lacks a key; no columns where there are no rows."""
+    return {name: [row.get(name) for row in rows] for name in dict.fromkeys(name for row in rows for name in row)}
+
+
+def cells_as_columns(table: Mapping[str, Any]) -> dict[str, list[object]]:
+    """Return the cells of a table, row after row, as columns: what is varied, then every answer.
+
+    >>> cells_as_columns({"rows": {"mass_kg": [0.8, 0.9]}, "columns": None, "answers": {"bbcor": [[0.4], [0.5]]}})
+    {'mass_kg': [0.8, 0.9], 'bbcor': [0.4, 0.5]}
+    """
+    sides = list((table["rows"] | (table["columns"] or {})).items())
+    cells = list(product(*(values for _, values in sides)))
+    columns = {name: list(values) for (name, _), values in zip(sides, zip(*cells, strict=True), strict=True)}
+    answers = {name: list(chain.from_iterable(rows)) for name, rows in table["answers"].items()}
+    return {**columns, **{name: values for name, values in answers.items() if name not in columns}}

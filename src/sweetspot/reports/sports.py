@@ -8,8 +8,18 @@ from sweetspot.answers.catalogued import SportAnswer, SportsAnswer, SportSummary
 from sweetspot.answers.records import to_dict
 from sweetspot.equipment.sport import CERTAINTIES, Fact, RuleLimit, Sport
 from sweetspot.reports.bench import paper_table
-from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import (
+    Block,
+    Bullets,
+    Cell,
+    Column,
+    Document,
+    Paragraph,
+    Section,
+    Table,
+    as_columns,
+    table_head,
+)
 from sweetspot.reports.paper.statements import stated
 from sweetspot.reports.quantities import SI, reader
 from sweetspot.reports.sentences import Sentence, say
@@ -17,7 +27,7 @@ from sweetspot.reports.sentences import Sentence, say
 
 def sports_document(answer: SportsAnswer) -> Document:
     """Return all sports in short; a mark stands behind a speed that no source was read for."""
-    columns = [Column("sport"), Column("ball")]
+    columns = table_head("sport | ball")
     columns += [Column(name, right=True) for name in ("tools", "swing", "comes at", *CERTAINTIES)]
     data = answer.to_dict()
     flat = [{**row, **{key: " ".join(row[key]) for key in ("balls", "implements")}} for row in data["sports"]]
@@ -60,7 +70,7 @@ def sport_document(answer: SportAnswer) -> Document:
     if answer.formulas:
         blocks.append(paper_table(answer.formulas, "The paper's formulas with this sport's numbers", SI))
     if described.terms:
-        blocks.append(Table("Words", [Column("word"), Column("what it is here")], described.terms))
+        blocks.append(Table("Words", table_head("word | what it is here"), described.terms))
     missing = Bullets(described.not_covered)
     data = answer.to_dict() | {"formulas": [to_dict(stated(row, SI)) for row in answer.formulas]}
     return Document(

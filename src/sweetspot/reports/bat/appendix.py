@@ -13,7 +13,18 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import ASSUMED_MARK
 from sweetspot.motion.swing import Conditions
 from sweetspot.reports.bat.provenance import assumed_of_ball, own_values, shown, used_records
-from sweetspot.reports.document import Block, Bullets, Cell, Column, Linked, Marked, Paragraph, Section, Table
+from sweetspot.reports.document import (
+    Block,
+    Bullets,
+    Cell,
+    Column,
+    Linked,
+    Marked,
+    Paragraph,
+    Section,
+    Table,
+    table_head,
+)
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
 from sweetspot.reports.sport_words import in_words, words_of
 from sweetspot.units import MPH
@@ -113,8 +124,7 @@ def published_section(results: Sequence[Result]) -> list[Block]:
         "The same model for implements of this sport in the catalogue, beside published numbers that did not go into "
         "it, known and explained misses among them; `sweetspot validate` lists all cases."
     )
-    columns = [Column("quantity"), Column("source"), Column("published", right=True), Column("computed", right=True),
-               Column("allowed"), Column("verdict")]  # fmt: skip
+    columns = table_head("quantity | source | published > | computed > | allowed | verdict")
     why = [
         f"{result.quantity[0].upper() + result.quantity[1:]}: {result.expected_miss}"
         for result in results

@@ -15,8 +15,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.reports.document import Cell, Column, Document, Paragraph, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import Cell, Document, Paragraph, Table, as_columns, table_head
 from sweetspot.reports.sentences import PLUS_MINUS, Slot, with_doubt
 from sweetspot.reports.sport_words import reader_of
 
@@ -29,10 +28,7 @@ def catalogue_document() -> Document:
         body = rigid_body(beam_model(bat))
         doubt = {"moi_6in_doubt_kg_m2": moi_doubt(bat, body, STANDARD_AXIS)}
         rows.append({"key": key, **to_dict(mass_properties(bat, body)), **doubt})
-    columns = [
-        Column("name"), Column("what"), Column("length", "length", 1), Column("mass", "mass"),
-        Column("balance point", "length"), Column("moment of inertia", right=True),
-    ]  # fmt: skip
+    columns = table_head("name | what | length: length, 1 | mass: mass | balance point: length | moment of inertia >")
     keys = ("key", "name", "length_m", "mass_kg", "balance_point_m")
     cells: list[list[Cell]] = [
         [*(row[key] for key in keys), with_doubt(row["moi_6in_kg_m2"], row["moi_6in_doubt_kg_m2"], "moi")]
@@ -72,8 +68,7 @@ def _other_rows(bats: set[str]) -> list[dict[str, Any]]:
 
 def _others(bats: set[str]) -> Table:
     """Return the implements of other sports, each in the words of its sport."""
-    columns = [Column("name"), Column("what"), Column("sport"), Column("length", right=True),
-               Column("mass", right=True), Column("swing weight", right=True)]  # fmt: skip
+    columns = table_head("name | what | sport | length > | mass > | swing weight >")
     rows: list[list[Cell]] = []
     for key in (key for name in sport_names() for key in sport_implements(name) if key not in bats):
         implement = catalog.implement(key)

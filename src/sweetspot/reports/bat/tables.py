@@ -22,7 +22,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Curve, Interval, Number, interpolated, values_of
 from sweetspot.reports.bat.words import cost, from_tip
-from sweetspot.reports.document import Cell, Column, Marked, Table
+from sweetspot.reports.document import Cell, Column, Marked, Table, values_table
 from sweetspot.reports.sentences import Sentence, Slot, UnitName, joined, say, with_doubt
 from sweetspot.reports.sport_words import in_words, weight, words_of
 from sweetspot.reports.sweet_spots import SPOTS
@@ -152,7 +152,7 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
           for axis, place, moi in axes),
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]  # fmt: skip
-    return Table("", [Column(""), Column("value", right=True)], rows)
+    return values_table(rows)
 
 
 def moment(moi: Number, doubt: float) -> Sentence:
@@ -210,4 +210,4 @@ def conditions_table(report: ReportAnswer) -> Table:
         ("its restitution on a wall", bounce),
         ("hands in the collision", "mass, spring and damper each" if held else f"none, the {words.implement} is free"),
     ]  # fmt: skip
-    return Table("", [Column(""), Column("value", right=True)], rows)
+    return values_table(rows)

@@ -18,8 +18,7 @@ from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import REACH
 from sweetspot.reports.calibration.intervals import measured_words
-from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table, as_columns, table_head
 from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 
@@ -122,7 +121,7 @@ def _unknowns(answer: CalibrateAnswer) -> Table:
         before, after = parts_of(unknown)
         words = unknown_words(unknown.name, answer.posterior.beam.bat)
         rows.append((words, say("± {spread:share, 1}", spread=before.half_width), _percent(after)))
-    columns = [Column("what was not known"), Column("before", right=True), Column("off the description by", right=True)]
+    columns = table_head("what was not known | before > | off the description by >")
     return Table("What the measurements changed", columns, rows)
 
 

@@ -10,7 +10,7 @@ from sweetspot.calibration.outline.photo.photo_outline import HOOKED
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
 from sweetspot.reports.calibration.intervals import measured_words
-from sweetspot.reports.document import Block, Column, Document, Paragraph, Table
+from sweetspot.reports.document import Block, Column, Document, Paragraph, Table, table_head
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.units import INCH
 
@@ -45,7 +45,7 @@ def _inches(answer: PhotoOutlineAnswer) -> Table:
             for value, error in zip(values.tolist(), errors.tolist(), strict=True)
         ]
 
-    columns = [Column("from the tip", "length"), Column("diameter (90 %)", right=True)]
+    columns = table_head("from the tip: length | diameter (90 %) >")
     cells = [diameters(length - from_tip)]
     if answer.tape_hooked_at > HOOKED:
         columns.append(Column("by a hooked tape", right=True))

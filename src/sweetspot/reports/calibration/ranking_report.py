@@ -9,8 +9,7 @@ from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.reports.calibration.document import axis_words, source_words
-from sweetspot.reports.document import Block, Column, Document, Paragraph, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import Block, Column, Document, Paragraph, Table, as_columns
 from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 

@@ -23,8 +23,19 @@ from sweetspot.reports.certification.limits_shown import (
     unsure_words,
     value_shown,
 )
-from sweetspot.reports.document import Block, Bullets, Cell, Cited, Column, Document, Paragraph, Picture, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import (
+    Block,
+    Bullets,
+    Cell,
+    Cited,
+    Column,
+    Document,
+    Paragraph,
+    Picture,
+    Table,
+    as_columns,
+    table_head,
+)
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import Sentence, Slot, Span, Words, joined, say
 from sweetspot.reports.uncertainty.section import chance_words, how_sure
@@ -206,9 +217,9 @@ def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
          _place(fast, length), _swung(test.swung)],
         ["MOI", turning, *none, "", "the clamp's axis"],
     ]  # fmt: skip
-    columns = [Column("measure"), Column("value", right=True), Column("by the patch", right=True)]
+    columns = table_head("measure | value > | by the patch >")
     columns += [Column("by the MOI", right=True) for _ in open_by[1:]]
-    columns += [Column("from the tip", "length"), Column("test")]
+    columns += table_head("from the tip: length | test")
     moi_note = [] if test.spread_by_moi is None else [MOI_NOTE]
     notes: list[Words] = [*_wall_note(answer, test), PATCH_NOTE, *moi_note]
     return [Table("Simulated test", columns, rows, name="certified"), *(Paragraph(note, "note") for note in notes)]
@@ -276,7 +287,7 @@ def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
     lines += [f"Row {bad.row} is not used: {bad.reason}." for bad in shots.bad_rows]
     if shots.ignored_columns:
         lines.append(f"Columns not used: {', '.join(shots.ignored_columns)}.")
-    where = [Column("from the tip", "length"), Column("shots", "count"), Column("BBCOR", "ratio", digits=4)]
+    where = table_head("from the tip: length | shots: count | BBCOR: ratio, 4")
     return [Table(heading, columns, rows), Table("Places", where, places), *_listed([*lines, *shots.notes])]
 
 

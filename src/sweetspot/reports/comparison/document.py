@@ -21,8 +21,18 @@ from sweetspot.numerics.interval import Number, interval_of
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.certification.limits_shown import MARKS, broken_words, limit_shown, value_shown
 from sweetspot.reports.comparison.words import assumed, cork_verdict, gain_words, verdict
-from sweetspot.reports.document import Block, Cell, Column, Document, Marked, Paragraph, Picture, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import (
+    Block,
+    Cell,
+    Column,
+    Document,
+    Marked,
+    Paragraph,
+    Picture,
+    Table,
+    as_columns,
+    table_head,
+)
 from sweetspot.reports.quantities import Reader, reader
 from sweetspot.reports.sentences import PLUS_MINUS, Sentence, Slot, Words, joined, read, say, within
 from sweetspot.reports.uncertainty.section import how_sure
@@ -197,7 +207,7 @@ def _row(bat: dict[str, Any]) -> dict[str, Any]:
 
 def legality_table(bats: Sequence[ComparedBat]) -> Table:
     """Return the verdict on every bat that was held against rules, and which rules make it or stay open."""
-    columns = [Column("bat"), Column("rules of"), Column("verdict"), Column("why")]
+    columns = table_head("bat | rules of | verdict | why")
     rows: list[list[Cell]] = [
         [bat.label, _leagues(tested), _verdict(tested), _reason(tested)]
         for bat in bats

@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from sweetspot.answers.what_if import BAT_CELLS, FailedCell, WhatIfAnswer
-from sweetspot.reports.document import Bullets, Cell, Column, Document, Paragraph, Table
+from sweetspot.reports.document import Bullets, Cell, Column, Document, Paragraph, Table, cells_as_columns
 from sweetspot.reports.grid.document import grid_document
 from sweetspot.reports.grid.grid import Grid, Side, varied
-from sweetspot.reports.json_shapes import cells_as_columns
 from sweetspot.reports.quantities import QUANTITIES
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 

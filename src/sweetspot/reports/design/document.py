@@ -18,7 +18,18 @@ from sweetspot.designs.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.reports.design.sizes import drawing, sizes_table, tolerance_paragraph
 from sweetspot.reports.design.words import breaking_words, gain_words, label_of, rules_words, tool_of
-from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
+from sweetspot.reports.document import (
+    Block,
+    Bullets,
+    Cell,
+    Column,
+    Document,
+    Paragraph,
+    Picture,
+    Section,
+    Table,
+    table_head,
+)
 from sweetspot.reports.quantities import Reader, reader
 from sweetspot.reports.sentences import Slot, Words, read, say
 
@@ -150,7 +161,7 @@ def _beside(design: Designed) -> Table:
                 Slot(strains[1] - strains[0], "strain", sign=True),
             ]
         )
-    columns = [Column(""), Column("present", right=True), Column("design", right=True), Column("change", right=True)]
+    columns = table_head(" | present > | design > | change >")
     return Table(f"Beside the present {tool_of(design)}", columns, rows)
 
 
@@ -204,7 +215,7 @@ def _rules(design: Designed) -> Table:
     from sweetspot.analysis.certification.rules import title
 
     rows: list[list[Cell]] = [[title(check.rule), check.words, check.reason] for check in design.checks]
-    return Table("Rules", [Column("rule"), Column("verdict"), Column("why")], rows)
+    return Table("Rules", table_head("rule | verdict | why"), rows)
 
 
 def _limits(design: Designed) -> list[Section]:

@@ -8,7 +8,7 @@ from sweetspot.answers.design_question import Designed
 from sweetspot.designs.turned import HANDLES, TurnedSpace
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.document import Cell, Column, Paragraph, Table
+from sweetspot.reports.document import Cell, Paragraph, Table, table_head
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.units import INCH
@@ -34,12 +34,7 @@ def sizes_table(bat: Bat) -> Table:
         ]
         for place in inch_places(bat)[::-1]
     ]
-    columns = [
-        Column("from the tip", "place"),
-        Column("from the knob end", "length"),
-        Column("diameter", "length", 3),
-        Column("diameter", right=True),
-    ]
+    columns = table_head("from the tip: place | from the knob end: length | diameter: length, 3 | diameter >")
     return Table("Diameters to turn", columns, rows)
 
 

@@ -10,10 +10,9 @@ import numpy as np
 from sweetspot.answers.records import plain_data
 from sweetspot.answers.what_if import FlyTableAnswer
 from sweetspot.flight.kernel import Flights
-from sweetspot.reports.document import Document, Paragraph, Picture
+from sweetspot.reports.document import Document, Paragraph, Picture, cells_as_columns
 from sweetspot.reports.grid.document import grid_document
 from sweetspot.reports.grid.grid import Grid
-from sweetspot.reports.json_shapes import cells_as_columns
 from sweetspot.reports.quantities import Reader, key
 from sweetspot.reports.sentences import Sentence, Span, say
 from sweetspot.units import grouped

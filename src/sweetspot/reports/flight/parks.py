@@ -8,8 +8,7 @@ from typing import Any
 from sweetspot import catalog
 from sweetspot.answers.catalogued import ParkAnswer, ParkFacts, ParksAnswer
 from sweetspot.flight.park import Park
-from sweetspot.reports.document import Cell, Column, Document, Picture, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import Cell, Column, Document, Picture, Table, as_columns, table_head
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import Sentence, Span
 
@@ -19,7 +18,7 @@ FAR = [Column(name, "distance", digits=0) for name in ("LF", "LC", "CF", "RC", "
 
 def parks_document(answer: ParksAnswer) -> Document:
     """Return many parks as a document, by their names in the catalogue."""
-    columns = [Column("name"), Column("team"), Column("elev.", "distance", digits=0), Column("roof")]
+    columns = table_head("name | team | elev.: distance, 0 | roof")
     columns += [*FAR, Column("wall", "distance")]
     data = answer.to_dict()
     picture = _picture(catalog.parks(), None)
@@ -51,11 +50,7 @@ def _fields(fields: Sequence[ParkFacts]) -> Table:
 
 def park_document(answer: ParkAnswer) -> Document:
     """Return one park's fence all the way round as a document; other parks are drawn behind it."""
-    columns = [
-        Column("from centre", "angle", digits=0, sign=True),
-        Column("distance", "distance"),
-        Column("height", "distance", digits=1),
-    ]
+    columns = table_head("from centre: angle, 0, sign | distance: distance | height: distance, 1")
     data, picture = answer.to_dict(), _picture(catalog.parks(), answer.park)
     corners = [list(corner) for corner in answer.park.fence]
     return Document(

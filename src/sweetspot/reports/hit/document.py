@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,15 @@ from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
 from sweetspot.reports.bat.appendix import soft_note
-from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.reports.document import (
+    Block,
+    Cell,
+    Document,
+    Paragraph,
+    Picture,
+    Table,
+    values_table,
+)
 from sweetspot.reports.hit.ledger import ENERGY_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, read, say
 from sweetspot.reports.sport_words import in_words, reader_of, weight, words_of
@@ -94,7 +101,7 @@ def impact_document(impact: Impact) -> Document:
     ]  # fmt: skip
     return Document(
         name="hit", title=title, kind="Hit",
-        blocks=[_two_columns(rows), *_doubts(impact, words), picture], data=data, rows=data["history"],
+        blocks=[values_table(rows), *_doubts(impact, words), picture], data=data, rows=data["history"],
         drawing=picture,
     )  # fmt: skip
 
@@ -117,7 +124,7 @@ def hit_table(hit: Hit, words: Terms, masses: Sentence, *, rigid: bool) -> Table
         rows.append((words.smash_factor, Slot(hit.smash_factor, "ratio")))
     if rigid:
         rows.append(("BBCOR at this speed", Slot(hit.bbcor, "ratio")))
-    return _two_columns([*rows, *_contact_rows(hit, words), *_energy_rows(hit, words), ("masses", masses)])
+    return values_table([*rows, *_contact_rows(hit, words), *_energy_rows(hit, words), ("masses", masses)])
 
 
 def hit_picture(impact: Impact, words: Terms, caption: str | Sentence = "", *, title: str | Sentence = "") -> Picture:
@@ -187,10 +194,6 @@ def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:
 
 def _force(force: Number) -> Slot:
     return Slot(force, "blow", None if float(force) > FEW_NEWTONS else 3)
-
-
-def _two_columns(rows: Sequence[tuple[Cell, Cell]], title: str | Sentence = "") -> Table:
-    return Table(title, [Column(""), Column("value", right=True)], rows)
 
 
 AGAIN = (

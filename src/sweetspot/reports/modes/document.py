@@ -7,8 +7,7 @@ from typing import Any
 
 from sweetspot.answers.records import plain_data
 from sweetspot.dynamics.modes import Modes
-from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, table_head
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import Slot, UnitName, joined, say
 
@@ -34,8 +33,7 @@ def modes_document(modes: Modes) -> Document:
         ])  # fmt: skip
         data.append({"family": family, "harmonic": modes.harmonics[index], "frequency_hz": frequency,
                      "damping_ratio": damping, "nodes_m": nodes})  # fmt: skip
-    columns = [Column("motion"), Column("rings at", "frequency"), Column("damping", "share", digits=2),
-               Column("stands still, from the end of the grip")]  # fmt: skip
+    columns = table_head("motion | rings at: frequency | damping: share, 2 | stands still, from the end of the grip")
     picture = Picture("modes", partial(_drawn, modes), label="How the bat bends in its first modes.")
     bends = bool(len(modes.of_family("bending")))
     blocks: list[Block] = [Table("", columns, rows), *([picture] if bends else [])]

@@ -8,9 +8,8 @@ from typing import Any
 from sweetspot.answers.optimum import FarthestLaunch, FarthestSwing, OptimumAnswer, SlowestHomeRun
 from sweetspot.catalog.sports import sport
 from sweetspot.numerics.interval import Number
-from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, table_head
 from sweetspot.reports.flight.document import direction_words
-from sweetspot.reports.json_shapes import as_columns
 from sweetspot.reports.quantities import Reader, reader
 from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.reports.uncertainty.section import how_sure
@@ -88,17 +87,10 @@ def _park_words(parks: Sequence[SlowestHomeRun]) -> Sentence:
 
 
 def _swings(swings: Sequence[FarthestSwing], *, length: float) -> Table:
-    columns = [
-        Column("pitch"),
-        Column("plate", "speed", digits=0),
-        Column("attack", "angle"),
-        Column("undercut", "offset"),
-        Column("from tip", "place"),
-        Column("exit", "speed"),
-        Column("launch", "angle"),
-        Column("spin", "spin"),
-        Column("carry", "distance"),
-    ]
+    columns = table_head(
+        "pitch | plate: speed, 0 | attack: angle | undercut: offset | from tip: place | exit: speed | "
+        "launch: angle | spin: spin | carry: distance"
+    )
     rows: list[list[Cell]] = [
         [
             best.pitch,
@@ -117,12 +109,7 @@ def _swings(swings: Sequence[FarthestSwing], *, length: float) -> Table:
 
 
 def _launches(launches: Sequence[FarthestLaunch]) -> Table:
-    columns = [
-        Column("exit speed", "speed", digits=0),
-        Column("backspin", "spin"),
-        Column("best launch", "angle"),
-        Column("carry", "distance"),
-    ]
+    columns = table_head("exit speed: speed, 0 | backspin: spin | best launch: angle | carry: distance")
     rows: list[list[Cell]] = [
         [float(best.exit_speed), float(best.backspin), float(best.launch_angle), _beside(best.carry, "distance")]
         for best in launches
@@ -131,14 +118,7 @@ def _launches(launches: Sequence[FarthestLaunch]) -> Table:
 
 
 def _parks(parks: Sequence[SlowestHomeRun]) -> Table:
-    columns = [
-        Column("park"),
-        Column("exit speed", "speed"),
-        Column("launch", "angle"),
-        Column("towards"),
-        Column("fence", "distance"),
-        Column("wall", "distance"),
-    ]
+    columns = table_head("park | exit speed: speed | launch: angle | towards | fence: distance | wall: distance")
     rows: list[list[Cell]] = [
         [
             best.park,

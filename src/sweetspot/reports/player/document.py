@@ -21,8 +21,9 @@ from sweetspot.reports.document import (
     Question,
     Section,
     Table,
+    as_columns,
+    table_head,
 )
-from sweetspot.reports.json_shapes import as_columns
 from sweetspot.reports.player.pair_words import pairs_table
 from sweetspot.reports.player.phrases import GOALS, goal_shown, goal_words, option_words, pitch_words
 from sweetspot.reports.player.words import PARAMETERS, answers, findings, notes, parameter_shown
@@ -93,15 +94,7 @@ def _cards(advice: Advice) -> Cards:
 def _bats(advice: Advice) -> Table:
     """Return the bats tried, the player's own first."""
     goal, bat_now = advice.goal, advice.posterior.model.bats[0].bat
-    columns = [
-        Column("bat"),
-        Column("mass", "mass"),
-        Column("MOI", "moi"),
-        Column("bat speed", "speed"),
-        Column("expected", right=True),
-        Column("change", right=True),
-        Column("better", "share"),
-    ]
+    columns = table_head("bat | mass: mass | MOI: moi | bat speed: speed | expected > | change > | better: share")
     rows: list[list[Cell]] = [[f"{bat_now.name} (now)", "", "", "", goal_shown(advice.now, goal), "", ""]]
     for option in advice.options:
         bat, body = option.candidate.bat, option.candidate.body
@@ -114,7 +107,7 @@ def _bats(advice: Advice) -> Table:
 
 def _facts(learned: dict[str, Learned]) -> Table:
     """Return every parameter: value, interval, prior, and whether the data determine it."""
-    columns = [Column("parameter"), Column("value (90 %)"), Column("before the data")]
+    columns = table_head("parameter | value (90 %) | before the data")
     rows: list[list[Cell]] = [
         [
             PARAMETERS[name][0],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sweetspot.player.advice import Advice
 from sweetspot.player.bat_pairs import BatPair
-from sweetspot.reports.document import Cell, Column, Table
+from sweetspot.reports.document import Cell, Table, table_head
 from sweetspot.reports.player.phrases import goal_shown
 from sweetspot.reports.sentences import Sentence, Words, joined, say, within
 
@@ -38,14 +38,7 @@ def of_those_swung(advice: Advice) -> Words:
 
 def pairs_table(advice: Advice) -> Table:
     """Return every two of the bats that were swung: the gain expected, how likely, and what was measured."""
-    columns = [
-        Column("bat"),
-        Column("against"),
-        Column("expected gain", right=True),
-        Column("better", "share"),
-        Column("measured exit speed", right=True),
-        Column("so"),
-    ]
+    columns = table_head("bat | against | expected gain > | better: share | measured exit speed > | so")
     rows: list[list[Cell]] = [
         [
             pair.better,

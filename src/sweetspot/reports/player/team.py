@@ -8,8 +8,18 @@ from sweetspot.answers.records import to_dict
 from sweetspot.answers.team import FitTeamAnswer, TeamBatter
 from sweetspot.player.goal import Goal
 from sweetspot.player.prior import ANYBODY, NAMES, Population, population_range
-from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import (
+    Block,
+    Bullets,
+    Cell,
+    Column,
+    Document,
+    Paragraph,
+    Section,
+    Table,
+    as_columns,
+    table_head,
+)
 from sweetspot.reports.player.phrases import GOALS, goal_words, option_words
 from sweetspot.reports.player.words import PARAMETERS, parameter_shown, taken_for
 from sweetspot.reports.sentences import Sentence, Slot, Words, say
@@ -112,7 +122,7 @@ def _better(batter: TeamBatter, scale: str, digits: int | None) -> Words:
 
 
 def _lean(batters: Sequence[TeamBatter]) -> Table:
-    columns = [Column("batter"), Column("swings", right=True)]
+    columns = table_head("batter | swings >")
     for name, heading in POOLED.items():
         _, scale, digits = PARAMETERS[name]
         columns += [Column(heading, scale, digits=digits), Column("pooled", scale, digits=digits)]
@@ -127,7 +137,7 @@ def _lean(batters: Sequence[TeamBatter]) -> Table:
 
 def _league(population: Population) -> Table:
     """Return every parameter: the league's middle and what 90 % of its batters lie within, and what is usual."""
-    columns = [Column("parameter"), Column("this league (90 % of its batters)"), Column("players as is usual")]
+    columns = table_head("parameter | this league (90 % of its batters) | players as is usual")
     ranges = [population_range(players) for players in (population, ANYBODY)]
     rows: list[list[Cell]] = [
         [PARAMETERS[name][0], *(parameter_shown(name, by_name[name]) for by_name in ranges)] for name in NAMES

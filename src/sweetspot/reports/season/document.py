@@ -12,7 +12,18 @@ import polars as pl
 
 from sweetspot.answers.season import Caution, SeasonAnswer, SeasonTable
 from sweetspot.numerics.interval import Interval
-from sweetspot.reports.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
+from sweetspot.reports.document import (
+    Block,
+    Bullets,
+    Cell,
+    Column,
+    Document,
+    Paragraph,
+    Picture,
+    Section,
+    Table,
+    table_head,
+)
 from sweetspot.reports.quantities import Reader
 from sweetspot.reports.season.words import few_of_a_kind, league_words, left_over_words, untracked_words
 from sweetspot.reports.sentences import Slot, within
@@ -103,7 +114,7 @@ def _warnings(cautions: Sequence[Caution]) -> Block:
         detail = f" ({caution.detail})" if caution.detail else ""
         what = WARNINGS[caution.name] + detail
         rows.append([caution.name, Path(caution.file).name, grouped(caution.rows), where or "all", what])
-    columns = [Column("beware"), Column("table"), Column("rows", right=True), Column("first of them"), Column("what")]
+    columns = table_head("beware | table | rows > | first of them | what")
     of_csv = any(caution.first_rows and not is_parquet(Path(caution.file)) for caution in cautions)
     title = "Beware; rows of a CSV file have the numbers that a spreadsheet shows" if of_csv else "Beware"
     return Table(title, columns, rows)
@@ -142,8 +153,7 @@ def _pooled(row: Mapping[str, Any], name: str) -> Cell:
 
 
 def _drag(months: Sequence[DragOfMonth]) -> Table:
-    columns = [Column("month"), Column("drag over the law's", "ratio"), Column("standard error", "ratio"),
-               Column("fly balls", right=True), Column("games", right=True)]  # fmt: skip
+    columns = table_head("month | drag over the law's: ratio | standard error: ratio | fly balls > | games >")
     rows: list[list[Cell]] = [
         [month.month, month.drag, month.error, grouped(month.flies), grouped(month.games)] for month in months
     ]
@@ -153,7 +163,7 @@ def _drag(months: Sequence[DragOfMonth]) -> Table:
 def _reliability(players: Standing) -> Table:
     """Return how well balls tell players apart: the reliability of each measure."""
     counts = (34, 100, 400)
-    columns = [Column("measure"), Column("players", right=True)]
+    columns = table_head("measure | players >")
     columns += [Column(f"at {count} balls", "ratio", 2) for count in counts]
     rows: list[list[Cell]] = []
     for name, spread in players.spreads.items():

@@ -12,8 +12,7 @@ from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap, Tone
 from sweetspot.reports.calibration.intervals import measured_words
-from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.reports.json_shapes import as_columns
+from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, table_head
 from sweetspot.reports.quantities import NOTHING, SI
 from sweetspot.reports.sentences import Sentence, joined, say
 
@@ -102,11 +101,9 @@ def _heard_to(tap: Tap, top: float) -> Sentence:
 
 
 def _tones(test: TapTest) -> Table:
-    columns = [
-        Column("mode"), Column("frequency", right=True), Column("expected", "frequency", digits=1),
-        Column("damping", right=True), Column("Q", right=True), Column("level", "ratio"), Column("taps", "count"),
-        Column("whose"),
-    ]  # fmt: skip
+    columns = table_head(
+        "mode | frequency > | expected: frequency, 1 | damping > | Q > | level: ratio | taps: count | whose"
+    )
     return Table("Tones", columns, [_tone_row(named) for named in test.tones])
 
 
@@ -135,14 +132,14 @@ def _bar(bar: BarModulus) -> Table:
         ("density", measured_words(bar.density, "density")),
         ("E / G", measured_words(bar.modulus_ratio, "ratio")),
     ]
-    return Table("The bar", [Column("quantity"), Column("value", right=True)], rows)
+    return Table("The bar", table_head("quantity | value >"), rows)
 
 
 def _along(moduli: Sequence[tuple[Tone, Measured]]) -> Table:
     rows: list[tuple[Cell, ...]] = [
         (measured_words(tone.frequency, "frequency"), measured_words(modulus, "modulus")) for tone, modulus in moduli
     ]
-    columns = [Column("tone", right=True), Column("E if it is the first along", right=True)]
+    columns = table_head("tone > | E if it is the first along >")
     return Table("The plate", columns, rows)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from sweetspot.answers.answer import Uncertainty
 from sweetspot.catalog.sports import sport, sport_names
-from sweetspot.reports.document import Cell, Column, Paragraph, Picture, Section, Table
+from sweetspot.reports.document import Cell, Paragraph, Picture, Section, Table, table_head
 from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.uncertainty.intervals import TOGETHER
 
@@ -46,7 +46,7 @@ def shares_table(shares: Mapping[str, float], where: Mapping[str, str]) -> Table
         ]
         for name, share in shares.items()
     ]  # fmt: skip
-    columns = [Column("source"), Column("part", right=True), Column(""), Column("rests on")]
+    columns = table_head("source | part > |  | rests on")
     return Table("", columns, rows, name="shares")
 
 
