@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.implement import MassProperties, mass_properties
@@ -31,15 +30,11 @@ from sweetspot.reports.bat.tables import (
     stations,
 )
 from sweetspot.reports.bat.words import answer_words, from_tip, why_intervals
-from sweetspot.reports.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList
+from sweetspot.reports.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList, drawn
 from sweetspot.reports.hit.document import hit_picture, hit_table, masses_words, touched_again_between
-from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
 from sweetspot.reports.sport_words import in_words, made_of_words, reader_of, weight, words_of
 from sweetspot.reports.uncertainty.section import how_sure
-
-COLUMNS, ROWS = 120, 90
-"""Places of the maps of a face: enough for the eye."""
 
 
 def report_document(report: ReportAnswer) -> Document:
@@ -131,19 +126,13 @@ def _overview(report: ReportAnswer) -> Picture:
     )
     shaded = "" if spots.zone is None else in_words(" Shaded: the {zone}.", words)
     caption = in_words("The {implement} to scale and, place for place, what a hit there does.", words) + shaded
-    return Picture("overview", partial(_drawn_overview, report), label, caption, partial(_drawn_sheet, report))
-
-
-def _drawn_overview(report: ReportAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.bat.figure import report_figure
-
-    return report_figure(report, reading)
-
-
-def _drawn_sheet(report: ReportAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.bat.figure import sheet_figure
-
-    return sheet_figure(report, reading)
+    return Picture(
+        "overview",
+        drawn("sweetspot.reports.bat.figure:report_figure", report),
+        label,
+        caption,
+        drawn("sweetspot.reports.bat.figure:sheet_figure", report),
+    )
 
 
 def _details(report: ReportAnswer) -> list[Block]:
@@ -209,15 +198,9 @@ def _face_picture(analysis: Analysis[Implement]) -> Picture:
         "not in these maps.", words_of(analysis.bat.sport),
     )  # fmt: skip
     label = f"Three maps of the face of {analysis.bat.name}: exit speed, efficiency and sting."
-    return Picture("face", partial(_drawn_face, analysis), label, caption)
-
-
-def _drawn_face(analysis: Analysis[Implement], reading: Reader) -> Any:
-    from sweetspot.analysis.face_maps import face_map
-    from sweetspot.reports.bat.outline_picture import face_figure
-
-    hits = face_map(analysis.reduced, analysis.conditions, columns=COLUMNS, rows=ROWS)
-    return face_figure(hits, analysis.bat, reading)
+    return Picture(
+        "face", drawn("sweetspot.reports.bat.outline_picture:analysis_face_figure", analysis), label, caption
+    )
 
 
 def unhit_document(answer: UnhitAnswer) -> Document:

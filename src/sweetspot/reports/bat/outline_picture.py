@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse, Patch, Polygon, Rectangle
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.analysis.face_maps import FaceMap
+from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.face import FaceOutline
 from sweetspot.equipment.implement import Implement
@@ -190,6 +190,16 @@ TALLEST = 4.0
 RISE = LinearSegmentedColormap.from_list("rise", ["#f2f4f7", "#f6d7a7", "#e69f00", "#d55e00", "#7a2e00"])
 FALL = LinearSegmentedColormap.from_list("fall", ["#f2f4f7", "#dfc3d6", "#cc79a7", "#6d2c54"])
 CENTIMETRE = 0.01
+
+
+COLUMNS, ROWS = 120, 90
+"""Places of the maps of a face: enough for the eye."""
+
+
+def analysis_face_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> Figure:
+    """Return the maps of the face of an analysed implement."""
+    hits = face_map(analysis.reduced, analysis.conditions, columns=COLUMNS, rows=ROWS)
+    return face_figure(hits, analysis.bat, reading)
 
 
 @styled

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from sweetspot.analysis.certification.rules import Verdict, title
 from sweetspot.analysis.certification.shot_statistics import Estimate
@@ -34,9 +33,9 @@ from sweetspot.reports.document import (
     Picture,
     Table,
     as_columns,
+    drawn,
     table_head,
 )
-from sweetspot.reports.quantities import Reader
 from sweetspot.reports.sentences import Sentence, Slot, Span, Words, joined, say
 from sweetspot.reports.uncertainty.section import chance_words, how_sure
 
@@ -75,10 +74,10 @@ def certificate_document(answer: CertifyAnswer) -> Document:
     if answer.checks:
         blocks += [_rules(answer), *_listed(_reasons(answer.checks))]
     picture = Picture(
-        "certify", lambda reading: _drawn(answer, reading),
+        "certify", drawn("sweetspot.reports.certification.picture:certification_figure", answer),
         label=say("What the rules limit, place for place along {bat}, and the limits.", bat=answer.bat.name),
         caption="A test in the computer or on a bench; no certificate.",
-        sheet=lambda reading: _drawn_sheet(answer, reading),
+        sheet=drawn("sweetspot.reports.certification.picture:certification_sheet", answer),
     )  # fmt: skip
     sure = [] if answer.uncertainty is None else [how_sure(answer.uncertainty, "BBCOR")]
     data = answer.to_dict()
@@ -87,18 +86,6 @@ def certificate_document(answer: CertifyAnswer) -> Document:
         blocks=[*blocks, picture, *sure], data=data, rows=as_columns(data["checks"]), passed=answer.passed,
         drawing=picture,
     )  # fmt: skip
-
-
-def _drawn_sheet(answer: CertifyAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.certification.picture import ON_A_SHEET, certification_figure
-
-    return certification_figure(answer, reading, paper=ON_A_SHEET)
-
-
-def _drawn(answer: CertifyAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.certification.picture import certification_figure
-
-    return certification_figure(answer, reading)
 
 
 def certification_document(certification: Certification) -> Document:

@@ -81,6 +81,11 @@ def certification_figure(
     return page.figure
 
 
+def certification_sheet(answer: CertifyAnswer, reading: Reader = US) -> Figure:
+    """Return the figure for a printed sheet, whose page says whose test it is."""
+    return certification_figure(answer, reading, paper=ON_A_SHEET)
+
+
 def _verdicts(answer: CertifyAnswer) -> str:
     """Return how many rules a bat keeps and breaks."""
     verdicts = "; ".join(

@@ -31,9 +31,10 @@ from sweetspot.reports.document import (
     Picture,
     Table,
     as_columns,
+    drawn,
     table_head,
 )
-from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import PLUS_MINUS, Sentence, Slot, Words, joined, read, say, within
 from sweetspot.reports.uncertainty.section import how_sure
 from sweetspot.uncertainty.sources import sources_of
@@ -67,10 +68,10 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
     chances = [] if uncertainty is None else [gain_words(gain, answer.reference) for gain in uncertainty.gains]
     main = "exit speed" if number == 1 else f"change of {bats[-1].label}"
     picture = Picture(
-        "curves", lambda reading: _drawn(answer, reading),
+        "curves", drawn("sweetspot.reports.comparison.picture:compare_figure", answer),
         label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
         caption="Tips aligned. Boxes: sweet zones. Dots: best places.",
-        sheet=lambda reading: _drawn_sheet(answer, reading),
+        sheet=drawn("sweetspot.reports.comparison.picture:compare_sheet", answer),
     )  # fmt: skip
     ruled = any(bat.certificate is not None for bat in bats)
     taken = assumed(answer, draws="`--uncertainty`")
@@ -177,18 +178,6 @@ def _by_place(answer: CompareAnswer) -> list[Block]:
     ]  # fmt: skip
     rows: list[list[Cell]] = [list(map(float, row)) for row in zip(PLACES, *changes, strict=True)]
     return [Table(f"Change by place, against {first.label}", columns, rows)]
-
-
-def _drawn(answer: CompareAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.comparison.picture import compare_figure
-
-    return compare_figure(answer, reading)
-
-
-def _drawn_sheet(answer: CompareAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.comparison.picture import compare_sheet
-
-    return compare_sheet(answer, reading)
 
 
 def _row(bat: dict[str, Any]) -> dict[str, Any]:

@@ -28,6 +28,7 @@ from sweetspot.reports.document import (
     Picture,
     Section,
     Table,
+    drawn,
     table_head,
 )
 from sweetspot.reports.quantities import Reader, reader
@@ -69,7 +70,7 @@ def design_document(answer: DesignAnswer) -> Document:
     words = [*gain_words(design), *breaking_words(design), *rules_words(design)]
     picture = Picture(
         "design",
-        partial(_drawn, design),
+        drawn("sweetspot.reports.design.picture:design_figure", design),
         label="The design's outline, its difference from the present bat, and the front.",
         caption="Band: two of one shape, 90 %. Grey: where the ball is met.",
     )
@@ -231,9 +232,3 @@ def _limits(design: Designed) -> list[Section]:
             assert end is not None
             lines.append(say("{label}: {side} {end} ({why})", label=label, side=side, end=end, why=limit.why))
     return [Section("limits", "Limits kept", [Bullets(lines)])] if lines else []
-
-
-def _drawn(design: Designed, reading: Reader) -> Any:
-    from sweetspot.reports.design.picture import design_figure
-
-    return design_figure(design, reading)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import partial
-from typing import Any
 
 from sweetspot.answers.flight import BallLeaving, FlightAnswer, FlightEnd, FlightNumbers
 from sweetspot.answers.fly import BALLPARKS, Court, FlyAnswer
@@ -13,8 +11,8 @@ from sweetspot.flight.home_runs import is_likely
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import Flight, FlightOutcome
 from sweetspot.numerics.interval import Number
-from sweetspot.reports.document import Block, Document, Paragraph, Picture
-from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.document import Block, Document, Paragraph, Picture, drawn
+from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
 from sweetspot.reports.uncertainty.section import how_sure
 from sweetspot.units import DEGREE
@@ -129,16 +127,10 @@ def _note(answer: FlyAnswer) -> Sentence:
 
 def _picture(flight: Flight, park: Park | None, *, ballpark: bool = True, note: Words = "") -> Picture:
     return Picture(
-        "path", partial(_drawn, flight, park, ballpark, note),
+        "path", drawn("sweetspot.reports.flight.picture:flight_figure", flight, park, ballpark=ballpark, note=note),
         label="The path of the ball from the side and from above.",
         caption="A dot every second.",
     )  # fmt: skip
-
-
-def _drawn(flight: Flight, park: Park | None, ballpark: bool, note: Words, reading: Reader) -> Any:
-    from sweetspot.reports.flight.picture import flight_figure
-
-    return flight_figure(flight, park, reading, ballpark=ballpark, note=note)
 
 
 def court_words(flown: FlightNumbers, court: Court) -> Sentence:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from functools import partial
-from typing import Any
-
 import numpy as np
 
 from sweetspot.answers.records import plain_data
 from sweetspot.answers.what_if import FlyTableAnswer
 from sweetspot.flight.kernel import Flights
-from sweetspot.reports.document import Document, Paragraph, Picture, cells_as_columns
+from sweetspot.reports.document import Document, Paragraph, Picture, cells_as_columns, drawn
 from sweetspot.reports.grid.document import grid_document
 from sweetspot.reports.grid.grid import Grid
-from sweetspot.reports.quantities import Reader, key
+from sweetspot.reports.quantities import key
 from sweetspot.reports.sentences import Sentence, Span, say
 from sweetspot.units import grouped
 
@@ -25,9 +22,11 @@ def flights_document(flown: Flights) -> Document:
         key("apex"): flown.apex_height, key("bearing"): flown.bearing, key("landing_angle"): flown.landing_angle,
     }  # fmt: skip
     picture = Picture(
-        "flights", partial(_drawn, flown), label="Where the balls come down, from above, and how far they carry.",
-        caption="A dot for each ball that came down.",
-    )  # fmt: skip
+        "flights",
+        drawn("sweetspot.reports.flight.picture:flights_figure", flown),
+        "Where the balls come down, from above, and how far they carry.",
+        "A dot for each ball that came down.",
+    )
     lists = plain_data({name: values.tolist() for name, values in columns.items()})
     return Document(
         name="flights", title="", kind="Flights", blocks=[Paragraph(_words(flown)), picture], data=lists, rows=lists,
@@ -51,12 +50,6 @@ def _words(flown: Flights) -> Sentence:
         middle=float(np.median(carry)),
         time=Span(time.min(), time.max(), "time"),
     )
-
-
-def _drawn(flown: Flights, reading: Reader) -> Any:
-    from sweetspot.reports.flight.picture import flights_figure
-
-    return flights_figure(flown, reading)
 
 
 def fly_table_document(answer: FlyTableAnswer) -> Document:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from sweetspot import catalog
 from sweetspot.answers.catalogued import ParkAnswer, ParkFacts, ParksAnswer
 from sweetspot.flight.park import Park
-from sweetspot.reports.document import Cell, Column, Document, Picture, Table, as_columns, table_head
-from sweetspot.reports.quantities import Reader
+from sweetspot.reports.document import Cell, Column, Document, Picture, Table, as_columns, drawn, table_head
 from sweetspot.reports.sentences import Sentence, Span
 
+PARKS = "sweetspot.reports.flight.picture:parks_figure"
 ROOFS = {"open": "", "retractable": "moves", "fixed": "fixed"}
 FAR = [Column(name, "distance", digits=0) for name in ("LF", "LC", "CF", "RC", "RF")]
 
@@ -66,14 +65,9 @@ def park_document(answer: ParkAnswer) -> Document:
 
 
 def _picture(parks: Sequence[Park], named: Park | None) -> Picture:
+    shown = [named] if named else []
     label = "Fences from above." if named is None else f"The fence of {named.name} from above, over those of others."
     return Picture(
-        "fences", lambda reading: _drawn(parks, named, reading, (7.0, 5.6)), label=label,
-        sheet=lambda reading: _drawn(parks, named, reading, (4.6, 3.7)),
+        "fences", drawn(PARKS, parks, shown, size=(7.0, 5.6)), label=label,
+        sheet=drawn(PARKS, parks, shown, size=(4.6, 3.7)),
     )  # fmt: skip
-
-
-def _drawn(parks: Sequence[Park], named: Park | None, reading: Reader, size: tuple[float, float]) -> Any:
-    from sweetspot.reports.flight.picture import parks_figure
-
-    return parks_figure(parks, [named] if named else [], reading, size=size)

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sweetspot.reports.document import Block, Document, Picture
+from sweetspot.reports.document import Block, Document, Picture, drawn
 from sweetspot.reports.grid.grid import Grid
-from sweetspot.reports.quantities import Reader
 
 
 def grid_document(
@@ -21,13 +20,7 @@ def grid_document(
     title: str = "",
 ) -> Document:
     """Return a grid as a document: its table, ``notes``, its picture; ``title`` says what it is about."""
-    picture = Picture("grid", lambda reading: _drawn(grid, title, reading), label=grid.title)
+    picture = Picture("grid", drawn("sweetspot.reports.grid.picture:grid_figure", grid, title=title), label=grid.title)
     return Document(
         name=name, title=title, kind=kind, blocks=[grid.table(), *notes, picture], data=data, rows=rows, drawing=picture
     )
-
-
-def _drawn(grid: Grid, title: str, reading: Reader) -> Any:
-    from sweetspot.reports.grid.picture import grid_figure
-
-    return grid_figure(grid, reading, title)

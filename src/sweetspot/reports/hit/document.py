@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from sweetspot.answers.hit import Collision, Hit, HitAnswer, Strains, collision_of
@@ -16,17 +14,9 @@ from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
 from sweetspot.reports.bat.appendix import soft_note
-from sweetspot.reports.document import (
-    Block,
-    Cell,
-    Document,
-    Paragraph,
-    Picture,
-    Table,
-    values_table,
-)
+from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, drawn, values_table
 from sweetspot.reports.hit.ledger import ENERGY_NAMES
-from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, read, say
+from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, say
 from sweetspot.reports.sport_words import in_words, reader_of, weight, words_of
 from sweetspot.reports.uncertainty.section import how_sure
 
@@ -138,13 +128,7 @@ def hit_picture(impact: Impact, words: Terms, caption: str | Sentence = "", *, t
     label = in_words(
         "Force of the hit: it rises to {force} and lasts {time:contact, 2}. Of the energy, {heat:share} become heat "
         "in the {ball}.", words, force=_force(impact.peak_force), time=impact.contact_time, heat=heat)  # fmt: skip
-    return Picture("hit", lambda reading: _drawn(impact, words, read(title, reading)), label, caption)
-
-
-def _drawn(impact: Impact, words: Terms, title: str) -> Any:
-    from sweetspot.reports.hit.picture import hit_figure
-
-    return hit_figure(impact, words, title)
+    return Picture("hit", drawn("sweetspot.reports.hit.picture:hit_figure", impact, words, title), label, caption)
 
 
 def _contact_rows(hit: Collision, words: Terms) -> Rows:

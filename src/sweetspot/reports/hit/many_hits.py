@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,8 +9,8 @@ import numpy as np
 from sweetspot.answers.records import plain_data
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impacts, Outcome
-from sweetspot.reports.document import Document, Paragraph, Picture
-from sweetspot.reports.quantities import Reader, key
+from sweetspot.reports.document import Document, Paragraph, Picture, drawn
+from sweetspot.reports.quantities import key
 from sweetspot.reports.sentences import Sentence, Slot, Span, say
 from sweetspot.units import grouped
 
@@ -24,9 +23,11 @@ def impacts_document(hits: Impacts | Strikes) -> Document:
            for name in ("collision_efficiency", "contact_time", "peak_force", "peak_compression")},
     }  # fmt: skip
     picture = Picture(
-        "hits", partial(_drawn, hits), label="Collision efficiency, contact time and peak force of every hit.",
-        caption="In the order in which they were asked for.",
-    )  # fmt: skip
+        "hits",
+        drawn("sweetspot.reports.hit.picture:impacts_figure", hits),
+        "Collision efficiency, contact time and peak force of every hit.",
+        "In the order in which they were asked for.",
+    )
     lists = plain_data(columns)
     valid = bool(np.isfinite(hits.collision_efficiency).any())
     return Document(
@@ -54,9 +55,3 @@ def _words(hits: Impacts | Strikes) -> Sentence:
 def _span(values: Any, scale: str) -> Span | Slot:
     finite = values[np.isfinite(values)]
     return Span(float(finite.min()), float(finite.max()), scale) if len(finite) else Slot(float("nan"), scale)
-
-
-def _drawn(hits: Impacts | Strikes, reading: Reader) -> Any:
-    from sweetspot.reports.hit.picture import impacts_figure
-
-    return impacts_figure(hits, reading)

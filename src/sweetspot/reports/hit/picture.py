@@ -13,7 +13,8 @@ from sweetspot.equipment.sport import Terms
 from sweetspot.reports.hit.ledger import ENERGY_NAMES
 from sweetspot.reports.pictures.panels import Page, Panel, beside, double_arrow, frame, heading, second_scale, write
 from sweetspot.reports.pictures.style import INK, LARGE, MUTED, NORMAL, halo, styled
-from sweetspot.reports.quantities import BLUE, GREEN, QUANTITIES, RED, Reader
+from sweetspot.reports.quantities import BLUE, GREEN, QUANTITIES, RED, US, Reader
+from sweetspot.reports.sentences import Words, read
 from sweetspot.units import INCH, POUND_FORCE
 
 BASEBALL = Terms()
@@ -22,7 +23,7 @@ WIDTH, HEIGHT, TITLE = 8.5, 4.75, 0.4
 
 
 @styled
-def hit_figure(impact: Impact, words: Terms = BASEBALL, title: str = "") -> Figure:
+def hit_figure(impact: Impact, words: Terms = BASEBALL, title: Words = "", reading: Reader = US) -> Figure:
     """Return force against time, force against compression, and the energy ledger of one hit.
 
     Parameters
@@ -32,7 +33,7 @@ def hit_figure(impact: Impact, words: Terms = BASEBALL, title: str = "") -> Figu
     above = TITLE if title else 0.0
     page = Page(WIDTH, HEIGHT + above, 0.3)
     if title:
-        page.title(title, down=0.28, beside=0.4, size=LARGE)
+        page.title(read(title, reading), down=0.28, beside=0.4, size=LARGE)
     force_in_time(page.panel(0.35 + above, 1.85, left=0.8, width=3.55), impact)
     force_loop(page.panel(0.35 + above, 1.85, left=5.35, width=2.35), impact)
     energy_ledger(page.panel(2.95 + above, 1.65, left=2.3, width=5.4), impact, words)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Any
 
 from sweetspot.answers.records import plain_data
 from sweetspot.dynamics.modes import Modes
-from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, table_head
-from sweetspot.reports.quantities import Reader
+from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, drawn, table_head
 from sweetspot.reports.sentences import Slot, UnitName, joined, say
 
 KINDS = {"rigid": "rigid motion", "bending": "bending", "hoop": "wall (hoop)", "face": "face", "hand": "hands"}
@@ -34,7 +32,11 @@ def modes_document(modes: Modes) -> Document:
         data.append({"family": family, "harmonic": modes.harmonics[index], "frequency_hz": frequency,
                      "damping_ratio": damping, "nodes_m": nodes})  # fmt: skip
     columns = table_head("motion | rings at: frequency | damping: share, 2 | stands still, from the end of the grip")
-    picture = Picture("modes", partial(_drawn, modes), label="How the bat bends in its first modes.")
+    picture = Picture(
+        "modes",
+        drawn("sweetspot.reports.modes.picture:modes_figure", modes),
+        label="How the bat bends in its first modes.",
+    )
     bends = bool(len(modes.of_family("bending")))
     blocks: list[Block] = [Table("", columns, rows), *([picture] if bends else [])]
     if not bends:
@@ -48,9 +50,3 @@ def modes_document(modes: Modes) -> Document:
         rows=as_columns(data),
         drawing=picture if bends else None,
     )
-
-
-def _drawn(modes: Modes, reading: Reader) -> Any:
-    from sweetspot.reports.modes.picture import modes_figure
-
-    return modes_figure(modes, reading)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from sweetspot.answers.optimum import FarthestLaunch, FarthestSwing, OptimumAnswer, SlowestHomeRun
 from sweetspot.catalog.sports import sport
 from sweetspot.numerics.interval import Number
-from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, table_head
+from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, drawn, table_head
 from sweetspot.reports.flight.document import direction_words
-from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.reports.uncertainty.section import how_sure
 
@@ -32,7 +31,9 @@ def optimum_document(answer: OptimumAnswer) -> Document:
         blocks += [Paragraph(_park_words(answer.parks)), _parks(answer.parks)]
     if answer.uncertainty is not None:
         blocks.append(Paragraph(HELD, "note"))
-    picture = Picture("best", lambda reading: _drawn(answer, reading), label="The best of what was tried.")
+    picture = Picture(
+        "best", drawn("sweetspot.reports.optimum.picture:optimum_figure", answer), label="The best of what was tried."
+    )
     blocks.append(picture)
     if answer.uncertainty is not None:
         parks_alone = answer.swings is None and answer.launches is None
@@ -48,12 +49,6 @@ def optimum_document(answer: OptimumAnswer) -> Document:
         reader=reader(None, sport(bat.sport).words),
         drawing=picture,
     )
-
-
-def _drawn(answer: OptimumAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.optimum.picture import optimum_figure
-
-    return optimum_figure(answer, reading)
 
 
 def _swing_words(best: FarthestSwing, *, length: float) -> Sentence:

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from sweetspot.analysis.full_play import Play, Plays
 from sweetspot.answers.flight import flight_of
 from sweetspot.answers.play import PlayAnswer
 from sweetspot.catalog.sports import sport
 from sweetspot.collision.hit_in_space import Strike
 from sweetspot.reports.bat.appendix import soft_note
-from sweetspot.reports.document import Document, Paragraph, Picture
+from sweetspot.reports.document import Document, Paragraph, Picture, drawn
 from sweetspot.reports.flight.document import alike_words, fence_words, flight_document, flight_words, launch_words
 from sweetspot.reports.flight.many import flights_document
 from sweetspot.reports.hit.document import by_ball, impact_document, touched_again
-from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, joined, say
 from sweetspot.reports.uncertainty.section import how_sure
 
@@ -25,7 +23,7 @@ def play_document(answer: PlayAnswer) -> Document:
     pitch = say("{speed:speed, 0} pitch", speed=answer.pitch_speed)
     picture = Picture(
         "play",
-        lambda reading: _drawn(answer, words, reading),
+        drawn("sweetspot.reports.play.picture:play_figure", answer, words),
         label="The contact of bat and ball, and the ball's path from above and from the side.",
     )
     return Document(
@@ -78,12 +76,6 @@ def play_words(answer: PlayAnswer) -> Sentence:
     if chance is not None:
         sentences.append(say("Of a hundred like it {chance} are home runs.", chance=round(100 * chance)))
     return joined(sentences)
-
-
-def _drawn(answer: PlayAnswer, words: Sentence, reading: Reader) -> Any:
-    from sweetspot.reports.play.picture import play_figure
-
-    return play_figure(answer, words, reading)
 
 
 def bare_play_document(play: Play | Plays) -> Document:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from sweetspot.answers.player import FitPlayerAnswer
 from sweetspot.answers.records import to_dict
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -22,12 +20,13 @@ from sweetspot.reports.document import (
     Section,
     Table,
     as_columns,
+    drawn,
     table_head,
 )
 from sweetspot.reports.player.pair_words import pairs_table
 from sweetspot.reports.player.phrases import GOALS, goal_shown, goal_words, option_words, pitch_words
 from sweetspot.reports.player.words import PARAMETERS, answers, findings, notes, parameter_shown
-from sweetspot.reports.quantities import US, Reader
+from sweetspot.reports.quantities import US
 from sweetspot.reports.sentences import Sentence, Slot, Words, read, say
 
 
@@ -43,13 +42,13 @@ def player_document(answer: FitPlayerAnswer, *, player: str = "", day: str = "")
     untried = [f"Could not be tried: {fault}." for fault in answer.not_tried]
     picture = Picture(
         "player",
-        lambda reading: _drawn(advice, reading, player=player, day=day),
+        drawn("sweetspot.reports.player.picture:player_figure", advice, player=player, day=day),
         label=say(
             "Expected {goal} against the contact point, and what changes of player and bat are worth.",
             goal=goal_words(advice.goal),
         ),
         caption="Lines are 90 % intervals over what the swings allow.",
-        sheet=lambda reading: _drawn_sheet(advice, reading),
+        sheet=drawn("sweetspot.reports.player.picture:player_sheet", advice),
     )
     return Document(
         name="player",
@@ -131,15 +130,3 @@ def _means(goal: Goal) -> str:
         f"swings; {missed}.{extra} With another bat the player is taken to meet the ball equally far from the tip. "
         "Better: the part of what the data allow in which the bat is better."
     )
-
-
-def _drawn(advice: Advice, reading: Reader, *, player: str, day: str) -> Any:
-    from sweetspot.reports.player.picture import player_figure
-
-    return player_figure(advice, player=player, day=day, reading=reading)
-
-
-def _drawn_sheet(advice: Advice, reading: Reader) -> Any:
-    from sweetspot.reports.player.picture import ON_A_SHEET, player_figure
-
-    return player_figure(advice, reading=reading, paper=ON_A_SHEET)

@@ -85,6 +85,11 @@ def player_figure(
     return page.figure
 
 
+def player_sheet(advice: Advice, reading: Reader = US) -> Figure:
+    """Return the figure for a printed sheet, whose page says whom it is for."""
+    return player_figure(advice, reading=reading, paper=ON_A_SHEET)
+
+
 def _unit(advice: Advice, reading: Reader) -> Unit:
     scale, digits = GOALS[advice.goal.name]
     unit = reading.units[scale]

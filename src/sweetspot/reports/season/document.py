@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,9 +21,9 @@ from sweetspot.reports.document import (
     Picture,
     Section,
     Table,
+    drawn,
     table_head,
 )
-from sweetspot.reports.quantities import Reader
 from sweetspot.reports.season.words import few_of_a_kind, league_words, left_over_words, untracked_words
 from sweetspot.reports.sentences import Slot, within
 from sweetspot.seasons.ball_columns import WITH
@@ -85,7 +84,9 @@ def season_document(answer: SeasonAnswer) -> Document:
             *([] if players is None else [_players(players)]),
         ],
         details=details,
-        drawing=Picture("season", partial(_drawn, answer), label=PICTURED),
+        drawing=Picture(
+            "season", drawn("sweetspot.reports.season.picture:season_figure", answer.drawn), label=PICTURED
+        ),
         data=answer.to_dict(),
         rows=answer.to_frame().to_dict(as_series=False),
         passed=not answer.not_read,
@@ -172,9 +173,3 @@ def _reliability(players: Standing) -> Table:
             label = MEASURES[name][1] if name in MEASURES else f"gain with {name.removeprefix(WITH)}"
             rows.append([label, grouped(spread.groups), *(None if np.isnan(part) else part for part in reliability)])
     return Table("Reliability: how well so many balls of a player tell him from the others", columns, rows)
-
-
-def _drawn(answer: SeasonAnswer, reading: Reader) -> Any:
-    from sweetspot.reports.season.picture import season_figure
-
-    return season_figure(answer.drawn, reading=reading)

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import partial
 from typing import Any
 
 import polars as pl
 
 from sweetspot.answers.records import plain_data
-from sweetspot.answers.season import SeasonAnswer, SeasonPlayer
-from sweetspot.reports.document import Bullets, Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.reports.quantities import Reader
+from sweetspot.answers.season import SeasonPlayer
+from sweetspot.reports.document import Bullets, Cell, Column, Document, Paragraph, Picture, Table, drawn
 from sweetspot.reports.season.words import best_bat_words, few_of_a_kind, player_words
 from sweetspot.reports.sentences import Slot, joined
 from sweetspot.seasons.standings import MEASURES
 from sweetspot.seasons.table_file import CANNOT_TELL
 
+FIGURE = "sweetspot.reports.season.picture:season_figure"
 TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""
 
@@ -26,11 +25,12 @@ def player_page(player: SeasonPlayer) -> Document:
     answer, row, data = player.season, player.row, player.to_dict()
     number = str(row["batter"])
     name = str(row.get("name") or f"Player {number}")
+    balls = answer.counted.filter(pl.col("batter") == number)
     drawing = Picture(
         "player",
-        partial(_drawn, answer, number, name),
+        drawn(FIGURE, balls, title=name),
         label=f"Balls of {name}.",
-        sheet=partial(_drawn, answer, number, ""),
+        sheet=drawn(FIGURE, balls, title=""),
     )
     cannot = answer.cannot_tell if row.get("squared_up") is not None else (CANNOT_TELL["fouls"],)
     rare = [Paragraph(sentence, "note") for sentence in few_of_a_kind(answer.rare_shares["batter"])]
@@ -75,9 +75,3 @@ def _measures(row: Mapping[str, Any]) -> Table:
             trust, f"{row[f'{name}_percentile']:.0f}" if (trust or 0.0) > TELLING else None,
         ])  # fmt: skip
     return Table("Against everybody in the tables", columns, rows)
-
-
-def _drawn(answer: SeasonAnswer, batter: str, name: str, reading: Reader) -> Any:
-    from sweetspot.reports.season.picture import season_figure
-
-    return season_figure(answer.counted.filter(pl.col("batter") == batter), title=name, reading=reading)

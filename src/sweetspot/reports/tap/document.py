@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from sweetspot.answers.tap import TapAnswer
 from sweetspot.calibration.bar import BarModulus
@@ -12,7 +11,7 @@ from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap, Tone
 from sweetspot.reports.calibration.intervals import measured_words
-from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, table_head
+from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, drawn, table_head
 from sweetspot.reports.quantities import NOTHING, SI
 from sweetspot.reports.sentences import Sentence, joined, say
 
@@ -72,7 +71,11 @@ def tap_document(answer: TapAnswer) -> Document:
         notes.append(Paragraph(ROOMS, "note"))
     if test.by_ratios and any(named.name and named.name.harmonic == HOOP_MAY_BE for named in test.tones):
         notes.append(Paragraph(BY_RATIOS, "note"))
-    picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
+    picture = Picture(
+        "tap",
+        drawn("sweetspot.reports.tap.picture:tap_figure", test, title),
+        "The recording, its spectrum and how its tones decay",
+    )
     data = answer.to_dict()
     return Document(
         name="tap",
@@ -188,9 +191,3 @@ def touched_words(test: TapTest, tone: Tone) -> Sentence:
         damping=tone.damping_ratio.value,
         free=test.free_damping,
     )
-
-
-def _drawn(test: TapTest, title: str) -> Any:
-    from sweetspot.reports.tap.picture import tap_figure
-
-    return tap_figure(test, title)

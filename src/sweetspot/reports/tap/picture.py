@@ -13,7 +13,7 @@ from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_analysis import TapTest, spectrum, waveform
 from sweetspot.reports.pictures.panels import SPARSE, Page, Panel, beside, frame
 from sweetspot.reports.pictures.style import INK, MUTED, PAPER, SMALL, styled
-from sweetspot.reports.quantities import BLUE, GREEN, ORANGE, PURPLE, RED
+from sweetspot.reports.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, US, Reader
 from sweetspot.units import grouped
 
 WIDTH, HEIGHT, SIDE, HEADER = 8.0, 7.6, 0.75, 0.95
@@ -27,7 +27,7 @@ TOP = 30
 
 
 @styled
-def tap_figure(test: TapTest, title: str) -> Figure:
+def tap_figure(test: TapTest, title: str, reading: Reader = US) -> Figure:  # noqa: ARG001 - it has one set of units
     """Return the figure of a tap test; spectrum and decay are those of the first good tap."""
     page, across = Page(WIDTH, HEIGHT, SIDE), WIDTH - 1.5 * SIDE
     page.title(title, down=0.45)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 from sweetspot.answers.answer import Uncertainty
 from sweetspot.catalog.sports import sport, sport_names
-from sweetspot.reports.document import Cell, Paragraph, Picture, Section, Table, table_head
+from sweetspot.reports.document import Cell, Paragraph, Picture, Section, Table, drawn, table_head
 from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.uncertainty.intervals import TOGETHER
 
@@ -52,14 +51,13 @@ def shares_table(shares: Mapping[str, float], where: Mapping[str, str]) -> Table
 
 def shares_picture(shares: Mapping[str, float], named: str) -> Picture:
     """Return the ranked bars as a picture."""
-    ranked = ", ".join(f"{_name(name)} {100 * share:.0f} %" for name, share in shares.items())
-    return Picture("doubt", lambda _: _drawn(shares, named), label=f"What the doubt comes from: {ranked}.")
-
-
-def _drawn(shares: Mapping[str, float], named: str) -> Any:
-    from sweetspot.reports.uncertainty.shares_picture import shares_figure
-
-    return shares_figure({_name(name): share for name, share in shares.items()}, named)
+    shares_by_name = {_name(name): share for name, share in shares.items()}
+    ranked = ", ".join(f"{name} {100 * share:.0f} %" for name, share in shares_by_name.items())
+    return Picture(
+        "doubt",
+        drawn("sweetspot.reports.uncertainty.shares_picture:shares_figure", shares_by_name, named),
+        label=f"What the doubt comes from: {ranked}.",
+    )
 
 
 def _name(source: str) -> str:

@@ -8,14 +8,14 @@ from matplotlib.figure import Figure
 
 from sweetspot.reports.pictures.panels import Page, heading
 from sweetspot.reports.pictures.style import INK, SMALL, fitted, styled
-from sweetspot.reports.quantities import BLUE
+from sweetspot.reports.quantities import BLUE, US, Reader
 
 WIDTH, NAMES, BAR, AROUND = 8.0, 1.9, 0.34, 0.75
 """Inches of the figure, of the names left of the bars, of the height per bar, and of the rest."""
 
 
 @styled
-def shares_figure(shares: Mapping[str, float], named: str) -> Figure:
+def shares_figure(shares: Mapping[str, float], named: str, reading: Reader = US) -> Figure:  # noqa: ARG001 - parts
     """Return a figure of ranked bars: the part of the variance of an answer that each source causes alone.
 
     Parameters
