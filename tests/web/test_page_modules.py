@@ -297,8 +297,9 @@ def test_the_controls_of_another_bat_keep_its_part_of_the_state(run: Callable[[s
     seen = run("""(() => {
       const seen = [];
       const app = { name: "v", schema: { a: { default: 1 }, b: {} }, views: new Map([["v", { bat: ["a", "b"] }]]),
-        state: { others: [{}, { b: 2 }] }, setState: (...all) => seen.push(all), commit: (...all) => seen.push(all) };
-      const one = m.parts.scoped(app, "others", 1);
+        state: { others: [{}, { b: 2 }] }, lists() {}, text() {},
+        setState: (...all) => seen.push(all), commit: (...all) => seen.push(all) };
+      const one = m.parts.scoped(app, 1);
       one.setState({ a: 3 }, { commit: false });
       one.setState({ b: null }, { commit: true });
       one.commit({ merge: "keys" });

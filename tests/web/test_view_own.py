@@ -141,7 +141,7 @@ def test_taps_are_averaged_bad_ones_told_and_the_tones_named(client: httpx.Clien
     heard = {name: (hertz, error) for name, hertz, error in found["measured"]}
     expected = {one["name"]: one["frequency_hz"] for one in asked(client)["expected"]}
     assert heard["bending-1"][0] == pytest.approx(expected["bending 1"], abs=3 * heard["bending-1"][1])
-    assert [one["own"] for one in found["tones"] if one["name"] == "bending 1"] == [True]
+    assert [one["from_bat"] for one in found["tones"] if one["name"] == "bending 1"] == [True]
     assert max(found["spectrum"]["level_db"]) == pytest.approx(0, abs=0.01) and found["damping"][0] > 0
 
 

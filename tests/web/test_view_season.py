@@ -212,7 +212,7 @@ def test_progress_has_a_speed_once_there_is_enough_to_count(monkeypatch: pytest.
     for done in (100, 200, 300, 400):
         progress(done, 400)
     *rows, last = told
-    assert [step.done for step in rows] == [100, 200, 300, 400] and last.phase == "players"
+    assert [step.rows_read for step in rows] == [100, 200, 300, 400] and last.phase == "players"
     assert [step.reached for step in rows] == [f"{done} of 400 rows" for done in (100, 200, 300, 400)]
     speeds = (" …", " …", ", 100 rows/s, 1 s left", ", 75 rows/s, 0 s left")
     assert [step.words for step in rows] == [step.reached + speed for step, speed in zip(rows, speeds, strict=True)]

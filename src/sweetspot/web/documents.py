@@ -14,9 +14,8 @@ from sweetspot.reports.sentences import Sentence
 Sentences = dict[System, list[str]]
 """By the reader's system of units."""
 
-BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:{})(?:[\s,;)]|$))".format("|".join(sorted(
-    {re.escape(unit.name) for reader in SYSTEMS.values() for unit in reader.units.values() if unit.name}
-))))  # fmt: skip
+UNITS = sorted({re.escape(unit.name) for reader in SYSTEMS.values() for unit in reader.units.values() if unit.name})
+BEFORE_UNIT = re.compile(rf"(?<=\d) (?=(?:{'|'.join(UNITS)})(?:[\s,;)]|$))")
 
 
 def unbroken(text: str) -> str:

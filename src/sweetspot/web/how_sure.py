@@ -17,12 +17,6 @@ PAGE_DRAWS = 256
 
 
 def sources_for(state: BatState, bat: Bat, conditions: Conditions) -> Sources:
-    """Return the uncertain quantities of a hit; a calibrated bat's own file gives its part.
-
-    Parameters
-    ----------
-    state : the bat's controls.
-    bat, conditions : that they describe.
-    """
+    """Return the uncertain quantities of a hit; a calibrated bat's own file gives its part."""
     deviations = known_deviations(table_of_text(state.bat_toml, "the bat's file")) if state.bat_toml else None
     return sources_of(bat, conditions, calibration=deviations)

@@ -5,9 +5,10 @@ The catalogue's implement of the sport is the pattern; see `catalog.scaled_imple
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -21,6 +22,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.material import Material
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.plausibility import bounds as bounds_of
@@ -111,18 +113,16 @@ def _form(sport: str, patterns: dict[str, str]) -> Form:
 def _questions(key: str, sport: str) -> list[WizardQuestion]:
     pattern = catalog.implement(key)
     usual = WHOLE.get(sport, ROUND_BAT)
-    body, length = rigid_body(beam_model(pattern)), pattern.length
-    low, high = (part * length for part in LENGTHS)
-    butt = catalog.sport(sport).words.butt
+    low, high = (part * pattern.length for part in LENGTHS)
+    balances = usual.balance[0] * low / INCH, usual.balance[1] * high / INCH
     return [
         *_made_of(pattern),
-        _number("length_in", "Length", length / INCH, (low / INCH, high / INCH)),
-        _weight(pattern, body.mass, usual.mass),
-        _number("balance_in", f"Balance point from the {butt}, if measured", None,
-                (usual.balance[0] * low / INCH, usual.balance[1] * high / INCH)),
+        _number("length_in", "Length", pattern.length / INCH, (low / INCH, high / INCH)),
+        _weight(pattern, rigid_body(beam_model(pattern)).mass, usual.mass),
+        _number("balance_in", f"Balance point from the {catalog.sport(sport).words.butt}, if measured", None, balances),
         *_swing_weight(sport, usual, (low, high)),
         *_stiffness(pattern, usual),
-    ]  # fmt: skip
+    ]
 
 
 def _weight(pattern: Implement, mass: float, usual: tuple[float, float]) -> WizardQuestion:
@@ -265,27 +265,32 @@ def described_by(wanted: Wanted) -> tuple[str, str]:
     return f"# {note}\n{_text(tool, wanted)}" if note else _text(tool, wanted), note
 
 
+def _of_material(tool: Implement, material: Material) -> Implement:
+    if isinstance(tool, GolfClub):
+        return with_shaft(tool, material)
+    return tool.with_material(material) if isinstance(tool, Bat) else tool.replaced(material=material)
+
+
+def _strung(tool: Implement, tension: float) -> Implement:
+    return tool.replaced(strings=tool.bed.replaced(tension=tension)) if isinstance(tool, Racket) else tool
+
+
+CHANGES: dict[str, Callable[[Implement, Any], Implement]] = {
+    "material": lambda tool, name: _of_material(tool, catalog.material(name)),
+    "front": lambda tool, name: tool.replaced(front=rubber(name)),
+    "ra": lambda tool, rating: tool.replaced(first_frequency=frequency_of_ra(rating)),
+    "tone_hz": lambda tool, hertz: tool.replaced(first_frequency=hertz),
+    "string_tension_n": _strung,
+}
+"""By answer, what it makes of a pattern."""
+
+
 def _built(tool: Implement, wanted: Wanted) -> Implement:
     """Return a pattern of the material, rubber, stiffness and tension that were asked for."""
-    if wanted.material is not None:
-        with about("material"):
-            material = catalog.material(wanted.material)
-            if isinstance(tool, GolfClub):
-                tool = with_shaft(tool, material)
-            else:
-                tool = tool.with_material(material) if isinstance(tool, Bat) else tool.replaced(material=material)
-    if wanted.front is not None:
-        with about("front"):
-            tool = tool.replaced(front=rubber(wanted.front))
-    if wanted.ra is not None:
-        with about("ra"):
-            tool = tool.replaced(first_frequency=frequency_of_ra(wanted.ra))
-    if wanted.tone_hz is not None:
-        with about("tone_hz"):
-            tool = tool.replaced(first_frequency=wanted.tone_hz)
-    if wanted.string_tension_n is not None and isinstance(tool, Racket):
-        with about("string_tension_n"):
-            tool = tool.replaced(strings=tool.bed.replaced(tension=wanted.string_tension_n))
+    for field, change in CHANGES.items():
+        if (given := getattr(wanted, field)) is not None:
+            with about(field):
+                tool = change(tool, given)
     return tool
 
 
@@ -294,11 +299,9 @@ def _steps(pattern: Implement, wanted: Wanted, axis: float) -> list[tuple[str, M
     measures = Measures(length=None if wanted.length_in is None else wanted.length_in * INCH)
     steps = [("length_in", measures)]
     if wanted.mass_oz is not None:
-        measures = replace(measures, mass=wanted.mass_oz * OUNCE)
-        steps.append(("mass_oz", measures))
+        steps.append(("mass_oz", measures := replace(measures, mass=wanted.mass_oz * OUNCE)))
     if wanted.balance_in is not None:
-        measures = replace(measures, balance_point=wanted.balance_in * INCH)
-        steps.append(("balance_in", measures))
+        steps.append(("balance_in", measures := replace(measures, balance_point=wanted.balance_in * INCH)))
     if wanted.swing_weight_oz_in2 is not None:
         measures = replace(measures, moi=wanted.swing_weight_oz_in2 * OUNCE_INCH_SQUARED, moi_axis=axis)
         steps.append(("swing_weight_oz_in2", measures))
@@ -306,8 +309,7 @@ def _steps(pattern: Implement, wanted: Wanted, axis: float) -> list[tuple[str, M
         with about("swing_points"):
             moment = swing_weight(wanted.sport).moment_of(wanted.swing_points)
         mass = measures.mass or rigid_body(beam_model(scaled_to(pattern, measures)[0])).mass
-        measures = replace(measures, balance_point=axis + moment / mass)
-        steps.append(("swing_points", measures))
+        steps.append(("swing_points", replace(measures, balance_point=axis + moment / mass)))
     return steps[-1:] if isinstance(pattern, GolfClub) else steps  # a club's weight is met together with its balance
 
 

@@ -525,12 +525,6 @@ export interface DesignWorth {
   seen_from_m_s: number; seen_from_low_m_s?: number; seen_from_high_m_s?: number;
 }
 
-/** A source of doubt, and the part of the variance that it causes. */
-export interface DoubtShare {
-  name: string;
-  share: number;
-}
-
 /** A hole from the tip, between two places from the knob end; ``fill`` names what it is filled with. */
 export interface DrawnBore {
   diameter_m: number; diameter_low_m?: number; diameter_high_m?: number;
@@ -902,15 +896,6 @@ export interface FrontBat {
   outline?: DrawnOutline;
 }
 
-/** The measurements expected of the implement as described, the controls' values until there are measured ones. */
-export interface Guesses {
-  weighed_oz: number;
-  balanced_in: number;
-  pendulum_ms: number | null;
-  swing_weight_oz_in2: number;
-  pivot_in: number;
-}
-
 /** The motion of the top hand's place, and the arrival of the wave there; None: it does not arrive. */
 export interface HandMotion {
   displacement_m: number[];
@@ -950,7 +935,7 @@ export interface HeardTone {
   damping_ratio: number;
   expected_hz: number | null;
   taps: number;
-  own: boolean;
+  from_bat: boolean;
 }
 
 /** Pitch, swing, hands and ball; places from the knob end. See `Conditions`. */
@@ -1185,11 +1170,10 @@ export interface OutcomeInPark {
 /** What the measurements allow: values with intervals, residuals, contradictions and rules. */
 export interface OwnAnswer {
   bat: BenchBat | OtherTool;
-  tool: ToolName | null;
   words: Terms;
   grip_end: string;
   fitted: FittedTool;
-  guesses: Guesses;
+  guesses: Record<"weighed_oz" | "balanced_in" | "pendulum_ms" | "swing_weight_oz_in2" | "pivot_in", number | null>;
   expected: ExpectedTone[];
   expected_words: Record<"si" | "us", string>;
   headline: Record<"si" | "us", string>;
@@ -1205,7 +1189,7 @@ export interface OwnAnswer {
 /** A measurement beside what the fitted implement says to it. */
 export interface OwnMeasurement {
   name: string;
-  field: string | null;
+  field: "weighed_oz" | "balanced_in" | "pendulum_ms" | "swing_weight_oz_in2" | "pivot_in" | null;
   scale: string;
   digits: number;
   value: number;
@@ -1255,14 +1239,14 @@ export interface OwnState {
   recordings: string[];
 }
 
-/** What was not known: half its interval before and after the measurements, as parts of it, and what that is of. */
+/** What was not known: half its interval before and after the measurements, as parts of it, and its sources. */
 export interface OwnUnknown {
   name: string;
   label: string;
   before: number;
   off: number;
   after: number;
-  budget: DoubtShare[];
+  budget: [string, number][];
 }
 
 /** A value of the fitted implement and half its 90 % interval, SI. */
@@ -1491,7 +1475,7 @@ export interface SeasonReading {
   phase: "tables" | "rows" | "players" | "done";
   words: string;
   reached: string;
-  done: number;
+  rows_read: number;
   rows: number;
   season?: string;
 }
@@ -1783,11 +1767,6 @@ export interface ToolFacts {
   moi_6in_kg_m2: number; moi_6in_low_kg_m2?: number; moi_6in_high_kg_m2?: number;
   roll_moi_kg_m2: number; roll_moi_low_kg_m2?: number; roll_moi_high_kg_m2?: number;
   made_of: string;
-}
-
-/** The name of an implement. */
-export interface ToolName {
-  name: string;
 }
 
 /** The usual value of an answer, and its bounds. */

@@ -12,7 +12,7 @@ How to write one, say ``modes``:
   longer is an aside: ``View(..., asides={"fit": fit})``, asked for by ``app.aside`` once the controls rest. A document
   of `report` becomes one by `web.documents.page_document`; ``static/controls/document.js`` shows it. Lines to copy:
   ``recipe``.
-* add it to `VIEWS` below; the routes ``/modes``, ``POST /api/v1/modes`` and the socket then exist.
+* add it to `ORDER` below; the routes ``/modes``, ``POST /api/v1/modes`` and the socket then exist.
 * ``web/static/views/modes.js``: see the notes at the top of ``web/static/shell/main.js``.
 * ``tests/web/test_view_modes.py``: the answer without a browser, and with the fixture ``page`` (see
   ``tests/web/conftest.py``) what a person sees.
@@ -36,8 +36,5 @@ from sweetspot.web.views import (
     sports,
 )
 
-VIEWS: dict[str, View] = {
-    view.name: view
-    for view in (explorer.VIEW, hit.VIEW, modes.VIEW, compare.VIEW, flight.VIEW, optimum.VIEW, player.VIEW,
-                 own.VIEW, design.VIEW, season.VIEW, sports.VIEW, paper.VIEW)
-}  # fmt: skip
+ORDER = (explorer, hit, modes, compare, flight, optimum, player, own, design, season, sports, paper)
+VIEWS: dict[str, View] = {view.VIEW.name: view.VIEW for view in ORDER}

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from shlex import quote
+from typing import Literal, get_args
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings
 from sweetspot.answers.calibrate import CalibrateAnswer
@@ -25,7 +26,7 @@ from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
-from sweetspot.numerics.interval import REACH, Number
+from sweetspot.numerics.interval import REACH
 from sweetspot.reports.calibration.document import (
     SCALE_OF,
     VALUES,
@@ -39,7 +40,8 @@ from sweetspot.reports.calibration.document import (
     source_words,
     unknown_words,
 )
-from sweetspot.reports.sentences import Doubtful, Part, Sentence, Slot, say
+from sweetspot.reports.calibration.page_words import own_headline, should_words, unfitted_words
+from sweetspot.reports.sentences import Sentence, say
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.units.dimensions import System
@@ -62,7 +64,8 @@ from sweetspot.web.views.own_state import (
 )
 from sweetspot.web.views.own_tap import ExpectedTone, expected_tones, expected_words, tap
 
-FIELDS: dict[MeasuredKind, str] = {
+MeasuredField = Literal["weighed_oz", "balanced_in", "pendulum_ms", "swing_weight_oz_in2", "pivot_in"]
+FIELDS: dict[MeasuredKind, MeasuredField] = {
     "mass": "weighed_oz",
     "balance_point": "balanced_in",
     "period": "pendulum_ms",
@@ -92,17 +95,6 @@ class FittedTool(MassProperties):
 
 
 @dataclass(frozen=True)
-class Guesses:
-    """The measurements expected of the implement as described, the controls' values until there are measured ones."""
-
-    weighed_oz: float
-    balanced_in: float
-    pendulum_ms: float | None
-    swing_weight_oz_in2: float
-    pivot_in: float
-
-
-@dataclass(frozen=True)
 class OwnValue:
     """A value of the fitted implement and half its 90 % interval, SI."""
 
@@ -115,23 +107,15 @@ class OwnValue:
 
 
 @dataclass(frozen=True)
-class DoubtShare:
-    """A source of doubt, and the part of the variance that it causes."""
-
-    name: str
-    share: float
-
-
-@dataclass(frozen=True)
 class OwnUnknown:
-    """What was not known: half its interval before and after the measurements, as parts of it, and what that is of."""
+    """What was not known: half its interval before and after the measurements, as parts of it, and its sources."""
 
     name: str
     label: str
     before: float
     off: float
     after: float
-    budget: tuple[DoubtShare, ...]
+    budget: tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -149,7 +133,7 @@ class OwnMeasurement:
     """
 
     name: str
-    field: str | None
+    field: MeasuredField | None
     scale: str
     digits: int
     value: float
@@ -169,19 +153,18 @@ class OwnAnswer:
 
     Parameters
     ----------
-    bat, tool : the implement as described, and its name where it is none of the bench.
-    words : the vocabulary of its sport.
+    bat, words : the implement as described, and the vocabulary of its sport.
+    guesses : what the measurements are expected to be, the controls' values until something was measured.
     headline : its weight, balance and swing weight now, and whether the measurements agree.
     values : of the fit; without one, ``unfitted`` says why.
     expected, expected_words : the tones of a free one as described.
     """
 
     bat: BenchBat | OtherTool
-    tool: ToolName | None
     words: Terms
     grip_end: str
     fitted: FittedTool
-    guesses: Guesses
+    guesses: Mapping[MeasuredField, float | None]
     expected: tuple[ExpectedTone, ...]
     expected_words: Mapping[System, str]
     headline: Mapping[System, str]
@@ -192,13 +175,6 @@ class OwnAnswer:
     contradictions: Sentences
     budget: Sentences
     rules: tuple[RuleCheck, ...]
-
-
-@dataclass(frozen=True)
-class ToolName:
-    """The name of an implement."""
-
-    name: str
 
 
 @dataclass(frozen=True)
@@ -228,16 +204,15 @@ def answer(state: OwnState) -> OwnAnswer:
     tones = expected_tones(state)
     return OwnAnswer(
         bat=_picture(state, described, described_body),
-        tool=None if state.implement is None else ToolName(described.name),
         words=terms,
         grip_end=described.grip_end,
         fitted=fitted,
         guesses=_guesses(described_body, state, described),
         expected=tones,
         expected_words=expected_words(tones),
-        headline=in_either_system(_headline(terms, fitted, found)),
+        headline=in_either_system(own_headline(tool, body, axis, found)),
         values=() if agreeing is None else _values(agreeing),
-        unfitted=_unfitted(terms, found),
+        unfitted=unfitted_words(terms, found),
         unknowns=() if agreeing is None else _unknowns(agreeing),
         measurements=tuple(_residuals(state, described, found)),
         contradictions=_on_the_page(contradictions(found) if found is not None else []),
@@ -254,41 +229,6 @@ def _on_the_page(sentences: list[Sentence]) -> Sentences:
     }
 
 
-def _headline(terms: Terms, fitted: FittedTool, found: CalibrateAnswer | None) -> Sentence:
-    """Return weight, balance and swing weight with their intervals, and what they come from."""
-    halves, state = dict[str, float](), "As described, not measured: "
-    if found is not None and found.consistent:
-        halves = {name: value.value.half_width for name, value in found.bat.by_name.items()}
-        one = f"By one measurement and what is usual of such {terms.implement}s: "
-        state = one if len(found.measurements) == 1 else "The measurements agree. "
-    elif found is not None:
-        state = "The measurements contradict each other. As described: "
-
-    def give_or_take(value: Number, half: Number | None, scale: str, digits: int | None = None) -> Part:
-        return Doubtful(float(value), float(half), scale) if half else Slot(value, scale, digits)
-
-    return say(
-        "{state}{mass}, balance {balance} from the {butt}, swing weight {moi}.",
-        state=state,
-        mass=give_or_take(fitted.mass, halves.get("mass"), "mass"),
-        balance=give_or_take(fitted.balance_point, halves.get("balance_point"), "length", 1),
-        butt=terms.butt,
-        moi=give_or_take(fitted.swing_weight, halves.get("moi", fitted.swing_weight_half), "moi"),
-    )
-
-
-def _unfitted(terms: Terms, found: CalibrateAnswer | None) -> str:
-    """Return why there are no fitted values; "": there are."""
-    if found is None:
-        return "What the catalogue knows of it is all that is known so far."
-    if found.consistent:
-        return ""
-    return (
-        f"Nothing is reported of the {terms.implement} while its measurements contradict each other; rules are held "
-        "against it as described."
-    )
-
-
 def _picture(state: OwnState, described: Implement, body: RigidBody) -> BenchBat | OtherTool:
     if state.implement is None and isinstance(described, Bat):
         return bench_bat(state, described)
@@ -296,13 +236,13 @@ def _picture(state: OwnState, described: Implement, body: RigidBody) -> BenchBat
     return OtherTool(**vars(mass_properties(described, body)), outline=None, bounds=tapped)
 
 
-def _guesses(body: RigidBody, state: OwnState, described: Implement) -> Guesses:
+def _guesses(body: RigidBody, state: OwnState, described: Implement) -> dict[MeasuredField, float | None]:
     pivot = pivot_of(state, described)
     period = None
     if pivot <= FARTHEST_PIVOT * body.balance_point:
         period = 1e3 * pendulum_period(body.moi(pivot), mass=body.mass, balance_point=body.balance_point, pivot=pivot)
-    swing_weight = body.moi(pivot) / OUNCE_INCH_SQUARED
-    return Guesses(body.mass / OUNCE, body.balance_point / INCH, period, swing_weight, pivot / INCH)
+    values = body.mass / OUNCE, body.balance_point / INCH, period, body.moi(pivot) / OUNCE_INCH_SQUARED, pivot / INCH
+    return dict(zip(get_args(MeasuredField), values, strict=True))
 
 
 def _values(found: CalibrateAnswer) -> tuple[OwnValue, ...]:
@@ -334,7 +274,7 @@ def _unknowns(found: CalibrateAnswer) -> tuple[OwnUnknown, ...]:
             off=after.value,
             after=after.half_width,
             budget=tuple(
-                DoubtShare(source_words(source, bat), share)
+                (source_words(source, bat), share)
                 for source, share in found.budget[name].items()
                 if share >= LEAST_SHARE
             ),
@@ -348,18 +288,10 @@ def _residuals(state: OwnState, described: Implement, found: CalibrateAnswer | N
     counted = {} if found is None else {row.name: row for row in found.measurements}
     suspects = {} if found is None else {suspect.name: suspect for suspect in found.suspects}
     beam = beam_of(described) if found is None else found.posterior.beam
-    measurements = measurements_of(state)
-    others = "the description" if len(measurements) == 1 else "all the others"
-    for measurement in measurements:
+    for measurement in measurements_of(state):
         row, suspect, mode = counted.get(measurement.name), suspects.get(measurement.name), measurement.mode
         scale, digits = SCALE_OF[measurement.kind]
         right = suspect.meant[0].measurement.mode if suspect is not None and suspect.meant else None
-        beside = None
-        if suspect is not None:
-            far = found is not None and row is not None and measurement.name in found.contradictions
-            off = f"{abs(row.off_by_sigma):.1f} sigma off. " if far and row is not None else ""
-            should = Slot(suspect.should, scale, digits)
-            beside = say("{off}By {others} it should be {should}.", off=off, others=others, should=should)
         yield OwnMeasurement(
             name=measurement.name,
             field=FIELDS.get(measurement.kind),
@@ -371,7 +303,7 @@ def _residuals(state: OwnState, described: Implement, found: CalibrateAnswer | N
             sigma=None if row is None else row.off_by_sigma,
             fitted=float(predicted(beam, [measurement])[0]) if found is None or found.consistent else None,
             should=None if suspect is None else suspect.should,
-            beside=None if beside is None else in_either_system(beside),
+            beside=in_either_system(should_words(found, suspect)) if found and suspect else None,
             tone=name_of(mode) if mode else None,
             right_tone=name_of(right) if mode and right else None,
         )

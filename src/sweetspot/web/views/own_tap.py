@@ -37,7 +37,7 @@ from sweetspot.web.uploads import UPLOADS
 from sweetspot.web.views.own_state import OwnState, ToneName, name_of, unknown_of
 
 DRAWN, TOLD = 500, 4
-"""Points of a waveform on the page, and expected tones that its picture is told with."""
+"""Points of a waveform on the page, and expected tones in the description of its picture."""
 MOST_SAMPLES, MOST_HELD = 20_000_000, 12
 """Of all channels of one recording, three minutes and a half of two at 48 kHz; and recordings: 2 GB at most."""
 OF_COMMAND = ", or set --most-damping"
@@ -83,7 +83,7 @@ class HeardTone:
     damping_ratio: float
     expected: Annotated[float | None, FREQUENCY]
     taps: int
-    own: bool
+    from_bat: bool
 
 
 @dataclass(frozen=True)
@@ -201,7 +201,7 @@ def tap(state: OwnState) -> HeardTaps:
                 damping_ratio=tone.damping_ratio.value,
                 expected=tone.expected,
                 taps=tone.taps,
-                own=tone.own,
+                from_bat=tone.own,
             )
             for named, tone in zip(test.tones, found.tones, strict=True)
         ),

@@ -182,7 +182,5 @@ def recipe(state: PaperState) -> dict[str, str]:
     return {**lines_of(Ask("paper", (bat_source(state),), options | swing_options(state))), "toml": bat_text(state)}
 
 
-VIEW = View(
-    "paper", "The paper", PaperState, answer, recipe,
-    slow=(PaperState(question="energy"), PaperState(question="drop", block_support="clamped")),
-)  # fmt: skip
+SLOW = (PaperState(question="energy"), PaperState(question="drop", block_support="clamped"))
+VIEW = View("paper", "The paper", PaperState, answer, recipe, slow=SLOW)

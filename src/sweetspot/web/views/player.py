@@ -78,7 +78,7 @@ class ReadSwings:
     Parameters
     ----------
     bat_speed, exit_speed : shape (swings,); nan where the table has none.
-    batters, batter : whom the table names, and whose swings these are; None: nobody's, or those of all.
+    batters, batter : that the table names, and whose swings these are; None: of all, as the table names none.
     words, notes : what was read, and what is odd about it and why rows could not be used.
     """
 
@@ -122,7 +122,7 @@ def _counted(number: int, thing: str) -> str:
 
 
 def _batter(state: PlayerState) -> str | None:
-    """Return whose swings count: who was chosen, or the first of several in the alphabet."""
+    """Return the batter whose swings count: as chosen, or the first of several in the alphabet."""
     names = batters_of(state.swings_csv)
     return state.swings_of or (names[0] if len(names) > 1 else None)
 

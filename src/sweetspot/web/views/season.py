@@ -263,7 +263,7 @@ def maps(state: SeasonState) -> SeasonMaps:
 
 
 def _words(state: SeasonState, means: BallMeans) -> Sentence:
-    """Return whose the chosen balls are, and how well they were hit."""
+    """Return the player of the chosen balls, and how well they were hit."""
     from sweetspot.reports.season.page_words import balls_words
 
     summary = _summary(state)

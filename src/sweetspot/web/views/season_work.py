@@ -67,14 +67,9 @@ class SavedTable:
 
 @dataclass(frozen=True)
 class SeasonSummary:
-    """The summary of a season that was read to its end.
+    """The summary of a season that was read to its end; ``bat`` is the state of the bat it was read with.
 
-    Parameters
-    ----------
-    bat : what tells the bat it was read with from others.
-    choices : what balls can be chosen by, and how many balls each has.
-    words : how much of which files was read.
-    unread : why files could not be read.
+    Balls can be chosen by ``choices``, each with its number of balls; ``words`` say how much of which files was read.
     """
 
     bat: str
@@ -101,7 +96,7 @@ class SeasonReading:
     phase: Literal["tables", "rows", "players", "done"]
     words: str
     reached: str = ""
-    done: int = 0
+    rows_read: int = 0
     rows: int = 0
     season: str | None = None
 
@@ -171,7 +166,7 @@ def counting(say: Say) -> Callable[[int, int], None]:
         if finished > before and now - begun > SETTLED:
             speed = (finished - before) / (now - begun)
             words = f"{reached}, {grouped(speed)} rows/s, {math.ceil((rows - finished) / speed)} s left"
-        say(SeasonReading(phase="rows", words=words, reached=reached, done=finished, rows=rows), True)
+        say(SeasonReading(phase="rows", words=words, reached=reached, rows_read=finished, rows=rows), True)
         if finished >= rows:
             words = "Working out players, clubs and months …"
             say(SeasonReading(phase="players", words=words, reached=reached), True)

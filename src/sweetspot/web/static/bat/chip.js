@@ -41,7 +41,7 @@ export class Chip {
   async sync() {
     this.element.hidden = this.app.schema.bat === undefined && !this.other;
     if (this.other) {
-      this.show(this.app.answer?.tool?.name ?? this.app.state.implement ?? "", this.app.state.implement_toml ? "your own file" : "");
+      this.show(this.app.answer?.tool?.name ?? this.app.answer?.bat?.name ?? this.app.state.implement ?? "", this.app.state.implement_toml ? "your own file" : "");
       return;
     }
     const { bat, bat_toml: text } = this.bat;

@@ -1,6 +1,5 @@
 // What is asked or drawn later, once the hand that drags rests: asides of a view's answer, and what follows its picture.
 
-import { posted } from "./post.js";
 /** @import { App, AsideAnswer, AsideName } from "./main.js" */
 
 const REST = 120; // ms without a change after which a dragging hand rests
@@ -61,7 +60,7 @@ export class Later {
       let found = null;
       let again = false;
       try {
-        found = await posted(`/api/v1/${this.app.name}/${name}`, this.app.state);
+        found = /** @type {AsideAnswer<Aside>} */ (/** @type {unknown} */ (await this.app.ask(`${this.app.name}/${name}`, this.app.state)));
       } catch (fault) {
         again = /** @type {{ again?: boolean }} */ (fault)?.again ?? false; // it is still being worked out; otherwise the next answer asks
       }

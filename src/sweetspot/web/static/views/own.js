@@ -12,7 +12,7 @@ import table from "../quantities.js";
 import { takeDrops } from "../controls/upload.js";
 import { FORGOTTEN } from "./own_measured.js";
 import { SOUNDS, TapPlace } from "./own_tap.js";
-/** @import { Guesses, OwnAnswer, OwnMeasurement } from "../answers.js" */
+/** @import { OwnAnswer, OwnMeasurement } from "../answers.js" */
 /** @import { Words } from "../controls/controls.js" */
 /** @import { AppOf, Field, Guide } from "../shell/main.js" */
 
@@ -96,7 +96,7 @@ export default class OwnView {
   }
 
   // What somebody measures; its error, and the way back, are there once it is measured. Errors are told as all intervals.
-  /** @param {keyof Guesses & Field} field @param {Words} label @param {number} step @param {Field} error @param {number} fine @param {string} note */
+  /** @param {keyof OwnAnswer["guesses"] & Field} field @param {Words} label @param {number} step @param {Field} error @param {number} fine @param {string} note */
   measured(field, label, step, error, fine, note) {
     const { app } = this;
     const lacks = make("p", { className: "note", textContent: `Not measured. ${note}` });
@@ -227,7 +227,7 @@ export default class OwnView {
     if (unknowns.length) {
       const share = (/** @type {number} */ part) => app.text("share", part, 1);
       const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map(({ label, before, after, off, budget: sources }) => [
-        label, `±\u00a0${share(before)}`, `±\u00a0${share(after)}`, share(off), sources.slice(0, 2).map(({ name, share: part }) => `${name}: ${share(part)}`).join(", ")]));
+        label, `±\u00a0${share(before)}`, `±\u00a0${share(after)}`, share(off), sources.slice(0, 2).map(([name, part]) => `${name}: ${share(part)}`).join(", ")]));
       box.querySelectorAll("tbody tr").forEach((row, i) => {
         const left = make("span");
         left.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;

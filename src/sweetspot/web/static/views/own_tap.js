@@ -289,7 +289,7 @@ export class TapPlace {
     const tones = found?.tones ?? [];
     this.tones.replaceChildren(...(tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps", "whose"], tones.map((tone) => [
       tone.name ?? "no mode of this bat", `${tone.frequency_hz.toFixed(1)} ± ${tone.half_hz.toFixed(1)} Hz`, tone.expected_hz ? `${tone.expected_hz.toFixed(0)} Hz` : "–",
-      app.text("share", tone.damping_ratio, 2), String(tone.taps), tone.own ? "its own" : "room’s?"]))] : []), ...(tones.every(({ own }) => own) ? [] : [make("p", { className: "note", textContent: ROOM })]));
+      app.text("share", tone.damping_ratio, 2), String(tone.taps), tone.from_bat ? "its own" : "room’s?"]))] : []), ...(tones.every(({ from_bat: own }) => own) ? [] : [make("p", { className: "note", textContent: ROOM })]));
   }
 }
 

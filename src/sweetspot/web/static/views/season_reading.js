@@ -132,7 +132,7 @@ export class Reading {
     if (wrong || this.wrong) this.say(wrong);
     this.wrong = wrong;
     if (this.going) return;
-    if (runs && found?.phase === "rows" && found.rows) this.bar.value = found.done / found.rows;
+    if (runs && found?.phase === "rows" && found.rows) this.bar.value = found.rows_read / found.rows;
     else this.bar.removeAttribute("value");
     this.words.textContent = this.progress(status, found);
   }
