@@ -250,6 +250,21 @@ def answered(until: Callable[[Page, str], Any]) -> Callable[..., int]:
 
 
 @pytest.fixture
+def opened(request: pytest.FixtureRequest, page: Page, server: str, answered: Callable[..., int]) -> Page:
+    """The page with the view that the test's module names, answered."""
+    page.goto(f"{server}/{request.module.VIEW}")
+    answered(page)
+    return page
+
+
+@pytest.fixture
+def still(page: Page) -> Page:
+    """A page for people who asked for less motion: nothing starts by itself."""
+    page.emulate_media(reduced_motion="reduce")
+    return page
+
+
+@pytest.fixture
 def settled(answered: Callable[..., int], until: Callable[[Page, str], Any]) -> Callable[[Page], None]:
     """Return a function that waits until nothing more comes: lists, words and parts come after a view's picture."""
 

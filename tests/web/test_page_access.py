@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.web.parts import written
+
 Answered = Callable[..., int]
 CHECKS = Path(__file__).with_name("access.js").read_text(encoding="utf-8")
 
@@ -21,16 +23,17 @@ def check(page: Page, name: str) -> Any:
     return page.evaluate(f"{CHECKS.rstrip()}.{name}()")
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_texts_on_canvases_have_contrast_too(page: Page, server: str, answered: Answered, theme: str) -> None:
-    page.goto(f"{server}/explorer")
-    answered(page)
-    page.evaluate(f"document.documentElement.dataset.theme = '{theme}'")
-    colours = check(page, "palette")
-    for name in ("ink", "muted"):
-        assert contrast(colours[name], colours["panel"]) >= 4.5
-        assert contrast(colours[name], colours["zone"]) >= 4.5
-    assert contrast(colours["zone-ink"], colours["panel"]) >= 4.5
+VIEW = "explorer"
+
+
+def test_texts_on_canvases_have_contrast_too(opened: Page) -> None:
+    for theme in ("light", "dark"):
+        opened.evaluate(f"document.documentElement.dataset.theme = '{theme}'")
+        colours = check(opened, "palette")
+        for name in ("ink", "muted"):
+            assert contrast(colours[name], colours["panel"]) >= 4.5
+            assert contrast(colours[name], colours["zone"]) >= 4.5
+        assert contrast(colours["zone-ink"], colours["panel"]) >= 4.5
 
 
 def contrast(one: str, other: str) -> float:
@@ -118,11 +121,9 @@ def test_a_low_window_is_not_filled_by_what_stays_on_top(
     assert page.evaluate("document.querySelector('#view .pinned').getBoundingClientRect().bottom") < 100
 
 
-def test_what_is_wrong_is_tied_to_its_field(page: Page, server: str, answered: Answered) -> None:
-    page.goto(f"{server}/explorer")
-    answered(page)
-    field = page.locator("[data-field=pitch_speed_mph] input[type=number]")
-    field.fill("900")
-    field.press("Enter")
+def test_what_is_wrong_is_tied_to_its_field(opened: Page) -> None:
+    written(opened, "pitch_speed_mph", 900)
+    field = opened.locator("[data-field=pitch_speed_mph] input[type=number]")
+    expect(field).to_have_attribute("aria-invalid", "true")
     described = field.get_attribute("aria-describedby")
-    expect(page.locator(f"[id='{described}']")).to_contain_text("Allowed is")
+    expect(opened.locator(f"[id='{described}']")).to_have_text("Allowed is 0 to 125 mph.")

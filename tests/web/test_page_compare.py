@@ -8,24 +8,16 @@ from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import quote
 
-import pytest
 from playwright.sync_api import Page, Route, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
+from tests.web.parts import picture
 
 Answered = Callable[..., int]
 
 
-@pytest.fixture
-def opened(page: Page, server: str, answered: Answered) -> Page:
-    page.goto(f"{server}/compare")
-    answered(page)
-    return page
-
-
-def picture(page: Page) -> str:
-    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
+VIEW = "compare"
 
 
 def test_the_first_picture_has_three_bats_and_a_verdict(opened: Page) -> None:

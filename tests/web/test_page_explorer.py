@@ -13,39 +13,13 @@ from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
+from tests.web.parts import moved, number, picture, written
 
 Answered = Callable[..., int]
 Until = Callable[[Page, str], Any]
 
 
-@pytest.fixture
-def opened(page: Page, server: str, answered: Answered) -> Page:
-    page.goto(f"{server}/explorer")
-    answered(page)
-    return page
-
-
-def number(page: Page, name: str) -> float:
-    """Return a number below the curves, in the unit shown."""
-    text = page.locator(f".facts div:has(:text-is('{name}')) dd").inner_text()
-    return float(re.findall(r"-?[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0])
-
-
-def moved(page: Page, answered: Answered, field: str, value: float) -> None:
-    """Write a number into a control's field and wait for the picture."""
-    before = answered(page)
-    box = page.locator(f"[data-field={field}] input[type=number]")
-    box.evaluate(
-        "(field) => { for (let at = field; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true }"
-    )
-    box.fill(str(value))
-    box.press("Enter")
-    answered(page, before)
-
-
-def picture(page: Page) -> str:
-    """Return what is on the canvases, as text."""
-    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
+VIEW = "explorer"
 
 
 def test_the_first_picture_says_where_the_bat_hits_best(opened: Page, settled: Callable[[Page], None]) -> None:
@@ -96,12 +70,9 @@ def test_every_control_changes_number_picture_and_address(
         assert abs(number(opened, name) - before) > 0.05, field
         assert picture(opened) != shown, field
         assert f"{field}=" in opened.url
-
-
-def test_hands_move_the_centre_of_percussion(opened: Page, answered: Answered) -> None:
-    before = picture(opened)
-    moved(opened, answered, "hands_in", 8)
-    assert picture(opened) != before
+    before_hands = picture(opened)
+    moved(opened, answered, "hands_in", 8)  # the centre of percussion moves, no number beside it
+    assert picture(opened) != before_hands
 
 
 def test_dragging_a_slider_redraws_before_it_is_let_go(opened: Page, answered: Answered, until: Until) -> None:
@@ -243,24 +214,12 @@ def test_drawing_the_outline(opened: Page, answered: Answered, settled: Callable
     expect(rows).to_have_count(stations + 1)
 
 
-def test_a_number_out_of_bounds_is_explained_beside_the_field(opened: Page) -> None:
-    box = opened.locator("[data-field=pitch_speed_mph]")
-    box.locator("input[type=number]").fill("900")
-    box.locator("input[type=number]").press("Enter")
-    expect(box.locator(".fault")).to_have_text("Allowed is 0 to 125 mph.")
-    expect(box.locator("input[type=number]")).to_have_attribute("aria-invalid", "true")
-
-
 def test_what_the_server_refuses_stands_beside_its_field(opened: Page, answered: Answered) -> None:
-    box = opened.locator("[data-field=mass_oz]")
-    box.evaluate(
-        "(field) => { for (let at = field; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true }"
-    )
-    box.locator("input[type=number]").fill("12")
-    box.locator("input[type=number]").press("Enter")
-    expect(box.locator(".fault")).to_contain_text("Allowed is")
+    fault = opened.locator("[data-field=mass_oz] .fault")
+    written(opened, "mass_oz", 12)
+    expect(fault).to_contain_text("Allowed is")
     moved(opened, answered, "mass_oz", 32)
-    expect(box.locator(".fault")).to_be_hidden()
+    expect(fault).to_be_hidden()
 
 
 def test_the_export_gives_the_numbers_and_pictures(opened: Page) -> None:
@@ -281,25 +240,18 @@ def test_the_export_gives_the_numbers_and_pictures(opened: Page) -> None:
     expect(opened.locator("[data-lines=python]")).to_contain_text("sweetspot.report('r161-ash')")
 
 
-def test_how_sure_the_numbers_are_stands_below(opened: Page) -> None:
-    """Asked for only by those who open it: intervals beside the report's numbers, and what they come from."""
-    opened.locator("#sure summary").click()
-    told = opened.locator("#sure .document")
-    expect(told).to_contain_text("90 % intervals")
-    expect(told).to_contain_text("±")
-    expect(told.get_by_role("row", name="ball restitution").first).to_contain_text("%")
-
-
 @pytest.mark.parametrize(
-    ("view", "fold"), [("hit", "sure"), ("flight", "sure"), ("compare", "sure"), ("compare", "rules_sure")]
+    ("view", "fold", "row", "words"),
+    [("explorer", "sure", "ball restitution", "%"), ("compare", "rules_sure", "BBCOR of the test", " to ")],
 )
-def test_how_sure_other_views_are(
-    page: Page, server: str, settled: Callable[[Page], None], view: str, fold: str
+def test_how_sure_the_numbers_are_stands_below(
+    still: Page, server: str, settled: Callable[[Page], None], view: str, fold: str, row: str, words: str
 ) -> None:
-    page.emulate_media(reduced_motion="reduce")
-    page.goto(f"{server}/{view}")
-    settled(page)
-    page.locator(f"#{fold} summary").click()
-    told = page.locator(f"#{fold} .document")
+    """Asked for only by those who open it: intervals beside the report's numbers, and what they come from."""
+    still.goto(f"{server}/{view}")
+    settled(still)
+    still.locator(f"#{fold} summary").click()
+    told = still.locator(f"#{fold} .document")
     expect(told).to_contain_text("90 % intervals")
     expect(told).to_contain_text("±")
+    expect(told.get_by_role("row", name=row).first).to_contain_text(words)

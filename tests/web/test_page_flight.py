@@ -9,43 +9,21 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.web.parts import moved, number, picture, written
+
 Answered = Callable[..., int]
 
 
-@pytest.fixture
-def opened(page: Page, server: str, answered: Answered) -> Page:
-    page.goto(f"{server}/flight")
-    answered(page)
-    return page
+VIEW = "flight"
 
 
-def number(page: Page, name: str) -> float:
-    text = page.locator(f".facts div:has(:text-is('{name}')) dd").inner_text()
-    return float(re.findall(r"[\d.]+", text)[0])
-
-
-def picture(page: Page) -> str:
-    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
-
-
-def moved(page: Page, answered: Answered, field: str, value: float) -> None:
-    count = answered(page)
-    box = page.locator(f"[data-field={field}] input[type=number]")
-    box.fill(str(value))
-    box.press("Enter")
-    answered(page, count)
-
-
-def test_the_first_picture_says_over_which_fences(opened: Page) -> None:
+def test_the_first_picture_says_over_which_fences_in_the_order_of_the_caption(opened: Page) -> None:
     expect(opened.locator("#verdict")).to_contain_text(re.compile(r"Fenway Park.*Out in \d+ of 30 parks"))
     expect(opened.get_by_role("region", name=re.compile("every park")).locator("tbody tr")).to_have_count(30)
     expect(opened.get_by_role("img", name=re.compile("^The flight from the side"))).to_be_visible()
     expect(opened.get_by_role("img", name=re.compile("^The field of Fenway Park"))).to_be_visible()
     assert number(opened, "Without air") > number(opened, "Carry") + 50
-
-
-def test_the_parks_stand_in_the_order_that_the_caption_says(opened: Page) -> None:
-    """The likeliest home run first, each with its own carry: in Denver 13 ft more than in Phoenix."""
+    # the likeliest home run first, each with its own carry: in Denver 13 ft more than in Phoenix
     table = opened.get_by_role("region", name=re.compile("every park")).locator("table")
     expect(table.locator("caption")).to_contain_text("the likeliest home run first")
     rows = [row.split("\t") for row in table.locator("tbody tr").all_inner_texts()]
@@ -144,9 +122,7 @@ def test_from_the_swing(opened: Page, answered: Answered) -> None:
     moved(opened, answered, "impact_from_tip_in", 6)
     moved(opened, answered, "offset_in", 0.7)
     expect(opened.get_by_role("img", name=re.compile("^The flight from the side"))).to_be_visible()
-    moved_tilt = opened.locator("[data-field=tilt_deg] input[type=number]")
-    moved_tilt.fill("2")
-    moved_tilt.press("Enter")
+    written(opened, "tilt_deg", 2)
     expect(opened.locator("[data-field=tilt_deg] .fault")).to_contain_text("Allowed is 9 to 75")
     expect(opened.locator("[data-field=tilt_deg]")).to_contain_text("No path in a plane is steeper")
 

@@ -7,19 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import pytest
 from playwright.sync_api import Page, expect
 
 Until = Callable[[Page, str], Any]
 Answered = Callable[..., int]
 Repainted = Callable[[Page, Callable[[], None]], None]
-
-
-@pytest.fixture
-def still(page: Page) -> Page:
-    """A page for people who asked for less motion: nothing starts by itself."""
-    page.emulate_media(reduced_motion="reduce")
-    return page
 
 
 def picture(page: Page) -> str:
@@ -149,10 +141,3 @@ def test_units_and_exports(still: Page, server: str, answered: Answered, tmp_pat
     waited.value.save_as(tmp_path / "modes.svg")
     assert "stands still" in (tmp_path / "modes.svg").read_text(encoding="utf-8")
     assert "sweetspot report r161-ash" in still.inner_text("[data-lines=command]")
-
-
-def test_phone_width_fits(still: Page, server: str, answered: Answered) -> None:
-    still.set_viewport_size({"width": 375, "height": 720})
-    still.goto(f"{server}/modes?bat=single-wall&family=hoop")
-    answered(still)
-    assert still.evaluate("document.documentElement.scrollWidth") <= 375

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from sweetspot.papers.chain import PARTS
+from tests.web.parts import moved, picture
 
 Answered = Callable[..., int]
 CONTROLS = {
@@ -20,15 +20,7 @@ CONTROLS = {
 }
 
 
-@pytest.fixture
-def opened(page: Page, server: str, answered: Answered) -> Page:
-    page.goto(f"{server}/paper")
-    answered(page)
-    return page
-
-
-def picture(page: Page) -> str:
-    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
+VIEW = "paper"
 
 
 def test_the_questions_come_one_after_the_other(opened: Page, answered: Answered) -> None:
@@ -56,12 +48,9 @@ def test_numbers_move_formula_picture_and_statements(opened: Page, answered: Ans
         count = answered(opened)
         if step:
             opened.locator(".questions button").nth(step).click()
-            count = answered(opened, count)
+            answered(opened, count)
         before = shown(opened)
-        box = opened.locator(f"[data-field={field}] input[type=number]")
-        box.fill(value)
-        box.press("Enter")
-        answered(opened, count)
+        moved(opened, answered, field, value)
         assert all(new != old for new, old in zip(shown(opened), before, strict=True)), question
         assert f"{field}=" in opened.url
 

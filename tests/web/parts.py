@@ -1,0 +1,36 @@
+"""Parts of a view as a person sees them: a number below the curves, the pictures, a control's field."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from playwright.sync_api import Page
+
+UNFOLD = "(field) => { for (let at = field; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true }"
+
+
+def number(page: Page, name: str) -> float:
+    """Return a number below the curves, in the unit shown."""
+    text = page.locator(f".facts div:has(:text-is('{name}')) dd").inner_text()
+    return float(re.findall(r"-?[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0])
+
+
+def written(page: Page, field: str, value: object) -> None:
+    """Write a number into a control's field."""
+    box = page.locator(f"[data-field={field}] input[type=number]")
+    box.evaluate(UNFOLD)
+    box.fill(str(value))
+    box.press("Enter")
+
+
+def moved(page: Page, answered: Callable[..., int], field: str, value: object) -> None:
+    """Write a number into a control's field and wait for the picture."""
+    before = answered(page)
+    written(page, field, value)
+    answered(page, before)
+
+
+def picture(page: Page) -> str:
+    """Return what is on the view's canvases, as text."""
+    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
