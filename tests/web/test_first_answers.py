@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from sweetspot.web import answers, first_answers
+from sweetspot.web import answers
 from sweetspot.web.views import VIEWS
 
 
@@ -22,12 +22,13 @@ def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.Monk
         raise OSError(errno.EAGAIN, "Resource temporarily unavailable")
 
     monkeypatch.setattr(multiprocessing, "get_context", lambda _: SimpleNamespace(Process=no_process))
-    monkeypatch.setattr(first_answers, "kernel_folder", lambda: tmp_path)
+    monkeypatch.setattr(answers, "kernel_folder", lambda: tmp_path)
+    monkeypatch.setattr(answers, "answer_json", lambda name, *_: name.encode())
     words: list[str] = []
-    first_answers.prepare(lambda name, *_: name.encode(), words.append)
+    answers.prepare_all(words.append)
     for name in VIEWS:
-        for question in first_answers.first_questions(name):
-            assert first_answers.kept_answer(name, *question) == name.encode()
+        for question in answers.first_questions(name):
+            assert answers.kept_answer(name, *question) == name.encode()
     assert words[-1] == "the solver is ready" and len(words) == len(VIEWS) + 2
 
 

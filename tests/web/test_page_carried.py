@@ -13,8 +13,9 @@ from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
+from sweetspot.web import answers
+from sweetspot.web.answers import first_questions, kept_answer, work_out
 from sweetspot.web.controls import CARRIED
-from sweetspot.web.first_answers import first_questions, kept_answer, work_out
 from sweetspot.web.views import VIEWS
 
 Answered = Callable[..., int]
@@ -246,19 +247,19 @@ def test_nothing_is_left_of_views_that_were_left(page: Page, server: str, answer
 def test_first_answers_are_kept_for_this_state_of_the_package_only(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from sweetspot.web import first_answers
-
-    monkeypatch.setattr(first_answers, "kernel_folder", lambda: tmp_path)
+    monkeypatch.setattr(answers, "kernel_folder", lambda: tmp_path)
     name, state = "player", VIEWS["player"].state()
     assert (state, "fit") in first_questions(name)  # what comes apart, and takes longest
     assert kept_answer(name, state) is None
-    work_out(lambda *_: b"{}", name)
+    monkeypatch.setattr(answers, "answer_json", lambda *_: b"{}")
+    work_out(name)
     assert kept_answer(name, state) == kept_answer(name, state, "fit") == b"{}"
     assert kept_answer("explorer", VIEWS["explorer"].state()) is None
     assert kept_answer(name, state.model_copy(update={"bat": "mlb-a"})) is None
-    monkeypatch.setattr(first_answers, "_package_digest", lambda: "another")
+    monkeypatch.setattr(answers, "_package_digest", lambda: "another")
     assert kept_answer(name, state) is None
-    work_out(lambda *_: b"{1}", name)
+    monkeypatch.setattr(answers, "answer_json", lambda *_: b"{1}")
+    work_out(name)
     assert kept_answer(name, state) == b"{1}"
     monkeypatch.undo()
     assert len([*tmp_path.glob("*.json")]) == len([*first_questions(name)])

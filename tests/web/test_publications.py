@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 
 from sweetspot.units import INCH
 from sweetspot.web.controls import BatState
-from sweetspot.web.publications import Publication, published
+from sweetspot.web.views.explorer_curves import Publication, published
 
 LENGTH = 0.84
 

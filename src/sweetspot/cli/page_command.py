@@ -37,10 +37,9 @@ def app(
 
 def prepare() -> None:
     """Compile the solver for this machine and work out the page's first pictures, once, so that nothing waits later."""
-    from sweetspot.web.answers import answer_json
-    from sweetspot.web.first_answers import prepare as prepare_all
+    from sweetspot.web.answers import prepare_all
 
-    prepare_all(answer_json, lambda words: print(f"sweetspot: {words}", file=sys.stderr))
+    prepare_all(lambda words: print(f"sweetspot: {words}", file=sys.stderr))
     from sweetspot.answers.report import report_of
     from sweetspot.catalog.standard_hit import standard_analysis
     from sweetspot.uncertainty.sources import sources_of

@@ -19,8 +19,8 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.reports.quantity_table import quantity_data, words_in_both_systems
 from sweetspot.web.bats import bat_from_text
+from sweetspot.web.documents import in_one_system
 from sweetspot.web.errors import about
-from sweetspot.web.one_system import in_one_system
 from sweetspot.web.schemas import BatFacts, BatText, Choice, Described, Meaning, Tool
 from sweetspot.web.wizard import Form, Wanted, described_by, forms
 

@@ -25,8 +25,7 @@ from sweetspot.units.dimensions import LENGTH, System
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import UsualHit, changed_bat, conditions_of, swung, usual
 from sweetspot.web.controls import BatState, SwungState
-from sweetspot.web.documents import in_either_system
-from sweetspot.web.one_system import in_one_system
+from sweetspot.web.documents import in_either_system, in_one_system
 
 POINTS = 120
 """Places along a bat whose outline is a formula."""

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sweetspot.errors import InputError, SweetspotError
 from sweetspot.units.dimensions import System
-from sweetspot.web.one_system import in_one_system
+from sweetspot.web.documents import in_one_system
 
 MOST_FAULTS = 20
 LONGEST_MESSAGE = 500

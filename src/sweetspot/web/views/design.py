@@ -54,7 +54,6 @@ from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import ENOUGH, Ask, bat_source, options_of, swing_options
 from sweetspot.web.view import View
-from sweetspot.web.views.design_search import search
 from sweetspot.web.views.design_state import (
     LOCKS,
     USUAL_LEAGUE,
@@ -68,6 +67,7 @@ from sweetspot.web.views.design_state import (
     locks_of,
     numbers_of,
     question_of,
+    search,
 )
 from sweetspot.web.views.player import PlayerState, batters_of, learned
 

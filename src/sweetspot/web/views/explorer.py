@@ -30,19 +30,20 @@ from sweetspot.web.bats import place_of
 from sweetspot.web.controls import HitState
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, in_either_system, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
-from sweetspot.web.publications import Publication, published
 from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, options_of, place_option, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import (
     CurvesOfHits,
     HitsAlongBat,
     Met,
+    Publication,
     along,
     beside,
     curves,
     jumps_at,
     leaving,
     power_map,
+    published,
     scans_at,
     struck,
     touched_twice,

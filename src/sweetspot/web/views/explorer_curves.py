@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Annotated
 
 import numpy as np
@@ -24,14 +24,17 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
+from sweetspot.references import cite, reference
 from sweetspot.reports.hit.document import best_in_doubt, touched_again_between
-from sweetspot.reports.sentences import Sentence
+from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
-from sweetspot.units.dimensions import ANGLE, IMPULSE, LENGTH, SPEED, VIBRATION
+from sweetspot.units.dimensions import ANGLE, IMPULSE, LENGTH, SPEED, VIBRATION, System
+from sweetspot.validation.cases import Row, sources
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.controls import HitState
-from sweetspot.web.documents import Sentences, in_both_systems
+from sweetspot.web.controls import BatState, HitState
+from sweetspot.web.documents import Sentences, in_both_systems, in_either_system
+from sweetspot.web.recipes import is_catalogued
 
 KEPT = 128
 MIDDLE = {"impact_from_tip_in": 6.0, "offset_in": 0.0}
@@ -217,3 +220,74 @@ def _power_map(state: HitState) -> PowerMap:
     speed, angle, _ = leaving(struck(setup, position=places.ravel(), offset=above.ravel()))
     speed = np.where(np.abs(angle) < math.pi / 2, speed, np.nan).reshape(places.shape)
     return PowerMap(position, offset, np.round(speed, 3))
+
+
+UNITS = {"in": INCH, "cm": 0.01}
+PLACES = {
+    "best_from_tip": "exit_speed_m_s",
+    "best_efficiency_from_tip": "collision_efficiency",
+    "node_from_tip": "sting_m_s",
+}
+"""Computations of places on a bat, and the curve beside which such a place is drawn."""
+VALUES = {"whole_efficiency": "collision_efficiency"}
+"""Computations of a curve's greatest value, whose place was not published."""
+
+
+@dataclass(frozen=True)
+class Publication:
+    """One published number of a bat.
+
+    Parameters
+    ----------
+    curve : beside which it is drawn.
+    words, source : what it is and who published it, and where.
+    place : the stretch of the bat of which it tells, from the knob end.
+    values : ends of a curve's greatest value, whose place was not published.
+    """
+
+    curve: str
+    words: Mapping[System, str]
+    source: str
+    place: Annotated[tuple[float, float], LENGTH]
+    values: tuple[float, float] | None
+
+
+def published(state: BatState, *, length: float, most_efficient: float) -> tuple[Publication, ...]:
+    """Return the publications about a state's bat, as long as nothing of it was changed.
+
+    Parameters
+    ----------
+    length, most_efficient : m; of the bat, and to the place of its greatest collision efficiency, from the knob end.
+    """
+    return _of_bat(state.bat, length, most_efficient) if is_catalogued(state) else ()
+
+
+@cache
+def _of_bat(name: str, length: float, most_efficient: float) -> tuple[Publication, ...]:
+    rows = [(row, case) for case in sources() for row in case.rows if row.inputs.get("bat") == name]
+    marks = (_mark(row, case.source, name, length, most_efficient) for row, case in rows)
+    return tuple(mark for mark in marks if mark is not None)
+
+
+def _mark(row: Row, key: str, name: str, length: float, most_efficient: float) -> Publication | None:
+    low, high = (row.value if end is None else end for end in (row.low, row.high))
+    assert low is not None and high is not None
+    source = reference(key)
+    by = f"{source.authors.split(',')[0]} {source.fields.get('year', '')}".strip()
+    about = f"{by}: {row.quantity.partition(',')[0].removesuffix(f' of {name}')}"
+    if row.computation in PLACES and row.unit in UNITS:
+        near, far = UNITS[row.unit] * low, UNITS[row.unit] * high
+        words = say("{about}: {place} from the tip", about=about, place=_span(near, far, "place"))
+        return Publication(
+            PLACES[row.computation], in_either_system(words), cite(key), (length - far, length - near), None
+        )
+    if row.computation in VALUES:
+        words = say("{about}: {value}", about=about, value=_span(*row.allowed, "ratio"))
+        place = (most_efficient, most_efficient)
+        return Publication(VALUES[row.computation], in_either_system(words), cite(key), place, row.allowed)
+    return None
+
+
+def _span(low: float, high: float, scale: str) -> Sentence:
+    ends = [say("{end}", end=Slot(end, scale)) for end in ((low, high) if low < high else (low,))]
+    return joined(ends, " to ")

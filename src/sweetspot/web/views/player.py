@@ -35,10 +35,9 @@ from sweetspot.units import MPH
 from sweetspot.units.dimensions import SPEED
 from sweetspot.web.bats import described, listed_bat
 from sweetspot.web.controls import BatState, within
-from sweetspot.web.documents import ReadDocument, Sentences, page_document
+from sweetspot.web.documents import ReadDocument, Sentences, in_one_system, page_document
 from sweetspot.web.drawings import BenchBat, bench_bat
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.one_system import in_one_system
 from sweetspot.web.recipes import bat_name, bat_text, option
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sweetspot.units import format_density, format_length, format_mass
+from sweetspot.web.documents import in_one_system
 from sweetspot.web.errors import FieldError, fault
-from sweetspot.web.one_system import in_one_system
 
 
 def test_each_reader_sees_one_unit() -> None:
