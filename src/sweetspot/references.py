@@ -93,10 +93,7 @@ def _bibliography() -> dict[str, Reference]:
 def parse_bibliography(text: str) -> dict[str, Reference]:
     """Return the sources of a BibTeX text with one field per line and values in braces.
 
-    Raises
-    ------
-    InputError
-        when an entry or a field is written in another way, or a key comes twice.
+    Raises `InputError` when an entry or a field is written in another way, or a key comes twice.
     """
     entries: dict[str, Reference] = {}
     for kind, key, body in ENTRY.findall(text):

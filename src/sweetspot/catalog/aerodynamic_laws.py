@@ -65,10 +65,6 @@ def aerodynamics_in(park: Park | None, law: Aerodynamics) -> Aerodynamics:
 def conditions_in(park: Park, outdoors: FlightConditions, *, own_elevation: bool = True) -> FlightConditions:
     """Return the same weather in a park: at its elevation where wanted, with its law of drag (`aerodynamics_in`).
 
-    Parameters
-    ----------
-    outdoors : in the open, with one `Air` for all flights.
-
     >>> from sweetspot import catalog, standard_flight
     >>> conditions_in(catalog.park("coors"), standard_flight()).one_air.elevation == catalog.park("coors").elevation
     True

@@ -26,15 +26,12 @@ def park_names() -> list[str]:
 def park(name: str, year: int | None = None) -> Park:
     """Return a park by its name or the beginning of it, an older name, its team or the team's letters.
 
+    Raises `InputError` for an unknown one, with the nearest names.
+
     Parameters
     ----------
     year : season; a team's name or letters then mean the park it played in. None: the park of today, or the last one
         of a club that has moved.
-
-    Raises
-    ------
-    InputError
-        for an unknown one, with the nearest names.
 
     >>> park("wrigley").name, park("Minute Maid Park").name, park("yankees").team
     ('Wrigley Field', 'Daikin Park', 'New York Yankees')

@@ -29,16 +29,12 @@ KINDS: dict[str, Callable[[], Mapping[str, Entry]]] = {
 def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> str:
     """Return an entry as TOML text; that of an implement is a file which `load_implement` takes.
 
+    Raises `InputError` for an unknown name or kind, with the nearest ones.
+
     Parameters
     ----------
-    name : of the entry.
     kind : one of `KINDS`; None: the first that has the name.
     sources : whether every value's spread, source, place and kind are written too.
-
-    Raises
-    ------
-    InputError
-        for an unknown name or kind, with the nearest ones.
 
     >>> entry_toml("baseball", "ball").splitlines()[0]
     'name = "baseball (Major League)"'

@@ -43,10 +43,7 @@ def league(name: str = DEFAULT_LEAGUE) -> League:
 def leagues_and_ball(name: str, ball_name: str | None = None) -> tuple[list[League], Ball]:
     """Return a league in a list, or "all" that use a ball, and the ball; None: the league's.
 
-    Raises
-    ------
-    InputError
-        for an unknown league, or a ball of another sport.
+    Raises `InputError` for an unknown league, or a ball of another sport.
     """
     if name.strip().lower() == "all":
         ball_name = ball_name or DEFAULT_BALL

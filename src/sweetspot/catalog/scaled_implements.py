@@ -56,10 +56,7 @@ def scaled_to(pattern: Implement, measures: Measures) -> tuple[Implement, str]:
     wall (`weight_matched`), a blade's thickness, a stick's wall. A racket has what was measured; a club has its weight
     by its head and, where its balance point is known, by its shaft's wall.
 
-    Raises
-    ------
-    InputError
-        where nothing gives these measures; the message has the possible ones.
+    Raises `InputError` where nothing gives these measures; the message has the possible ones.
 
     >>> from sweetspot import catalog
     >>> racket, _ = scaled_to(catalog.implement("tennis-racket"), Measures(mass=0.305))

@@ -114,7 +114,6 @@ def collisions_of(modes: Modes, ball: Ball, place: tuple[float, float, float], s
     Parameters
     ----------
     place : position and lateral place, m, and closing speed, m/s, > 0.
-    kicks : how a contact is followed.
     """
     impact = _collision(modes, ball, place, step, Hysteretic(ball), kicks)
     if impact.touches < 2:

@@ -307,7 +307,6 @@ def _leaving(
     ----------
     place : m from the knob end, and the bat's radius there.
     closing : m/s along the line of centres.
-    normal : that part of the hit, with the modes' motion as it leaves the bat.
     """
     position, radius = place
     impulse = ball.mass * np.asarray(closing) * (1 + np.asarray(normal.collision_efficiency))

@@ -38,7 +38,6 @@ def replayed(impact: Impact, modes: Modes) -> ModalMotion:
 
     Parameters
     ----------
-    impact : from `coupled.hit`.
     modes : the same as in that hit, or some of them (`Modes.kept`) where no dashpots couple them.
 
     Returns

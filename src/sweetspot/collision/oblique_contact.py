@@ -221,8 +221,6 @@ def launch(
 
     Parameters
     ----------
-    frame : directions at contact.
-    pitch : the ball before contact.
     surface_velocity : m/s before contact, shape (..., 3), of the bat where it is touched; see `turning_surface`.
     normal_impulse : N s without friction, m (1 + q) times the closing speed along the normal.
     """

@@ -148,7 +148,6 @@ def arrival_time(film: TimeHistory, *, modes: Modes, position: float) -> float |
 
     Parameters
     ----------
-    modes : the same as in the film.
     position : m from the knob end.
     """
     hit = film.impact

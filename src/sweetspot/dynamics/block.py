@@ -107,14 +107,11 @@ def expected_patch(ball: Ball, speed: float) -> float:
 def block_modes(block: Block, *, patch: float) -> Modes:
     """Return every motion of a block that a ball in the middle of its face excites; position 0 is that middle.
 
+    Raises `InputError` when the patch is wider than the face.
+
     Parameters
     ----------
     patch : m, radius over which the ball presses, from `expected_patch`.
-
-    Raises
-    ------
-    InputError
-        when the patch is wider than the face.
 
     Notes
     -----

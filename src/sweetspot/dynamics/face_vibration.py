@@ -27,7 +27,6 @@ def face_modes(beam: BeamModel, ball: Ball) -> Modes:
 
     Parameters
     ----------
-    beam : of an implement with a face and an outline.
     ball : whose mass turns the face's restitution into a damper (`damping_coefficient`).
 
     Returns

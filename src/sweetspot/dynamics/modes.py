@@ -122,12 +122,7 @@ class Modes(ShownInNotebooks):
         return along + self.surface.basis(places, across, speed) @ self.surface.weights
 
     def compliance_at(self, position: ArrayLike, *, closing_speed: ArrayLike | None = None) -> Array:
-        """Return the instantaneous compliance of the surface, m/N at positions in m, of their shape; never below zero.
-
-        Parameters
-        ----------
-        closing_speed : see `shape_at`.
-        """
+        """Return the instantaneous compliance in m/N of the surface at positions in m, of their shape; at least 0."""
         return np.maximum(self.give_at(position, closing_speed=closing_speed), 0.0)
 
     def give_at(self, position: ArrayLike, *, closing_speed: ArrayLike | None = None) -> Array:

@@ -96,10 +96,7 @@ class SwingWeight(Validated):
     def moment_of(self, text: str) -> float:
         """Return the moment in SI of a letter with points, on a scale that has them.
 
-        Raises
-        ------
-        InputError
-            for another convention, or a text that is no letter with points.
+        Raises `InputError` for another convention, or a text that is no letter with points.
 
         >>> scale = SwingWeight(name="swing weight", order=1, axis=0.3556, unit="in oz", size=0.00072007788733,
         ...     zero=161.0, step=1.75, source="recalled", where="", kind="assumed")

@@ -56,10 +56,7 @@ def wall_stiffness(beam: BeamModel, position: Array) -> WallSection:
     Mass per area times the circumference of the mean surface is the mass per length of the walls exactly. Where a
     drilled bat is solid the wall is as thick as the radius; what fills a hole is left out.
 
-    Raises
-    ------
-    InputError
-        when the bat is solid all over.
+    Raises `InputError` when the bat is solid all over.
     """
     places = np.asarray(position, dtype=float)
     parts = _parts(beam, places)

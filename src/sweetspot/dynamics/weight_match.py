@@ -82,14 +82,11 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
 
     A bat whose density alone can meet it, within what its material varies, comes back as it is.
 
+    Raises `InputError` when no requested change gives the mass.
+
     Parameters
     ----------
     by : what is changed; None: the first of `ORDER` that can, and nothing where density can.
-
-    Raises
-    ------
-    InputError
-        when no requested change gives the mass.
     """
     if bat.shell is None or bat.mass is None:
         return bat
@@ -110,10 +107,7 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
 def weighing(bat: Bat, mass: float) -> Bat:
     """Return a hollow bat of another weight, by its end cap where that can be, else by all its walls: see its remark.
 
-    Raises
-    ------
-    InputError
-        when neither can be.
+    Raises `InputError` when neither can be.
 
     >>> from sweetspot import catalog
     >>> weighing(catalog.bat("single-wall"), 0.88).remark

@@ -147,14 +147,7 @@ def _types_of(annotation: Any) -> set[Any]:
 
 
 def explain(error: ValidationError, name: str, *, names: Sequence[str] = ()) -> str:
-    """Return one line per fault: what was given, what is allowed and what to do.
-
-    Parameters
-    ----------
-    error : the validation error.
-    name : what was being made, for the beginning of the message.
-    names : the names of its fields, to correct misspelled ones.
-    """
+    """Return one line per fault: what was given, what is allowed and what to do."""
     faults: list[ErrorDetails] = []
     no_texts: set[object] = set()
     for fault in error.errors(include_url=False):

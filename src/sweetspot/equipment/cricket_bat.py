@@ -32,6 +32,8 @@ class CricketBat(OfMaterial):
     The blade's back is h(y) = edge + (spine - edge) (1 - 2 |y| / width)^concavity above its flat face. Where the handle
     is spliced in, cane has the part of the blade's width that a wedge from the shoulders to nothing has.
 
+    Raises `InputError` when stations cross or a spine is thinner than its edges.
+
     Parameters
     ----------
     name, length, sport, mass, balance_point, moi, moi_axis, choke : as for every `Implement`.
@@ -43,11 +45,6 @@ class CricketBat(OfMaterial):
     splice : m that the handle reaches into the blade.
     grip_mass : kg of rubber, twine and glue on the handle, spread evenly.
     first_frequency : Hz, measured, of bending mode 1 hung freely; None: as the materials have it.
-
-    Raises
-    ------
-    InputError
-        when stations cross or a spine is thinner than its edges.
     """
 
     length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]

@@ -23,6 +23,8 @@ MEMBRANE_MEAN = 0.25
 class Face(Validated):
     """One spring and damper under the ball.
 
+    Raises `InputError` when only one of ``stiffness`` and ``moving_mass`` is given.
+
     Parameters
     ----------
     stiffness : N/m that the ball feels in the middle of the face, > 0; None: a rigid face.
@@ -33,11 +35,6 @@ class Face(Validated):
     patch : m, radius of the ball's contact, for a membrane.
     friction : coefficient of sliding friction under the ball; None: that of the bat.
     tangential_restitution : e_x of the ball on this face; 0 is rolling, -1 no friction; None: that on a bat.
-
-    Raises
-    ------
-    InputError
-        when only one of ``stiffness`` and ``moving_mass`` is given.
     """
 
     stiffness: Positive | None = None

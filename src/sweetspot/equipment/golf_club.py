@@ -49,6 +49,9 @@ class ClubHead(Validated):
 class GolfClub(OfMaterial):
     """A golf club.
 
+    Raises `InputError` when the shaft does not reach the head, or weight, balance or moment of inertia are given
+    besides the parts.
+
     Parameters
     ----------
     name, length, sport, choke : as for every `Implement`; length to the sole. Weight, balance and moment of inertia
@@ -58,11 +61,6 @@ class GolfClub(OfMaterial):
     head : at the end of the shaft. Its balance point is taken to lie on the shaft's line.
     grip_mass, grip_length : kg and m.
     first_frequency : Hz, measured, of bending mode 1 hung freely; None: as the materials have it.
-
-    Raises
-    ------
-    InputError
-        when the shaft does not reach the head, or weight, balance or moment of inertia are given besides the parts.
     """
 
     length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]

@@ -23,7 +23,7 @@ LENGTH_RANGE = (0.6, 1.1)
 
 
 class HockeyStick(OfMaterial):
-    """A hockey stick.
+    """A hockey stick. Raises `InputError` when stations cross or a wall is not above zero.
 
     Parameters
     ----------
@@ -35,11 +35,6 @@ class HockeyStick(OfMaterial):
     grip_mass, grip_length : kg and m of what is wrapped round the handle.
     hook_mass, hook_reach : kg of the head's hook and m from the stick's line to its middle.
     first_frequency : Hz, measured, of bending mode 1 hung freely; None: as the materials have it.
-
-    Raises
-    ------
-    InputError
-        when stations cross or a wall is not above zero.
     """
 
     length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]

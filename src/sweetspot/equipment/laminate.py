@@ -40,10 +40,7 @@ class Ply(Validated):
 class Laminate(Validated):
     """Plies bonded to each other, listed from the inside of the barrel outwards.
 
-    Raises
-    ------
-    InputError
-        when there is no ply.
+    Raises `InputError` when there is no ply.
     """
 
     plies: tuple[Ply, ...]

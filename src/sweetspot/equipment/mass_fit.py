@@ -30,17 +30,14 @@ def maximum_entropy_mass(
 ) -> Array:
     """Return (a, b, c) for which integral mu (1, z, z^2) dx has the given values.
 
+    Raises `InputError` when no smooth distribution has them.
+
     Parameters
     ----------
     base : drawn mass per length, > 0, at positions in m.
     places, weights : quadrature over the implement, m.
     length : L in m.
     targets : the three integrals, kg.
-
-    Raises
-    ------
-    InputError
-        when no smooth distribution has them.
     """
     powers = np.vander(2 * places / length - 1, 3, increasing=True)
     drawn = weights * base(places)

@@ -43,6 +43,9 @@ class Racket(Implement):
     Its mass per length is the drawn one, bent until mass, balance point and swing weight are the measured ones
     (`distribution.tilt`); its stiffness has the drawn shape and the size that gives it its first frequency.
 
+    Raises `InputError` without strings, with more tension than the frame bears, or when the measured values do not go
+    together.
+
     Parameters
     ----------
     name, length, sport, mass, balance_point, moi, moi_axis, choke : as for every `Implement`; mass, balance point and
@@ -58,11 +61,6 @@ class Racket(Implement):
         sides of the head.
     greatest_tension : N per string that the frame is made for; None: not known.
     frame : what it is made of.
-
-    Raises
-    ------
-    InputError
-        without strings, with more tension than the frame bears, or when the measured values do not go together.
     """
 
     length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]

@@ -21,10 +21,7 @@ def stretched(implement: Implement, length: float) -> Implement:
 
     A racket keeps its head and its handle; its frame between them is longer. A club keeps its head and its grip.
 
-    Raises
-    ------
-    InputError
-        for a bat without an outline, or a kind that is not known.
+    Raises `InputError` for a bat without an outline, or a kind that is not known.
     """
     raise InputError(f"{implement.name} is of a kind that cannot be stretched to {length:.4g} m; describe it in a file")
 

@@ -29,6 +29,8 @@ PIECES = 16
 class TableTennisRacket(Implement):
     """A table-tennis racket, hit on its front.
 
+    Raises `InputError` without a rubber on the front, or when handle and blade do not fit the length.
+
     Parameters
     ----------
     name, length, sport, mass, balance_point, moi, moi_axis, choke : as for every `Implement`.
@@ -38,11 +40,6 @@ class TableTennisRacket(Implement):
     handle_material : of the scales.
     front, back : rubbers; None: bare wood, which may not be played with.
     damping : fraction of critical damping of its bending modes, in [0, 0.5).
-
-    Raises
-    ------
-    InputError
-        without a rubber on the front, or when handle and blade do not fit the length.
     """
 
     length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]

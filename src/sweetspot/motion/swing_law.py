@@ -21,6 +21,9 @@ GREATEST_EXPONENT = 0.5
 class SwingLaw:
     """The published law of one study.
 
+    Raises `InputError` for an exponent outside 0 to 1/2, a negative spread, or a moment of inertia that is not above
+    zero.
+
     Parameters
     ----------
     name : of the law in the catalogue.
@@ -28,11 +31,6 @@ class SwingLaw:
     exponent_spread : standard deviation of n.
     axis : m from the bottom of the grip towards the tip, where the study takes the moment of inertia.
     lightest_moi : kg m^2 about that axis, of the lightest bats that the power law is known for.
-
-    Raises
-    ------
-    InputError
-        for an exponent outside 0 to 1/2, a negative spread, or a moment of inertia that is not above zero.
     """
 
     name: str

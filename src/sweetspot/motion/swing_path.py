@@ -133,16 +133,13 @@ def path_axes(attack_angle: ArrayLike, attack_direction: ArrayLike, *, tilt: Arr
     vertical, which turns bat and normal about the path by beta, cos beta = cos(tilt) / cos(a); the barrel is below
     the hands.
 
+    Raises `InputError` for paths that are steeper than the plane they are said to lie in.
+
     Parameters
     ----------
     attack_angle, attack_direction, tilt : rad, shapes that broadcast; the tilt at least the attack angle's size, see
         `steep_enough`.
     left : whether the batter bats left-handed.
-
-    Raises
-    ------
-    InputError
-        for paths that are steeper than the plane they are said to lie in.
     """
     lefty = np.asarray(left, bool)
     attack, pulled, plane = np.broadcast_arrays(*(np.asarray(v, float) for v in (attack_angle, attack_direction, tilt)))

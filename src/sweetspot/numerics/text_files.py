@@ -32,15 +32,11 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
 
     Devices, pipes and packed files are read no further than the limit, so they cost no more than an honest file.
 
+    Raises `InputError` when it cannot be read, is larger, damaged, or no text.
+
     Parameters
     ----------
     most : bytes, unpacked.
-    advice : what to do about a file that is larger, or no text.
-
-    Raises
-    ------
-    InputError
-        when it cannot be read, is larger, damaged, or no text.
     """
     content = read_bytes(path, most=most, advice=advice)
     sheet = content.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0"))
@@ -58,14 +54,7 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
 def read_bytes(path: Path, *, most: int, advice: str) -> bytes:
     """Return a file's content, unpacked where its name ends in .gz; never more than ``most`` bytes are read.
 
-    Parameters
-    ----------
-    most, advice : as in `read_text`.
-
-    Raises
-    ------
-    InputError
-        when it cannot be read, is larger or damaged.
+    Raises `InputError` when it cannot be read, is larger or damaged.
     """
     try:
         with gzip.open(path) if path.suffix == ".gz" else path.open("rb") as file:
@@ -101,10 +90,7 @@ def _no_file(path: Path, reason: str) -> str:
 def is_larger(path: Path, *, most: int) -> bool:
     """Return whether a file, unpacked where its name ends in .gz, is an ordinary one of more than ``most`` bytes.
 
-    Raises
-    ------
-    InputError
-        when a packed file unpacks to more than `MOST_PACKED` times its size.
+    Raises `InputError` when a packed file unpacks to more than `MOST_PACKED` times its size.
     """
     if not path.is_file():
         return False
@@ -126,14 +112,7 @@ def is_larger(path: Path, *, most: int) -> bool:
 def check_ordinary(path: Path, *, most: int, advice: str) -> None:
     """Refuse what a library that reads files by itself must not be given: devices, pipes, folders, huge files.
 
-    Parameters
-    ----------
-    most, advice : as in `read_text`.
-
-    Raises
-    ------
-    InputError
-        when it is not there, is no ordinary file, or is larger.
+    Raises `InputError` when it is not there, is no ordinary file, or is larger.
     """
     if not path.exists():
         raise InputError(_no_file(path, "there is no such file"))

@@ -22,7 +22,6 @@ def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: i
 
     Parameters
     ----------
-    work : fills its own part of the results.
     count, size : rows in all, and at most in one part.
     threads : workers; None: one per core, and never more than there are parts.
 
@@ -50,8 +49,6 @@ def in_order(work: Callable[[ITEM], RESULT], items: Iterable[ITEM], *, threads: 
 
     Parameters
     ----------
-    work : of one item.
-    items : what is worked on.
     threads : workers; None: one per core, at most two. As many results are held as there are workers.
 
     >>> list(in_order(lambda number: number**2, range(4), threads=2))

@@ -27,12 +27,7 @@ def digest(content: bytes) -> bytes:
 
 
 def file_digest(path: Path) -> str:
-    """Return the digest of a whole file, in hexadecimal digits; it is read piece by piece.
-
-    Parameters
-    ----------
-    path : of a file that can be read.
-    """
+    """Return the digest of a whole file, in hexadecimal digits; it is read piece by piece."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, ALGORITHM).hexdigest()
 

@@ -23,10 +23,7 @@ def reading_parquet(path: Path) -> Iterator[None]:
     Polars answers some damage with an error and some with a panic of its Rust core, which is no `Exception` and is
     printed on standard error; of that nothing is shown.
 
-    Raises
-    ------
-    InputError
-        when the file cannot be read.
+    Raises `InputError` when the file cannot be read.
     """
     import polars as pl
 

@@ -106,9 +106,6 @@ class PlausibleRange:
 
         Parameters
         ----------
-        what : name of the quantity, its option or its column.
-        given : as it was written.
-        of : whose bounds these are, for the message: "in baseball".
         column : whether it is a cell of a table, one row of many.
         """
         if self.accepts(value):

@@ -30,7 +30,6 @@ def parse(text: str | float, kind: Kind, what: str = "value", *, sport: str = ""
     Parameters
     ----------
     text : number and unit; a bare number only for ratios.
-    kind : what it must be.
     what : its name, for messages; where the table of bounds has a quantity of that name, its bounds hold.
     sport : whose bounds; "": any.
     quantity : its name in the table of bounds; "": what ``what`` names.

@@ -214,10 +214,7 @@ def objection(quantity: str, value: float, what: str, given: object, sport: str 
 
     Parameters
     ----------
-    what : its option or column.
-    given : as it was written.
     sport : catalogue name; "": any.
-    column : whether it is a cell of a table.
     """
     if quantity not in TABLE:
         return ""

@@ -44,20 +44,16 @@ PLAIN = {float, int, bool, type(None)}
 def in_si(value: Any, name: str) -> Any:
     """Return a value in SI: a number or array as it is, a quantity or a text with its unit converted.
 
+    Raises `InputError` for a wrong dimension, a text without a unit, or a quantity of a library that is not understood.
+
     Parameters
     ----------
     value : one or many (list, array, series); a `pint` quantity of the right dimension, or a text like ``103 mph``.
-    name : of the parameter, whose kind `KIND_OF` knows.
 
     Returns
     -------
     float or array
         in SI, temperatures in degC.
-
-    Raises
-    ------
-    InputError
-        for a wrong dimension, a text without a unit, or a quantity of a library that is not understood.
 
     >>> round(in_si("103 mph", "speed"), 2), in_si(46.0, "speed"), in_si(["28deg", 0.5], "launch_angle").round(2)
     (46.05, 46.0, array([0.49, 0.5 ]))

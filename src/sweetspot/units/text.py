@@ -162,18 +162,13 @@ def to_si(text: str | float, kind: Kind, what: str = "value", *, example: str = 
     Understands mixed fractions (``33 1/2 in``), feet and inches (``2 ft 9.5 in``, ``2'9"``), pounds and ounces
     (``1 lb 15 oz``), and decimals behind a comma (``84,5 cm``).
 
+    Raises `InputError` when the unit is missing, unknown or of another kind, the number is not finite or has a comma
+    that may stand for thousands.
+
     Parameters
     ----------
     text : number and unit; a bare number only for ratios.
-    kind : what it must be.
-    what : its name, for messages.
     example : of it as it might be written, for messages; "": that of its kind.
-
-    Raises
-    ------
-    InputError
-        when the unit is missing, unknown or of another kind, the number is not finite or has a comma that may stand
-        for thousands.
 
     >>> round(to_si("33 1/2 in", "length"), 6), round(to_si("2 ft 9.5 in", "length"), 6)
     (0.8509, 0.8509)

@@ -91,7 +91,6 @@ def in_unit_of(given: str, bounds: tuple[float, float], unit: str) -> tuple[tupl
 
     Parameters
     ----------
-    given : as it was written, with its unit.
     bounds : in ``unit``.
 
     >>> in_unit_of("-300degF", (-40, 60), "degC"), in_unit_of("0.6 m", (-1, 2), "ft")

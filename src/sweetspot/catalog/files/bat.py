@@ -324,7 +324,6 @@ def _made_alike(bat: Bat, shell: Shell, made: Shell, drawn: Shell) -> Bat:
     Parameters
     ----------
     shell : as the bat's own file draws it; where that is as the original was drawn, it is as that one was made.
-    made, drawn : of the original.
     """
     same = {name: getattr(made, name) for name in Shell.model_fields if getattr(shell, name) == getattr(drawn, name)}
     return bat.replaced(shell=shell.replaced(**same), drawn_shell=shell)

@@ -50,16 +50,11 @@ def resolved(table: TomlTable, where: str, folder: Path | None = None, before: t
     replaced whole. The parent as it was measured is the ``original`` of the changed one, unless that is of another
     material.
 
+    Raises `InputError` for a parent that is not there, or that is like this file.
+
     Parameters
     ----------
-    where : names the file in messages.
     folder : of the file, which its ``like`` may name another file from; None: it may name none.
-    before : files that led to this one.
-
-    Raises
-    ------
-    InputError
-        for a parent that is not there, or that is like this file.
 
     >>> resolved({"like": "tennis-racket", "ra": 66}, "mine.toml")["mass"]
     '318 g'

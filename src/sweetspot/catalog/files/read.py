@@ -99,12 +99,7 @@ def whole_table(path: Path) -> TomlTable:
 
 
 def bat_from_table(table: TomlTable, where: str) -> Bat:
-    """Return the bat that a table describes, perhaps like one of the catalogue; no file of the reader's is opened.
-
-    Parameters
-    ----------
-    where : names the table in messages.
-    """
+    """Return the bat that a table describes, perhaps like one of the catalogue; no file of the reader's is opened."""
     return bat_of_table(resolved(table, where), where)
 
 

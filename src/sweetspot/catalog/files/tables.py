@@ -112,9 +112,6 @@ def made(
     Parameters
     ----------
     what : the table's name in its file, for messages.
-    implement : its kind, whose sizes are known to be usual or not.
-    body : material of the bat, for parts that name none.
-    given : fields of the thing that the table says in other words.
     """
     values = values_in_si(table, what, implement=implement, body=body, left_out=given.keys())
     return part(**{name: value for name, value in values.items() if name in part.model_fields}, **given)

@@ -44,10 +44,7 @@ def bat_toml(bat: Bat) -> str:
 def implement_toml(implement: Implement) -> str:
     """Return the text of the file that describes an implement.
 
-    Raises
-    ------
-    InputError
-        for a kind that is not written, or a material that no file can name.
+    Raises `InputError` for a kind that is not written, or a material that no file can name.
     """
     import tomli_w
 
@@ -65,10 +62,7 @@ def bat_table(bat: Bat) -> Written:
 def implement_table(implement: Implement) -> Written:
     """Return the file's content as `sweetspot.catalog.files.read.implement_from_table` takes it.
 
-    Raises
-    ------
-    InputError
-        see `implement_toml`.
+    Raises `InputError`: see `implement_toml`.
     """
     if isinstance(implement, Bat):
         return bat_table(implement)
@@ -90,9 +84,7 @@ def written(table: type[FileTable], *parts: Validated, **given: object) -> Writt
 
     Parameters
     ----------
-    table : whose fields say what each is; see `made`, which reads them.
     parts : what is written, in SI.
-    given : fields that are not the parts' own.
     """
     texts = {}
     for name, field in table.model_fields.items():
@@ -134,14 +126,7 @@ def _text(value: object, meaning: Meaning | None = None) -> TomlValue:
 def changes_table(implement: Implement, pattern: Implement, *, like: str) -> Written:
     """Return the content of a file that names an entry of the catalogue and says only what is different.
 
-    Parameters
-    ----------
-    pattern, like : the entry and its name; of the same kind.
-
-    Raises
-    ------
-    InputError
-        see `implement_toml`.
+    Raises `InputError`: see `implement_toml`.
 
     >>> from sweetspot import catalog
     >>> racket = catalog.implement("tennis-racket")

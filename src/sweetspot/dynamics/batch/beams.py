@@ -68,6 +68,9 @@ class Beams(Protocol):
 class SolidBats:
     """Solid round bats of one material, their outlines side by side.
 
+    Raises `InputError` when an outline goes back on itself, is thinner than nothing, or its cup is wider than the wood
+    around it.
+
     Parameters
     ----------
     material : of all of them.
@@ -75,11 +78,6 @@ class SolidBats:
     density_factor, stiffness_factor : density and moduli over the material's own, shape (bats,).
     cup_diameter, cup_depth : m, 0 for a bat without a cup, shape (bats,).
     weight_position, weight_mass : small weights fixed to the bats, m and kg, shape (bats, k).
-
-    Raises
-    ------
-    InputError
-        when an outline goes back on itself, is thinner than nothing, or its cup is wider than the wood around it.
     """
 
     material: Material

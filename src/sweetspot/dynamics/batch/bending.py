@@ -151,6 +151,8 @@ def bending_batch(
 ) -> BendingBatch:
     """Return mass properties and the lowest ``count`` bending modes of many free beams.
 
+    Raises `InputError` when a beam has no modes: a mass or stiffness that is not above zero.
+
     Parameters
     ----------
     beams : outlines side by side (`SolidBats`), or any implements (`BeamRow`).
@@ -158,11 +160,6 @@ def bending_batch(
     elements : number of finite elements of each at least, None: `least_elements`; more are used where a beam has more
         breakpoints.
     threads : workers; None: one per core.
-
-    Raises
-    ------
-    InputError
-        when a beam has no modes: a mass or stiffness that is not above zero.
     """
     parts: dict[int, BendingBatch] = {}
     least = least_elements(count) if elements is None else elements

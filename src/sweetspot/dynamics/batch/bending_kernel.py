@@ -180,7 +180,6 @@ def merged(first: IntArray, ends: Array, position: Array, cells: Array, counts: 
 
     Parameters
     ----------
-    first, ends : of the mesh.
     position : rising, shape (beams, places).
     cells, counts : filled: (beams, most) and how many of them are used.
     """

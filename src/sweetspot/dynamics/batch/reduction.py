@@ -75,12 +75,7 @@ class ReducedBats:
         return np.concatenate([beams, walls], axis=2)
 
     def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
-        """Return the instantaneous compliance of the surface, m/N at places (bats, places) in m; never below zero.
-
-        Parameters
-        ----------
-        closing_speed : see `shapes_at`.
-        """
+        """Return the instantaneous compliance of the surface, m/N at places (bats, places) in m; never below zero."""
         give = self.bending.left_out_at(position)
         part, speed = position / self.bending.length[:, None], closing_speed
         local = np.stack([on_even_splines(spline, part) for spline in self._local_splines], axis=-1)
@@ -143,7 +138,6 @@ def reduced_beams(
 
     Parameters
     ----------
-    patch_factor, count : see `all_modes`.
     threads : workers; None: one per core.
     """
     law = patch_law(ball, factor=patch_factor)
