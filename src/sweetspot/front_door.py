@@ -227,7 +227,7 @@ def _as_list(value: Any) -> tuple[Any, ...]:
 
 def _written(value: Any, name: str, kind: str, tool: Implement | None) -> Any:
     """Return the number of a setup's field in SI, with its error if one was given; a tuple for several."""
-    from sweetspot.answers.reading import Owner, number_of_text
+    from sweetspot.answers.setups import Owner, number_of_text
 
     if value is None or _is_a(value, "Measured"):
         return value

@@ -10,7 +10,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.drop_test import Rebound, fire
-from sweetspot.answers.drop_draws import drawn_drop, drop_sources
+from sweetspot.answers.drop import drawn_drop, drop_sources
 from sweetspot.dynamics.block import Block
 from sweetspot.equipment.ball import Ball
 from sweetspot.uncertainty.intervals import interval_ends, variance_shares

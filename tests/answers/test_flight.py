@@ -8,8 +8,7 @@ from dataclasses import replace
 import pytest
 
 from sweetspot import catalog
-from sweetspot.answers.flight import FlightQuestion, flight_answer
-from sweetspot.answers.flight_draws import flight_sources
+from sweetspot.answers.flight import FlightQuestion, flight_answer, flight_sources
 from sweetspot.answers.fly import FlyQuestion, fly_answer
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions

@@ -11,8 +11,8 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.optimum import best_launch
-from sweetspot.answers.flight_draws import DRAG
-from sweetspot.answers.optimum_draws import drawn_optimum
+from sweetspot.answers.flight import DRAG
+from sweetspot.answers.optimum import drawn_optimum
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import batted_ball

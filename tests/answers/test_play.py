@@ -8,9 +8,7 @@ from dataclasses import replace
 import pytest
 
 from sweetspot import catalog
-from sweetspot.answers.play import play_answer
-from sweetspot.answers.play_draws import play_sources
-from sweetspot.answers.play_question import PlayQuestion
+from sweetspot.answers.play import PlayQuestion, play_answer, play_sources
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import reduced_bat

@@ -7,7 +7,7 @@ import pytest
 import scipy.stats
 
 from sweetspot.analysis.certification.shot_statistics import Estimate
-from sweetspot.answers.rule_chances import within_limits
+from sweetspot.answers.bat_test import within_limits
 
 
 @pytest.mark.parametrize(("least", "most"), [(None, 0.5), (0.45, None), (0.47, 0.5)])

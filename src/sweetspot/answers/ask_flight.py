@@ -78,9 +78,7 @@ def play(
     116
     """
     from sweetspot.analysis.bat_analysis import check_conditions
-    from sweetspot.answers.play import play_answer
-    from sweetspot.answers.play_draws import play_sources
-    from sweetspot.answers.play_question import PlayQuestion
+    from sweetspot.answers.play import PlayQuestion, play_answer, play_sources
     from sweetspot.dynamics.reduction import reduced_bat
 
     described = round_bat(bat)
@@ -132,7 +130,7 @@ def fly(
     >>> round(sweetspot.fly(exit_speed="103 mph", launch_angle="28 deg").carry)  # m
     122
     """
-    from sweetspot.answers.flight_draws import flight_sources
+    from sweetspot.answers.flight import flight_sources
     from sweetspot.answers.fly import FlyQuestion, fly_answer
 
     law, park = launch.aerodynamics, weather.field
@@ -223,7 +221,7 @@ def optimum(
     >>> round(far.launches[0].carry)  # m
     119
     """
-    from sweetspot.answers.flight_draws import drag_source
+    from sweetspot.answers.flight import drag_source
     from sweetspot.answers.optimum import LaunchSearch, OptimumQuestion, optimum_answer
     from sweetspot.uncertainty.sources import NOTHING
 

@@ -21,10 +21,17 @@ from sweetspot.analysis.certification.shot_statistics import ShotStatistics, mea
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
-from sweetspot.answers.bat_test import MeasuredShots, SimulatedTest, measured_shots, simulated_test
-from sweetspot.answers.implement import MassProperties, mass_columns, mass_properties
+from sweetspot.answers.bat_test import (
+    MeasuredShots,
+    SimulatedTest,
+    chance_by_shots,
+    chance_of_draws,
+    drawn_margin,
+    measured_shots,
+    simulated_test,
+)
+from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
 from sweetspot.answers.records import INTERNAL, Columns, Length, Mass, with_intervals
-from sweetspot.answers.rule_chances import chance_by_shots, chance_of_draws, drawn_margin
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model

@@ -11,8 +11,7 @@ import numpy as np
 from sweetspot.analysis.comparison import Compared, Comparison, compare
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
 from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, certify_answer
-from sweetspot.answers.conditions import HitConditions, hit_conditions
-from sweetspot.answers.implement import MassProperties, mass_columns, mass_properties
+from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_columns, mass_properties
 from sweetspot.answers.records import (
     INTERNAL,
     NESTED,

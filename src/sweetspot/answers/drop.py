@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated
 
+import numpy as np
+
 from sweetspot.analysis.drop_test import Rebound, drop, fire
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
-from sweetspot.answers.drop_draws import block_energies, drawn_drop, rebound_numbers
+from sweetspot.answers.flight import draws_of_sources
 from sweetspot.answers.records import INTERNAL, Columns, Force, Length, Mass, Ratio, Speed, Time, with_intervals
+from sweetspot.catalog.materials import material_spreads
 from sweetspot.dynamics.block import Block
 from sweetspot.equipment.ball import Ball
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
+from sweetspot.uncertainty.implement_doubt import NO_DOUBT
 from sweetspot.uncertainty.intervals import reach_of_draws
-from sweetspot.uncertainty.sources import DRAWS, Sources
+from sweetspot.uncertainty.sources import DRAWS, OF_BALL, Source, Sources, sources_of_ball
 from sweetspot.units.dimensions import ENERGY
 
 
@@ -129,3 +135,123 @@ def drop_answer(question: DropQuestion) -> DropAnswer:
     )
     columns: Columns = {**drawn.drop, "energy": drawn.energy}
     return with_intervals(replace(plain, uncertainty=sampled), columns, reach_of_draws)
+
+
+STIFFNESS, DENSITY, ARRIVAL = "stiffness of the block", "density of the block", "speed of the ball"
+MODULI = ("longitudinal_modulus", "shear_modulus", "transverse_modulus")
+"""Scaled together: of one piece all are high or low."""
+NEGLIGIBLE = 1e-5
+"""Part of the incoming energy below which the block's share is reported without an interval."""
+
+
+@dataclass(frozen=True)
+class DrawnDrop:
+    """What draws answer to a drop test.
+
+    Parameters
+    ----------
+    normal : standard normal numbers behind every draw, shape (draws, n).
+    drop, energy : by the fields of `DropAnswer` and `BlockEnergies`, shapes (draws,).
+    """
+
+    normal: Array
+    drop: Mapping[str, Array]
+    energy: Mapping[str, Array]
+
+
+def drop_sources(block: Block, ball: Ball, *, speed_error: float = 0.0) -> Sources:
+    """Return the unknowns of a drop test.
+
+    Parameters
+    ----------
+    speed_error : one standard deviation of the speed with which the ball comes, m/s; 0: exact.
+    """
+    name = block.material.name
+    spreads, where = material_spreads(name), f"spread of {name} in the catalogue"
+    given = ((STIFFNESS, spreads.get("longitudinal_modulus", 0.0)), (DENSITY, spreads.get("density", 0.0)))
+    of_block = [Source(source, size, where) for source, size in given if size > 0]
+    arrival = [Source(ARRIVAL, speed_error, "as it was written")] if speed_error > 0 else []
+    return Sources(NO_DOUBT, (*sources_of_ball(ball), *of_block, *arrival))
+
+
+def drawn_drop(
+    rebound: Rebound, sources: Sources, fired: Callable[[Block, Ball, float], Rebound], *, count: int = DRAWS
+) -> DrawnDrop:
+    """Return the sampled answers to a drop test.
+
+    Parameters
+    ----------
+    rebound : of block and ball as described.
+    sources : see `drop_sources`.
+    fired : the test of another block and ball, with so much more speed of the ball in m/s.
+    """
+    normal, off = draws_of_sources(sources, count)
+    moved: list[tuple[Array, Rebound, Rebound]] = []
+    for column, source in enumerate(sources.others):
+        assert isinstance(source.spread, float)  # none is even between limits
+        up, down = (fired(*_moved(rebound, source.name, sign * source.spread)) for sign in (1.0, -1.0))
+        moved.append((off[:, column] / source.spread, up, down))
+
+    def followed(numbers: Callable[[Rebound], Mapping[str, float]]) -> dict[str, Array]:
+        """Return numbers of a test for every draw, by slope and bend."""
+        values = {name: np.full(len(off), value) for name, value in numbers(rebound).items()}
+        for part, *ends in moved:
+            up, down = (numbers(end) for end in ends)
+            for name, value in numbers(rebound).items():
+                slope, bend = (up[name] - down[name]) / 2, (up[name] + down[name]) / 2 - value
+                values[name] = values[name] + part * slope + part**2 * bend
+        return values
+
+    centre, energy = block_energies(rebound), followed(block_energies)
+    least = NEGLIGIBLE * centre["incoming"]
+    return DrawnDrop(
+        normal, followed(rebound_numbers), {name: value for name, value in energy.items() if centre[name] > least}
+    )
+
+
+def _moved(rebound: Rebound, name: str, off: float) -> tuple[Block, Ball, float]:
+    """Return block, ball and more speed, with one deviation."""
+    block, ball = rebound.block, rebound.ball
+    if name == ARRIVAL:
+        return block, ball, off
+    if name.startswith(OF_BALL):
+        return block, ball.deviated({name.removeprefix(OF_BALL).replace(" ", "_"): off}), 0.0
+    made_of, factor = block.material, float(np.exp(off))
+    fields = (
+        ("density",)
+        if name == DENSITY
+        else tuple(modulus for modulus in MODULI if getattr(made_of, modulus) is not None)
+    )
+    other = made_of.unchecked(**{field: factor * getattr(made_of, field) for field in fields})
+    return block.replaced(material=other), ball, 0.0
+
+
+def rebound_numbers(rebound: Rebound) -> dict[str, float]:
+    """Return the results of a drop test except its energies, by the fields of `DropAnswer`."""
+    impact = rebound.impact
+    return {
+        "fall_speed": rebound.fall_speed,
+        "rebound_speed": rebound.rebound_speed,
+        "rebound_height": rebound.rebound,
+        "restitution": rebound.restitution,
+        "energy_kept": rebound.energy_kept,
+        "block_mass": rebound.block.mass,
+        "block_share": rebound.share,
+        "deflection": rebound.deflection,
+        "contact_time": impact.contact_time,
+        "peak_force": impact.peak_force,
+        "peak_compression": impact.peak_compression,
+    }
+
+
+def block_energies(rebound: Rebound) -> dict[str, float]:
+    """Return the energy balance, by the fields of `BlockEnergies`."""
+    energy = rebound.impact.energy
+    return {
+        "incoming": energy.incoming,
+        "ball": energy.ball,
+        "heat": energy.heat,
+        "block_translation": energy.translation,
+        "block_vibration": energy.bending,
+        "block_damping": energy.damping,
+    }

@@ -10,7 +10,7 @@ import numpy as np
 from sweetspot.analysis.bat_analysis import check_conditions, exit_speed_of, hit_at
 from sweetspot.analysis.strain import Damage, damage
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
-from sweetspot.answers.implement import MassProperties, mass_columns, mass_properties
+from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
 from sweetspot.answers.records import (
     INTERNAL,
     Columns,

@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
-from sweetspot.answers.flight_draws import draws_of_sources, written_errors
+from sweetspot.answers.flight import draws_of_sources, written_errors
 from sweetspot.answers.records import INTERNAL, Columns, Length, MomentOfInertia, Ratio, Time, with_intervals
 from sweetspot.calibration.measured import Measured
 from sweetspot.dynamics.swing_weight import moi_from_pendulum, pendulum_period

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from sweetspot.answers.answer import Answer, Progress, frame_of
-from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.player_question import (
     FitPlayerQuestion,
     PlayerSwings,

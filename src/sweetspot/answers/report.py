@@ -12,9 +12,8 @@ from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse_reduced, exi
 from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.analysis.sweet_spot import SweetSpots
 from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
-from sweetspot.answers.conditions import HitConditions, hit_conditions
+from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_properties
 from sweetspot.answers.hit import Hit, hit_of
-from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import (
     GAPS,
     GRID,

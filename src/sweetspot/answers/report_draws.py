@@ -10,9 +10,8 @@ import numpy as np
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.position_scan import Scan
 from sweetspot.analysis.sweet_spot import without_spikes
-from sweetspot.answers.conditions import conditions_columns
+from sweetspot.answers.conditions import conditions_columns, mass_columns
 from sweetspot.answers.hit import hit_columns
-from sweetspot.answers.implement import mass_columns
 from sweetspot.answers.records import Columns
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.implement import Implement

@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 import warnings
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import Changed
 from sweetspot.answers.records import INTERNAL, Speed
 from sweetspot.calibration.calibrated_file import known_deviations
-from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.catalog.bats import corkings
 from sweetspot.catalog.implements import Loaded
 from sweetspot.catalog.records import canonical
@@ -27,9 +27,10 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
 from sweetspot.motion.swing_path import Side, SwingPath
-from sweetspot.plausibility import insisted
+from sweetspot.plausibility import insisted, parse, parse_position
 from sweetspot.uncertainty.sources import Sources, sources_of
-from sweetspot.units import INCH, format_length
+from sweetspot.units import INCH, Kind, format_length
+from sweetspot.units.quantities import KIND_OF
 
 Written = float | Measured
 """A number, or one that was written with its standard error."""
@@ -283,3 +284,75 @@ def check_beyond_hands(position: float, hands: float) -> None:
             f"hands are, up to {hands / INCH:.3g} in. From the tip write it as 6in-from-tip, or add --force if it is "
             "intended"
         )
+
+
+TEE = "tee"
+"""A pitch speed of 0, which must be meant."""
+
+
+class Owner(NamedTuple):
+    """What a number belongs to: an implement ``length`` m long, and a ``sport``; "": any."""
+
+    length: float = 0.0
+    sport: str = ""
+
+
+ANYONE = Owner()
+
+
+def number_of_text(
+    text: str,
+    name: str,
+    annotation: str,
+    *,
+    what: str,
+    of: Owner = ANYONE,
+    quantity: str = "",
+    errors: bool = True,
+) -> Written:
+    """Return the number that a text gives, SI.
+
+    Parameters
+    ----------
+    text : number and unit; what its annotation allows may have its error behind ±, or count from the tip.
+    name, annotation : of the field of a setup, or of the parameter.
+    what : its name for messages.
+    of : the implement on which a place lies, and whose sport's bounds hold.
+    quantity : its name in the table of bounds; "": the field's.
+    errors : whether errors count; else what is written behind ± is left out.
+    """
+    kind = KIND_OF[name]
+    alone = SEPARATOR.split(text, maxsplit=1)[0]
+    if name == "pitch_speed" and text.strip().lower() == TEE:
+        return 0.0
+    if "Place" in annotation:
+        place = parse_position(alone if "Exact" in annotation else text, length=of.length, what=what)
+        return _with_error(place, error_behind(text, kind, what) if errors and "Exact" in annotation else 0.0)
+    can_err = "Written" in annotation or "Exact" in annotation
+    value = parse(alone if can_err else text, kind, what, sport=of.sport, quantity=quantity)
+    if name == "pitch_speed" and value <= 0:
+        raise InputError(
+            f"{what} was given as {text!r}; allowed is a speed above zero towards the bat, or tee for a ball at rest"
+        )
+    if not errors or not can_err:
+        return value
+    return _with_error(
+        value, error_behind(text, kind, what) if "Exact" in annotation else parse_measured(text, kind, what).error
+    )
+
+
+def _with_error(value: float, error: float) -> Written:
+    return Measured(value, error) if error else value
+
+
+def error_behind(text: str, kind: Kind, what: str) -> float:
+    """Return the error behind a quantity's ±, SI; 0 where there is none: a place that was asked about is exact.
+
+    >>> error_behind("6in-from-tip±0.5in", "length", "--at"), error_behind("6in-from-tip", "length", "--at")
+    (0.0127, 0.0)
+    """
+    behind = SEPARATOR.split(text, maxsplit=1)[1:]
+    error = parse(behind[0], kind, f"the error of {what}") if behind else 0.0
+    if behind and not error > 0:
+        raise InputError(f"the error of {what} was given as {behind[0]!r}; allowed is more than 0")
+    return error

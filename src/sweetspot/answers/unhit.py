@@ -8,7 +8,7 @@ from typing import Annotated
 from sweetspot.analysis.bat_analysis import check_swing
 from sweetspot.analysis.sweet_spot import barrel_node
 from sweetspot.answers.answer import Answer
-from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.records import INTERNAL, Length
 from sweetspot.answers.report import VibrationMode, vibration_modes
 from sweetspot.dynamics.reduction import ReducedBat

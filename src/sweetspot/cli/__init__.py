@@ -39,9 +39,8 @@ def main(arguments: list[str] | None = None) -> None:
     from cyclopts import CycloptsError
 
     from sweetspot.cli.app import app, load_all
-    from sweetspot.cli.output import ASKED, heartbeat
-    from sweetspot.cli.shorthand import ALWAYS_SURE, SURE, uncounted, understood
-    from sweetspot.cli.standard_output import OutputError, held_output
+    from sweetspot.cli.complaints import ALWAYS_SURE, SURE, uncounted, understood
+    from sweetspot.cli.output import ASKED, OutputError, heartbeat, held_output
 
     given = sys.argv[1:] if arguments is None else arguments
     try:

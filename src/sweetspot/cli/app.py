@@ -36,6 +36,11 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "drop": ("drop --height 1m --material white-ash --thickness 10cm",),
     "pendulum": ("pendulum --mass 31oz --balance-point 22in --period 1.45s",),
     "paper": ("paper", "paper --entry-angle 20deg --fill rubber"),
+}
+"""Functions, each in the module of its name and ``_command``, with what people may type first: words behind
+``sweetspot``, shown at the foot of its help. Files in them are the reader's own."""
+PAGE: Mapping[str, tuple[str, ...]] = {"app": ("app", "app --port 0 --no-browser"), "prepare": ("prepare",)}
+CATALOGUE: Mapping[str, tuple[str, ...]] = {
     "sports": ("sports", "sports tennis"),
     "parks": ("parks fenway",),
     "bats": ("bats", "bats --csv"),
@@ -43,11 +48,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "schema": ("schema racket",),
     "validate": ("validate", "validate --out validation"),
 }
-"""Functions, each in the module of its name and ``_command``, with what people may type first: words behind
-``sweetspot``, shown at the foot of its help. Files in them are the reader's own."""
-PAGE: Mapping[str, tuple[str, ...]] = {"app": ("app", "app --port 0 --no-browser"), "prepare": ("prepare",)}
 """The same of those that share a module."""
-EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **PAGE}
+EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **CATALOGUE, **PAGE}
 EVERY_COMMAND = (
     "Lengths, weights, speeds and angles have units: 33in, 84cm, 31oz, 90mph, 10deg. Every command takes --force: "
     "numbers as they are given, however unusual. A name with blanks stands in quotes."
@@ -73,9 +75,11 @@ app = App(
     default_parameter=Parameter(negative_iterable=(), show_default=_told),
     suppress_keyboard_interrupt=False,  # `main` says that nothing was written
 )
-MODULES = {command: f"{command.replace('-', '_')}_command" for command in COMMANDS} | dict.fromkeys(
-    PAGE, "page_command"
-)
+MODULES = {
+    **{command: f"{command.replace('-', '_')}_command" for command in COMMANDS},
+    **dict.fromkeys(CATALOGUE, "catalogue_command"),
+    **dict.fromkeys(PAGE, "page_command"),
+}
 PATHS = {name: f"sweetspot.cli.{module}:{name.replace('-', '_')}" for name, module in MODULES.items()}
 for name, path in PATHS.items():
     app.command(path, name=name, help_epilogue=_foot(name))

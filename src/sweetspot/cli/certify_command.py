@@ -8,9 +8,8 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.uncertainty import Uncertainty
+from sweetspot.cli.options.reading import DEFAULT_COLUMNS, ColumnOptions, Uncertainty
 from sweetspot.errors import InputError
 
 

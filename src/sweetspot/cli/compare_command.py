@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.reading import read
+from sweetspot.cli.options.reading import given, read, refuse_unused
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.what_if_table import TableOptions
 from sweetspot.errors import InputError
 

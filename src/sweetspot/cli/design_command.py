@@ -21,8 +21,8 @@ from sweetspot.cli.options.limits import (
     ranges_of,
 )
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.reading import given, refuse_unused
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.errors import InputError
 
 Want = Literal["exit-speed", "zone", "best", "sting", "swing-time", "durability"]

@@ -8,8 +8,7 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.reading import read
-from sweetspot.cli.options.uncertainty import Uncertainty
+from sweetspot.cli.options.reading import Uncertainty, read
 from sweetspot.errors import InputError
 
 
@@ -49,7 +48,7 @@ def drop(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Drop or fire a ball on a block: rebound height, restitution, contact time and where the energy goes."""
-    from sweetspot.answers.ask_bench import drop as asked
+    from sweetspot.answers.ask_measured import drop as asked
     from sweetspot.answers.setups import BlockSetup, FallSetup
     from sweetspot.cli.output import patience, present
 

@@ -8,10 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.ranges import spread
-from sweetspot.cli.options.reading import option, read
-from sweetspot.cli.options.uncertainty import Uncertainty
-from sweetspot.cli.options.unused import refuse_unused
+from sweetspot.cli.options.reading import Uncertainty, option, read, refuse_unused, spread
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
@@ -70,7 +67,7 @@ def fly(
     from sweetspot.answers.ask_flight import fly as asked
     from sweetspot.answers.ask_flight import fly_table
     from sweetspot.answers.flight_setups import LaunchSetup
-    from sweetspot.answers.reading import Owner
+    from sweetspot.answers.setups import Owner
     from sweetspot.catalog import ball_sport
     from sweetspot.cli.options.weather import setup_of
     from sweetspot.cli.output import patience, present

@@ -7,8 +7,8 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.reading import Uncertainty
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.cli.options.uncertainty import Uncertainty
 
 
 def hit(

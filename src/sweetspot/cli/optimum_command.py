@@ -8,10 +8,8 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.reading import read
+from sweetspot.cli.options.reading import Uncertainty, given, read, refuse_unused
 from sweetspot.cli.options.swing import StrokeOptions
-from sweetspot.cli.options.uncertainty import Uncertainty
-from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 
 
@@ -74,7 +72,7 @@ def optimum(
     from sweetspot.answers.ask_flight import Searched
     from sweetspot.answers.ask_flight import optimum as asked
     from sweetspot.answers.flight_setups import SearchSetup, SentSetup
-    from sweetspot.answers.reading import Owner
+    from sweetspot.answers.setups import Owner
     from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.options.weather import setup_of
     from sweetspot.cli.output import patience, present

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
+from sweetspot.cli.options.reading import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:

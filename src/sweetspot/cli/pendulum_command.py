@@ -32,8 +32,8 @@ def pendulum(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Turn the period of a hanging bat into its moment of inertia, or back, as laboratories measure it."""
-    from sweetspot.answers.ask_bench import pendulum as asked
-    from sweetspot.answers.reading import number_of_text
+    from sweetspot.answers.ask_measured import pendulum as asked
+    from sweetspot.answers.setups import number_of_text
     from sweetspot.cli.output import present
 
     if (period is None) == (moi is None):

@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.reading import read
+from sweetspot.cli.options.reading import Uncertainty, given, read, refuse_unused
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.cli.options.uncertainty import Uncertainty
-from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
@@ -82,8 +80,7 @@ def play(
 ) -> int:
     """Follow one pitch: how the bat meets it, how the ball leaves, how far it flies and whether it is out."""
     from sweetspot.answers.ask_flight import play as asked
-    from sweetspot.answers.reading import Owner
-    from sweetspot.answers.setups import ContactSetup, PathSetup
+    from sweetspot.answers.setups import ContactSetup, Owner, PathSetup
     from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.options.weather import setup_of
     from sweetspot.cli.output import patience, present

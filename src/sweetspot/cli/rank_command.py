@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.columns import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.reading import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
-from sweetspot.cli.options.unused import given, refuse_unused
+from sweetspot.cli.options.reading import given, refuse_unused
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:

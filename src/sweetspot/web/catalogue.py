@@ -8,7 +8,7 @@ from fastapi import APIRouter
 from fastapi.responses import JSONResponse
 
 from sweetspot import catalog
-from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.conditions import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.ballparks import field_names
 from sweetspot.catalog.deliveries import delivery_names, other_delivery_names

@@ -9,7 +9,7 @@ from typing import Annotated
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.records import Length, Mass, MomentOfInertia, Ratio
 from sweetspot.answers.setups import SwungWith
 from sweetspot.dynamics.beam import beam_model

@@ -55,8 +55,7 @@ class StrokeOptions:
 
     def setup(self, implement: Implement, *, errors: bool = True) -> HitSetup:
         """Return the setup that the options describe; ``errors``: whether errors written after ± count."""
-        from sweetspot.answers.reading import Owner
-        from sweetspot.answers.setups import HitSetup, value_of
+        from sweetspot.answers.setups import HitSetup, Owner, value_of
         from sweetspot.catalog.sports import sport
 
         setup = read(HitSetup, self, of=Owner(implement.length, implement.sport), errors=errors)

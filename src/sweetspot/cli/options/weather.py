@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.reading import read
-from sweetspot.cli.options.unused import given, refuse_unused
+from sweetspot.cli.options.reading import given, read, refuse_unused
 
 if TYPE_CHECKING:
     from sweetspot.answers.flight_setups import Weather

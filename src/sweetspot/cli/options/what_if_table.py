@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.ranges import spread
+from sweetspot.cli.options.reading import spread
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:

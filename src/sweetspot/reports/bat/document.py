@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.answers.report import ReportAnswer
 from sweetspot.answers.unhit import UnhitAnswer

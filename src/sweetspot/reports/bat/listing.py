@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sweetspot import catalog
-from sweetspot.answers.implement import mass_properties
+from sweetspot.answers.conditions import mass_properties
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.sports import sport_implements, sport_names

@@ -9,7 +9,7 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
-from sweetspot.answers.implement import MassProperties
+from sweetspot.answers.conditions import MassProperties
 from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.modes import Family

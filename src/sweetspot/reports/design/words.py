@@ -6,8 +6,8 @@ import numpy as np
 
 from sweetspot.analysis.certification.rules import PERFORMANCE, Verdict, title
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.answers.conditions import MassProperties
 from sweetspot.answers.design_question import Designed
-from sweetspot.answers.implement import MassProperties
 from sweetspot.catalog.sports import sport
 from sweetspot.designs.batter import FROM_TIP
 from sweetspot.designs.constraints import AS_IT_IS, Limit

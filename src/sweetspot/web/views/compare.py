@@ -18,7 +18,7 @@ from sweetspot.analysis.comparison import Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.answers.certify import CertifyQuestion, RuleCheck, certificate_of
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, ComparedCurves, SpeedWithEnds, compare_of
-from sweetspot.answers.implement import MassProperties
+from sweetspot.answers.conditions import MassProperties
 from sweetspot.answers.records import GAPS, Frequency, Length, MomentOfInertia, Ratio
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.standard_hit import standard_conditions

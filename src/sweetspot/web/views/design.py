@@ -12,8 +12,8 @@ from typing import Annotated, TypeVar
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules
 from sweetspot.answers.certify import RuleCheck, rule_check
+from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.design_question import Designed
-from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import MomentOfInertia, Speed
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.designs.batter import FROM_TIP

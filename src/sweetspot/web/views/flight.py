@@ -209,11 +209,8 @@ def carry_map(state: FlightState) -> CarryMap:
 
 def sure(state: FlightState) -> ReadDocument:
     """Return the play, or the flight of a ball with its own numbers, with an interval beside each number."""
-    from sweetspot.answers.flight import FlightQuestion, flight_answer
-    from sweetspot.answers.flight_draws import flight_sources
-    from sweetspot.answers.play import play_answer
-    from sweetspot.answers.play_draws import play_sources
-    from sweetspot.answers.play_question import PlayQuestion
+    from sweetspot.answers.flight import FlightQuestion, flight_answer, flight_sources
+    from sweetspot.answers.play import PlayQuestion, play_answer, play_sources
     from sweetspot.reports.flight.document import flight_document
     from sweetspot.reports.play.document import play_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for

@@ -14,7 +14,7 @@ from typing import Literal, get_args
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings
 from sweetspot.answers.calibrate import CalibrateAnswer
 from sweetspot.answers.certify import RuleCheck, rule_check
-from sweetspot.answers.implement import MassProperties, mass_properties
+from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.records import MomentOfInertia
 from sweetspot.calibration.measurements import MeasuredKind, predicted
 from sweetspot.calibration.unknowns import described as beam_of

@@ -13,8 +13,8 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.face_maps import face_map
 from sweetspot.analysis.position_scan import sting
+from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.hit import CollisionNumbers, numbers_in_batch
-from sweetspot.answers.implement import MassProperties, mass_properties
 from sweetspot.answers.records import GAPS, Length, Speed
 from sweetspot.answers.report import HitsOnFace, SweetSpotPlaces, report_of, sweet_spot_places
 from sweetspot.catalog.standard_hit import standard_conditions

@@ -1,0 +1,105 @@
+"""Commands that list and show what the package holds: bats, sports, parks, entries, schemas, published cases."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.errors import InputError
+
+
+def bats(*, output: OutputOptions = DEFAULT_OUTPUT) -> int:
+    """List the catalogue's bats with their weight, balance and swing weight, then what other sports hit with."""
+    from sweetspot.cli.output import present
+    from sweetspot.reports.bat.listing import catalogue_document
+
+    return present(catalogue_document(), output)
+
+
+def parks(
+    park: Annotated[str | None, Parameter(help="Park, old name of it, team or its letters; default: all.")] = None,
+    /,
+    *,
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
+    """List the Major League parks, and fields of youth and softball, or one park's fence all the way round."""
+    from sweetspot.answers.catalogued import park_answer, parks_answer
+    from sweetspot.cli.output import present
+
+    return present(parks_answer() if park is None else park_answer(park), output)
+
+
+def sports(
+    name: Annotated[str | None, Parameter(help="One sport in full; without it, all of them.")] = None,
+    /,
+    *,
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
+    """List the sports with their balls, implements, speeds and rules, and how sure each number is."""
+    from sweetspot.answers.catalogued import sport_answer, sports_answer
+    from sweetspot.cli.output import patience, present
+
+    with patience():
+        answer = sports_answer() if name is None else sport_answer(name)
+    return present(answer, output)
+
+
+def schema(
+    kind: Annotated[
+        str, Parameter(help="bat, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket.")
+    ] = "bat",
+    /,
+) -> None:
+    """Print the JSON schema of a file that describes a bat, racket, club or stick."""
+    from sweetspot.catalog.files.implement import FILES
+    from sweetspot.cli.output import print_json
+    from sweetspot.errors import nearest_names
+
+    if kind not in FILES:
+        raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted(FILES))}")
+    print_json(FILES[kind].model_json_schema())
+
+
+def validate(*, output: OutputOptions = DEFAULT_OUTPUT) -> int:
+    """Compare with every published case: printed against computed, tolerance, worth. Exit 1 on an unexplained miss."""
+    from sweetspot import validation
+    from sweetspot.cli.output import patience, present
+    from sweetspot.reports.bench import validation_document
+
+    with patience():
+        results = validation.results()
+    return present(validation_document(results), output)
+
+
+def show(
+    name: Annotated[str, Parameter(help="Of the catalogue: a bat, racket, club, ball, material, sport, pitch, park.")],
+    /,
+    *,
+    of: Annotated[str | None, Parameter(help="Where a name means several: implement, ball, pitch, park, ...")] = None,
+    sources: Annotated[
+        bool, Parameter(negative="", help="With every value's spread, source, place in it and kind.")
+    ] = False,
+    out: Annotated[Path | None, Parameter(help="File to write it to, which must not be there yet.")] = None,
+) -> int:
+    """Print an entry of the catalogue as a file; that of a bat, racket, club or stick can be changed and given back.
+
+    A comment marks every value that was assumed: recalled, no source was read.
+    """
+    from sweetspot.catalog.entries import entry_toml
+
+    text = entry_toml(name, of, sources=sources)
+    if out is not None:
+        from sweetspot.reports.files import write_all
+
+        if os.path.lexists(out):
+            raise InputError(f"{out} is there already; choose another name for --out")
+        write_all({out: text.encode()})
+        print(f"sweetspot: wrote {out}", file=sys.stderr)
+        return 0
+    sys.stdout.write(text)
+    return 0
