@@ -197,9 +197,8 @@ def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
     for column in WHOSE_BAT:
         if column in rows.columns:
             bat_names = setting.bats if column != "bat" else {name: name for name in number}
-            mapped = rows[column].replace_strict(
-                {who: number.get(name, -1) for who, name in bat_names.items() if who}, default=-2, return_dtype=pl.Int64
-            ) if any(bat_names) else None  # fmt: skip
+            index = {who: number.get(name, -1) for who, name in bat_names.items() if who}
+            mapped = rows[column].replace_strict(index, default=-2, return_dtype=pl.Int64) if any(bat_names) else None
             if mapped is not None:
                 values = mapped.fill_null(-2).to_numpy()
                 chosen = np.where(values > -2, values, chosen)
@@ -222,19 +221,32 @@ def answer_headings(setting: SeasonSetting) -> list[str]:
     return [column.heading(setting.system) for column in columns]
 
 
+FLOWN = (
+    *("launch_direction", "carry", "carry_spread", "hang_time", "landing_angle", "home_run_here", "home_run_parks"),
+)
+"""Columns that are called as in `Flown`."""
+
+
 def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Categories]]:
     flown, balls = answers.flight, answers.balls
     here = np.isfinite(flown.launch_direction)
     outcome = np.select([np.isnan(balls.launch_angle), ~np.isfinite(flown.carry), ~here], [1, 2, 3], 0)
     values: dict[str, Array | Categories] = {
-        "flight_outcome": Categories(FLIGHT_OUTCOMES, outcome), "launch_direction": flown.launch_direction,
-        "carry": flown.carry, "carry_spread": flown.carry_spread, "hang_time": flown.hang_time,
-        "apex": flown.apex_height, "landing_angle": flown.landing_angle,
-        "carry_above": answers.carry_above, "home_run_here": flown.home_run_here,
-        "home_runs_in_30": flown.home_runs, "home_run_parks": flown.home_run_parks,
+        **{name: getattr(flown, name) for name in FLOWN},
+        "flight_outcome": Categories(FLIGHT_OUTCOMES, outcome),
+        "apex": flown.apex_height,
+        "carry_above": answers.carry_above,
+        "home_runs_in_30": flown.home_runs,
         "home_run_kind": Categories(HOME_RUN_KINDS, answers.home_run_kind),
-    }  # fmt: skip
+    }
     yield from ((column, values[column.name]) for column in FLIGHT)
+
+
+RESULTS = {
+    **{"offset": kernel.OFFSET, "offset_spread": kernel.OFFSET_SPREAD, "tip_side": kernel.TIP_SIDE},
+    **{"exit_speed_usual": kernel.EXPECTED, "exit_speed_rank": kernel.RANK},
+}
+"""Rows of the kernel's results that are columns as they are."""
 
 
 def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Categories]]:
@@ -243,15 +255,15 @@ def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputC
     counted, rows = measures(balls, contact), contact.results
     names = (*setting.bat_names, UNKNOWN_BAT)
     values: dict[str, Array | Categories] = {
-        "bat": Categories(names, answers.bat_of % len(names)), "contact_outcome": Categories(OUTCOMES, contact.outcome),
-        "pitch_at_plate": balls.plate_speed, "ceiling": contact.ceiling, "above_ceiling": contact.above_chance,
-        "above_improbable": contact.above_improbable, "league_ceiling": contact.league_ceiling,
-        "offset": rows[:, kernel.OFFSET], "offset_spread": rows[:, kernel.OFFSET_SPREAD],
-        "best_from_tip": contact.best_place, "tip_side": rows[:, kernel.TIP_SIDE],
-        "exit_speed_usual": rows[:, kernel.EXPECTED], "exit_speed_rank": rows[:, kernel.RANK],
-        **{name: counted[name] for name in ("squared_up_ratio", "league_ratio", "kept_vertically")},
-        **{name: counted[name] for name in ("squared_up", "league_squared_up", "blast")},
-    }  # fmt: skip
+        **counted,
+        **{name: rows[:, row] for name, row in RESULTS.items()},
+        **{name: getattr(contact, name) for name in ("ceiling", "above_improbable", "league_ceiling")},
+        "bat": Categories(names, answers.bat_of % len(names)),
+        "contact_outcome": Categories(OUTCOMES, contact.outcome),
+        "pitch_at_plate": balls.plate_speed,
+        "above_ceiling": contact.above_chance,
+        "best_from_tip": contact.best_place,
+    }
     ends = ("low90", "low50", "", "high50", "high90")
     for stem, first in (("from_tip", kernel.PLACE), ("from_best", kernel.DISTANCE)):
         for number, end in enumerate(ends):
@@ -286,12 +298,13 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
     """
     balls, flown = answers.balls, answers.flight
     measured: dict[str, Array] = {
-        "exit_speed": balls.exit_speed, "launch_angle": balls.launch_angle, "bat_speed": balls.bat_speed,
-        "direction": flown.launch_direction, "carry": flown.carry, "carry_above": answers.carry_above,
-        "carry_per_drag": flown.carry_per_drag, "home_run_here": flown.home_run_here,
-        "home_runs_in_30": flown.home_runs, "home_run_kind": answers.home_run_kind.astype(float),
-        "bearing": balls.bearing,
-    }  # fmt: skip
+        **{name: getattr(balls, name) for name in ("exit_speed", "launch_angle", "bat_speed", "bearing")},
+        **{name: getattr(flown, name) for name in ("carry", "carry_per_drag", "home_run_here")},
+        "direction": flown.launch_direction,
+        "carry_above": answers.carry_above,
+        "home_runs_in_30": flown.home_runs,
+        "home_run_kind": answers.home_run_kind.astype(float),
+    }
     contact = answers.contact
     if contact is not None:
         result = contact.results
@@ -303,12 +316,11 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
             on_time = np.where(np.isnan(late), np.nan, late <= ON_TIME)
             perfect = np.where(np.isnan(centred + lined_up + on_time), np.nan, centred * lined_up * on_time)
         measured |= measures(balls, contact) | {
-            "on_time": on_time, "perfect": perfect,
-            "from_best": distance, "from_tip": result[:, kernel.MEAN_PLACE],
-            "from_tip_drawn": result[:, kernel.DRAWN], "offset": offset, "centred": centred,
-            "lined_up": lined_up, "tip_side": result[:, kernel.TIP_SIDE], "rank": result[:, kernel.RANK],
-            "above_usual": balls.exit_speed - result[:, kernel.EXPECTED],
-        }  # fmt: skip
+            **{"on_time": on_time, "perfect": perfect, "centred": centred, "lined_up": lined_up},
+            **{"from_best": distance, "offset": offset, "from_tip": result[:, kernel.MEAN_PLACE]},
+            **{"from_tip_drawn": result[:, kernel.DRAWN], "tip_side": result[:, kernel.TIP_SIDE]},
+            **{"rank": result[:, kernel.RANK], "above_usual": balls.exit_speed - result[:, kernel.EXPECTED]},
+        }
         for name, (mean, _, _) in contact.others.items():
             gain = mean - balls.exit_speed
             measured[f"{WITH}{name}"] = np.where(np.abs(gain) < SAME_BAT, np.nan, gain)
@@ -357,12 +369,11 @@ def groups(headings: Headings) -> list[pl.Expr]:
     if headings.has("balls", "strikes"):
         count = pl.concat_str([pl.col("balls"), pl.col("strikes")], separator="-")
     return [
-        batter.alias("batter"), text("batter_name").alias("batter_name"), pitcher.alias("pitcher"),
-        text("pitcher_name").alias("pitcher_name"), batting.alias("team"), pitching.alias("fielding_team"),
-        text("pitch_type").alias("pitch_type"), count.alias("count"),
-        pl.col("month"), pl.col("season"),
-        text("event").alias("event"), text("game").alias("game"),
-    ]  # fmt: skip
+        *(pl.col(name) for name in ("month", "season")),
+        *(text(name).alias(name) for name in ("batter_name", "pitcher_name", "pitch_type", "event", "game")),
+        *(batter.alias("batter"), pitcher.alias("pitcher"), count.alias("count")),
+        *(batting.alias("team"), pitching.alias("fielding_team")),
+    ]
 
 
 def _parks(answers: Answers) -> pl.Series:

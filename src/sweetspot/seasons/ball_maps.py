@@ -73,13 +73,15 @@ def ball_means(counted: pl.LazyFrame) -> dict[str, float | None]:
     names = counted.collect_schema().names()
     means = [name for name in ("bat_speed", "squared_up", "league_squared_up", "from_best", "carry") if name in names]
     speed = pl.col("exit_speed").cast(pl.Float64)
-    row = counted.select(
-        pl.len().alias("balls"), speed.mean().alias("exit_speed"),
-        speed.filter(speed >= speed.quantile(HARDEST)).mean().alias("ev20"),
+    found = counted.select(
         *(pl.col(name).cast(pl.Float64).mean() for name in means),
-        known_sum(is_home_run(pl.col("event"))).alias("home_runs"),
-        known_sum(pl.col("home_run_here").cast(pl.Float64)).alias("home_runs_expected"),
-    ).collect().row(0, named=True)  # fmt: skip
+        balls=pl.len(),
+        exit_speed=speed.mean(),
+        ev20=speed.filter(speed >= speed.quantile(HARDEST)).mean(),
+        home_runs=known_sum(is_home_run(pl.col("event"))),
+        home_runs_expected=known_sum(pl.col("home_run_here").cast(pl.Float64)),
+    )
+    row = found.collect().row(0, named=True)
     return {name: None if value is None else float(value) for name, value in row.items()}
 
 

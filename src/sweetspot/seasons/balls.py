@@ -193,6 +193,13 @@ def taken(balls: Balls, rows: NDArray[np.int64] | NDArray[np.bool_] | slice) -> 
     return Balls(**{name: values[rows] for name, values in vars(balls).items()})
 
 
+AS_THEY_ARE = (
+    *("exit_speed", "launch_angle", "launch_direction", "distance", "bat_speed", "attack_angle", "tilt"),
+    "axial_offset",
+)
+"""Columns of rows that are taken as they are."""
+
+
 def balls_of(rows: pl.DataFrame, *, pitches: bool = True) -> Balls:
     """Return the balls of rows from `rows_of`, those that are used or any others.
 
@@ -214,13 +221,15 @@ def balls_of(rows: pl.DataFrame, *, pitches: bool = True) -> Balls:
     to_right = column("attack_to_right")
     attack_direction = np.where(np.isnan(attack_direction), np.where(left, -to_right, to_right), attack_direction)
     return Balls(
-        exit_speed=column("exit_speed"), launch_angle=column("launch_angle"), bearing=bearing,
-        launch_direction=column("launch_direction"), distance=column("distance"), bat_speed=column("bat_speed"),
-        attack_angle=column("attack_angle"), attack_direction=attack_direction, tilt=column("tilt"),
-        axial_offset=column("axial_offset"), plate_speed=speed, descent=descent, crossing=crossing, spin=spin,
-        outside=np.where(left, -side, side), plate_height=height, left=left,
-        sided=rows["left"].is_not_null().to_numpy(), season=season, moved=moved,
-    )  # fmt: skip
+        **{name: column(name) for name in AS_THEY_ARE},
+        **{"bearing": bearing, "attack_direction": attack_direction},
+        **{"plate_speed": speed, "descent": descent, "crossing": crossing, "spin": spin, "plate_height": height},
+        outside=np.where(left, -side, side),
+        left=left,
+        sided=rows["left"].is_not_null().to_numpy(),
+        season=season,
+        moved=moved,
+    )
 
 
 def _pitch(

@@ -225,10 +225,9 @@ def _posteriors(
     relation = setting.relation
     aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
     swing = conditions.some(rows), turn_term(plane.turned)[rows]
-    kernel.fill_posteriors(
-        surface.table, asked, plane.exit_speed[rows], prior[rows], aims,
-        _error_array(setting.errors), relation.level_of(*swing), relation.noise_of(*swing), posteriors, weights,
-    )  # fmt: skip
+    given = asked, plane.exit_speed[rows], prior[rows], aims, _error_array(setting.errors)
+    scatter = relation.level_of(*swing), relation.noise_of(*swing)
+    kernel.fill_posteriors(surface.table, *given, *scatter, posteriors, weights)
     results = np.full((len(balls), kernel.ROWS), np.nan)
     posteriors[:, kernel.RANK] = relation.ranked(posteriors[:, kernel.RANK])
     results[rows] = posteriors

@@ -24,9 +24,9 @@ from sweetspot.tables.vocabulary import quantities_of, simplified
 BALLS = quantities_of("balls")
 """Quantities of a table of balls."""
 BOARDS = {
-    "avg_hit_speed", "exit_velocity_avg", "swings_competitive", "batted_ball_events", "avg_bat_speed",
-    "avg_best_speed", "barrels_per_bbe_percent",
-}  # fmt: skip
+    *("avg_hit_speed", "exit_velocity_avg", "swings_competitive", "batted_ball_events", "avg_bat_speed"),
+    *("avg_best_speed", "barrels_per_bbe_percent"),
+}
 """Headings of the league's leaderboards, which have a row for each player."""
 ESSENTIAL = ("exit_speed", "launch_angle", "bat_speed")
 """Without a unit these are refused: whether 98 is a speed in mph or in km/h is not guessed."""
@@ -135,8 +135,8 @@ def with_player_name(headings: Headings, frame: pl.LazyFrame) -> Headings:
     columns = headings.columns
     name, batter, pitcher = (pl.col(columns[quantity].heading) for quantity in ("player_name", "batter", "pitcher"))
     seen = frame.select(name, batter, pitcher).head(SEEN).filter(name.is_not_null())
-    batters, pitchers = seen.select(pl.struct(name, batter).n_unique().alias("batters"),
-                                    pl.struct(name, pitcher).n_unique().alias("pitchers")).collect().row(0)  # fmt: skip
+    pairs = {"batters": pl.struct(name, batter).n_unique(), "pitchers": pl.struct(name, pitcher).n_unique()}
+    batters, pitchers = seen.select(**pairs).collect().row(0)
     if batters >= pitchers:
         return headings
     others = {quantity: column for quantity, column in columns.items() if quantity != "player_name"}

@@ -90,10 +90,15 @@ class MadeSeason:
 
 
 LIKE_THE_LEAGUE = MadeSeason(
-    players=209, balls=80, place=6.26 * INCH, place_spread=2.07 * INCH, per_outside=-0.278,
-    between=(0.48 * INCH, 2.74 * MPH, 0.02), wilder=0.2, speed_spread=4.57 * MPH, offset_spread=1.19 * INCH,
-    offset_between=0.15, level_between=0.01, noise=1.65,
-)  # fmt: skip
+    *(209, 80, 6.26 * INCH, 2.07 * INCH, -0.278),
+    between=(0.48 * INCH, 2.74 * MPH, 0.02),
+    wilder=0.2,
+    speed_spread=4.57 * MPH,
+    offset_spread=1.19 * INCH,
+    offset_between=0.15,
+    level_between=0.01,
+    noise=1.65,
+)
 """Swings that scatter as tracked ones do [sure2026], of players who differ by what makes exit speed, the league's rate
 of squared-up balls and that of blasts as reliable at 34 balls as the league's; `studies/reliability.py` finds it."""
 

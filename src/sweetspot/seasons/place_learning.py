@@ -100,11 +100,10 @@ def learn_places(
         return UNLEARNT
     conditions, turned = conditions.some(good), turned[good]
     usual = np.array([1.0, *np.zeros(len(PLACE) - 1)])
-    sample = Sample(
-        places, np.ascontiguousarray(predicted[good]), measured[good], error[good],
-        np.where(conditions.placed, conditions.terms(PLACE), usual[:, None]), conditions.terms(SPREAD),
-        conditions.terms(LEVEL, turned), conditions.terms(NOISE, turned), *measured_places[:, good],
-    )  # fmt: skip
+    readings = places, np.ascontiguousarray(predicted[good]), measured[good], error[good]
+    of_place = np.where(conditions.placed, conditions.terms(PLACE), usual[:, None]), conditions.terms(SPREAD)
+    of_speed = conditions.terms(LEVEL, turned), conditions.terms(NOISE, turned)
+    sample = Sample(*readings, *of_place, *of_speed, *measured_places[:, good])
     now, evidence = _climbed(START, sample)
     everywhere = summed(sample.place, now.weights)[conditions.placed if conditions.placed.any() else slice(None)]
     spread = np.sqrt(np.mean(np.exp(2 * summed(sample.spread, now.spread_weights))))
@@ -133,8 +132,8 @@ def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:
         level = summed(sample.level, now.level_weights)
 
         def work(part: slice) -> None:
-            expect(sample.places, sample.predicted[part], sample.measured[part], scatter[part], prior[part],
-                   level[part], moments[part])  # fmt: skip
+            seen = sample.predicted[part], sample.measured[part], scatter[part], prior[part], level[part]
+            expect(sample.places, *seen, moments[part])
 
         in_parts(work, len(moments), size=CHUNK)
         return _maximised(now, sample, moments)

@@ -36,10 +36,9 @@ LEVEL = ("one", "faster", "fastest", "turned", *FAR)
 NOISE = ("one", *SIX, "attack attack", "turned", "turned either way", *FAR)
 """What each quantity is a sum over; `FAR` is how much further than `GRAZED` a ball was turned up or down, "fastest" how
 much faster than `FAST` a swing was, other two words are products. See `Circumstances` for their units."""
-USUAL_WEIGHTS = np.array([
-    6.02, -3.02, 1.42, 0.06, 0.26, -0.71, 0.25, 0.27, -0.63, -0.23, 0.43, 0.41, -0.15, -0.08, -0.06, -0.19, -0.07,
-    -0.07,
-]) * INCH  # fmt: skip
+USUAL_SUMS = (6.02, -3.02, 1.42, 0.06, 0.26, -0.71, 0.25)
+USUAL_PRODUCTS = (0.27, -0.63, -0.23, 0.43, 0.41, -0.15, -0.08, -0.06, -0.19, -0.07, -0.07)
+USUAL_WEIGHTS = np.array([*USUAL_SUMS, *USUAL_PRODUCTS]) * INCH
 USUAL_SPREADS = np.array([-3.18, -0.43, 0.05, 0.04, 0.07, -0.01, -0.03])
 USUAL_LEVELS = np.array([0.004, -0.016, -0.039, 0.004, 0.055, -0.118])
 USUAL_NOISES = np.array([-1.06, -0.07, -0.05, 0.04, 0.04, -0.07, 0.05, 0.08, -0.41, 1.65, -0.59, -2.11])
@@ -227,7 +226,9 @@ def scatter_of(terms: Array, weights: Array, covariance: Array) -> Array:
 
 
 UNLEARNT = PlaceRelation(
-    USUAL_WEIGHTS, USUAL_SPREADS, USUAL_LEVELS, USUAL_NOISES, covariance=np.diag(PLACE_WIDTHS**2),
-    spread_covariance=np.diag(SPREAD_WIDTHS**2), noise_covariance=np.diag(NOISE_WIDTHS**2),
-)  # fmt: skip
+    *(USUAL_WEIGHTS, USUAL_SPREADS, USUAL_LEVELS, USUAL_NOISES),
+    covariance=np.diag(PLACE_WIDTHS**2),
+    spread_covariance=np.diag(SPREAD_WIDTHS**2),
+    noise_covariance=np.diag(NOISE_WIDTHS**2),
+)
 """What stands where a table is too small to learn from: the league's numbers, and how far others may be from them."""

@@ -38,10 +38,10 @@ TASK_ROWS = 65_536
 ONLY_KEYS = {"at_bat", "pitch", "pitch_id", "player_name"}
 """Quantities that tell pitches apart, and are asked for no more."""
 ONLY_CONTACTS = {
-    *(f"{what}_{axis}" for what in ("velocity", "acceleration") for axis in "xyz"), "plate_side", "plate_height",
-    "plate_speed", "release_speed", "attack_angle", "attack_direction", "attack_to_right", "tilt", "axial_offset",
-    "intercept_ahead",
-}  # fmt: skip
+    *(f"{what}_{axis}" for what in ("velocity", "acceleration") for axis in "xyz"),
+    *("plate_side", "plate_height", "plate_speed", "release_speed", "attack_angle", "attack_direction"),
+    *("attack_to_right", "tilt", "axial_offset", "intercept_ahead"),
+}
 """Quantities that contacts alone hang on."""
 BALLS, LEDGER, COUNTED, NOTES = "balls", "ledger", "counted", "done"
 FOLDERS = (BALLS, LEDGER, COUNTED, NOTES)
@@ -231,9 +231,8 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
 
     digest = hashlib.blake2b(digest_size=16)
     kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors, expected_of, tabled_bat)
-    for part in (__version__, WRITTEN, task_rows, MOST_CELLS, setting.system, sorted(setting.bats.items()),
-                 replace(setting.flight, threads=None),
-                 *map(fingerprint, kernels)):  # fmt: skip
+    written = (__version__, WRITTEN, task_rows, MOST_CELLS, setting.system, sorted(setting.bats.items()))
+    for part in (*written, replace(setting.flight, threads=None), *map(fingerprint, kernels)):
         digest.update(repr(part).encode())
     if setting.contact is not None:
         contact = setting.contact

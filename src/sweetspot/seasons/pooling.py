@@ -264,12 +264,14 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
         scatter = Scatter(spread.mean, within, between, spread.groups >= FEWEST_GROUPS)
         error, ends = bounded_intervals(counts, means, centre, scatter, bounds=bounds)
     rank = pl.Series(centre).rank("average")  # groups that nothing tells apart are all in the middle
-    return table.select(key, "balls", "mean").with_columns(
-        pooled=pl.Series(centre), spread=pl.Series(error, nan_to_null=True),
-        **{f"{side}{percent}": pl.Series(values, nan_to_null=True) for percent, both in ends.items()
-           for side, values in zip(("low", "high"), both, strict=True)},
-        reliability=pl.Series(trust, nan_to_null=True), percentile=100 * (rank - 0.5) / len(centre),
-    ), spread  # fmt: skip
+    columns = {"spread": error, "reliability": trust}
+    columns |= {f"{side}{percent}": ends[percent][end] for percent in ends for end, side in enumerate(("low", "high"))}
+    pooled = table.select(key, "balls", "mean").with_columns(
+        **{name: pl.Series(values, nan_to_null=True) for name, values in columns.items()},
+        pooled=pl.Series(centre),
+        percentile=100 * (rank - 0.5) / len(centre),
+    )
+    return pooled, spread
 
 
 def _wider(spread: Spread) -> dict[int, float]:

@@ -33,15 +33,16 @@ ABSENT = ("", "NA", "N/A", "na", "n/a", "#N/A", "<NA>", "NaN", "nan", "NaT", "nu
 """Words that mean that there is nothing. Missing is never zero."""
 SPORT = "baseball"
 POSSIBLE: Mapping[str, tuple[float, float]] = {
-    **{name: fine(name, SPORT) for name in (
-        "attack_direction", "axial_offset", "plate_side", "plate_height", "distance",
-        "hang_time", "temperature", "pressure", "humidity", "elevation")},
+    **{name: fine(name, SPORT) for name in ("attack_direction", "axial_offset", "plate_side", "plate_height")},
+    **{name: fine(name, SPORT) for name in ("distance", "hang_time", "temperature", "pressure", "humidity")},
+    "elevation": fine("elevation", SPORT),
     **{name: fine(f"tracked_{name}") for name in ("attack_angle", "tilt", "launch_direction", "bearing")},
     **{name: (fine(name, SPORT)[0], bounds(name, SPORT).can_be[1]) for name in ("bat_speed", "release_speed")},
-    "plate_speed": bounds("pitch_speed", SPORT).can_be, "attack_to_right": fine("attack_direction"),
+    "plate_speed": bounds("pitch_speed", SPORT).can_be,
+    "attack_to_right": fine("attack_direction"),
     **dict.fromkeys(("map_x", "map_y"), fine("map_position")),
     **{f"{name}_{axis}": fine(name) for name in ("velocity", "acceleration") for axis in "xyz"},
-}  # fmt: skip
+}
 """SI, what is fine for a measurement (a pressure: at sea level); beyond it stands for something missing (0, -9999) or a
 slip, and is missing. Fast bats and pitches stay as long as they are possible: whether a column is in another unit shows
 in what is usual of many (`doubts`).

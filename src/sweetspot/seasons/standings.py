@@ -141,17 +141,17 @@ class _Sums:
     def _hardest(self) -> pl.DataFrame:
         """Return the mean of the hardest fifth of each group; of the box that it begins in, as many as belong to it."""
         held = pl.col("held")
-        boxes = self.boxes[0].drop_nulls("box").sort(self.key, "box").with_columns(
-            upto=held.cum_sum().over(self.key), first=((held.sum() - 1) * TOP + 0.5).floor().over(self.key)
-        )  # fmt: skip
+        first = ((held.sum() - 1) * TOP + 0.5).floor().over(self.key)
+        boxes = self.boxes[0].drop_nulls("box").sort(self.key, "box")
+        boxes = boxes.with_columns(upto=held.cum_sum().over(self.key), first=first)
         mine = (pl.col("upto") - pl.col("first")).clip(0, held)
         return boxes.group_by(self.key).agg(ev20=(pl.col("speeds") / held * mine).sum() / mine.sum())
 
 
 GROUPS: Mapping[str, str] = {
-    "batter": "players", "pitcher": "pitchers", "team": "clubs", "pitch_type": "pitch types", "count": "counts",
-    "month": "months", "park": "parks",
-}  # fmt: skip
+    **{"batter": "players", "pitcher": "pitchers", "team": "clubs", "pitch_type": "pitch types"},
+    **{"count": "counts", "month": "months", "park": "parks"},
+}
 """Columns that balls are grouped by, and what their tables are called."""
 ABOVE = "squared_up_above"
 """By how much more often a ball is squared up than balls of its bat speed."""
@@ -165,8 +165,10 @@ distance from the best place."""
 NEAR, RARE = 0.1, 3.0
 """From 0 or 1 a share, and of the rarer kind that a group has on average, below which intervals of 90 % hold 84 to 88 %
 where groups differ by about as much as the share itself: in made-up leagues (`docs/theory/season.md`)."""
-PLAIN = ("balls", "ev20", "home_runs_expected", "home_runs_average_park", "home_runs", "doubters", "mostly_gone",
-         "no_doubters", "name")  # fmt: skip
+PLAIN = (
+    *("balls", "ev20", "home_runs_expected", "home_runs_average_park", "home_runs"),
+    *("doubters", "mostly_gone", "no_doubters", "name"),
+)
 """Columns that are counted and not pooled."""
 
 

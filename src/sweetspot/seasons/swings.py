@@ -189,14 +189,12 @@ def in_plane(balls: Balls, surface: BatInPlane, errors: Errors, *, ball: Ball) -
     outcome[balls.bat_speed < FULL_SWING] = OUTCOMES.index("not a full swing")
     for name, values in (("no launch angle", balls.launch_angle), ("no bat speed", balls.bat_speed)):
         outcome[~np.isfinite(values)] = OUTCOMES.index(name)
-    return InPlane(
-        outcome, balls.bat_speed, ahead, up, along, ball.radius * np.sum(balls.spin * axes.tip, axis=-1), fast, turned,
-        np.hypot(
-            LAUNCH_LEVERAGE * errors.launch_angle,
-            ATTACK_LEVERAGE * np.where(measured, math.sqrt(share) * errors.attack_angle, ATTACK_SPREAD),
-        ),
-        np.where(thrown, 0.0, PER_PITCH_SPEED * PITCH_SPREAD),
-    )  # fmt: skip
+    tangent = ball.radius * np.sum(balls.spin * axes.tip, axis=-1)
+    unsteady = ATTACK_LEVERAGE * np.where(measured, math.sqrt(share) * errors.attack_angle, ATTACK_SPREAD)
+    angle_error = np.hypot(LAUNCH_LEVERAGE * errors.launch_angle, unsteady)
+    speed_error = np.where(thrown, 0.0, PER_PITCH_SPEED * PITCH_SPREAD)
+    swing = (outcome, balls.bat_speed, ahead, up, along, tangent)
+    return InPlane(*swing, fast, turned, angle_error, speed_error)
 
 
 def ceilings(plane: InPlane, surface: BatInPlane) -> tuple[Array, Array]:

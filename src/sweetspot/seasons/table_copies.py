@@ -49,6 +49,8 @@ LEFT_OUT = {
     BESIDE: "headings once more, units, totals and means",
 }
 """Why a line of a CSV file is no row of its table."""
+ALL_LINES = {"infer_schema_length": None}
+"""That types are those of."""
 BEGUN = 10_000
 """Lines whose types are tried for all lines; to look at all of them first takes twice as long as to read them."""
 PIECE = 32_768
@@ -248,10 +250,10 @@ def _copied(source: Path, ends: TextEnds, begun: pl.Schema, copy: Path, *, piece
 
 def _schema(source: Path, ends: TextEnds, *, lines: int | None = None) -> pl.Schema:
     """Return the types of the columns; numbers that begin with a 0 are names, and stay text."""
-    schema = _scanned(source, ends, lines=lines).collect_schema()
+    schema = _scanned(source, ends, infer_schema_length=lines).collect_schema()
     whole = [name for name, kind in schema.items() if kind.is_integer()]
     texts = pl.Schema(dict.fromkeys(schema, pl.String))
-    begun = _scanned(source, ends, schema=texts, cut=True, rows=PADDED_LINES).select(whole)
+    begun = _scanned(source, ends, schema=texts, cut=True, n_rows=PADDED_LINES).select(whole)
     padded = begun.select(pl.all().str.contains(PADDED).any()).collect()
     return pl.Schema({**schema, **{name: pl.String() for name in whole if padded[name].item()}})
 
@@ -272,17 +274,14 @@ def _left_out(headings: Headings, schema: pl.Schema) -> dict[str, pl.Expr]:
     return {NOTHING: nothing.alias(NOTHING), BESIDE: (~nothing & beside).alias(BESIDE)}
 
 
-def _scanned(
-    source: Path, ends: TextEnds, *, cut: bool = False, lines: int | None = None, schema: pl.Schema | None = None,
-    rows: int | None = None,
-) -> pl.LazyFrame:  # fmt: skip
+def _scanned(source: Path, ends: TextEnds, *, cut: bool = False, **asked: Any) -> pl.LazyFrame:
     """Return the rows; a column with anything but numbers in it stays text.
 
-    ``lines``: that are looked at for what stands in the columns; None: all. ``rows``: that are read; None: all.
+    ``cut``: whether cells beyond the headings are left out. ``asked``: of `polars.scan_csv`.
     """
     separator = separator_of(ends.above[-1])
+    above = len(ends.above) - 1
+    form = {"encoding": "utf8-lossy", "null_values": list(ABSENT), "decimal_comma": separator == ";"}
     return pl.scan_csv(
-        source, separator=separator, schema=schema, infer_schema_length=lines, truncate_ragged_lines=cut,
-        encoding="utf8-lossy", null_values=list(ABSENT), decimal_comma=separator == ";", skip_lines=len(ends.above) - 1,
-        n_rows=rows,
-    )  # fmt: skip
+        source, separator=separator, truncate_ragged_lines=cut, skip_lines=above, **{**ALL_LINES, **form, **asked}
+    )

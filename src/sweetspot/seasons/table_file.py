@@ -30,9 +30,9 @@ PARQUET_ENDINGS = (".parquet", ".pq")
 ENCODINGS = {"utf-16": "UTF-16", "cp1252": "Windows-1252, for it is not UTF-8"}
 """Encodings beside UTF-8 that are read, and how that is said."""
 OTHERS = {
-    ".xlsx": "save the sheet as CSV", ".xls": "save the sheet as CSV", ".zip": "unpack it", ".bz2": "unpack it",
-    ".xz": "unpack it", ".zst": "unpack it", ".7z": "unpack it",
-}  # fmt: skip
+    **dict.fromkeys((".xlsx", ".xls"), "save the sheet as CSV"),
+    **dict.fromkeys((".zip", ".bz2", ".xz", ".zst", ".7z"), "unpack it"),
+}
 """Endings of files that hold tables and are not read, and what to do."""
 CUTS = (25_000, 40_000)
 """Rows at which public exports end."""
@@ -243,9 +243,13 @@ def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
     if len(set(names)) < len(names):
         twice = sorted({name for name in names if names.count(name) > 1})
         notes.append(f"{', '.join(twice)} stands twice in the headings; the first one is used")
-    return TableFile(path, target, headings, copy.rows, torn=torn, notes=(*headings.notes, *notes),
-                     empty=tuple(name for name, nothing in held.items() if nothing), left_out=left_out,
-                     first=len(above) + 1, before=copy.before, ranges=ranges)  # fmt: skip
+    empty = tuple(name for name, nothing in held.items() if nothing)
+    return TableFile(
+        *(path, target, headings, copy.rows, torn, (*headings.notes, *notes), empty, left_out),
+        first=len(above) + 1,
+        before=copy.before,
+        ranges=ranges,
+    )
 
 
 @dataclass

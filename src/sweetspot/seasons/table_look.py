@@ -148,6 +148,13 @@ MOST_FOUL = 0.3
 """Part of the balls in play that may come down foul; caught ones are a tenth at most."""
 
 
+NAMED = {
+    **{"untracked": "untracked", "bunt": "bunts", "foul": "fouls"},
+    **{"impossible": "impossible", "duplicate": "duplicates"},
+}
+"""Warnings that go with a row's reason."""
+
+
 class TableLook:
     """One table, looked through part by part."""
 
@@ -195,8 +202,7 @@ class TableLook:
         for name in headings.columns:
             if name in rows.columns:
                 self.held[name] = self.held.get(name, 0) + rows[name].len() - rows[name].null_count()
-        for reason, name in (("untracked", "untracked"), ("bunt", "bunts"), ("foul", "fouls"),
-                             ("impossible", "impossible"), ("duplicate", "duplicates")):  # fmt: skip
+        for reason, name in NAMED.items():
             if reason in counts:
                 self._note(name, rows, pl.col("reason") == reason)
         if "foul" in counts:

@@ -135,8 +135,8 @@ def _ends(path: Path, is_heading: IsHeading) -> TextEnds:
     above = lines if _is_heading(lines[-1], is_heading) else lines[:1]
     cut = quotes % 2 == 1 and not tail.endswith((b"\n", b"\r"))
     old = b"\r" in first.replace(b"\r\n", b"")
-    return TextEnds([_text(line) for line in above], _text(_last_row(tail.splitlines(), cut=cut)),
-                    "utf-16" if wide else encoding, lines=not old, quoting=cut)  # fmt: skip
+    last = _text(_last_row(tail.splitlines(), cut=cut))
+    return TextEnds(list(map(_text, above)), last, "utf-16" if wide else encoding, lines=not old, quoting=cut)
 
 
 def _last_row(lines: list[bytes], *, cut: bool) -> bytes:

@@ -15,9 +15,11 @@ from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, 
 FileUnits = Literal["us", "metric"]
 
 SPEEDS = {
-    "mph": MPH, "mi_h": MPH, "m_s": 1.0, "mps": 1.0, "ms": 1.0, "km_h": 1 / 3.6, "kmh": 1 / 3.6, "kph": 1 / 3.6,
-    "ft_s": FOOT, "fps": FOOT,
-}  # fmt: skip
+    **dict.fromkeys(("mph", "mi_h"), MPH),
+    **dict.fromkeys(("m_s", "mps", "ms"), 1.0),
+    **dict.fromkeys(("km_h", "kmh", "kph"), 1 / 3.6),
+    **dict.fromkeys(("ft_s", "fps"), FOOT),
+}
 SHORT = {"in": INCH, "inch": INCH, "inches": INCH, "m": 1.0, "cm": 0.01, "mm": 0.001}
 LENGTHS = SHORT | {"ft": FOOT, "feet": FOOT, "yd": 3 * FOOT}
 UNITS: Mapping[str, Mapping[str, float]] = {
@@ -50,12 +52,16 @@ UNMEASURED = ("count", "text")
 """Kinds without a unit."""
 ONLY_UNIT = {"time": "s", "angle": "deg", "frequency": "hz"}
 """Units of kinds that are written in another unit only with its name."""
+UNITS_OF_FILES: Mapping[str, tuple[str, str]] = {
+    "place": ("in_from_tip", "cm_from_tip"),
+    **{"speed": ("mph", "m_s"), "length": ("in", "cm"), "station": ("in", "cm")},
+    **{"distance": ("ft", "m"), "spin": ("rpm", "rpm"), "temperature": ("degf", "degc"), "pressure": ("inhg", "hpa")},
+    **{"mass": ("oz", "g"), "moi": ("oz_in2", "kg_cm2"), "stiffness": ("lbf_in", "n_m")},
+}
 FILE_UNITS: Mapping[FileUnits, Mapping[str, str]] = {
-    "us": {"speed": "mph", "length": "in", "station": "in", "place": "in_from_tip", "distance": "ft", "spin": "rpm",
-           "temperature": "degf", "pressure": "inhg", "mass": "oz", "moi": "oz_in2", "stiffness": "lbf_in"},
-    "metric": {"speed": "m_s", "length": "cm", "station": "cm", "place": "cm_from_tip", "distance": "m", "spin": "rpm",
-               "temperature": "degc", "pressure": "hpa", "mass": "g", "moi": "kg_cm2", "stiffness": "n_m"},
-}  # fmt: skip
+    "us": {kind: us for kind, (us, _) in UNITS_OF_FILES.items()},
+    "metric": {kind: metric for kind, (_, metric) in UNITS_OF_FILES.items()},
+}
 """Units of columns that have none, where a person says in which units a file is."""
 FOREIGN = {"knots", "kn", "mils", "yards", "miles"}
 """Words for units that are not supported."""
