@@ -19,12 +19,12 @@ from sweetspot.dynamics.reduction import bending_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.face import Face, FaceOutline, StringBed
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.mass_fit import maximum_entropy_mass
-from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.racket import Racket, StringBed
 from sweetspot.equipment.section import of_oval_tube, of_walls
 from sweetspot.equipment.shell import WallPart
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, read_table
-from sweetspot.equipment.face import Rubber
 from sweetspot.equipment.material import Material
+from sweetspot.equipment.table_tennis_racket import Rubber
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
 from sweetspot.units import Kind

@@ -88,11 +88,6 @@ class GolfClub(OfMaterial):
         return self.length - self.head.height
 
     @property
-    def made_of(self) -> str:
-        """Shaft and head."""
-        return self.material.name
-
-    @property
     def density_range(self) -> None:
         """None: the club is weighed by its parts."""
         return None

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
-from sweetspot.equipment.base import Positive
-from sweetspot.equipment.face import Face, FaceOutline, Rubber
+from sweetspot.equipment.base import NonNegative, Positive, Validated
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.implement import DensityRange, Implement, Look
 from sweetspot.equipment.laminate import Laminate, effective_moduli, laminate_stiffness
 from sweetspot.equipment.material import Material
@@ -24,6 +24,42 @@ LENGTH_RANGE = (0.2, 0.35)
 NARROWEST = 0.02
 """m: the rounded tip is cut off where it is this narrow, so that sections do not vanish (drawing, not physics)."""
 PIECES = 16
+
+
+class Rubber(Validated):
+    """One covering of a blade, sponge and sheet together.
+
+    Parameters
+    ----------
+    name : what people call its kind.
+    thickness : m, with the glue; the rules allow 4.0 mm, 2.0 mm without sponge.
+    areal_density : kg/m^2.
+    stiffness : N/m under the ball, sponge and sheet pressed in together.
+    moving_mass : kg that moves with the ball there.
+    restitution : part of its speed that a hard ball without losses keeps on the rubber glued to something rigid.
+    friction, tangential_restitution : of the ball on it; what makes spin.
+    """
+
+    name: str
+    thickness: Annotated[float, Field(gt=0, le=0.006)]
+    areal_density: Positive
+    stiffness: Positive
+    moving_mass: Positive
+    restitution: Annotated[float, Field(gt=0, le=1)]
+    friction: NonNegative
+    tangential_restitution: Annotated[float, Field(ge=-1, le=1)]
+
+    @property
+    def face(self) -> Face:
+        """The rubber as a face that gives the same everywhere."""
+        return Face(
+            stiffness=self.stiffness,
+            moving_mass=self.moving_mass,
+            restitution=self.restitution,
+            edge="layer",
+            friction=self.friction,
+            tangential_restitution=self.tangential_restitution,
+        )
 
 
 class TableTennisRacket(Implement):

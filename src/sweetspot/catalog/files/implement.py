@@ -33,11 +33,11 @@ from sweetspot.catalog.files.tables import (
 from sweetspot.catalog.materials import frequency_of_ra, rubber
 from sweetspot.catalog.records import TomlTable, unwrapped, unwrapped_table
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.face import Face, FaceOutline, StringBed
+from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import AddedMass, Implement
-from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.racket import Racket, StringBed
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.plausibility import check, insisted, insisting

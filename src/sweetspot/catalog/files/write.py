@@ -12,12 +12,12 @@ from sweetspot.catalog.materials import keys_by_name, material, rubber_key
 from sweetspot.catalog.records import TomlValue
 from sweetspot.equipment.base import Validated
 from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.face import Rubber
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.table_tennis_racket import Rubber
 from sweetspot.errors import InputError
 from sweetspot.units import Kind
 

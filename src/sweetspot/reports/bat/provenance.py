@@ -14,10 +14,9 @@ from sweetspot.catalog.materials import RUBBERS, material
 from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.face import Rubber
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.table_tennis_racket import TableTennisRacket
+from sweetspot.equipment.table_tennis_racket import Rubber, TableTennisRacket
 
 METHOD_SOURCES = (
     "nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012",
