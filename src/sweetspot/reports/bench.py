@@ -122,11 +122,14 @@ def validation_document(results: Sequence[Result]) -> Document:
         for row, result in zip(short, results, strict=True)
     ]
     return Document(
-        name="validate", title="Published cases", kind="Validation",
+        name="validate",
+        title="Published cases",
+        kind="Validation",
         blocks=[Table("", columns, cells, name="published"), Paragraph(headline)],
         data={"headline": headline, "summary": counts, "rows": rows},
-        rows=as_columns(rows), passed=validation.passed(results),
-    )  # fmt: skip
+        rows=as_columns(rows),
+        passed=validation.passed(results),
+    )
 
 
 def paper_document(answer: PaperAnswer) -> Document:

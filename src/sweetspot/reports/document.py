@@ -262,6 +262,11 @@ class Document(ShownInNotebooks):
         return self.reader if system is None else SYSTEMS[system]
 
 
+def one_row(data: Mapping[str, object]) -> dict[str, list[object]]:
+    """Return values as columns of one row."""
+    return {name: [value] for name, value in data.items()}
+
+
 def as_columns(rows: Sequence[Mapping[str, object]]) -> dict[str, list[object]]:
     """Return rows as columns, None where a row lacks a key; no columns where there are no rows."""
     return {name: [row.get(name) for row in rows] for name in dict.fromkeys(name for row in rows for name in row)}

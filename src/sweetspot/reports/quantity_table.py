@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import partial
-from typing import Any, Literal
+from typing import Literal, TypedDict
 
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import REACH
@@ -14,6 +15,39 @@ from sweetspot.reports.sentences import Slot
 from sweetspot.reports.sweet_spots import SPOTS
 
 Stored = Literal["us", "si", "plain"]
+
+
+class ShownUnit(TypedDict):
+    """How a stored number is shown in a unit."""
+
+    unit: str
+    scale: float
+    offset: float
+    digits: int
+
+
+BySystem = Mapping[System, ShownUnit]
+
+
+class Named(TypedDict, total=False):
+    """What a quantity or a sweet spot is called, the scale of a quantity, and the name of its colour."""
+
+    label: str
+    scale: str
+    colour: str
+
+
+class QuantityData(TypedDict):
+    """The table of quantities; see `quantity_data`."""
+
+    scales: Mapping[str, BySystem]
+    endings: Mapping[str, BySystem]
+    quantities: Mapping[str, Named]
+    spots: Mapping[str, Named]
+    palette: Mapping[str, str]
+    reach: float
+
+
 ENDINGS: dict[str, tuple[str, Stored]] = {
     "_from_tip_in": ("length", "us"),
     "_mph": ("speed", "us"),
@@ -48,7 +82,7 @@ ENDINGS: dict[str, tuple[str, Stored]] = {
 US or SI unit or in the plain unit of the International System."""
 
 
-def quantity_data() -> dict[str, Any]:
+def quantity_data() -> QuantityData:
     """Return scales, endings of names, quantities, sweet spots, and the reach of every interval in standard deviations.
 
     What is shown of a stored value is value * scale + offset, with ``digits`` places and ``unit`` behind it.
@@ -85,9 +119,9 @@ def words_in_both_systems(words: str) -> dict[System, str]:
     return {system: IN_WORDS.sub(partial(converted, reading=reading), words) for system, reading in SYSTEMS.items()}
 
 
-def _shown(scale: str, stored: Stored) -> dict[str, dict[str, Any]]:
+def _shown(scale: str, stored: Stored) -> BySystem:
     """Return how a stored number is shown in either system."""
-    units = {"us": SCALES[scale].us, "si": SCALES[scale].si}
+    units: dict[System, Unit] = {"us": SCALES[scale].us, "si": SCALES[scale].si}
     stored_unit = Unit("", 1.0, 0) if stored == "plain" else units[stored]
     return {
         system: {

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -50,8 +49,8 @@ def exit_speed(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
     place = Slot(analysis.bat.length - report.sweet_spots.max_exit_speed, "place").read(reading)
     start = spots.max_exit_speed - 0.08 * float(np.ptp(axes.get_xlim())), 1.1 * top
     leader = {"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)}
-    look: dict[str, Any] = {"ha": "right", "va": "center", "weight": "bold", "color": INK, "arrowprops": leader}
-    axes.annotate(f"{label}, {place} from the {words.tip}", (spots.max_exit_speed, best), start, **look)
+    label, spot = f"{label}, {place} from the {words.tip}", (spots.max_exit_speed, best)
+    axes.annotate(label, spot, start, ha="right", va="center", weight="bold", color=INK, arrowprops=leader)
     rigid_at = 0.97 if marks.is_zoomed(analysis.bat) else 0.42
     curves = {"rigid": (scan.position, rigid), "real": (scan.position, speed)}
     _curve_label(axes, "rigid", curves, f"if the {words.implement} were rigid", at=rigid_at, colour=MUTED, above=True)
@@ -179,22 +178,23 @@ def _curve_label(
     taken = [Text.get_window_extent(text).padded(1) for text in axes.texts]
     fine = np.linspace(places[0], places[-1], 8 * len(places))  # where a curve is steep its own points lie far apart
     lines = [axes.transData.transform(np.column_stack([fine, np.interp(fine, *curve)])) for curve in curves.values()]
-    least, clearest = np.inf, {}
+    least, clearest = np.inf, None
     for part in (at, *TRIED):
         for over in (above, not above):
             place = axes.get_xlim()[0] + part * (axes.get_xlim()[1] - axes.get_xlim()[0])
             place = float(np.clip(place, places[0], places[-1]))
             aside, side, upright = ((-4, 3), "right", "bottom") if over else ((4, -3), "left", "top")
             at_curve = (place, float(np.interp(place, places, values)))
-            look: dict[str, Any] = {"place": at_curve, "aside": aside, "ha": side, "va": upright, "size": SMALL}
-            text = beside(axes, words, **look)
+            text = beside(axes, words, at_curve, aside, ha=side, va=upright, size=SMALL)
             box = Text.get_window_extent(text).padded(3)
-            text.remove()
             outside = not (axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 and axes.bbox.y0 <= box.y0)
             faults = 100 * sum(box.overlaps(other) for other in taken) + 50 * outside
             faults += sum(int(np.sum(np.all((line > box.min) & (line < box.max), axis=1))) for line in lines)
-            if faults < least:
-                least, clearest = faults, look
+            worse = text if faults >= least else clearest
+            least, clearest = (least, clearest) if faults >= least else (faults, text)
+            if worse is not None:
+                worse.remove()
         if least == 0:
             break
-    beside(axes, words, color=colour, path_effects=halo(), **clearest)
+    if clearest is not None:
+        clearest.set(color=colour, path_effects=halo())

@@ -37,6 +37,18 @@ PATCH = 2 * MPH
 """m/s of exit speed that the size of the patch under the ball is worth on a hollow bat."""
 
 
+BEAM = (
+    "The {implement} bends as a beam of varying section (bending, shear and rotary inertia). That holds for waves "
+    "longer than it is thick, up to about 10 kHz."
+)
+ASSUMPTIONS = (
+    "The {ball} comes straight at the middle line, without spin, and the {implement} turns in one plane.",
+    "Every place is hit with the same turning speed, whatever the {implement} weighs.",
+    "Sting is the speed of the handle's vibration at both hands right after the hit, weighted by frequency as hands "
+    "feel it (ISO 5349, flat to about 600 Hz). The limits of the {zone} are our choice.",
+)
+
+
 def assumptions_section(analysis: Analysis[Implement]) -> Section:
     """Return the assumptions of the model, the gaps of the sport's description, and the assumed values."""
     words, records = words_of(analysis.bat.sport), used_records(analysis)
@@ -46,25 +58,15 @@ def assumptions_section(analysis: Analysis[Implement]) -> Section:
         for record in entries
         if record.kind == "assumed"
     ]
-    points: list[Words] = [
-        _face(analysis),
-        in_words(
-            "The {implement} bends as a beam of varying section (bending, shear and rotary inertia). That holds for "
-            "waves longer than it is thick, up to about 10 kHz.", words,
-        ),
-        _grip(analysis),
-        in_words("The {ball} comes straight at the middle line, without spin, and the {implement} turns in one plane.",
-                 words),
-        in_words("Every place is hit with the same turning speed, whatever the {implement} weighs.", words),
-        in_words(
-            "Sting is the speed of the handle's vibration at both hands right after the hit, weighted by frequency as "
-            "hands feel it (ISO 5349, flat to about 600 Hz). The limits of the {zone} are our choice.", words,
-        ),
-        *(f"Not covered: {text}." for text in sport(analysis.bat.sport).not_covered),
-        f"Constants that are assumed, because no source was read: {', '.join(assumed)}; where a stroke's number is, "
-        f"{ASSUMED_MARK} stands behind it." if assumed else "",
-    ]  # fmt: skip
-    return Section("assumptions", "Assumptions and limits", [Bullets([point for point in points if point])])
+    points: list[Words] = [_face(analysis), in_words(BEAM, words), _grip(analysis)]
+    points += [in_words(assumption, words) for assumption in ASSUMPTIONS]
+    points += [f"Not covered: {text}." for text in sport(analysis.bat.sport).not_covered]
+    if assumed:
+        points.append(
+            f"Constants that are assumed, because no source was read: {', '.join(assumed)}; where a stroke's number "
+            f"is, {ASSUMED_MARK} stands behind it."
+        )
+    return Section("assumptions", "Assumptions and limits", [Bullets(points)])
 
 
 def _face(analysis: Analysis[Implement]) -> Sentence:
@@ -72,7 +74,9 @@ def _face(analysis: Analysis[Implement]) -> Sentence:
     if "hoop" in analysis.modes.families:
         return say(
             "The wall of this hollow bat deflects in hoop modes, felt through a round patch under the ball; the size "
-            "of that patch is uncertain and is worth about {change:speed, 0} either way.", change=PATCH)  # fmt: skip
+            "of that patch is uncertain and is worth about {change:speed, 0} either way.",
+            change=PATCH,
+        )
     if analysis.bat.face is not None and analysis.bat.face.stiffness is not None:
         return say("The face is one spring and damper under the ball, softer or stiffer by its place.")
     return say("The face is rigid. What it gives and returns itself is contained in the ball's restitution.")
@@ -83,12 +87,14 @@ def _grip(analysis: Analysis[Implement]) -> Sentence:
     hands, words = analysis.conditions.hands, words_of(analysis.bat.sport)
     change = Slot(abs(analysis.grip_effect), "share", 1)
     if any((hands.mass, hands.stiffness, hands.damping)):
-        return say("Each hand is a mass on a spring and a damper; typical ones change the exit speed by {change}.",
-                   change=change)  # fmt: skip
+        held = "Each hand is a mass on a spring and a damper; typical ones change the exit speed by {change}."
+        return say(held, change=change)
     return in_words(
         "The {implement} is free while {ball} and {implement} touch. Typical hands would change the {exit_speed} by "
-        "{change}; they damp the vibration, so the sting is an upper bound.", words, change=change,
-    )  # fmt: skip
+        "{change}; they damp the vibration, so the sting is an upper bound.",
+        words,
+        change=change,
+    )
 
 
 def constants_section(analysis: Analysis[Implement]) -> Section:

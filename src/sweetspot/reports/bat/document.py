@@ -30,7 +30,7 @@ from sweetspot.reports.bat.tables import (
     stations,
 )
 from sweetspot.reports.bat.words import answer_words, from_tip, why_intervals
-from sweetspot.reports.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList, drawn
+from sweetspot.reports.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList, drawn, one_row
 from sweetspot.reports.hit.document import hit_picture, hit_table, masses_words, touched_again_between
 from sweetspot.reports.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
 from sweetspot.reports.sport_words import in_words, made_of_words, reader_of, weight, words_of
@@ -42,7 +42,10 @@ def report_document(report: ReportAnswer) -> Document:
     bat, data = report.analysis.bat, report.to_dict()
     overview = _overview(report)
     return Document(
-        name="report", title=bat.name, subtitle=_sizes(report), kind=f"{sport(bat.sport).name}: sweet spot report",
+        name="report",
+        title=bat.name,
+        subtitle=_sizes(report),
+        kind=f"{sport(bat.sport).name}: sweet spot report",
         blocks=[
             _cards(report),
             *(Paragraph(words) for words in answer_words(report)),
@@ -50,10 +53,13 @@ def report_document(report: ReportAnswer) -> Document:
             overview,
             *([] if report.uncertainty is None else [how_sure(report.uncertainty, "best exit speed")]),
         ],
-        details=_details(report), appendix=partial(_appendix, report),
-        data=data, rows=data["scan"],
-        reader=reader_of(bat.sport), drawing=overview,
-    )  # fmt: skip
+        details=_details(report),
+        appendix=partial(_appendix, report),
+        data=data,
+        rows=data["scan"],
+        reader=reader_of(bat.sport),
+        drawing=overview,
+    )
 
 
 def described_document(bat: Implement) -> Document:
@@ -62,11 +68,15 @@ def described_document(bat: Implement) -> Document:
     mass = mass_properties(bat, body)
     data = to_dict(mass)
     return Document(
-        name="bat", title=bat.name, subtitle=made_of_words(bat),
+        name="bat",
+        title=bat.name,
+        subtitle=made_of_words(bat),
         kind=f"{sport(bat.sport).name}: {words_of(bat.sport).implement}",
         blocks=[*_mass(bat, body, mass), *(Paragraph(words) for words in remarks(bat))],
-        data=data, rows={name: [value] for name, value in data.items()}, reader=reader_of(bat.sport),
-    )  # fmt: skip
+        data=data,
+        rows=one_row(data),
+        reader=reader_of(bat.sport),
+    )
 
 
 def remarks(bat: Implement) -> list[str]:
@@ -142,8 +152,9 @@ def _details(report: ReportAnswer) -> list[Block]:
     caption = in_words(
         "Left: the force between {ball} and {implement}. Right: the same force against the {ball}'s compression; the "
         "area inside the loop is heat. Below: the energy as a laboratory counts it that fires the {ball} at a "
-        "{implement} at rest, where a {ball} that flies back slowly has little energy left.", words,
-    )  # fmt: skip
+        "{implement} at rest, where a {ball} that flies back slowly has little energy left.",
+        words,
+    )
     where = in_words("The best hit, {place} from the {tip}", words, place=from_tip(report, analysis.best.position))
     masses = masses_words(report.bat.mass, report.conditions.ball_mass, words)
     table = hit_table(report.best_hit, words, masses, rigid=analysis.bat.face is None)
@@ -177,26 +188,25 @@ def _appendix(report: ReportAnswer) -> list[Block]:
     from sweetspot.reports.bat.appendix import assumptions_section, chosen, constants_section, published_section
     from sweetspot.reports.bat.provenance import sources_of, used_records
 
-    analysis, drawn = report.analysis, report.uncertainty is not None
-    face, published = analysis.bat.face, chosen(analysis.bat.sport)
-    keys = sources_of(used_records(analysis)) + [result.source for result in published]
-    return [
-        *([] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]),
-        *([Section("misses", "What a miss costs", [
-            misses_table(report), Paragraph(why_intervals(words_of(analysis.bat.sport), drawn=drawn)),
-        ])]
-          if report.misses else []),
-        assumptions_section(analysis), *published_section(published), constants_section(analysis),
-        Section("sources", "Sources", [SourceList(sorted(set(keys)))]),
-    ]  # fmt: skip
+    analysis, drawn_by_chance = report.analysis, report.uncertainty is not None
+    face, results = analysis.bat.face, chosen(analysis.bat.sport)
+    keys = sources_of(used_records(analysis)) + [result.source for result in results]
+    sections = [] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]
+    if report.misses:
+        why = Paragraph(why_intervals(words_of(analysis.bat.sport), drawn=drawn_by_chance))
+        sections.append(Section("misses", "What a miss costs", [misses_table(report), why]))
+    sources = Section("sources", "Sources", [SourceList(sorted(set(keys)))])
+    published = published_section(results)
+    return [*sections, assumptions_section(analysis), *published, constants_section(analysis), sources]
 
 
 def _face_picture(analysis: Analysis[Implement]) -> Picture:
     caption = in_words(
         "Hits all over the face, handle to the left: {exit_speed}, efficiency and vibration at the hand. The dot is "
         "the best place. A hit beside the line also turns the face, which sends the {ball} off at an angle: that is "
-        "not in these maps.", words_of(analysis.bat.sport),
-    )  # fmt: skip
+        "not in these maps.",
+        words_of(analysis.bat.sport),
+    )
     label = f"Three maps of the face of {analysis.bat.name}: exit speed, efficiency and sting."
     return Picture(
         "face", drawn("sweetspot.reports.bat.outline_picture:analysis_face_figure", analysis), label, caption
@@ -230,9 +240,11 @@ def _why(reduced: ReducedBat[Implement], conditions: Conditions) -> Sentence:
         "No hit is computed: the {ball} weighs {ball_mass} and this {implement} {mass}; a {ball} that is not lighter "
         "sweeps it aside. Its first two tones are {first} and {second}. What else needs no {ball} stands below.",
         words_of(bat.sport),
-        ball_mass=weight(conditions.ball.mass), mass=weight(reduced.body.mass),
-        first=_tone(reduced, 1), second=_tone(reduced, 2),
-    )  # fmt: skip
+        ball_mass=weight(conditions.ball.mass),
+        mass=weight(reduced.body.mass),
+        first=_tone(reduced, 1),
+        second=_tone(reduced, 2),
+    )
 
 
 def _tone(reduced: ReducedBat[Implement], harmonic: int) -> Slot:

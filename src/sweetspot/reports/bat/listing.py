@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from sweetspot import catalog
 from sweetspot.answers.conditions import mass_properties
@@ -23,24 +22,26 @@ from sweetspot.reports.sport_words import reader_of
 def catalogue_document() -> Document:
     """Return the catalogue's bats with weight, balance and swing weight, and a short table of every other implement."""
     bats = [(key, catalog.bat(key)) for key in catalog.bat_names()]
-    rows: list[dict[str, Any]] = []
+    rows: list[dict[str, object]] = []
+    cells: list[list[Cell]] = []
     for key, bat in bats:
         body = rigid_body(beam_model(bat))
-        doubt = {"moi_6in_doubt_kg_m2": moi_doubt(bat, body, STANDARD_AXIS)}
-        rows.append({"key": key, **to_dict(mass_properties(bat, body)), **doubt})
+        mass, doubt = mass_properties(bat, body), moi_doubt(bat, body, STANDARD_AXIS)
+        rows.append({"key": key, **to_dict(mass), "moi_6in_doubt_kg_m2": doubt})
+        sizes = [float(mass.length), float(mass.mass), float(mass.balance_point)]
+        cells.append([key, bat.name, *sizes, with_doubt(float(mass.moi_6in), doubt, "moi")])
     columns = table_head("name | what | length: length, 1 | mass: mass | balance point: length | moment of inertia >")
-    keys = ("key", "name", "length_m", "mass_kg", "balance_point_m")
-    cells: list[list[Cell]] = [
-        [*(row[key] for key in keys), with_doubt(row["moi_6in_kg_m2"], row["moi_6in_doubt_kg_m2"], "moi")]
-        for row in rows
-    ]
+    keys = {key for key, _ in bats}
+    notes = [Paragraph(words, "note") for words in (PLUS_MINUS, _assumed_balances(bats), HOW_TO_SHOW)]
     return Document(
-        name="bats", title="Bats of the catalogue", kind="Catalogue",
-        blocks=[Table("", columns, cells), _others({key for key, _ in bats}), Paragraph(PLUS_MINUS, "note"),
-                Paragraph(_assumed_balances(bats), "note"), Paragraph(HOW_TO_SHOW, "note")],
-        data={"bats": rows, "others": _other_rows({key for key, _ in bats})},
-        rows=as_columns(rows), reader=reader_of(bats[0][1].sport),
-    )  # fmt: skip
+        name="bats",
+        title="Bats of the catalogue",
+        kind="Catalogue",
+        blocks=[Table("", columns, cells), _others(keys), *notes],
+        data={"bats": rows, "others": _other_rows(keys)},
+        rows=as_columns(rows),
+        reader=reader_of(bats[0][1].sport),
+    )
 
 
 def _assumed_balances(bats: Sequence[tuple[str, Bat]]) -> str:
@@ -56,9 +57,9 @@ HOW_TO_SHOW = (
 )
 
 
-def _other_rows(bats: set[str]) -> list[dict[str, Any]]:
+def _other_rows(bats: set[str]) -> list[dict[str, object]]:
     """Return every other implement for other programs."""
-    rows = []
+    rows: list[dict[str, object]] = []
     for key in (key for key in catalog.implement_names() if key not in bats):
         implement = catalog.implement(key)
         described = to_dict(mass_properties(implement, rigid_body(beam_model(implement))))
@@ -74,6 +75,6 @@ def _others(bats: set[str]) -> Table:
         implement = catalog.implement(key)
         body = rigid_body(beam_model(implement))
         convention = swing_weight(implement.sport)
-        rows.append([key, implement.name, implement.sport, Slot(implement.length, "place"), Slot(body.mass, "mass"),
-                     convention.text_of(body)])  # fmt: skip
+        sizes = [Slot(implement.length, "place"), Slot(body.mass, "mass")]
+        rows.append([key, implement.name, implement.sport, *sizes, convention.text_of(body)])
     return Table("Of other sports", columns, rows)

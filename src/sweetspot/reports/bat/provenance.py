@@ -18,16 +18,14 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.table_tennis_racket import Rubber, TableTennisRacket
 
-METHOD_SOURCES = (
-    "nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012",
-    "russell2017acoustics", "paper2014",
-)  # fmt: skip
+MECHANICS = ("nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012")
+METHOD_SOURCES = (*MECHANICS, "russell2017acoustics", "paper2014")
 """Sources of the formulas and definitions in every report."""
 STATIONS_SHOWN = 3
 OF_THE_BALL = {
-    "mass": "weight", "cor_reference": "restitution", "cor_slope": "loss of restitution with speed",
-    "peak_force": "stiffness", "load": "stiffness", "contact_time": "stiffness",
-}  # fmt: skip
+    **{"mass": "weight", "cor_reference": "restitution", "cor_slope": "loss of restitution with speed"},
+    **dict.fromkeys(("peak_force", "load", "contact_time"), "stiffness"),
+}
 """What people call the values of a ball's file that decide how fast it leaves."""
 
 

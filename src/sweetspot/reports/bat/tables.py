@@ -22,7 +22,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Curve, Interval, Number, interpolated, values_of
 from sweetspot.reports.bat.words import cost, from_tip
-from sweetspot.reports.document import Cell, Column, Marked, Table, values_table
+from sweetspot.reports.document import Cell, Column, Marked, Table, table_head, values_table
 from sweetspot.reports.sentences import Sentence, Slot, UnitName, joined, say, with_doubt
 from sweetspot.reports.sport_words import in_words, weight, words_of
 from sweetspot.reports.sweet_spots import SPOTS
@@ -51,8 +51,8 @@ def spots_table(report: ReportAnswer) -> Table:
         zone = [Marked(words.zone, "zone"), "none", "none", say("no place is {measure}", measure=measure)]
     else:
         inner, outer = spots.zone[0], spots.zone[1]
-        reaches = [joined((_from(end, place).bare for place in order), " to ")
-                   for end, order in ((bat.length, (outer, inner)), (0.0, (inner, outer)))]  # fmt: skip
+        orders = ((bat.length, (outer, inner)), (0.0, (inner, outer)))
+        reaches = [joined((_from(end, place).bare for place in order), " to ") for end, order in orders]
         zone = [Marked(words.zone, "zone"), *reaches, measure]
     return replace(table, rows=[*table.rows, zone])
 
@@ -77,26 +77,26 @@ def along_table(report: ReportAnswer) -> Table:
     """Return the results of hits at even places from the tip."""
     scan, bat = report.scan, report.analysis.bat
     words, rigid = words_of(bat.sport), bat.face is None
-    columns = [
-        Column(say("{unit} from the {tip}", unit=UnitName("place"), tip=words.tip), right=True),
-        Column(words.exit_speed, "speed"), Column("if it were rigid", "speed"), Column("q", "ratio"),
-        *([Column("BBCOR at this speed", "ratio")] if rigid else []),
-        Column("jolt", "impulse", sign=True), Column("vibration", "vibration"),
-    ]  # fmt: skip
-    curves = [
-        (scan.exit_speed, "speed"), (scan.rigid_exit_speed, "speed"), (scan.collision_efficiency, "ratio"),
-        *([(scan.bbcor, "ratio")] if rigid else []), (scan.hand_impulse, "impulse"), (scan.sting, "vibration"),
-    ]  # fmt: skip
+    shown = [
+        (Column(words.exit_speed, "speed"), scan.exit_speed),
+        (Column("if it were rigid", "speed"), scan.rigid_exit_speed),
+        (Column("q", "ratio"), scan.collision_efficiency),
+        (Column("BBCOR at this speed", "ratio"), scan.bbcor),
+        (Column("jolt", "impulse", sign=True), scan.hand_impulse),
+        (Column("vibration", "vibration"), scan.sting),
+    ]
+    shown = [pair for pair in shown if rigid or pair[1] is not scan.bbcor]
 
-    def cell(curve: Curve, scale: str, place: float) -> Slot:
+    def cell(column: Column, curve: Curve, place: float) -> Slot:
         number = interpolated(curve, scan.position, bat.length - place)
-        return Slot(number, scale, sign=scale == "impulse", unit=False)
+        return Slot(number, column.scale, sign=column.sign, unit=False)
 
     rows: list[list[Cell]] = [
-        [Slot(place, "place", round=True).bare, *(cell(*curve, place) for curve in curves)]
+        [Slot(place, "place", round=True).bare, *(cell(*pair, place) for pair in shown)]
         for place in stations(report.analysis).tolist()
     ]
-    return Table("", columns, rows)
+    where = say("{unit} from the {tip}", unit=UnitName("place"), tip=words.tip)
+    return Table("", [Column(where, right=True), *(column for column, _ in shown)], rows)
 
 
 def stations(analysis: Analysis[Implement]) -> Array:
@@ -139,19 +139,23 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
     """
     words = words_of(bat.sport)
     standard = in_words("{axis:place, round} from the {butt}", words, axis=STANDARD_AXIS)
-    axes = (
-        (standard, STANDARD_AXIS, mass.moi_6in), (f"{words.butt} end", 0.0, mass.moi_knob),
+    axes = [
+        (standard, STANDARD_AXIS, mass.moi_6in),
+        (f"{words.butt} end", 0.0, mass.moi_knob),
         ("balance point", body.balance_point, mass.moi_cm),
-    )  # fmt: skip
+    ]
+    moments = [
+        (say("moment of inertia, {axis}", axis=axis), moment(moi, moi_doubt(bat, body, place)))
+        for axis, place, moi in axes
+    ]
     rows: list[tuple[Cell, Cell]] = [
         ("length", Slot(mass.length, "length")),
         ("mass", Slot(mass.mass, "mass", 2 if words.weighed_in == "oz" else 1)),
         (f"balance point, from the {words.butt}", Slot(mass.balance_point, "length")),
         *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, swing_weight(bat.sport))]),
-        *((say("moment of inertia, {axis}", axis=axis), moment(moi, moi_doubt(bat, body, place)))
-          for axis, place, moi in axes),
+        *moments,
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
-    ]  # fmt: skip
+    ]
     return values_table(rows)
 
 
@@ -182,10 +186,8 @@ def modes_table(modes: Sequence[VibrationMode], words: Terms, length: float) -> 
             places = joined((_from(length, node).bare for node in nodes[::-1]), ", ")
             frequency = Slot(mode.frequency, "frequency", unit=False)
             rows.append([f"{mode.family} {mode.harmonic}", frequency, float(mode.damping_ratio), places])
-    columns = [
-        Column("mode"), Column("frequency", "frequency"), Column("damping", "share", 2),
-        Column(say("nodes, {unit} from the {tip}", unit=UnitName("place"), tip=words.tip)),
-    ]  # fmt: skip
+    where = say("nodes, {unit} from the {tip}", unit=UnitName("place"), tip=words.tip)
+    columns = [*table_head("mode | frequency: frequency | damping: share, 2"), Column(where)]
     return Table("", columns, rows)
 
 
@@ -200,14 +202,14 @@ def conditions_table(report: ReportAnswer) -> Table:
         step=10 * MPH,
     )
     held = any((hands.mass, hands.stiffness, hands.damping))
+    bat_speed = in_words("{implement} speed, {place} from the {tip}", words, place=from_tip(report, hit.bat_speed_at))
     rows: list[tuple[Cell, Cell]] = [
         (f"{words.incoming} comes at", Slot(hit.pitch_speed, "speed")),
-        (in_words("{implement} speed, {place} from the {tip}", words, place=from_tip(report, hit.bat_speed_at)),
-         Slot(hit.bat_speed, "speed")),
+        (bat_speed, Slot(hit.bat_speed, "speed")),
         (f"turns about, from the {words.butt}", Slot(hit.pivot, "place")),
         (f"top hand, from the {words.butt}", Slot(hit.hands, "place")),
         (words.ball, say("{name}, {mass}", name=hit.ball, mass=weight(hit.ball_mass))),
         ("its restitution on a wall", bounce),
         ("hands in the collision", "mass, spring and damper each" if held else f"none, the {words.implement} is free"),
-    ]  # fmt: skip
+    ]
     return values_table(rows)

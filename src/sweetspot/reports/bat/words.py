@@ -42,10 +42,15 @@ def answer_words(report: ReportAnswer) -> list[Sentence]:
     """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so."""
     analysis, words = report.analysis, words_of(report.analysis.bat.sport)
     paragraphs = (
-        _where(report, words), *best_in_doubt(analysis.best, words), _bounce(report, words),
-        _why_not_the_end(report, words), _miss(report, words), _hands(report, words), _wall(report),
+        _where(report, words),
+        *best_in_doubt(analysis.best, words),
+        _bounce(report, words),
+        _why_not_the_end(report, words),
+        _miss(report, words),
+        _hands(report, words),
+        _wall(report),
         soft_defaults(analysis.bat.sport, analysis.conditions.ball, analysis.conditions),
-    )  # fmt: skip
+    )
     return [words for words in paragraphs if words.parts]
 
 
@@ -109,9 +114,10 @@ def _outside(best: float, zone: tuple[float, float], words: Terms) -> Sentence:
     if zone[0] <= best <= zone[1]:
         return say("")
     return in_words(
-        " The place that hits best lies outside it, nearer the {end}.", words,
+        " The place that hits best lies outside it, nearer the {end}.",
+        words,
         end=words.tip if best > zone[1] else words.hands,
-    )  # fmt: skip
+    )
 
 
 def _bounce(report: ReportAnswer, words: Terms) -> Sentence:
@@ -133,10 +139,13 @@ def _bounce(report: ReportAnswer, words: Terms) -> Sentence:
         parts.append(
             in_words(
                 "The {deadest} is {place} from the {tip}: a {ball} there does not come back, for its {thrown} meet "
-                "only {met}, and vibration takes more.", words, place=from_tip(report, dead),
-                thrown=weight(analysis.conditions.ball.mass), met=weight(effective_mass(analysis.body, dead)),
+                "only {met}, and vibration takes more.",
+                words,
+                place=from_tip(report, dead),
+                thrown=weight(analysis.conditions.ball.mass),
+                met=weight(effective_mass(analysis.body, dead)),
             )
-        )  # fmt: skip
+        )
     if float(report.best_hit.collision_efficiency) < -FOLLOWS:
         parts.append(
             in_words(
@@ -165,8 +174,10 @@ def _why_not_the_end(report: ReportAnswer, words: Terms) -> Sentence:
     return in_words(
         "Why not at the {tip}? The last place to be hit moves {gain} faster, but there the {implement} recoils by "
         f"turning: the {{ball}} meets only {{there}} instead of {{here}}. {rigid}A real one also bends and keeps that "
-        "energy as vibration: {real}, {less} less than at its best.", words, **slots,
-    )  # fmt: skip
+        "energy as vibration: {real}, {less} less than at its best.",
+        words,
+        **slots,
+    )
 
 
 def _miss(report: ReportAnswer, words: Terms) -> Sentence:
@@ -194,12 +205,14 @@ def _hands(report: ReportAnswer, words: Terms) -> Sentence:
         f"The {'hands feel' if both else 'hand feels'} least vibration from a hit {{quiet}} from the "
         "{tip} (nodes of the first and second bending mode: {first} and {second}), and no jolt from one at the centre "
         "of percussion, {percussion}. How the {implement} is held hardly matters to the {ball}: "
-        f"{'typical hands change' if both else 'a typical hand changes'} its speed by {{size}}.", words,
+        f"{'typical hands change' if both else 'a typical hand changes'} its speed by {{size}}.",
+        words,
         quiet=from_tip(report, spots.min_sting),
         first=from_tip(report, spots.node_1).bare,
         second=from_tip(report, spots.node_2),
-        percussion=from_tip(report, spots.center_of_percussion), size=size,
-    )  # fmt: skip
+        percussion=from_tip(report, spots.center_of_percussion),
+        size=size,
+    )
 
 
 def _wall(report: ReportAnswer) -> Sentence:
@@ -293,9 +306,14 @@ def speed_difference(scan: Scan, position: float, *, best: float, exit_speed: fl
 
 
 def why_here(
-    difference: SpeedDifference, *, body: RigidBody, conditions: Conditions, best: float, words: Terms,
+    difference: SpeedDifference,
+    *,
+    body: RigidBody,
+    conditions: Conditions,
+    best: float,
+    words: Terms,
     in_the_middle: bool = True,
-) -> Sentence:  # fmt: skip
+) -> Sentence:
     """Return why a ball met in the middle leaves a place as it does, with what each reason costs.
 
     Parameters

@@ -23,9 +23,13 @@ from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 
 SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
-    "mass": ("mass", 2), "balance_point": ("length", 2), "moi": ("moi", 0), "period": ("time", 4),
-    "frequency": ("frequency", 1), "efficiency": ("ratio", 4),
-}  # fmt: skip
+    "mass": ("mass", 2),
+    "balance_point": ("length", 2),
+    "moi": ("moi", 0),
+    "period": ("time", 4),
+    "frequency": ("frequency", 1),
+    "efficiency": ("ratio", 4),
+}
 """How each kind of measurement is shown, and to how many digits."""
 VALUES = {
     "mass": ("mass", "mass"),
@@ -38,12 +42,21 @@ VALUES = {
 }
 """What each value of the calibrated bat is called, and how it is shown."""
 WORDS = {
-    "modulus": "modulus E", "shear_modulus": "shear modulus G", "density": "density", "wall": "wall thickness",
-    "density_gradient": "density, middle to tip", "knob_mass": "mass at the knob", "end_mass": "mass of the end cap",
-    "ball_restitution": "restitution of the shot balls", "handle": "handle diameter", "barrel": "barrel diameter",
-    "mass": "weight", "balance_point": "balance point", "gyration": "radius of gyration",
+    "modulus": "modulus E",
+    "shear_modulus": "shear modulus G",
+    "density": "density",
+    "wall": "wall thickness",
+    "density_gradient": "density, middle to tip",
+    "knob_mass": "mass at the knob",
+    "end_mass": "mass of the end cap",
+    "ball_restitution": "restitution of the shot balls",
+    "handle": "handle diameter",
+    "barrel": "barrel diameter",
+    "mass": "weight",
+    "balance_point": "balance point",
+    "gyration": "radius of gyration",
     "first_frequency": "first frequency",
-}  # fmt: skip
+}
 OF_CLUB = {"knob_mass": "mass of the grip", "end_mass": "mass of the head"}
 """Words of a golf club for what a bat has at its ends."""
 LEAST_SHARE = 0.01

@@ -28,13 +28,18 @@ def ranking_document(answer: RankAnswer) -> Document:
     lettered = convention.zero is not None
     rows = [
         (
-            bat.name, bat.exit_speed.value, bat.exit_speed.half_width, bat.best_chance, bat.mass,
+            bat.name,
+            bat.exit_speed.value,
+            bat.exit_speed.half_width,
+            bat.best_chance,
+            bat.mass,
             bat.properties.moi.value.value,
-            *([convention.text_of(_as_body(bat, model))] if lettered else []), _stiffer(bat),
+            *([convention.text_of(_as_body(bat, model))] if lettered else []),
+            _stiffer(bat),
             "not ranked" if bat in unranked else ", ".join(WORDS[name] for name in bat.differs) or "nothing surely",
         )
         for bat in answer.bats
-    ]  # fmt: skip
+    ]
     of_bats = isinstance(model, Bat)
     words = sport(model.sport).words
     columns = [
@@ -82,9 +87,13 @@ def ranking_document(answer: RankAnswer) -> Document:
     data = answer.to_dict()
     flat = [{key: value for key, value in bat.items() if not isinstance(value, (dict, list))} for bat in data["bats"]]
     return Document(
-        name="rank", title=f"{len(rows)} {words.implement}s like {model.name}", blocks=blocks, data=data,
-        rows=as_columns(flat), reader=reader(None, words),
-    )  # fmt: skip
+        name="rank",
+        title=f"{len(rows)} {words.implement}s like {model.name}",
+        blocks=blocks,
+        data=data,
+        rows=as_columns(flat),
+        reader=reader(None, words),
+    )
 
 
 def _as_body(bat: RankedBat, model: Implement) -> RigidBody:

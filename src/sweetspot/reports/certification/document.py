@@ -36,7 +36,7 @@ from sweetspot.reports.document import (
     drawn,
     table_head,
 )
-from sweetspot.reports.sentences import Sentence, Slot, Span, Words, joined, say
+from sweetspot.reports.sentences import Line, Sentence, Slot, Span, Words, joined, say, tell
 from sweetspot.reports.uncertainty.section import chance_words, how_sure
 
 PATCH_NOTE = (
@@ -51,6 +51,25 @@ MOI_NOTE = (
 ONE_PIECE = (
     " It is taken as one piece of wood, which need not meet BBCOR; of glued wood or bamboo say laminated = true in its "
     "[material]."
+)
+KEEPS = "How sure: it keeps the limit on {check.title} ({check.league_name}) with a probability of {chance}."
+WALL = (
+    Line(
+        "The wall that just passes {measure} {wall.limit:ratio, 3} ({wall.league_name}): {millimetres:ratio, 2} mm in "
+    ),
+    Line("the middle of the barrel, {wall.factor:ratio, 2} times as thick as drawn. The bat would weigh "),
+    Line("{wall.mass:mass} instead of {before:mass}."),
+    Line(
+        " A barrel that is thick only where it is hit, or a ring or disc inside ([[shell.ring]]), does it ", "thicker"
+    ),
+    Line("with less.", "thicker"),
+)
+FAILS_UNSURELY = "{bat} fails as far as is known, but not surely: {rules}. What is not known reaches across the limit."
+UNDECIDED = "{bat} is not passed: this test does not decide {rules}: {reason}."
+KEPT = "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}"
+OTHER_BALL = (
+    'The test is with the ball that the rule names [{source}], "{ball}", not with "{own}", which this bat is swung at; '
+    "--ball takes that."
 )
 MANY = 14
 """Rules from which on a printed table is set smaller."""
@@ -74,18 +93,25 @@ def certificate_document(answer: CertifyAnswer) -> Document:
     if answer.checks:
         blocks += [_rules(answer), *_listed(_reasons(answer.checks))]
     picture = Picture(
-        "certify", drawn("sweetspot.reports.certification.picture:certification_figure", answer),
+        "certify",
+        drawn("sweetspot.reports.certification.picture:certification_figure", answer),
         label=say("What the rules limit, place for place along {bat}, and the limits.", bat=answer.bat.name),
         caption="A test in the computer or on a bench; no certificate.",
         sheet=drawn("sweetspot.reports.certification.picture:certification_sheet", answer),
-    )  # fmt: skip
+    )
     sure = [] if answer.uncertainty is None else [how_sure(answer.uncertainty, "BBCOR")]
     data = answer.to_dict()
     return Document(
-        name="certify", title=answer.bat.name, subtitle=answer.ball, kind="Bat test",
-        blocks=[*blocks, picture, *sure], data=data, rows=as_columns(data["checks"]), passed=answer.passed,
+        name="certify",
+        title=answer.bat.name,
+        subtitle=answer.ball,
+        kind="Bat test",
+        blocks=[*blocks, picture, *sure],
+        data=data,
+        rows=as_columns(data["checks"]),
+        passed=answer.passed,
         drawing=picture,
-    )  # fmt: skip
+    )
 
 
 def certification_document(certification: Certification) -> Document:
@@ -96,24 +122,19 @@ def certification_document(certification: Certification) -> Document:
 
 def _chance_words(check: RuleCheck) -> Sentence:
     assert check.passes_probability is not None
-    return say(
-        "How sure: it keeps the limit on {title} ({league}) with a probability of {chance}.",
-        title=check.title, league=check.league_name, chance=chance_words(check.passes_probability),
-    )  # fmt: skip
+    chance = chance_words(check.passes_probability)
+    return say(KEEPS, check=check, chance=chance)
 
 
 def _passing(answer: CertifyAnswer, wall: WallThatPasses) -> Sentence:
-    less = (
-        " A barrel that is thick only where it is hit, or a ring or disc inside ([[shell.ring]]), does it with less."
-        if wall.factor > 1 else ""
-    )  # fmt: skip
-    return say(
-        "The wall that just passes {measure} {limit} ({league}): {thickness} in the middle of the barrel, {factor} "
-        "times as thick as drawn. The bat would weigh {mass} instead of {before}." + less,
-        measure=wall.measure.upper(), limit=Slot(wall.limit, "ratio", 3), league=wall.league_name,
-        thickness=say("{size:ratio, 2} mm", size=1e3 * wall.thickness), factor=Slot(wall.factor, "ratio", 2),
-        mass=Slot(wall.mass, "mass"), before=Slot(answer.body.mass, "mass"),
-    )  # fmt: skip
+    return tell(
+        WALL,
+        wall=wall,
+        measure=wall.measure.upper(),
+        millimetres=1e3 * wall.thickness,
+        before=answer.body.mass,
+        thicker=wall.factor > 1,
+    )
 
 
 def _headline(answer: CertifyAnswer) -> Sentence:
@@ -129,10 +150,7 @@ def _broken(answer: CertifyAnswer) -> Sentence:
     bat, sure = answer.bat.name, [each for each in answer.failed if each.sure]
     rules = joined([broken_words(each) for each in (sure or answer.failed)], "; ")
     if not sure:
-        return say(
-            "{bat} fails as far as is known, but not surely: {rules}. What is not known reaches across the limit.",
-            bat=bat, rules=rules,
-        )  # fmt: skip
+        return say(FAILS_UNSURELY, bat=bat, rules=rules)
     unsure = unsure_words([check.outcome for check in answer.checks], verdict=Verdict.FAIL)
     return say("{bat} fails: {rules}." + unsure, bat=bat, rules=rules)
 
@@ -142,10 +160,7 @@ def _kept(answer: CertifyAnswer) -> Sentence:
     bat, checks = answer.bat.name, [each.outcome for each in answer.checks]
     if answer.untested:
         rules = joined(dict.fromkeys(each.title for each in answer.untested), " and ")
-        return say(
-            "{bat} is not passed: this test does not decide {rules}: {reason}.",
-            bat=bat, rules=rules, reason=answer.untested[0].reason,
-        )  # fmt: skip
+        return say(UNDECIDED, bat=bat, rules=rules, reason=answer.untested[0].reason)
     passed, unsure = sum(check.sure for check in checks), unsure_words(checks)
     counted = sum(check.verdict is not Verdict.NOT_APPLICABLE for check in checks)
     if not passed and not unsure:
@@ -155,10 +170,8 @@ def _kept(answer: CertifyAnswer) -> Sentence:
     if passed == counted:
         return say("{bat} keeps every rule.", bat=bat)
     left = dict.fromkeys(title(check.rule) for check in checks if check.verdict is Verdict.NOT_DECIDABLE)
-    return say(
-        "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}", bat=bat, kept=passed, all=counted,
-        unsure=unsure, left=f" Not decidable: {'; '.join(left)}." if left else "",
-    )  # fmt: skip
+    not_decidable = f" Not decidable: {'; '.join(left)}." if left else ""
+    return say(KEPT, bat=bat, kept=passed, all=counted, unsure=unsure, left=not_decidable)
 
 
 def _superseded(checks: Sequence[RuleCheck]) -> list[str]:
@@ -173,12 +186,7 @@ def _ball_of_the_rule(answer: CertifyAnswer) -> list[Sentence]:
     if answer.fired == usual or not named or answer.test is None:
         return []
     source = named[0].rules.rules[0].source
-    return [
-        say(
-            'The test is with the ball that the rule names [{source}], "{ball}", not with "{own}", which this bat is '
-            "swung at; --ball takes that.", source=source, ball=answer.ball, own=usual.name,
-        )
-    ]  # fmt: skip
+    return [say(OTHER_BALL, source=source, ball=answer.ball, own=usual.name)]
 
 
 def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
@@ -193,17 +201,18 @@ def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
     turning = moment(answer.bat.moi_6in, moi_doubt(answer.implement, answer.body, CLAMP))
     besr: list[Cell] = ["BESR", Slot(test.besr, "ratio", 4), *ranges("besr"), _place(fast, length), "q + 1/2"]
     game = "BBCOR of the test" if test.swung == BASEBALL_TEST else "ball-bat restitution"
+    fast_place = _place(fast, length)
+    at_best = say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))
+    own = "ball at {of.closing_speed:speed, 0}, whose own restitution is {of.ball_restitution:ratio, 4}"
+    speed, speeds = Slot(test.batted_ball_speed, "speed"), ranges("batted_ball_speed", "speed", 1)
     rows: list[list[Cell]] = [
-        [game, Slot(test.bbcor, "ratio", 4), *ranges("bbcor"), _place(fast, length),
-         say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))],
-        ["collision efficiency q", Slot(test.collision_efficiency, "ratio", 4), *none, _place(fast, length), "there"],
+        [game, Slot(test.bbcor, "ratio", 4), *ranges("bbcor"), fast_place, at_best],
+        ["collision efficiency q", Slot(test.collision_efficiency, "ratio", 4), *none, fast_place, "there"],
         *([besr] if test.swung == BASEBALL_TEST else []),
-        ["BPF", Slot(test.bpf, "ratio"), *ranges("bpf", digits=3), _place(slow, length),
-         say("ball at {of.closing_speed:speed, 0}, whose own restitution is {of.ball_restitution:ratio, 4}", of=slow)],
-        ["batted-ball speed", Slot(test.batted_ball_speed, "speed"), *ranges("batted_ball_speed", "speed", 1),
-         _place(fast, length), _swung(test.swung)],
+        ["BPF", Slot(test.bpf, "ratio"), *ranges("bpf", digits=3), _place(slow, length), say(own, of=slow)],
+        ["batted-ball speed", speed, *speeds, fast_place, _swung(test.swung)],
         ["MOI", turning, *none, "", "the clamp's axis"],
-    ]  # fmt: skip
+    ]
     columns = table_head("measure | value > | by the patch >")
     columns += [Column("by the MOI", right=True) for _ in open_by[1:]]
     columns += table_head("from the tip: length | test")
@@ -291,13 +300,16 @@ def _rules(answer: CertifyAnswer) -> Table:
     columns += [Column(name, right=True) for name in ("value", "limit", "margin")]
     rows: list[list[Cell]] = [
         [
-            *([check.league] if alone is None else []), check.title, marked_verdict(check.outcome),
+            *([check.league] if alone is None else []),
+            check.title,
+            marked_verdict(check.outcome),
             _value(answer, check),
-            limit_shown(check), value_shown(check.quantity, check.margin, sign=True),
+            limit_shown(check),
+            value_shown(check.quantity, check.margin, sign=True),
             Cited(check.source, str(check.year or ""), "" if check.reading == "primary" else check.reading),
         ]
         for check in answer.checks
-    ]  # fmt: skip
+    ]
     name = "certified rules" if len(rows) < MANY else "certified rules many"
     heading = "Rules" if alone is None else f"Rules of {alone}"
     return Table(heading, [*columns, Column("source")], rows, name=name)

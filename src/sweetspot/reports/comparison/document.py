@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -180,11 +179,11 @@ def _by_place(answer: CompareAnswer) -> list[Block]:
     return [Table(f"Change by place, against {first.label}", columns, rows)]
 
 
-def _row(bat: dict[str, Any]) -> dict[str, Any]:
+def _row(bat: Mapping[str, object]) -> dict[str, object]:
     """Return one bat of the data as a flat row."""
-    row: dict[str, Any] = {"label": bat["label"]}
+    row: dict[str, object] = {"label": bat["label"]}
     for key, value in bat.items():
-        if key == "bat":
+        if key == "bat" and isinstance(value, dict):
             row |= {name: number for name, number in value.items() if name.startswith(OF_MASS)}
         elif isinstance(value, dict) and "value" in value:
             stem = key.removesuffix("_m_s")

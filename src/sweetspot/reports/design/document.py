@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -103,11 +103,13 @@ def design_document(answer: DesignAnswer) -> Document:
     )
 
 
-def _files(design: Designed) -> dict[str, Any]:
+def _files(design: Designed) -> dict[str, Callable[[Reader], bytes]]:
     """Return the files that go along: the bat, its drawings, and the search to go on from."""
     bat = design.bat
-    files: dict[str, Any] = {"search.json": lambda _: saved(design.bench, design.question, design.front).encode()}
-    files[f"{FILES}.toml"] = lambda _: implement_toml(bat).encode()
+    files: dict[str, Callable[[Reader], bytes]] = {
+        "search.json": lambda _: saved(design.bench, design.question, design.front).encode(),
+        f"{FILES}.toml": lambda _: implement_toml(bat).encode(),
+    }
     if isinstance(bat, Bat) and bat.shell is None:
         for ending in ("svg", "dxf", "csv"):
             files[f"{FILES}.{ending}"] = partial(_drawing, bat, ending)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from sweetspot.answers.records import plain_data
 from sweetspot.dynamics.modes import Modes
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, drawn, table_head
@@ -17,20 +15,17 @@ MOST_NODES = 4
 def modes_document(modes: Modes) -> Document:
     """Return all motions as a document; places count from the end of the grip, as its length is not given."""
     rows: list[list[Cell]] = []
-    data: list[dict[str, Any]] = []
+    data: list[dict[str, object]] = []
     for index, family in enumerate(modes.families):
         frequency, damping = float(modes.frequency[index]), float(modes.damping_ratio[index])
         nodes = [float(node) for node in modes.nodes(index)] if family == "bending" else []
         places = joined([Slot(node, "place", unit=False) for node in nodes[:MOST_NODES]], ", ")
-        if nodes:
-            places += say(" {unit}", unit=UnitName("place"))
-        rigid = family == "rigid"
-        rows.append([
-            KINDS[family] if rigid else say("{kind} {number}", kind=KINDS[family], number=modes.harmonics[index]),
-            None if rigid else frequency, None if rigid else damping, places if nodes else "",
-        ])  # fmt: skip
-        data.append({"family": family, "harmonic": modes.harmonics[index], "frequency_hz": frequency,
-                     "damping_ratio": damping, "nodes_m": nodes})  # fmt: skip
+        stands = say("{places} {unit}", places=places, unit=UnitName("place")) if nodes else ""
+        rigid, number = family == "rigid", modes.harmonics[index]
+        kind = KINDS[family] if rigid else f"{KINDS[family]} {number}"
+        rows.append([kind, None if rigid else frequency, None if rigid else damping, stands])
+        numbers = {"frequency_hz": frequency, "damping_ratio": damping, "nodes_m": nodes}
+        data.append({"family": family, "harmonic": number, **numbers})
     columns = table_head("motion | rings at: frequency | damping: share, 2 | stands still, from the end of the grip")
     picture = Picture(
         "modes",
