@@ -18,7 +18,7 @@ from typing import Literal
 import numpy as np
 
 from sweetspot.analysis.certification.shot_statistics import COR_SPEED
-from sweetspot.analysis.certification.shots import Shot
+from sweetspot.analysis.certification.shots import Shot, by_place
 from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName, NamedTone
 from sweetspot.calibration.unknowns import OF_BALL, Unknown
@@ -237,13 +237,7 @@ MEASURED_BALLS = 0.01
 
 def of_shots(shots: Sequence[Shot], ball: Ball) -> list[Measurement]:
     """Return the mean q of the shots at each place, with the error of the mean."""
-    groups: list[list[Shot]] = []
-    for shot in sorted(shots, key=lambda entry: entry.position):
-        if groups and shot.position - groups[-1][0].position <= ONE_PLACE:
-            groups[-1].append(shot)
-        else:
-            groups.append([shot])
-    return [_mean(group, ball) for group in groups]
+    return [_mean(group, ball) for group in by_place(shots, within=ONE_PLACE)]
 
 
 def _mean(group: Sequence[Shot], ball: Ball) -> Measurement:

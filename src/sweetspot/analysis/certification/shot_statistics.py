@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from statistics import fmean, median, stdev
 
 from sweetspot.analysis.certification.rules import Finding
-from sweetspot.analysis.certification.shots import Shot
+from sweetspot.analysis.certification.shots import Shot, by_place
 from sweetspot.analysis.certification.simulated_test import (
     BASEBALL_TEST,
     BBCOR_SPEED,
@@ -244,16 +244,18 @@ def measure(
     ``body``: the bat's mass, balance and moment of inertia. ``standard_restitution``: to normalise to, in (0, 1]; None:
     the ball's at 60 mph.
     """
-    shots = sorted(shots, key=lambda shot: (shot.position, shot.row))
+    shots = list(shots)
     standard = ball.restitution.at(COR_SPEED) if standard_restitution is None else standard_restitution
     if not 0 < standard <= 1:
         raise InputError(f"the standard ball's restitution was given as {standard:g}; allowed is above 0, up to 1")
     given = [shot.ball_cor is not None for shot in shots]
     if any(given) and not all(given):
         raise InputError("only some of the shots have a ball_cor; give it for all of them or for none")
-    hits = [_hit(shot, body=body, ball=ball, standard=standard) for shot in shots]
-    _check_bbcor(hits)
-    groups = _places(hits)
+    groups = [
+        [_hit(shot, body=body, ball=ball, standard=standard) for shot in group]
+        for group in by_place(shots, within=SAME_PLACE)
+    ]
+    _check_bbcor([hit for group in groups for hit in group])
     best = _best(groups)
     values = [hit.normalised for hit in best]
     outliers = _outliers(best)
@@ -285,7 +287,7 @@ def measure(
         ball_stiffness=fmean(stiff) if stiff else None,
         notes=_notes(groups, best, by_moi=by_moi, normalised=all(given), stiff=bool(stiff)),
         by_moi=by_moi,
-        doubt_within=rows_doubt(len(hits), unused)
+        doubt_within=rows_doubt(len(shots), unused)
         or pass_doubt(
             [_place(group) for group in groups],
             _place(best),
@@ -349,17 +351,6 @@ def _check_bbcor(hits: list[MeasuredShot]) -> None:
 
 def _normalised_efficiency(hit: MeasuredShot, body: RigidBody, ball: Ball) -> float:
     return collision_efficiency(hit.normalised, recoil=_recoil(hit.shot, body, ball))
-
-
-def _places(hits: list[MeasuredShot]) -> list[list[MeasuredShot]]:
-    """Return hits in order of position, those within `SAME_PLACE` of a place's first hit together."""
-    groups: list[list[MeasuredShot]] = []
-    for hit in hits:
-        if groups and hit.shot.position - groups[-1][0].shot.position <= SAME_PLACE * (1 + 1e-9):
-            groups[-1].append(hit)
-        else:
-            groups.append([hit])
-    return groups
 
 
 def _place(group: list[MeasuredShot]) -> Place:

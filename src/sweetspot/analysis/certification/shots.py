@@ -8,7 +8,7 @@ every cell says it itself, 6in-from-tip. Faulty rows are listed with the reason;
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -76,6 +76,17 @@ class Shots:
     shots: tuple[Shot, ...]
     bad_rows: tuple[BadRow, ...]
     ignored_columns: tuple[str, ...]
+
+
+def by_place(shots: Iterable[Shot], *, within: float) -> list[list[Shot]]:
+    """Return shots in order of position, those within some m of a place's first shot together."""
+    groups: list[list[Shot]] = []
+    for shot in sorted(shots, key=lambda shot: (shot.position, shot.row)):
+        if groups and shot.position - groups[-1][0].position <= within * (1 + 1e-9):
+            groups[-1].append(shot)
+        else:
+            groups.append([shot])
+    return groups
 
 
 def read_shots(path: Path, *, length: float, given: GivenColumns = NOTHING_GIVEN) -> Shots:
