@@ -84,8 +84,8 @@ def read_photo(
 ) -> PhotoOutline:
     """Return the outline of a bat on a plain ground, photographed from above.
 
-    ``length``: m of the bat; or ``ruler``: m of the whole of a straight ruler that lies beside it. ``camera_distance``:
-    m from camera to bat, for what a near camera sees of its ends; None: as its lens tells.
+    Either ``length``, m of the bat, or ``ruler``, m of the whole of a straight ruler beside it, is needed.
+    ``camera_distance``: m from camera to bat, for what a near camera sees of its ends; None: as its lens tells.
     """
     if (length is None) == (ruler is None):
         raise InputError(f"{path} needs a scale: give the bat's --length, or the length of a --ruler beside it")
