@@ -11,6 +11,10 @@ from typing import Any
 import pytest
 
 import sweetspot
+from sweetspot import catalog
+from sweetspot.calibration.recording import recording_bytes, synthesised
+from sweetspot.calibration.tap_analysis import modes_to_name
+from sweetspot.units import INCH
 from tests.seasons.conftest import made_up
 
 door: Any = sweetspot
@@ -124,15 +128,24 @@ IN_WORDS = {"verdict", "findings", "answers", "words"}
 """What a command adds to an answer: sentences."""
 
 
+def one_tap() -> bytes:
+    youth = catalog.bat("youth-30")
+    place = youth.length - INCH
+    return recording_bytes(
+        synthesised(modes_to_name(youth), position=place, listened=place, taps=1), Path("tapped.wav")
+    )
+
+
 @pytest.mark.parametrize(("words", "ask"), ASKED, ids=[words for words, _ in ASKED])
 def test_python_answers_as_the_command(
     words: str, ask: Callable[[], Any], run: Any, run_json: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", 3)
     for name, text in FILES.items():
         Path(name).write_text(text, encoding="utf-8")
     if "tapped.wav" in words:
-        run("tap", "--synthesise", "youth-30", "--out", "tapped.wav")
+        Path("tapped.wav").write_bytes(one_tap())
     if "balls.csv" in words:
         made_up(120).write_csv("balls.csv")
     printed = run_json(*words.split())
