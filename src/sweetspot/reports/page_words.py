@@ -9,6 +9,7 @@ from sweetspot.equipment.sport import Terms
 from sweetspot.reports.hit.ledger import ENERGY_NAMES, FILM_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.reports.sport_words import in_words
+from sweetspot.units import RPM
 
 LEAST_SHARE = 0.004
 """Part of the energy below which it would be printed as 0 %."""
@@ -18,6 +19,8 @@ NEAR = 1.0
 """m from a fence's top within which margins are in inches or centimetres."""
 STRAIGHT = 5e-4
 """rad off centre field below which a direction counts as centre field."""
+NO_SPIN = RPM / 2
+"""rad/s of sidespin that would be printed as none."""
 FEW = 1e-4
 """Part of a tap's energy below which a motion's part is reported as less than this."""
 
@@ -283,7 +286,7 @@ def leaving_words(ball: BallLeaving) -> Sentence:
         angle=Slot(abs(up), "angle"),
         side=side,
         spin=Slot(abs(back), "spin"),
-        bent=bent if bend else "",
+        bent=bent if abs(bend) > NO_SPIN else "",
     )
 
 

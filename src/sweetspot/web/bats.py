@@ -27,7 +27,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import SPEED_FROM_TIP, Conditions, Hands, Pitch, Swing
 from sweetspot.units import INCH, MPH, OUNCE
-from sweetspot.web.controls import BatState, PlacedState, SwungState
+from sweetspot.web.controls import BatState, PlacedState, SwungState, part_of
 from sweetspot.web.errors import FieldError, about
 
 NOTHING = "nothing"
@@ -122,7 +122,7 @@ def changed_bat(state: SwungState) -> Changed | None:
 
 def _listed(state: BatState) -> Bat:
     """Return the bat of the catalogue or of the file, with which the player's bat speed is known."""
-    return _changed(BatState.model_construct(**{**dict(_FIRST), "bat": state.bat, "bat_toml": state.bat_toml}))
+    return _changed(part_of(_FIRST, BatState, bat=state.bat, bat_toml=state.bat_toml))
 
 
 def place_of(state: PlacedState, bat: Bat, conditions: Conditions) -> float:
@@ -158,7 +158,7 @@ def _as_given(state: SwungState, bat: Bat) -> Conditions:
 
 def analysed(state: SwungState) -> Analysis[Bat]:
     """Return the full answer for a state's bat and swing, worked out once for all that is asked of them."""
-    return _analysed(SwungState.model_construct(**{name: getattr(state, name) for name in SwungState.model_fields}))
+    return _analysed(part_of(state, SwungState))
 
 
 def bat_from_text(text: str) -> Bat:
@@ -217,13 +217,12 @@ def listed_bat(name: str) -> Bat:
 def plain(state: BatState) -> Bat:
     """Return a state's bat with its outline, before weight, holes, wall and grip are changed."""
     chosen = {name: getattr(state, name) for name in ("bat", "bat_toml", "profile_in")}
-    return _changed(BatState.model_construct(**{**dict(_FIRST), **chosen}))
+    return _changed(part_of(_FIRST, BatState, **chosen))
 
 
 def _unchoked(state: BatState) -> BatState:
     """Return the bat's controls alone, without how it is held, as the key under which it is kept."""
-    controls = {name: getattr(state, name) for name in BatState.model_fields}
-    return BatState.model_construct(**{**controls, "choke_up_in": 0.0})
+    return part_of(state, BatState, choke_up_in=0.0)
 
 
 def _make(ball: Ball) -> Ball:

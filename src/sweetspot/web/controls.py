@@ -6,7 +6,7 @@ shows both in either system.
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeVar, cast
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -48,6 +48,14 @@ class ViewState(BaseModel):
     """A view's controls: unknown ones, infinities and NaN are refused."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+Part = TypeVar("Part", bound=ViewState)
+
+
+def part_of(state: ViewState, kind: type[Part], **changes: object) -> Part:
+    """Return the controls of one kind among a state's, with changes: the key of what depends on these alone."""
+    return cast(Part, kind.model_construct(**{**{name: getattr(state, name) for name in kind.model_fields}, **changes}))
 
 
 class BatState(ViewState):

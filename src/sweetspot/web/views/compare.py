@@ -45,6 +45,7 @@ from sweetspot.uncertainty.sources import Sources
 from sweetspot.units.dimensions import SPEED, System
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import ball_of, conditions_of, swung
+from sweetspot.web.controls import BatState, part_of
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, in_either_system, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, BatShape, ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import about
@@ -55,7 +56,6 @@ from sweetspot.web.views.compare_state import (
     CompareState,
     bats_of,
     controls_of,
-    first_changed,
     leagues_of,
     others_of,
 )
@@ -345,7 +345,7 @@ def recipe(state: CompareState) -> dict[str, str]:
     files, names = {}, [bat_source(state)]
     others = state.others if state.what_if == "none" else ()
     if state.what_if == "wall":
-        others = (first_changed(state, wall_factor=state.wall_factor * state.wall_times),)
+        others = (part_of(state, BatState, wall_factor=state.wall_factor * state.wall_times),)
     for place, bat in enumerate(others, start=2):
         names.append(bat.bat if is_catalogued(bat) else f"bat-{place}.toml")
         if not is_catalogued(bat):
@@ -365,11 +365,5 @@ def recipe(state: CompareState) -> dict[str, str]:
     }
 
 
-VIEW = View(
-    "compare",
-    "Compare",
-    CompareState,
-    answer,
-    recipe,
-    asides={"intervals": intervals, "rules": rules, "sure": sure, "rules_sure": rules_sure},
-)
+ASIDES = {"intervals": intervals, "rules": rules, "sure": sure, "rules_sure": rules_sure}
+VIEW = View("compare", "Compare", CompareState, answer, recipe, asides=ASIDES)

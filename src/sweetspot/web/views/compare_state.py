@@ -13,7 +13,7 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.web.bats import reduced
-from sweetspot.web.controls import BatState, HoleDepth, HoleDiameter, Name, SwungState, WallFactor
+from sweetspot.web.controls import BatState, HoleDepth, HoleDiameter, Name, SwungState, WallFactor, part_of
 from sweetspot.web.errors import FieldError, about
 
 ALL = "all"
@@ -51,7 +51,7 @@ def bats_of(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str
         if first.bat.shell is None:
             raise FieldError("what_if", f"{first.bat.name} is solid and has no wall; choose a hollow bat as bat 1")
         thickness = state.wall_factor * state.wall_times
-        other = _made(first_changed(state, wall_factor=thickness), ball, "wall_times")
+        other = _made(part_of(state, BatState, wall_factor=thickness), ball, "wall_times")
         return [first, other], ["wall as it is", f"wall × {state.wall_times:.3g}"]
     bats = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
     return bats, _distinct([reduction.bat.name for reduction in bats])
@@ -86,14 +86,8 @@ def _made(bat: BatState, ball: Ball, control: str) -> ReducedBat:
 
 
 def _holed(state: CompareState, fill: str) -> BatState:
-    return first_changed(
-        state, bore_diameter_in=state.hole_diameter_in, bore_depth_in=state.hole_depth_in, bore_fill=fill
-    )
-
-
-def first_changed(state: CompareState, **changes: object) -> BatState:
-    """Return the first bat's own controls with changes."""
-    return BatState.model_construct(**{**{name: getattr(state, name) for name in BatState.model_fields}, **changes})
+    hole = {"bore_diameter_in": state.hole_diameter_in, "bore_depth_in": state.hole_depth_in, "bore_fill": fill}
+    return part_of(state, BatState, **hole)
 
 
 def _distinct(names: list[str]) -> list[str]:

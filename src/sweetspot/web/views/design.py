@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Annotated, TypeVar
+from typing import Annotated, NamedTuple, TypeVar
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules
 from sweetspot.answers.certify import RuleCheck, rule_check
@@ -190,37 +190,34 @@ class DesignFiles:
 
 def answer(state: DesignState) -> DesignPicture:
     """Return the bat that is being shaped beside the present one: sizes, weights, rules, and curves along both."""
-    request = asked(state)
+    shaped = _shaped(state)
+    request, bat, measured = shaped.request, shaped.bat, shaped.measured
     space, now = request.bench.space, request.now
-    numbers, shaped = numbers_of(state, request)
-    bat, measured = _made(request, numbers, shaped=shaped)
     body = rigid_body(beam_model(bat))
-    shape, weights = outline(bat), mass_properties(bat, body)
-    design = ShapedPicture(
-        **vars(replace(shape, stations=_handles(request, numbers))), **vars(weights), moi_6in_half=moi_half(bat, body)
-    )
-    rules = tuple(rule_check(league, check) for league, check in _checks(state, request, bat, measured))
+    weights, doubt = mass_properties(bat, body), moi_half(bat, body)
+    shape = replace(outline(bat), stations=_handles(shaped))
+    rules = tuple(rule_check(league, check) for league, check in _checks(state, shaped))
     leagues = {rule.league_name for rule in rules}  # what their lights show already
     limits = [limit for limit in limits_of(state) if limit.why != AS_IT_IS]
-    gain = measured.values["exit_speed"][0] - now.values["exit_speed"][0] if shaped else None
+    gain = measured.values["exit_speed"][0] - now.values["exit_speed"][0] if shaped.own else None
     return DesignPicture(
         bat=bat_picture(state, reduced(state, ball_of(state))),
         ball=ball_picture(state, ball_of(state)),
         key=request.key,
-        own=shaped,
+        own=shaped.own,
         left_out=request.left_out,
-        present=outline(_present(request)),
-        variables=tuple(map(_number, space.variables, numbers.tolist())),
-        design=design,
+        present=outline(shaped.present),
+        variables=tuple(map(_number, space.variables, shaped.numbers.tolist())),
+        design=ShapedPicture(**vars(shape), **vars(weights), moi_6in_half=doubt),
         measures=tuple(_beside(name, measured, now) for name in compared(space, measured)),
         locks=tuple(_light(limit, measured) for limit in locks_of(state)),
         limits=tuple(
             light for limit in limits if not (light := _light(limit, measured)).kept or limit.why not in leagues
         ),
         rules=rules,
-        curves=_curves(request, measured),
+        curves=_curves(shaped),
         gained=in_both_systems([gained_words(gain)]),
-        weighs=in_both_systems([weight_words(weights, moi_half(bat, body) / REACH)]),
+        weighs=in_both_systems([weight_words(weights, doubt / REACH)]),
     )
 
 
@@ -233,30 +230,36 @@ def _number(variable: Variable, value: float) -> ShapedNumber:
     return ShapedNumber(key, in_either_system(words), variable.scale, variable.low, variable.high, value)
 
 
-def _made(request: ShapedBat, numbers: Array, *, shaped: bool) -> tuple[Bat, MeasuredDesigns]:
-    """Return the bat of some numbers and what it is; while nothing was changed, the present bat to the last digit."""
+class _Shaped(NamedTuple):
+    """The bat that is being shaped, beside the present one; ``own``: its numbers are not those of the present one."""
+
+    request: ShapedBat
+    present: Bat
+    numbers: Array
+    own: bool
+    bat: Bat
+    measured: MeasuredDesigns
+
+
+def _shaped(state: DesignState) -> _Shaped:
+    """Return the bat that is being shaped; while nothing was changed, the present bat to the last digit."""
+    request = asked(state)
     space, now = request.bench.space, request.now
-    if not shaped:
-        return _present(request), MeasuredDesigns({**request.sizes, **now.values}, now.curve, now.worth)
-    measured = request.bench.measured(numbers)
-    bat = space.made(numbers, f"{space.present.name}, designed")
-    assert isinstance(bat, Bat)
-    return bat, measured
+    present = bat = space.present
+    numbers, own = numbers_of(state, request)
+    measured = MeasuredDesigns({**request.sizes, **now.values}, now.curve, now.worth)
+    if own:
+        measured, bat = request.bench.measured(numbers), space.made(numbers, f"{present.name}, designed")
+    assert isinstance(present, Bat) and isinstance(bat, Bat)
+    return _Shaped(request, present, numbers, own, bat, measured)
 
 
-def _present(request: ShapedBat) -> Bat:
-    present = request.bench.space.present
-    assert isinstance(present, Bat)
-    return present
-
-
-def _handles(request: ShapedBat, numbers: Array) -> tuple[Station, ...]:
+def _handles(shaped: _Shaped) -> tuple[Station, ...]:
     """Return the handles that can be pulled on the picture, those of an outline; hollow bats have none."""
-    space = request.bench.space
-    if not isinstance(space, TurnedSpace):
+    if not isinstance(shaped.request.bench.space, TurnedSpace):
         return ()
-    places = HANDLES * space.present.length
-    return tuple(map(Station, places.tolist(), numbers[: len(HANDLES)].tolist()))
+    places = HANDLES * shaped.present.length
+    return tuple(map(Station, places.tolist(), shaped.numbers[: len(HANDLES)].tolist()))
 
 
 def _beside(name: str, measured: MeasuredDesigns, now: MeasuredDesigns) -> MeasureBeside:
@@ -274,32 +277,32 @@ def _light(limit: Limit, measured: MeasuredDesigns) -> DesignLight:
     return DesignLight(measure.label, miss <= CLOSE, in_either_system(words))
 
 
-def _checks(state: DesignState, request: ShapedBat, bat: Bat, measured: MeasuredDesigns) -> list[tuple[League, Check]]:
-    league = league_of(state, request)
+def _checks(state: DesignState, shaped: _Shaped) -> list[tuple[League, Check]]:
+    league = league_of(state, shaped.request)
     if league is None:
         return []
-    findings = findings_of(bat, measured, like=_present(request), ball=request.bench.conditions.ball)
-    return [(league, check) for check in check_rules(league, bat=bat, findings=findings)]
+    ball = shaped.request.bench.conditions.ball
+    findings = findings_of(shaped.bat, shaped.measured, like=shaped.present, ball=ball)
+    return [(league, check) for check in check_rules(league, bat=shaped.bat, findings=findings)]
 
 
-def _curves(request: ShapedBat, measured: MeasuredDesigns) -> DesignCurves:
+def _curves(shaped: _Shaped) -> DesignCurves:
     """Return curves along the bat, knob end first, at places counted from the tip."""
-    design, now = measured.curve[0, ::-1], request.now.curve[0, ::-1]
-    place = _present(request).length - FROM_TIP[::-1]
-    return DesignCurves(place, design, now, design - now, request.bench.batter.weight[::-1])
+    design, now = (measured.curve[0, ::-1] for measured in (shaped.measured, shaped.request.now))
+    place, contacts = shaped.present.length - FROM_TIP[::-1], shaped.request.bench.batter.weight[::-1]
+    return DesignCurves(place, design, now, design - now, contacts)
 
 
 def gain(state: DesignState) -> DesignWorth:
     """Return the gain of the bat in this batter's hands beside wood that differs, in words and as a band."""
-    request = asked(state)
-    design = _designed(state, request)
+    shaped = _shaped(state)
+    design = _designed(state, shaped)
     tolerance = tolerance_words(design)
     words = gain_words(design) + ([] if tolerance is None else [tolerance])
-    of_batter = numbers_of(state, request)[1]
     gained, band = design.gain, REACH * design.gain.noise[::-1]
     return DesignWorth(
-        gained=in_both_systems([gained_words(gained.expected if of_batter else None, gained)]),
-        sentences=in_both_systems(words if of_batter else []),
+        gained=in_both_systems([gained_words(gained.expected if shaped.own else None, gained)]),
+        sentences=in_both_systems(words if shaped.own else []),
         noise_low=-band,
         noise_high=band,
         expected=gained.expected,
@@ -309,22 +312,18 @@ def gain(state: DesignState) -> DesignWorth:
     )
 
 
-def _designed(state: DesignState, request: ShapedBat) -> Designed:
+def _designed(state: DesignState, shaped: _Shaped) -> Designed:
     """Return one bat as the only one of its front, with everything around it."""
-    bench = request.bench
-    numbers, shaped = numbers_of(state, request)
-    bat, measured = _made(request, numbers, shaped=shaped)
+    bench, now, numbers, measured = shaped.request.bench, shaped.request.now, shaped.numbers, shaped.measured
     front = Front(numbers[None], measured, 0, numbers[None])
-    gain = gain_of(bench, numbers, measured, request.now)
-    checks = tuple(check for _, check in _checks(state, request, bat, measured))
-    return Designed(bench, question_of(state), front, 0, request.now, gain, bat, checks=checks, bent=None)
+    gain = gain_of(bench, numbers, measured, now)
+    checks = tuple(check for _, check in _checks(state, shaped))
+    return Designed(bench, question_of(state), front, 0, now, gain, shaped.bat, checks=checks, bent=None)
 
 
 def files(state: DesignState) -> DesignFiles:
     """Return the bat's file and its drawings for the maker, in either system of units."""
-    request = asked(state)
-    numbers, shaped = numbers_of(state, request)
-    bat, _ = _made(request, numbers, shaped=shaped)
+    bat = _shaped(state).bat
     endings = ("svg", "dxf", "csv") if bat.shell is None else ()
     drawings = {
         system: {ending: drawing(bat, ending, reader).decode() for ending in endings}
@@ -391,12 +390,5 @@ def recipe(state: DesignState) -> dict[str, str]:
     return {"command": ask.command, "toml": bat_toml(described(state))}
 
 
-VIEW = View(
-    "design",
-    "Design",
-    DesignState,
-    answer,
-    recipe,
-    asides={"gain": gain, "files": files, "batter": batter},
-    jobs={"search": LongWork(search)},
-)
+ASIDES = {"gain": gain, "files": files, "batter": batter}
+VIEW = View("design", "Design", DesignState, answer, recipe, asides=ASIDES, jobs={"search": LongWork(search)})

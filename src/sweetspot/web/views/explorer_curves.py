@@ -32,7 +32,7 @@ from sweetspot.units import INCH
 from sweetspot.units.dimensions import ANGLE, IMPULSE, LENGTH, SPEED, VIBRATION, System
 from sweetspot.validation.cases import Row, sources
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.controls import BatState, HitState
+from sweetspot.web.controls import BatState, HitState, part_of
 from sweetspot.web.documents import Sentences, in_both_systems, in_either_system
 from sweetspot.web.recipes import is_catalogued
 
@@ -91,12 +91,12 @@ class Met:
 
 def along(state: HitState) -> Met:
     """Return the hits all along a state's bat; where the ball is makes no difference."""
-    return _along(_shared(state, **MIDDLE))
+    return _along(part_of(state, HitState, **MIDDLE))
 
 
 def curves(state: HitState) -> HitsAlongBat:
     """Return the curves along the bat at a state's offset, and where on the barrel the ball is touched again."""
-    return _curves(_shared(state, impact_from_tip_in=6.0))
+    return _curves(part_of(state, HitState, impact_from_tip_in=6.0))
 
 
 def struck(setup: Met, *, position: ArrayLike, offset: ArrayLike) -> Strikes:
@@ -120,12 +120,7 @@ def leaving(strikes: Strikes) -> tuple[Array, Array, Array]:
 
 def power_map(state: HitState) -> PowerMap:
     """Return exit speeds over the barrel and over how far off its axis the ball is met; null: it is fouled back."""
-    return _power_map(_shared(state, **MIDDLE))
-
-
-def _shared(state: HitState, **changes: float) -> HitState:
-    """Return the controls that every view of a hit has, with changes: what the curves are kept under."""
-    return HitState.model_construct(**{**{name: getattr(state, name) for name in HitState.model_fields}, **changes})
+    return _power_map(part_of(state, HitState, **MIDDLE))
 
 
 @lru_cache(maxsize=KEPT)
