@@ -34,12 +34,8 @@ OFFSETS = np.arange(-0.5, 1.76, 0.15) * INCH
 class Option:
     """A bat tried on the player.
 
-    Parameters
-    ----------
-    bat_speed : of the player with it, m/s.
-    goal : what is expected with it.
-    change : the same against the player's own bat.
-    chance : part of the draws in which it is better by more than nothing.
+    ``bat_speed``: of the player with it, m/s. ``goal``: what is expected with it. ``change``: the same against the
+    player's own bat. ``chance``: part of the draws in which it is better by more than nothing.
     """
 
     candidate: Candidate
@@ -53,10 +49,7 @@ class Option:
 class Worth:
     """What a change of the player is worth.
 
-    Parameters
-    ----------
-    key : short and unique, for programs.
-    change : what is changed, SI.
+    ``key``: short and unique, for programs. ``change``: what is changed, SI.
     """
 
     key: str

@@ -25,9 +25,7 @@ FEWEST_OF_A_BAT = 3
 class MeasuredBat:
     """One bat of a file.
 
-    Parameters
-    ----------
-    bat_speed, exit_speed : m/s, mean of its swings with its 90 % interval; None: too few were measured.
+    ``bat_speed``, ``exit_speed``: m/s, mean of its swings with its 90 % interval; None: too few were measured.
     """
 
     bat: Bat
@@ -75,13 +73,11 @@ def mean_with_interval(values: Sequence[float | None]) -> Interval | None:
 class BatPair:
     """Two bats that the player swung.
 
-    Parameters
-    ----------
-    better, other : names of the bats; the model expects more of the first.
-    gain : of the goal, what the model expects of the first beyond the other, over what the data allow.
-    chance : part of what the data allow in which the first is better by more than nothing.
-    measured : m/s, the difference of the mean exit speeds as they were measured; None: not measured with both.
-    goal : what is wanted; where it is exit speed, ``measured`` may gainsay ``gain``.
+    ``better``, ``other``: names of the bats; the model expects more of the first. ``gain``: of the goal, what the model
+    expects of the first beyond the other, over what the data allow. ``chance``: part of what the data allow in which
+    the first is better by more than nothing. ``measured``: m/s, the difference of the mean exit speeds as they were
+    measured; None: not measured with both. ``goal``: what is wanted; where it is exit speed, ``measured`` may gainsay
+    ``gain``.
     """
 
     better: str

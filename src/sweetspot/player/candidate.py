@@ -30,13 +30,9 @@ CHOKES = (0.5, 1.0, 2.0)
 class Candidate:
     """A bat to try.
 
-    Parameters
-    ----------
-    key : short and unique, for programs.
-    label : what to call it beside the player's own.
-    family : "weight", "balance", "length", "choke", "catalogue", or "swung": another bat of the file.
-    body : its mass, balance and moments of inertia.
-    amount : what was changed, kg or m, with its sign; 0 for whole other bats.
+    ``key``: short and unique, for programs. ``label``: what to call it beside the player's own. ``family``: "weight",
+    "balance", "length", "choke", "catalogue", or "swung": another bat of the file. ``body``: its mass, balance and
+    moments of inertia. ``amount``: what was changed, kg or m, with its sign; 0 for whole other bats.
     """
 
     key: str

@@ -50,12 +50,8 @@ NO_CHANGE = Change()
 class Expectation:
     """A player's draws and one fixed set of swings, ready to be asked about bats and changes.
 
-    Parameters
-    ----------
-    draws : posterior draws, shape (draws, 10), SI.
-    pitch_speed : m/s at the plate.
-    carries : for goals that fly; None: for exit speed.
-    scatter : standard normal numbers, shape (4, draws, swings).
+    ``draws``: posterior draws, shape (draws, 10), SI. ``pitch_speed``: m/s at the plate. ``carries``: for goals that
+    fly; None: for exit speed. ``scatter``: standard normal numbers, shape (4, draws, swings).
     """
 
     model: PlayerModel

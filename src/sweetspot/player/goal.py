@@ -68,10 +68,7 @@ class BatInHand(NamedTuple):
 class CarryGrid(NamedTuple):
     """Carry on even grids of head-on exit speed, offset and attack angle.
 
-    Parameters
-    ----------
-    start, step : (3,) of the grids.
-    carry : m, shape of the three grids.
+    ``start``, ``step``: (3,) of the grids. ``carry``: m, shape of the three grids.
     """
 
     start: Array
@@ -82,11 +79,8 @@ class CarryGrid(NamedTuple):
 class WantedOfHit(NamedTuple):
     """What is gained by a hit.
 
-    Parameters
-    ----------
-    kind : `SPEED`, `CARRY` or `LINE`.
-    line, scatter : m, where the line is and the standard deviation of carries about those tabled.
-    grid : of carries, for all but exit speed.
+    ``kind``: `SPEED`, `CARRY` or `LINE`. ``line``, ``scatter``: m, where the line is and the standard deviation of
+    carries about those tabled. ``grid``: of carries, for all but exit speed.
     """
 
     kind: int
@@ -98,12 +92,9 @@ class WantedOfHit(NamedTuple):
 class Scattered(NamedTuple):
     """How the swings of every draw scatter: means, shape (draws,), and spreads; SI.
 
-    Parameters
-    ----------
-    speed, position, offset, attack : means; speed with the bat in hand.
-    speed_spread, position_spread, offset_spread : standard deviations, shape (draws,).
-    shift : of the collision efficiency, shape (draws,).
-    normal : standard normal numbers, shape (4, draws, swings).
+    ``speed``, ``position``, ``offset``, ``attack``: means; speed with the bat in hand. ``speed_spread``,
+    ``position_spread``, ``offset_spread``: standard deviations, shape (draws,). ``shift``: of the collision efficiency,
+    shape (draws,). ``normal``: standard normal numbers, shape (4, draws, swings).
     """
 
     speed: Array
@@ -222,10 +213,7 @@ NO_GAIN: dict[GoalName, float] = {"exit-speed": NO_SPEED, "carry": 0.05 * FOOT, 
 class Goal:
     """What is wanted: fast hits, far hits, or hits beyond a line.
 
-    Parameters
-    ----------
-    name : "exit-speed", "carry" or "line".
-    line : m over the ground from the plate, for "line" only.
+    ``name``: "exit-speed", "carry" or "line". ``line``: m over the ground from the plate, for "line" only.
     """
 
     name: GoalName = "exit-speed"
@@ -254,10 +242,8 @@ class Goal:
 class CarryTable:
     """Carry of a hit by head-on exit speed, offset and attack angle.
 
-    Parameters
-    ----------
-    exit_speed, offset, attack_angle : the even grids, m/s, m and rad.
-    carry : m, shape of the three grids together.
+    ``exit_speed``, ``offset``, ``attack_angle``: the even grids, m/s, m and rad. ``carry``: m, shape of the three grids
+    together.
     """
 
     exit_speed: Array

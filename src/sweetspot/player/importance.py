@@ -61,12 +61,8 @@ class Mixture:
 class Weighted:
     """Weighted draws, and the mixture that they were drawn from.
 
-    Parameters
-    ----------
-    draws : shape (draws, n).
-    weights : shape (draws,); they add to one.
-    heights : shape (draws,), logarithm of the density at every draw.
-    mixtures : of every round, each with as many draws.
+    ``draws``: shape (draws, n). ``weights``: shape (draws,); they add to one. ``heights``: shape (draws,), logarithm of
+    the density at every draw. ``mixtures``: of every round, each with as many draws.
     """
 
     draws: Array

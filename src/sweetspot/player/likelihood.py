@@ -9,6 +9,7 @@ launch angles; how likely that is under the parameters is divided by.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -112,35 +113,66 @@ def _fill_narrow(noise: float, speed_variance: float, retained: Array, slope: Ar
         narrow[j] = 1 / math.sqrt(noise**2 + (slope[j] * retained[j]) ** 2 * speed_variance)
 
 
+class Room(NamedTuple):
+    """The places that one swing is summed over: their weights, exit speeds head-on, and room for terms."""
+
+    weight: Array
+    ball_out: Array
+    slope: Array
+    part: Array
+    narrow: Array
+    height: Array
+
+
 @inner(fastmath={"contract", "nsz"}, error_model="numpy")
 def _density_untold(
-    out: float,
-    noise: float,
-    speed_variance: float,
-    retained: Array,
-    variance: Array,
-    share: Array,
-    weight: Array,
-    ball_out: Array,
-    slope: Array,
-    part: Array,
-    narrow: Array,
-    height: Array,
+    table: LikelihoodTable, i: int, share: Array, here: slice, noise: float, speed_variance: float, room: Room
 ) -> float:
-    """Return the density of an exit speed summed over places and offsets, of which no launch angle tells.
+    """Return the density of a swing's exit speed summed over places and offsets, of which no launch angle tells.
 
     ``share``: (offsets, places), which add to one when each counts as its place's weight.
     """
+    retained, variance = (
+        table.untold_kept[table.untold[i], :, here],
+        table.untold_variance[table.untold[i], :, here],
+    )
     total = 0.0
     for k in range(len(share)):
-        for j in range(len(weight)):
-            height[j] = 0.0
-            part[j] = weight[j] * share[k, j]
-        for j in range(len(weight)):
-            spread = (slope[j] * retained[k, j]) ** 2 * speed_variance + ball_out[j] ** 2 * variance[k, j]
-            narrow[j] = 1 / math.sqrt(noise**2 + spread)
-        total += _density(out, retained[k], ball_out, narrow, height, part)
+        for j in range(len(room.weight)):
+            room.height[j] = 0.0
+            room.part[j] = room.weight[j] * share[k, j]
+        for j in range(len(room.weight)):
+            of_speed = (room.slope[j] * retained[k, j]) ** 2 * speed_variance
+            spread = of_speed + room.ball_out[j] ** 2 * variance[k, j]
+            room.narrow[j] = 1 / math.sqrt(noise**2 + spread)
+        total += _density(table.exit_speed[i], retained[k], room.ball_out, room.narrow, room.height, room.part)
     return total
+
+
+@inner(fastmath={"contract", "nsz"}, error_model="numpy")
+def _densities(
+    table: LikelihoodTable, i: int, here: slice, nearest: int, theta: Array, noise: float, speed_variance: float,
+    room: Room,
+) -> tuple[float, float]:  # fmt: skip
+    """Return the density of a swing's launch angle at one place, and of its exit speed with that over all places.
+
+    ``nearest``: the one place, from the first of those summed over: this counts where the exit speed is a wrong reading
+    or none.
+    """
+    out, apart = table.exit_speed[i], math.isnan(table.bat_speed[i])
+    angle, both = 0.0, 0.0
+    for k in range(POINTS):
+        share = table.points.share[i, k, here]
+        _fill_heights(table.points.offset[i, k, here], share, theta[5], theta[6], room.weight, room.part, room.height)
+        angle += share[nearest] * math.exp(room.height[nearest])
+        if math.isnan(out):
+            continue
+        # a launch angle's points lie close together: what is retained at the middle one scatters them all
+        if apart or k == 0:
+            middle = k if apart else POINTS // 2
+            _fill_narrow(noise, speed_variance, table.points.retained[i, middle, here], room.slope, room.narrow)
+        both += _density(out, table.points.retained[i, k, here], room.ball_out, room.narrow, room.height, room.part)
+    return angle, both
 
 
 @inner(fastmath={"contract", "nsz"}, error_model="numpy")
@@ -211,60 +243,17 @@ def log_likelihoods(parameters: Array, speeds: Array, table: LikelihoodTable, lo
                 weight[j] = 0.0
             here = slice(first, whole)
             _fill_ball_out(
-                speed,
-                pitch,
-                shift,
-                table.efficiency[bat, first:last],
-                table.efficiency_slope[bat, first:last],
-                table.arm[bat, first:last],
-                ball_out[first:last],
-                slope[first:last],
+                *(speed, pitch, shift, table.efficiency[bat, first:last], table.efficiency_slope[bat, first:last]),
+                *(table.arm[bat, first:last], ball_out[first:last], slope[first:last]),
             )
+            room = Room(weight[here], ball_out[here], slope[here], part[here], narrow[here], height[here])
             if table.untold[i] >= 0:
-                if math.isnan(out):
-                    continue
-                both = _density_untold(
-                    out,
-                    noise,
-                    speed_variance,
-                    table.untold_kept[table.untold[i], :, here],
-                    table.untold_variance[table.untold[i], :, here],
-                    untold[bat, :, here],
-                    weight[here],
-                    ball_out[here],
-                    slope[here],
-                    part[here],
-                    narrow[here],
-                    height[here],
-                )
-                total += COUNTED * math.log((1 - WRONG) / ROOT_TWO_PI * both + WRONG / WRONG_RANGE)
+                if not math.isnan(out):
+                    both = _density_untold(table, i, untold[bat, :, here], here, noise, speed_variance, room)
+                    total += COUNTED * math.log((1 - WRONG) / ROOT_TWO_PI * both + WRONG / WRONG_RANGE)
                 continue
-            angle, both = 0.0, 0.0
             nearest = min(max(round((centre - table.place_start) / table.place_step), first), last - 1)
-            apart = math.isnan(table.bat_speed[i])
-            for k in range(POINTS):
-                _fill_heights(
-                    table.points.offset[i, k, here],
-                    table.points.share[i, k, here],
-                    theta[5],
-                    offset_spread,
-                    weight[here],
-                    part[here],
-                    height[here],
-                )
-                # at one place only: this counts where the exit speed is a wrong reading or none
-                angle += table.points.share[i, k, nearest] * math.exp(height[nearest])
-                if math.isnan(out):
-                    continue
-                # a launch angle's points lie close together: what is retained at the middle one scatters them all
-                if apart or k == 0:
-                    middle = k if apart else POINTS // 2
-                    _fill_narrow(
-                        noise, speed_variance, table.points.retained[i, middle, here], slope[here], narrow[here]
-                    )
-                both += _density(
-                    out, table.points.retained[i, k, here], ball_out[here], narrow[here], height[here], part[here]
-                )
+            angle, both = _densities(table, i, here, nearest - first, theta, noise, speed_variance, room)
             found = angle if math.isnan(out) else (1 - WRONG) / ROOT_TWO_PI * both + WRONG / WRONG_RANGE * angle
             total += COUNTED * (math.log(max(found, TINY) / (ROOT_TWO_PI * offset_spread)) - counted[bat])
         logarithms[row] = total

@@ -43,13 +43,9 @@ NAN = float("nan")
 class PlayerModel:
     """Swings with the bats they were made with, ready to be asked how likely parameters are.
 
-    Parameters
-    ----------
-    bats : tables of every bat used, the player's own first: bat speed is that with it.
-    bat_of : which bat each swing was made with, an index into ``bats``.
-    law : of bat speed against moment of inertia.
-    speed_from_tip : m from the tip where bat speed is measured.
-    table : what the compiled likelihood reads.
+    ``bats``: tables of every bat used, the player's own first: bat speed is that with it. ``bat_of``: which bat each
+    swing was made with, an index into ``bats``. ``law``: of bat speed against moment of inertia. ``speed_from_tip``: m
+    from the tip where bat speed is measured. ``table``: what the compiled likelihood reads.
     """
 
     swings: tuple[PlayerSwing, ...]

@@ -39,11 +39,8 @@ NONE = 1e-200
 class OffsetPoints(NamedTuple):
     """Offsets with weights, each of shape (n, points, places).
 
-    Parameters
-    ----------
-    offset : m.
-    share : m/rad, density of the launch angle that was measured given the offset, times the step between offsets.
-    retained : part of the head-on exit speed that is left.
+    ``offset``: m. ``share``: m/rad, density of the launch angle that was measured given the offset, times the step
+    between offsets. ``retained``: part of the head-on exit speed that is left.
     """
 
     offset: Array

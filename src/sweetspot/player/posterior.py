@@ -35,13 +35,9 @@ RESAMPLED, LIGHT = 6000, 200
 class Learned:
     """One parameter after the fit.
 
-    Parameters
-    ----------
-    name : of the parameter, one of `NAMES`.
-    interval : median and 90 % interval of the posterior, SI.
-    before : the same of the prior.
-    width_ratio : standard deviation of the posterior over that of the prior, in the prior's own scale.
-    independent_draws : number of equally heavy draws that would be as precise.
+    ``name``: of the parameter, one of `NAMES`. ``interval``: median and 90 % interval of the posterior, SI. ``before``:
+    the same of the prior. ``width_ratio``: standard deviation of the posterior over that of the prior, in the prior's
+    own scale. ``independent_draws``: number of equally heavy draws that would be as precise.
     """
 
     name: str
@@ -60,11 +56,8 @@ class Learned:
 class PlayerPosterior:
     """The fit of a player.
 
-    Parameters
-    ----------
-    draws : shape (draws, 10), SI, in the order of `NAMES`.
-    seed : that the draws can be repeated with.
-    weighted : the draws as they were weighted, standard parameters; None: they were let go.
+    ``draws``: shape (draws, 10), SI, in the order of `NAMES`. ``seed``: that the draws can be repeated with.
+    ``weighted``: the draws as they were weighted, standard parameters; None: they were let go.
     """
 
     model: PlayerModel
@@ -170,10 +163,7 @@ TELLS = 0.1
 class SwingEvidence:
     """What players' own swings say, without any prior.
 
-    Parameters
-    ----------
-    precision : shape (players, n, n).
-    pull : precision times mean, shape (players, n).
+    ``precision``: shape (players, n, n). ``pull``: precision times mean, shape (players, n).
     """
 
     precision: Array

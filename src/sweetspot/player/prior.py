@@ -56,12 +56,8 @@ Scale = Literal["plain", "ratio"]
 class Prior:
     """What is known of one parameter before any data.
 
-    Parameters
-    ----------
-    name : of the parameter, in words.
-    scale : "plain": the value is normal; "ratio": its logarithm is.
-    centre : the most likely value, SI; the median.
-    width : standard deviation of the value, or of its logarithm.
+    ``name``: of the parameter, in words. ``scale``: "plain": the value is normal; "ratio": its logarithm is.
+    ``centre``: the most likely value, SI; the median. ``width``: standard deviation of the value, or of its logarithm.
     """
 
     name: str
@@ -123,9 +119,7 @@ def standardised(values: Array) -> Array:
 class Population:
     """How players differ, in standard parameters: normal distributions, one for each.
 
-    Parameters
-    ----------
-    mean, spread : shape (10,), in the order of `NAMES`.
+    ``mean``, ``spread``: shape (10,), in the order of `NAMES`.
     """
 
     mean: Array

@@ -132,10 +132,7 @@ class TextTable(SwingTable):
 class ScannedTable(SwingTable):
     """Parquet or a large CSV file, of which only what is needed is read.
 
-    Parameters
-    ----------
-    frame : its rows, with the line of each in ``LINE``.
-    commas : whether numbers may have decimal commas.
+    ``frame``: its rows, with the line of each in ``LINE``. ``commas``: whether numbers may have decimal commas.
     """
 
     LINE = "line of the file"

@@ -44,14 +44,10 @@ ZERO = re.compile(r"[-+]?(?:0+\.?0*|\.0+)(?:\s*[^\d\s.].*)?")
 class SwingFile:
     """A file of swings: those that can be used, those that cannot, and what to know about the file.
 
-    Parameters
-    ----------
-    bad_rows : rows that cannot be true, with the reason.
-    without_swing : how many rows have neither a bat speed nor an exit speed.
-    system : whose file it is; "plain" where the names belong to no system.
-    ignored_columns : headings that mean nothing here.
-    notes : what is missing, constant or few, in words.
-    first_day, last_day : of the dated rows; None where no date could be read.
+    ``bad_rows``: rows that cannot be true, with the reason. ``without_swing``: how many rows have neither a bat speed
+    nor an exit speed. ``system``: whose file it is; "plain" where the names belong to no system. ``ignored_columns``:
+    headings that mean nothing here. ``notes``: what is missing, constant or few, in words. ``first_day``, ``last_day``:
+    of the dated rows; None where no date could be read.
     """
 
     swings: tuple[PlayerSwing, ...]

@@ -42,10 +42,7 @@ ENDINGS: Mapping[str, Mapping[System, tuple[str, float]]] = {
 class OutputColumn:
     """A column that is put beside a table's own.
 
-    Parameters
-    ----------
-    kind : a key of `ENDINGS`.
-    part : of the answers it belongs to: "flight", "contact" or "bats".
+    ``kind``: a key of `ENDINGS`. ``part``: of the answers it belongs to: "flight", "contact" or "bats".
     """
 
     name: str
@@ -85,10 +82,7 @@ def columns_of_other(name: str) -> tuple[OutputColumn, ...]:
 class Categories(NamedTuple):
     """A column of few words: which of them stands in each row.
 
-    Parameters
-    ----------
-    words : None for nothing.
-    number : index into the words, shape (n,).
+    ``words``: None for nothing. ``number``: index into the words, shape (n,).
     """
 
     words: tuple[str | None, ...]
@@ -125,11 +119,8 @@ HOME_RUN_KINDS = (None, "doubter", "mostly gone", "no doubter")
 class SeasonSetting:
     """The parameters that all rows share.
 
-    Parameters
-    ----------
-    contact : of the contacts; None: not wanted.
-    bats : name of the bat of each batter; "" stands for all others.
-    system : units of the columns.
+    ``contact``: of the contacts; None: not wanted. ``bats``: name of the bat of each batter; "" stands for all others.
+    ``system``: units of the columns.
     """
 
     flight: FlightSetting

@@ -33,12 +33,8 @@ HARDEST = 0.8
 class BallMap:
     """Balls in boxes.
 
-    Parameters
-    ----------
-    across, along : middles of the boxes, m.
-    counts : balls in each, shape (along, across).
-    outside : balls that fell into none of them.
-    near : of a field: balls that came down too near home to be counted.
+    ``across``, ``along``: middles of the boxes, m. ``counts``: balls in each, shape (along, across). ``outside``: balls
+    that fell into none of them. ``near``: of a field: balls that came down too near home to be counted.
     """
 
     across: Array

@@ -36,9 +36,7 @@ ASIDE = 5 * DEGREE
 class Fields:
     """The parks of many balls.
 
-    Parameters
-    ----------
-    index : which of them each ball was hit in, -1 where not known, shape (n,).
+    ``index``: which of them each ball was hit in, -1 where not known, shape (n,).
     """
 
     parks: tuple[Park, ...]

@@ -47,9 +47,7 @@ LEARNT_FROM = 10_000
 class OtherBat:
     """A bat that every swing is tried with.
 
-    Parameters
-    ----------
-    moi : kg m^2 about the swing law's axis.
+    ``moi``: kg m^2 about the swing law's axis.
     """
 
     name: str
@@ -61,14 +59,9 @@ class OtherBat:
 class ContactSetting:
     """The parameters that all balls of a table share.
 
-    Parameters
-    ----------
-    surfaces : tables of the bats that occur.
-    mois : of the same about the swing law's axis, kg m^2.
-    others : bats that every swing is tried with.
-    law : of bat speed against moment of inertia.
-    relation : of places along the bat to the pitch's.
-    threads : workers; None: one per core.
+    ``surfaces``: tables of the bats that occur. ``mois``: of the same about the swing law's axis, kg m^2. ``others``:
+    bats that every swing is tried with. ``law``: of bat speed against moment of inertia. ``relation``: of places along
+    the bat to the pitch's. ``threads``: workers; None: one per core.
     """
 
     ball: Ball

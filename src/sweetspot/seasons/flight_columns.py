@@ -82,11 +82,8 @@ APART = 0.2
 class Expected:
     """The expectations from a table for n balls, every array of shape (n,).
 
-    Parameters
-    ----------
-    direction : rad from centre field, positive to right field: about which way they set out.
-    turn : by how much that changes with the bearing.
-    carry_per_drag : m by which the carry grows with the logarithm of drag; negative.
+    ``direction``: rad from centre field, positive to right field: about which way they set out. ``turn``: by how much
+    that changes with the bearing. ``carry_per_drag``: m by which the carry grows with the logarithm of drag; negative.
     """
 
     direction: Array
@@ -167,13 +164,10 @@ GLOVE = 5 * FOOT
 class FlightSetting:
     """The parameters that all balls of a table share.
 
-    Parameters
-    ----------
-    aerodynamics : its law in the open; under a roof that never opens `aerodynamics_in` holds.
-    air : of balls whose table gives no weather; its elevation where neither the park's nor the table's is known.
-    parks : whether chances of home runs are wanted.
-    spin_scatter : standard deviation of backspin about the usual line, rad/s.
-    threads : workers; None: one per core.
+    ``aerodynamics``: its law in the open; under a roof that never opens `aerodynamics_in` holds. ``air``: of balls
+    whose table gives no weather; its elevation where neither the park's nor the table's is known. ``parks``: whether
+    chances of home runs are wanted. ``spin_scatter``: standard deviation of backspin about the usual line, rad/s.
+    ``threads``: workers; None: one per core.
     """
 
     ball: Ball

@@ -62,14 +62,11 @@ met on has two answers."""
 class Sample:
     """Balls to learn from.
 
-    Parameters
-    ----------
-    places : m from the tip, even, shape (k,).
-    predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
-    measured, error : m/s, exit speeds and their measuring errors, shape (n,).
-    place, spread, level, noise : what the relation's sums are over, shape (terms, n).
-    measured_places : m from the tip, places that were measured, 0 where none was, shape (n,).
-    sure : 1 / m^2, one over the variance of their errors, 0 where none was, shape (n,).
+    ``places``: m from the tip, even, shape (k,). ``predicted``: m/s, exit speed at every place, shape (n, k); NaN where
+    none. ``measured``, ``error``: m/s, exit speeds and their measuring errors, shape (n,). ``place``, ``spread``,
+    ``level``, ``noise``: what the relation's sums are over, shape (terms, n). ``measured_places``: m from the tip,
+    places that were measured, 0 where none was, shape (n,). ``sure``: 1 / m^2, one over the variance of their errors, 0
+    where none was, shape (n,).
     """
 
     places: Array

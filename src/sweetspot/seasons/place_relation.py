@@ -68,12 +68,9 @@ SPEED, TILT = 5 * MPH, 6 * DEGREE
 class Circumstances(NamedTuple):
     """The covariates of n balls, each about 0 for a usual one and where it is not known.
 
-    Parameters
-    ----------
-    outside, height : of the pitch over the plate, in `SCALE` from `CENTRE`, at most 2 either way.
-    faster, lost : of the bat speed, in 5 mph from the mean; see `SwingSpeeds.parts`.
-    attack, tilt : of the swing, in 7 and 6 degrees from the usual, at most 3 either way.
-    placed : whether the pitch's place is known.
+    ``outside``, ``height``: of the pitch over the plate, in `SCALE` from `CENTRE`, at most 2 either way. ``faster``,
+    ``lost``: of the bat speed, in 5 mph from the mean; see `SwingSpeeds.parts`. ``attack``, ``tilt``: of the swing, in
+    7 and 6 degrees from the usual, at most 3 either way. ``placed``: whether the pitch's place is known.
     """
 
     outside: Array

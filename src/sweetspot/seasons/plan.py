@@ -67,12 +67,8 @@ class Task:
 class Plan:
     """Everything that the tasks of a run share.
 
-    Parameters
-    ----------
-    duplicates : rows of each that are another row's pitch.
-    folder : where the answers go.
-    task_rows : rows of a task, at most.
-    fingerprint : of all that the answers depend on.
+    ``duplicates``: rows of each that are another row's pitch. ``folder``: where the answers go. ``task_rows``: rows of
+    a task, at most. ``fingerprint``: of all that the answers depend on.
     """
 
     tables: tuple[TableFile, ...]

@@ -52,13 +52,9 @@ SIXTH = 1 / 6
 class PlaneTable(NamedTuple):
     """A bat's table as the kernels read it, at `PLACES`.
 
-    Parameters
-    ----------
-    values : of the `ContactTable`, shape (places, closing speeds, 5); nan beyond the knob.
-    reach : m, radii of ball and bat together.
-    arm : bat speed over that where it is measured.
-    turning : speed at which the turning bat's front moves towards the hands, over bat speed where it is measured.
-    ball_mass : kg.
+    ``values``: of the `ContactTable`, shape (places, closing speeds, 5); nan beyond the knob. ``reach``: m, radii of
+    ball and bat together. ``arm``: bat speed over that where it is measured. ``turning``: speed at which the turning
+    bat's front moves towards the hands, over bat speed where it is measured. ``ball_mass``: kg.
     """
 
     values: Array
@@ -72,11 +68,9 @@ class PlaneTable(NamedTuple):
 class BatInPlane:
     """A bat's answers in the plane across its axis.
 
-    Parameters
-    ----------
-    along : what the ball keeps of its speed along the bat, and what the turning bat adds to it per bat speed.
-    ceiling : greatest exit speed over bat speed, shape (speeds, ratios, slants).
-    best_place : m from the tip where that is, same shape.
+    ``along``: what the ball keeps of its speed along the bat, and what the turning bat adds to it per bat speed.
+    ``ceiling``: greatest exit speed over bat speed, shape (speeds, ratios, slants). ``best_place``: m from the tip
+    where that is, same shape.
     """
 
     bat: Bat

@@ -172,11 +172,8 @@ POSITIVE: Bounds = (0.0, np.inf)
 class Spread:
     """The scatter of balls and groups.
 
-    Parameters
-    ----------
-    mean : mu, of the groups.
-    within, between : sigma^2 and tau^2; NaN where nothing tells of them: sigma with one ball a group, tau also with
-        fewer than `FEWEST_GROUPS`.
+    ``mean``: mu, of the groups. ``within``, ``between``: sigma^2 and tau^2; NaN where nothing tells of them: sigma with
+    one ball a group, tau also with fewer than `FEWEST_GROUPS`.
     """
 
     mean: float

@@ -148,9 +148,7 @@ def coded(column: pl.Series) -> tuple[pl.Series, pl.Series]:
 class Texts:
     """A column of texts without blanks about them and without the ``.0`` of whole numbers, and what they turn into.
 
-    Parameters
-    ----------
-    column : as the table has it.
+    ``column``: as the table has it.
     """
 
     def __init__(self, column: pl.Series) -> None:

@@ -31,11 +31,8 @@ SELECTED = 0.5
 class DragOfMonth:
     """The drag by the fly balls of a month.
 
-    Parameters
-    ----------
-    month : year and month; "all": everything.
-    drag : drag over that of the law (in that kind of park), 1: as the law says.
-    error : its standard error, over games.
+    ``month``: year and month; "all": everything. ``drag``: drag over that of the law (in that kind of park), 1: as the
+    law says. ``error``: its standard error, over games.
     """
 
     month: str
@@ -119,11 +116,8 @@ def _scatter(name: str | None) -> float:
 class LeftOver:
     """Mean tracked distance less carry of some balls, m.
 
-    Parameters
-    ----------
-    mean, error : and its standard error.
-    middle : of a bin, SI; None: no bin.
-    name : of a group; None: a bin.
+    ``mean``, ``error``: and its standard error. ``middle``: of a bin, SI; None: no bin. ``name``: of a group; None: a
+    bin.
     """
 
     mean: float

@@ -63,11 +63,8 @@ MOST_PARTS = 16
 class Season:
     """The results of a season.
 
-    Parameters
-    ----------
-    survey : the first look at the tables.
-    setting : how; its relation of places is the one learnt.
-    folder : of the answers: folders ``balls``, ``ledger`` and ``counted`` of Parquet files.
+    ``survey``: the first look at the tables. ``setting``: how; its relation of places is the one learnt. ``folder``: of
+    the answers: folders ``balls``, ``ledger`` and ``counted`` of Parquet files.
     """
 
     survey: Survey

@@ -176,10 +176,8 @@ PLAIN = (
 class Standing:
     """One group column's table.
 
-    Parameters
-    ----------
-    table : a row per group: balls, and of every measure pooled, low50 … high90, reliability, percentile, raw mean.
-    spreads : how balls and groups scatter, by measure.
+    ``table``: a row per group: balls, and of every measure pooled, low50 … high90, reliability, percentile, raw mean.
+    ``spreads``: how balls and groups scatter, by measure.
     """
 
     key: str
@@ -300,10 +298,8 @@ def above_expected_parts(parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
 class OtherBatGain:
     """The gain of a season's balls with another bat.
 
-    Parameters
-    ----------
-    balls : hit with any other bat than this, and solved.
-    gain, low, high : mean change of their exit speeds, m/s; 90 % by the swing law, which errs alike for all balls.
+    ``balls``: hit with any other bat than this, and solved. ``gain``, ``low``, ``high``: mean change of their exit
+    speeds, m/s; 90 % by the swing law, which errs alike for all balls.
     """
 
     bat: str

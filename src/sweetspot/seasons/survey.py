@@ -120,12 +120,9 @@ def _count_endings(rows: pl.DataFrame, endings: dict[Ending, tuple[int, float, i
 class TrackingBias:
     """The bias of the mean exit speed by balls without one.
 
-    Parameters
-    ----------
-    share : part of the balls in play that have no exit speed.
-    explained : part of those for whose ending there are tracked ones.
-    mean_exit_speed_of_tracked : m/s.
-    mean_exit_speed_of_all : m/s, if untracked balls are like tracked ones that ended alike, as far out.
+    ``share``: part of the balls in play that have no exit speed. ``explained``: part of those for whose ending there
+    are tracked ones. ``mean_exit_speed_of_tracked``: m/s. ``mean_exit_speed_of_all``: m/s, if untracked balls are like
+    tracked ones that ended alike, as far out.
     """
 
     share: float

@@ -31,11 +31,8 @@ class SwingSpeeds:
     two are not alike: readings of full swings scatter to both sides, so those far above the mean were mostly read
     too fast, while most slow ones really were slow; and who breaks a swing off meets the ball elsewhere.
 
-    Parameters
-    ----------
-    full_speed : mean of full swings, m/s.
-    full_spread : standard deviation of full swings, m/s.
-    lost_speed : mean of what is lost, m/s.
+    ``full_speed``: mean of full swings, m/s. ``full_spread``: standard deviation of full swings, m/s. ``lost_speed``:
+    mean of what is lost, m/s.
     """
 
     full_speed: float
@@ -113,11 +110,8 @@ medians of differences on a made-up season. The plane is tilted, and the attack 
 class Errors:
     """Measuring errors, as standard deviations; all are parameters, none is fitted.
 
-    Parameters
-    ----------
-    exit_speed, bat_speed : m/s.
-    launch_angle, attack_angle : rad.
-    axial_offset : m, where it was measured.
+    ``exit_speed``, ``bat_speed``: m/s. ``launch_angle``, ``attack_angle``: rad. ``axial_offset``: m, where it was
+    measured.
     """
 
     exit_speed: float = TRACKED.exit_speed

@@ -190,11 +190,8 @@ def joined(strips: Sequence[Path], start: int, count: int, *, headings: Sequence
 class CsvCopy:
     """A copy of a CSV table.
 
-    Parameters
-    ----------
-    headings : what its columns mean.
-    left_out : lines that are no rows, by why (`LEFT_OUT`).
-    before : for each of them, how many rows stand above it, in order.
+    ``headings``: what its columns mean. ``left_out``: lines that are no rows, by why (`LEFT_OUT`). ``before``: for each
+    of them, how many rows stand above it, in order.
     """
 
     headings: Headings

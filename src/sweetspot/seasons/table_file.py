@@ -256,12 +256,8 @@ def _csv(path: Path, staging: Path, given: GivenColumns) -> TableFile:
 class TableWarning:
     """Something to beware of.
 
-    Parameters
-    ----------
-    name : a key of `WARNINGS`.
-    table : number of the table, from 0.
-    rows : the first of them, by the numbers that people find them by (`TableFile.numbers`).
-    detail : what exactly; "" where the name says all.
+    ``name``: a key of `WARNINGS`. ``table``: number of the table, from 0. ``rows``: the first of them, by the numbers
+    that people find them by (`TableFile.numbers`). ``detail``: what exactly; "" where the name says all.
     """
 
     name: str

@@ -29,10 +29,8 @@ HELD = 2
 class TableReader:
     """Reads tables for parts that are asked for in order, or nearly so, by any number of threads.
 
-    Parameters
-    ----------
-    part_rows : rows of the parts that will be asked for, fewer of wide tables by `rows_together`; a stretch of a longer
-        row group is a multiple of it.
+    ``part_rows``: rows of the parts that will be asked for, fewer of wide tables by `rows_together`; a stretch of a
+    longer row group is a multiple of it.
     """
 
     def __init__(self, tables: Sequence[TableFile], *, part_rows: int) -> None:

@@ -47,10 +47,8 @@ MOST_HEADINGS = 12
 class GivenColumns:
     """What a person says of the columns of a table, which goes before everything else.
 
-    Parameters
-    ----------
-    headings : heading by quantity; its unit may stand behind, ``{"exit_speed": "EV:mph"}``.
-    units : of columns that have none.
+    ``headings``: heading by quantity; its unit may stand behind, ``{"exit_speed": "EV:mph"}``. ``units``: of columns
+    that have none.
     """
 
     headings: Mapping[str, str] = field(default_factory=dict)
@@ -69,13 +67,9 @@ NOTHING_GIVEN = GivenColumns()
 class TableColumn:
     """One column that is understood.
 
-    Parameters
-    ----------
-    quantity : what it gives, an entry of `headings.toml`.
-    heading : as the table writes it.
-    unit : as given by person, heading or system; "" where there is none.
-    factor, zero : value in SI = zero + factor x what the table holds; a factor of NaN where a unit is missing.
-    index : its place in the table.
+    ``quantity``: what it gives, an entry of `headings.toml`. ``heading``: as the table writes it. ``unit``: as given by
+    person, heading or system; "" where there is none. ``factor``, ``zero``: value in SI = zero + factor x what the
+    table holds; a factor of NaN where a unit is missing. ``index``: its place in the table.
     """
 
     quantity: str
@@ -111,14 +105,10 @@ class TableColumn:
 class Headings:
     """All columns of a table.
 
-    Parameters
-    ----------
-    system : whose table it is; "plain" where the names belong to no system.
-    columns : those that are understood, by quantity.
-    passed : headings that mean nothing here and pass through untouched.
-    notes : what to know, one sentence each.
-    faults : what is wrong with headings of a quantity, by quantity.
-    spare : headings among the passed ones whose quantity another column gives.
+    ``system``: whose table it is; "plain" where the names belong to no system. ``columns``: those that are understood,
+    by quantity. ``passed``: headings that mean nothing here and pass through untouched. ``notes``: what to know, one
+    sentence each. ``faults``: what is wrong with headings of a quantity, by quantity. ``spare``: headings among the
+    passed ones whose quantity another column gives.
     """
 
     system: str

@@ -92,12 +92,9 @@ class TableQuantity:
 class MeasuringSystem:
     """A system whose headings mean its own units.
 
-    Parameters
-    ----------
-    name : as messages write it.
-    marks : sets of headings, each of which gives a table of the system away.
-    columns : quantity and unit by heading, most preferred first; "" for what is no quantity here.
-    fixed : whether its units are never metric.
+    ``name``: as messages write it. ``marks``: sets of headings, each of which gives a table of the system away.
+    ``columns``: quantity and unit by heading, most preferred first; "" for what is no quantity here. ``fixed``: whether
+    its units are never metric.
     """
 
     name: str
