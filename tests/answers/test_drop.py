@@ -29,7 +29,7 @@ def test_draws_are_tests_done_anew() -> None:
     sources = drop_sources(block, catalog.ball(), speed_error=0.3)
     drawn = drawn_drop(rebound, sources, fired, count=64)
     off = sources.deviations(drawn.normal)
-    restitution = drawn.drop["restitution"]
+    restitution = np.asarray(drawn.columns["restitution"])
     assert restitution[0] == pytest.approx(rebound.restitution)
     column = sources.names.index(f"{OF_BALL}restitution")
     law = rebound.ball.restitution

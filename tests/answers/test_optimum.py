@@ -27,10 +27,10 @@ def test_a_held_launch_carries_as_far_as_one_searched_anew() -> None:
     best = best_launch(speed, flying, backspin=spin)
     left = batted_ball(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=(0.0, 0.6096, 0.9144))
     sources = NOTHING.with_source(Source(DRAG, 0.1044, ""))
-    answers = drawn_optimum(sources, launches=[(left, flying)], count=64)
+    answers, main = drawn_optimum(sources, launches=[(left, flying)], count=64)
     drag = sources.of(DRAG, sources.deviations(answers.normal))
-    assert answers.main_name == "launches.0.carry"
-    carry = answers.main
+    assert main == "launches.0.carry"
+    carry = np.asarray(answers.columns["launches"][0]["carry"])  # type: ignore[index, call-overload]
     assert carry[0] == pytest.approx(best.carry)
     row = int(np.argmin(np.abs(drag + 0.1)))
     other = law.replaced(drag=law.drag * math.exp(drag[row]))

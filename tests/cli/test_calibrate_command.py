@@ -15,6 +15,7 @@ from scipy.io import wavfile
 from sweetspot import catalog
 from sweetspot.answers.certify import CertifyQuestion
 from sweetspot.answers.compare import CompareQuestion
+from sweetspot.answers.hit import HitQuestion
 from sweetspot.answers.report import ReportQuestion
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.dynamics.beam import beam_model
@@ -157,7 +158,7 @@ def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path
 @pytest.fixture
 def few_draws(monkeypatch: pytest.MonkeyPatch) -> None:
     """A quarter of the draws: enough for which interval stands where."""
-    for question in (ReportQuestion, CompareQuestion, CertifyQuestion):
+    for question in (ReportQuestion, HitQuestion, CompareQuestion, CertifyQuestion):
         monkeypatch.setitem(question.__init__.__kwdefaults__, "draws", 256)  # type: ignore[arg-type]
 
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from sweetspot.answers.records import PlainTable, to_dict
+from sweetspot.answers.records import Columns, PlainTable, Record, to_dict, with_intervals
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import LEVEL
 from sweetspot.numerics.notebook_display import ShownInNotebooks
-from sweetspot.uncertainty.intervals import variance_shares
+from sweetspot.uncertainty.intervals import reach_of_draws, variance_shares
+from sweetspot.uncertainty.sources import Sources
 from sweetspot.units.dimensions import System
 
 if TYPE_CHECKING:
@@ -41,20 +42,37 @@ class Uncertainty:
     sources: Mapping[str, str]
 
 
-def uncertainty_of(
-    values: Array, *, of: str, normal: Array, names: tuple[str, ...], sources: Mapping[str, str]
-) -> Uncertainty:
-    """Return the variance of one number by its sources.
+@dataclass(frozen=True)
+class DrawnAnswer:
+    """Sampled answers.
 
     Parameters
     ----------
-    values : of every draw, shape (draws,); the first is everything as described.
-    of : the number's name.
-    normal, names : standard normal numbers behind every draw, shape (draws, n), and the source of each.
-    sources : what each rests on.
+    normal : standard normal numbers behind every draw, shape (draws, n).
+    columns : by the fields of the answer; the first draw is everything as described.
     """
-    shares = variance_shares(normal[1:], names, values[1:])
-    return Uncertainty(LEVEL, len(normal) - 1, of, shares, dict(sources))
+
+    normal: Array
+    columns: Columns
+
+
+def uncertainty_of(drawn: DrawnAnswer, *, of: str, names: tuple[str, ...], sources: Mapping[str, str]) -> Uncertainty:
+    """Return the variance of one number, such as "flight.carry", by its sources.
+
+    ``names``: the source of each standard normal number. ``sources``: what each rests on.
+    """
+    column: Any = drawn.columns
+    for step in of.split("."):
+        column = column[int(step) if step.isdigit() else step]
+    shares = variance_shares(drawn.normal[1:], names, column[1:])
+    return Uncertainty(LEVEL, len(drawn.normal) - 1, of, shares, dict(sources))
+
+
+def with_draws(plain: Record, drawn: DrawnAnswer, sources: Sources, *, of: str) -> Record:
+    """Return an answer whose numbers have the intervals of their draws, and one number's variance by its sources."""
+    found = uncertainty_of(drawn, of=of, names=sources.names, sources=sources.described)
+    described: Record = replace(plain, uncertainty=found)  # type: ignore[type-var]
+    return with_intervals(described, drawn.columns, reach_of_draws)
 
 
 SHORT = 6

@@ -234,9 +234,7 @@ def within_limits(estimate: Estimate, least: float | None, most: float | None, *
 
     The mean follows Student's t of its standard error, and what a moment of inertia in doubt adds is normal.
 
-    Parameters
-    ----------
-    by_moi : one standard deviation that the moment leaves open, in the estimate's unit; 0: it was measured.
+    ``by_moi``: one standard deviation that the moment leaves open, in the estimate's unit; 0: it was measured.
     """
     import scipy.special
 

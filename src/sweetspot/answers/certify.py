@@ -20,7 +20,7 @@ from sweetspot.analysis.certification.rules import (
 from sweetspot.analysis.certification.shot_statistics import ShotStatistics, measure
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import Certification, certify
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.bat_test import (
     MeasuredShots,
     SimulatedTest,
@@ -31,7 +31,7 @@ from sweetspot.answers.bat_test import (
     simulated_test,
 )
 from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
-from sweetspot.answers.records import INTERNAL, Columns, Length, Mass, with_intervals
+from sweetspot.answers.records import INTERNAL, Columns, Length, Mass
 from sweetspot.catalog.bats import wall_doubt
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
@@ -41,7 +41,6 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import Number
 from sweetspot.uncertainty.drawn_tests import DrawnTest, drawn_test, sources_of_test
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources
 
 
@@ -227,9 +226,7 @@ def certificate_of(
 ) -> CertifyAnswer:
     """Return the answer to a question whose test is there already: what every answer says of rules.
 
-    Parameters
-    ----------
-    body, test : of the question's bat.
+    ``body``, ``test``: of the question's bat.
     """
     bat, ball, leagues, shots = question.bat, question.ball, question.leagues, question.shots
     findings = {**construction_findings(bat, body=body), **test.findings()}
@@ -256,11 +253,8 @@ def certificate_of(
         return _with_chances(plain, [chance_by_shots(each.outcome, test) for each in checks])
     asked, conditions = sources_of_test(question.sources), standard_conditions(bat).replaced(ball=ball)
     drawn = drawn_test(beam_model(bat), conditions, asked, test, count=question.draws)
-    sampled = uncertainty_of(
-        drawn.bbcor, of="test.bbcor", normal=drawn.draws.normal, names=asked.names, sources=asked.described
-    )
     likely = _with_chances(plain, [chance_of_draws(each.outcome, drawn) for each in checks])
-    return with_intervals(replace(likely, uncertainty=sampled), _columns(checks, drawn), reach_of_draws)
+    return with_draws(likely, DrawnAnswer(drawn.draws.normal, _columns(checks, drawn)), asked, of="test.bbcor")
 
 
 def rule_check(league: League, check: Check) -> RuleCheck:

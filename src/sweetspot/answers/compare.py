@@ -9,7 +9,7 @@ from typing import Annotated
 import numpy as np
 
 from sweetspot.analysis.comparison import Compared, Comparison, compare
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, uncertainty_of
 from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, certify_answer
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_columns, mass_properties
 from sweetspot.answers.records import (
@@ -308,9 +308,8 @@ def _uncertainty(answer: CompareAnswer, found: DrawnComparison) -> ComparisonUnc
     of_bats = {label: each.bat_where for label, each in zip(labels, answer.sources, strict=True)}
     others = {other.name: other.where for other in answer.sources[0].others}
     sampled = uncertainty_of(
-        getattr(found.bats[last], main),
+        DrawnAnswer(found.normal, _columns(found)),
         of=f"bats.{last}.{main}",
-        normal=found.normal,
         names=found.names,
         sources={**of_bats, **others, LAW: "spread of its exponent in the catalogue"},
     )

@@ -194,9 +194,7 @@ class DesignAnswer(Answer):
 def design_answer(question: DesignQuestion, *, progress: Progress | None = None) -> DesignAnswer:
     """Return a bat shaped for a batter, and the front that it was picked from; Ctrl-C ends the search earlier.
 
-    Parameters
-    ----------
-    progress : called with the progress of the search.
+    ``progress``: called with the progress of the search.
 
     Raises
     ------

@@ -165,10 +165,7 @@ def designed_bat(
 ) -> Designed:
     """Return a bat of a front with everything around it.
 
-    Parameters
-    ----------
-    pick : which one, from 1.
-    league : whose rules it is checked against; None: no league's.
+    ``pick``: which one, from 1. ``league``: whose rules it is checked against; None: no league's.
 
     Raises
     ------

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
 
 from sweetspot.analysis.drop_test import Rebound, drop, fire
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.flight import draws_of_sources
-from sweetspot.answers.records import INTERNAL, Columns, Force, Length, Mass, Ratio, Speed, Time, with_intervals
+from sweetspot.answers.records import INTERNAL, Force, Length, Mass, Ratio, Speed, Time
 from sweetspot.catalog.materials import material_spreads
 from sweetspot.dynamics.block import Block
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, OF_BALL, Source, Sources, sources_of_ball
 from sweetspot.units.dimensions import ENERGY
 
@@ -126,15 +125,7 @@ def drop_answer(question: DropQuestion) -> DropAnswer:
     if sources is None:
         return plain
     drawn = drawn_drop(rebound, sources, question.rebound, count=question.draws)
-    sampled = uncertainty_of(
-        drawn.drop["restitution"],
-        of="restitution",
-        normal=drawn.normal,
-        names=sources.names,
-        sources=sources.described,
-    )
-    columns: Columns = {**drawn.drop, "energy": drawn.energy}
-    return with_intervals(replace(plain, uncertainty=sampled), columns, reach_of_draws)
+    return with_draws(plain, drawn, sources, of="restitution")
 
 
 STIFFNESS, DENSITY, ARRIVAL = "stiffness of the block", "density of the block", "speed of the ball"
@@ -144,27 +135,10 @@ NEGLIGIBLE = 1e-5
 """Part of the incoming energy below which the block's share is reported without an interval."""
 
 
-@dataclass(frozen=True)
-class DrawnDrop:
-    """What draws answer to a drop test.
-
-    Parameters
-    ----------
-    normal : standard normal numbers behind every draw, shape (draws, n).
-    drop, energy : by the fields of `DropAnswer` and `BlockEnergies`, shapes (draws,).
-    """
-
-    normal: Array
-    drop: Mapping[str, Array]
-    energy: Mapping[str, Array]
-
-
 def drop_sources(block: Block, ball: Ball, *, speed_error: float = 0.0) -> Sources:
     """Return the unknowns of a drop test.
 
-    Parameters
-    ----------
-    speed_error : one standard deviation of the speed with which the ball comes, m/s; 0: exact.
+    ``speed_error``: one standard deviation of the speed with which the ball comes, m/s; 0: exact.
     """
     name = block.material.name
     spreads, where = material_spreads(name), f"spread of {name} in the catalogue"
@@ -176,14 +150,11 @@ def drop_sources(block: Block, ball: Ball, *, speed_error: float = 0.0) -> Sourc
 
 def drawn_drop(
     rebound: Rebound, sources: Sources, fired: Callable[[Block, Ball, float], Rebound], *, count: int = DRAWS
-) -> DrawnDrop:
+) -> DrawnAnswer:
     """Return the sampled answers to a drop test.
 
-    Parameters
-    ----------
-    rebound : of block and ball as described.
-    sources : see `drop_sources`.
-    fired : the test of another block and ball, with so much more speed of the ball in m/s.
+    ``rebound``: of block and ball as described. ``sources``: see `drop_sources`. ``fired``: the test of another block
+    and ball, with so much more speed of the ball in m/s.
     """
     normal, off = draws_of_sources(sources, count)
     moved: list[tuple[Array, Rebound, Rebound]] = []
@@ -204,9 +175,8 @@ def drawn_drop(
 
     centre, energy = block_energies(rebound), followed(block_energies)
     least = NEGLIGIBLE * centre["incoming"]
-    return DrawnDrop(
-        normal, followed(rebound_numbers), {name: value for name, value in energy.items() if centre[name] > least}
-    )
+    energies = {name: value for name, value in energy.items() if centre[name] > least}
+    return DrawnAnswer(normal, {**followed(rebound_numbers), "energy": energies})
 
 
 def _moved(rebound: Rebound, name: str, off: float) -> tuple[Block, Ball, float]:

@@ -9,8 +9,8 @@ from typing import Annotated, TypeVar
 
 import numpy as np
 
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
-from sweetspot.answers.records import INTERNAL, Angle, Columns, Distance, Speed, Spin, Time, with_intervals
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
+from sweetspot.answers.records import INTERNAL, Angle, Distance, Speed, Spin, Time
 from sweetspot.catalog.aerodynamic_laws import drag_spread
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.conditions import FlightConditions
@@ -21,7 +21,6 @@ from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import BallMotion, BallMotions, launch_angles
 from sweetspot.numerics.arrays import Array
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Source, Sources
 from sweetspot.units.dimensions import DISTANCE, TIME
 
@@ -187,35 +186,12 @@ def flight_with_intervals(plain: Flown, question: FlightQuestion) -> Flown:
     if sources is None:
         return plain
     drawn = drawn_flight(question.motion, question.conditions, sources, count=question.draws)
-    sampled = uncertainty_of(
-        np.asarray(drawn.flight["carry"]),
-        of="carry",
-        normal=drawn.normal,
-        names=sources.names,
-        sources=sources.described,
-    )
-    columns: Columns = {**drawn.flight, "launch": drawn.launch}
-    return with_intervals(replace(plain, uncertainty=sampled), columns, reach_of_draws)
+    return with_draws(plain, drawn, sources, of="carry")
 
 
 DRAG, LAUNCH_SPEED, LAUNCH_ANGLE = "drag of the ball", "exit speed", "launch angle"
 OTHER_BALLS = 0.03
 """One sigma of the drag's logarithm: months and seasons of balls differ by 0.01 of 0.33 [savant_2022rays]."""
-
-
-@dataclass(frozen=True)
-class DrawnFlight:
-    """What draws answer to a flight.
-
-    Parameters
-    ----------
-    normal : standard normal numbers behind every draw, shape (draws, n).
-    launch, flight : by the fields of `BallLeaving`, of those that are open, and of `FlightNumbers`, shapes (draws,).
-    """
-
-    normal: Array
-    launch: Mapping[str, Array]
-    flight: Mapping[str, Array]
 
 
 def drag_source(law: Aerodynamics) -> Source:
@@ -232,10 +208,8 @@ def written_errors(errors: Mapping[str, float]) -> tuple[Source, ...]:
 def flight_sources(law: Aerodynamics, *, speed_error: float = 0.0, angle_error: float = 0.0) -> Sources:
     """Return the unknowns of a flight.
 
-    Parameters
-    ----------
-    law : of drag, which balls of one kind do not share exactly.
-    speed_error, angle_error : one standard deviation of exit speed and launch angle, m/s and rad; 0: exact.
+    ``law``: of drag, which balls of one kind do not share exactly. ``speed_error``, ``angle_error``: one standard
+    deviation of exit speed and launch angle, m/s and rad; 0: exact.
     """
     written = written_errors({LAUNCH_SPEED: speed_error, LAUNCH_ANGLE: angle_error})
     return Sources(NO_DOUBT, (drag_source(law), *written))
@@ -249,14 +223,11 @@ def draws_of_sources(sources: Sources, count: int) -> tuple[Array, Array]:
     return normal, off
 
 
-def drawn_flight(left: BallMotion, flying: FlightConditions, sources: Sources, *, count: int) -> DrawnFlight:
+def drawn_flight(left: BallMotion, flying: FlightConditions, sources: Sources, *, count: int) -> DrawnAnswer:
     """Return the sampled answers to one flight.
 
-    Parameters
-    ----------
-    left : the ball as it leaves the bat.
-    sources : see `flight_sources`.
-    count : how many draws, a power of two.
+    ``left``: the ball as it leaves the bat. ``sources``: see `flight_sources`. ``count``: how many draws, a power of
+    two.
     """
     normal, off = draws_of_sources(sources, count)
     speed = np.maximum(left.speed + sources.of(LAUNCH_SPEED, off), 0.0)
@@ -268,7 +239,7 @@ def drawn_flight(left: BallMotion, flying: FlightConditions, sources: Sources, *
     balls = BallMotions(velocity=velocity, spin=np.asarray(left.spin), position=np.asarray(left.position))
     open_values = {LAUNCH_SPEED: ("exit_speed", speed), LAUNCH_ANGLE: ("launch_angle", angle)}
     launch = dict(column for name, column in open_values.items() if name in sources.names)
-    return DrawnFlight(normal, launch, flight_columns(balls, flying, sources.of(DRAG, off)))
+    return DrawnAnswer(normal, {**flight_columns(balls, flying, sources.of(DRAG, off)), "launch": launch})
 
 
 def launch_columns(velocity: Array) -> dict[str, Array]:
@@ -296,10 +267,7 @@ def dragged(flying: FlightConditions, off: float) -> FlightConditions:
 def flight_columns(left: BallMotions, flying: FlightConditions, drag: Array) -> dict[str, Array]:
     """Return flights, each with its own drag, by the fields of `FlightNumbers`.
 
-    Parameters
-    ----------
-    left : balls as they leave, n of them.
-    drag : logarithm of each drag over the law's, shape (n,).
+    ``left``: balls as they leave, n of them. ``drag``: logarithm of each drag over the law's, shape (n,).
     """
     size = float(np.std(drag))
     flown = _flown(flights(left, flying))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field
 from typing import Annotated
 
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import check_conditions, exit_speed_of, hit_at
 from sweetspot.analysis.strain import Damage, damage
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
 from sweetspot.answers.records import (
     INTERNAL,
@@ -20,7 +20,6 @@ from sweetspot.answers.records import (
     Ratio,
     Speed,
     Time,
-    with_intervals,
 )
 from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.closed_form import bbcor
@@ -34,7 +33,6 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Number
 from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, drawn_ledger, draws_of, hits_along
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
 from sweetspot.units.dimensions import ENERGY, FORCE, LENGTH, TIME
 
@@ -196,11 +194,8 @@ def hit_of(impact: Impact, *, body: RigidBody, conditions: Conditions) -> Hit:
 def hit_columns(draws: Draws, along: HitsAlong, place: int, impact: Impact) -> Columns:
     """Return the sampled answers at one of the places hit, by the fields of `Hit`.
 
-    Parameters
-    ----------
-    along : hits of every draw.
-    place : number of the place.
-    impact : the hit as described, from which the draws' energies count.
+    ``along``: hits of every draw. ``place``: number of the place. ``impact``: the hit as described, from which the
+    draws' energies count.
     """
     columns: dict[str, Array] = {name: getattr(along, name)[:, place] for name in OF_DRAWS}
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -249,7 +244,7 @@ class HitQuestion:
     position: float
     lateral: float = 0.0
     sources: Sources | None = None
-    draws: int = DRAWS
+    draws: int = field(default=DRAWS, kw_only=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -314,11 +309,4 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         "bat": mass_columns(draws),
         "ball_mass": draws.ball_mass,
     }
-    uncertainty = uncertainty_of(
-        along.exit_speed[:, 0],
-        of="exit_speed",
-        normal=draws.normal,
-        names=question.sources.names,
-        sources=question.sources.described,
-    )
-    return with_intervals(replace(plain, uncertainty=uncertainty), columns, reach_of_draws)
+    return with_draws(plain, DrawnAnswer(draws.normal, columns), question.sources, of="exit_speed")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Annotated
@@ -18,10 +18,10 @@ from sweetspot.analysis.optimum import (
     best_swing,
     easiest_home_run,
 )
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.flight import DRAG, dragged, draws_of_sources, flight_columns
 from sweetspot.answers.play import PlayQuestion, drawn_play
-from sweetspot.answers.records import INTERNAL, Angle, Columns, Distance, Length, Speed, Spin, Time, with_intervals
+from sweetspot.answers.records import INTERNAL, Angle, Columns, Distance, Length, Speed, Spin, Time
 from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import ReducedBat
@@ -33,7 +33,6 @@ from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, BallMotions,
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, SwingPlane
 from sweetspot.numerics.arrays import Array
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources
 
 
@@ -206,7 +205,7 @@ def optimum_answer(question: OptimumQuestion) -> OptimumAnswer:
     )
     if question.sources is None:
         return plain
-    drawn = drawn_optimum(
+    drawn, main = drawn_optimum(
         question.sources,
         swings=[] if swing is None else [swing.play(*found) for found in swings],
         launches=[] if launch is None else [(_ball(found), launch.flying) for found in launches],
@@ -214,14 +213,7 @@ def optimum_answer(question: OptimumQuestion) -> OptimumAnswer:
         backspin=0.0 if park is None else park.backspin,
         count=question.draws,
     )
-    sampled = uncertainty_of(
-        drawn.main,
-        of=drawn.main_name,
-        normal=drawn.normal,
-        names=question.sources.names,
-        sources=question.sources.described,
-    )
-    return with_intervals(replace(plain, uncertainty=sampled), drawn.columns, reach_of_draws)
+    return with_draws(plain, drawn, question.sources, of=main)
 
 
 @lru_cache(maxsize=32)
@@ -278,23 +270,6 @@ OF_PLAY = ("exit_speed", "launch_angle", "spray", "backspin", "sidespin", "pitch
 
 
 @dataclass(frozen=True)
-class DrawnOptimum:
-    """What draws answer to what was asked about the best way to hit.
-
-    Parameters
-    ----------
-    normal : standard normal numbers behind every draw, shape (draws, n).
-    columns : by the fields of `OptimumAnswer`.
-    main, main_name : the first number that was asked for, shape (draws,), and where it stands.
-    """
-
-    normal: Array
-    columns: Columns
-    main: Array
-    main_name: str
-
-
-@dataclass(frozen=True)
 class AskedPark:
     """The slowest home run of a park as described, and what it flies through."""
 
@@ -310,8 +285,8 @@ def drawn_optimum(
     parks: Sequence[AskedPark] = (),
     backspin: float = 0.0,
     count: int,
-) -> DrawnOptimum:
-    """Return the sampled answers to a question about the best way to hit.
+) -> tuple[DrawnAnswer, str]:
+    """Return the sampled answers about the best way to hit, and the first number that was asked for.
 
     Parameters
     ----------
@@ -323,7 +298,7 @@ def drawn_optimum(
     normal, off = draws_of_sources(sources, count)
     drag = sources.of(DRAG, off)
     plays = [drawn_play(replace(asked, draws=count), sources) for asked in swings]
-    of_swings = [{name: {**play.contact, **play.flight}[name] for name in OF_PLAY} for play in plays]
+    of_swings = [{name: _of_play(play.columns, name) for name in OF_PLAY} for play in plays]
     flown = [flight_columns(_alike(left, len(off)), flying, drag) for left, flying in launches]
     of_launches = [{"carry": flight["carry"]} for flight in flown]
     of_parks = [{"exit_speed": _drawn_slowest(park, drag, backspin)} for park in parks]
@@ -331,7 +306,13 @@ def drawn_optimum(
     columns = {name: row for name, row in rows.items() if row}
     first, name = next((row[0], name) for name, row in columns.items())
     number = "carry" if "carry" in first else "exit_speed"
-    return DrawnOptimum(normal, columns, first[number], f"{name}.0.{number}")
+    return DrawnAnswer(normal, columns), f"{name}.0.{number}"
+
+
+def _of_play(columns: Columns, name: str) -> Array:
+    flight = columns["flight"]
+    column = flight[name] if isinstance(flight, Mapping) and name in flight else columns[name]
+    return np.asarray(column)
 
 
 def _alike(left: BallMotion, count: int) -> BallMotions:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
 
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.flight import draws_of_sources, written_errors
-from sweetspot.answers.records import INTERNAL, Columns, Length, MomentOfInertia, Ratio, Time, with_intervals
+from sweetspot.answers.records import INTERNAL, Length, MomentOfInertia, Ratio, Time
 from sweetspot.calibration.measured import Measured
 from sweetspot.dynamics.swing_weight import moi_from_pendulum, pendulum_period
 from sweetspot.errors import InputError
@@ -17,7 +17,6 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.plausibility import insisted
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources
 from sweetspot.units import OUNCE_INCH_SQUARED
 
@@ -102,10 +101,8 @@ def pendulum_answer(question: PendulumQuestion) -> PendulumAnswer:
     if not question.uncertain:
         return plain
     normal, columns = drawn_pendulum(question)
-    main, sources = "moi" if question.timed else "period", question.sources
-    sampled = uncertainty_of(columns[main], of=main, normal=normal, names=sources.names, sources=sources.described)
-    drawn: Columns = {**columns}
-    return with_intervals(replace(plain, uncertainty=sampled), drawn, reach_of_draws)
+    drawn = DrawnAnswer(normal, {**columns})
+    return with_draws(plain, drawn, question.sources, of="moi" if question.timed else "period")
 
 
 def checked_pendulum(question: PendulumQuestion) -> PendulumAnswer:

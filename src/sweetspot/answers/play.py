@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
 
 from sweetspot.analysis.full_play import Play, play
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.flight import (
     DRAG,
     BallLeaving,
@@ -27,7 +26,6 @@ from sweetspot.answers.flight import (
 from sweetspot.answers.records import (
     INTERNAL,
     Angle,
-    Columns,
     Distance,
     Force,
     Length,
@@ -35,7 +33,6 @@ from sweetspot.answers.records import (
     Speed,
     Spin,
     Time,
-    with_intervals,
 )
 from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.hit_in_space import Contact, strikes
@@ -51,10 +48,8 @@ from sweetspot.flight.trajectory import FlightOutcome
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
-from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.drawn_hits import draws_of
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
 
 
@@ -95,29 +90,11 @@ class PlayQuestion:
 PLACE, OFFSET = "place along the bat", "bat under the ball"
 
 
-@dataclass(frozen=True)
-class DrawnPlay:
-    """What draws answer to a play.
-
-    Parameters
-    ----------
-    normal : standard normal numbers behind every draw, shape (draws, n).
-    contact, flight : by the fields of `PlayAnswer` and `FlightNumbers`, shapes (draws,).
-    """
-
-    normal: Array
-    contact: Mapping[str, Array]
-    flight: Mapping[str, Array]
-
-
 def play_sources(of_hit: Sources, law: Aerodynamics, *, place_error: float = 0.0, offset_error: float = 0.0) -> Sources:
     """Return the unknowns of a play.
 
-    Parameters
-    ----------
-    of_hit : of bat, ball and speeds, see `sources_of`.
-    law : of the ball's drag.
-    place_error, offset_error : one standard deviation in m of where bat and ball meet; 0: exactly as given.
+    ``of_hit``: of bat, ball and speeds, see `sources_of`. ``law``: of the ball's drag. ``place_error``,
+    ``offset_error``: one standard deviation in m of where bat and ball meet; 0: exactly as given.
     """
     sources = of_hit.with_source(drag_source(law))
     for error in written_errors({PLACE: place_error, OFFSET: offset_error}):
@@ -125,12 +102,10 @@ def play_sources(of_hit: Sources, law: Aerodynamics, *, place_error: float = 0.0
     return sources
 
 
-def drawn_play(asked: PlayQuestion, sources: Sources) -> DrawnPlay:
+def drawn_play(asked: PlayQuestion, sources: Sources) -> DrawnAnswer:
     """Return the sampled answers to a play.
 
-    Parameters
-    ----------
-    sources : see `play_sources`.
+    ``sources``: see `play_sources`.
     """
     reduced, conditions, pitch = asked.reduced, asked.hit_conditions, asked.pitch
     draws = draws_of(reduced.beam, conditions, sources, count=asked.draws)
@@ -169,7 +144,7 @@ def drawn_play(asked: PlayQuestion, sources: Sources) -> DrawnPlay:
         **launch_columns(velocity),
         **spin_columns(velocity, rebound.spin),
     }
-    return DrawnPlay(draws.normal, contact, flight_columns(left, asked.flying, sources.of(DRAG, off)))
+    return DrawnAnswer(draws.normal, {**contact, "flight": flight_columns(left, asked.flying, sources.of(DRAG, off))})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -259,15 +234,7 @@ def play_answer(question: PlayQuestion) -> PlayAnswer:
         error = error_by_ball(question.reduced, conditions, float(plain.position))
         return plain if error is None else replace(plain, exit_speed_half_by_ball=REACH * error)
     drawn = drawn_play(question, sources)
-    sampled = uncertainty_of(
-        drawn.flight["carry"],
-        of="flight.carry",
-        normal=drawn.normal,
-        names=sources.names,
-        sources=sources.described,
-    )
-    columns: Columns = {**drawn.contact, "flight": drawn.flight}
-    return with_intervals(replace(plain, uncertainty=sampled), columns, reach_of_draws)
+    return with_draws(plain, drawn, sources, of="flight.carry")
 
 
 def _described(question: PlayQuestion, played: Play) -> PlayAnswer:

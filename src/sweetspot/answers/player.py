@@ -277,9 +277,7 @@ class FitPlayerAnswer(Answer):
 def fit_player_answer(question: FitPlayerQuestion, *, progress: Progress | None = None) -> FitPlayerAnswer:
     """Return the parameters fitted to one player's swings, and the bat and contact point advised.
 
-    Parameters
-    ----------
-    progress : called with the pieces of work.
+    ``progress``: called with the pieces of work.
 
     Raises
     ------

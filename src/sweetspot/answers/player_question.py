@@ -108,9 +108,7 @@ class PlayerSwings:
 def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> PlayerSwings:
     """Return the swings of one player, those with unknown bats among the bad rows.
 
-    Parameters
-    ----------
-    most_swung : the player's bat where the question names none and the file was read before.
+    ``most_swung``: the player's bat where the question names none and the file was read before.
 
     Raises
     ------

@@ -155,9 +155,7 @@ class RankAnswer(Answer):
 def rank_answer(question: RankQuestion, *, step: Callable[[int, int], None] | None = None) -> RankAnswer:
     """Return bats of one model in order of the speeds that they would hit with.
 
-    Parameters
-    ----------
-    step : called with the number of bats fitted and of all bats.
+    ``step``: called with the number of bats fitted and of all bats.
 
     Raises
     ------
@@ -204,10 +202,7 @@ def rank_bats(
 ) -> RankAnswer:
     """Return bats that were fitted already in order; see `rank_answer`.
 
-    Parameters
-    ----------
-    posteriors : what is known of each, by name; all of one description.
-    seed : of the draws.
+    ``posteriors``: what is known of each, by name; all of one description. ``seed``: of the draws.
     """
     sound = _agreeing(posteriors)
     first = next(iter(posteriors.values()))

@@ -105,10 +105,7 @@ def to_dict(record: Any, system: System = "si") -> PlainTable:
     The ends of an interval stand beside its number, ``exit_speed_low_m_s`` and ``exit_speed_high_m_s``; what is not
     finite is None. A measured value has its standard error too, ``mass_error_kg``.
 
-    Parameters
-    ----------
-    record : a dataclass as this module describes.
-    system : of units; angles in radians or degrees.
+    ``record``: a dataclass as this module describes. ``system``: of units; angles in radians or degrees.
     """
     table: PlainTable = {}
     for field, hint, dimension in visible_fields(type(record)):
@@ -176,11 +173,9 @@ def _with_none(values: Array) -> NDArray[np.object_]:
 def with_intervals(record: Record, drawn: Columns, reach: Callable[[Array], Reach]) -> Record:
     """Return a record whose numbers have intervals.
 
-    Parameters
-    ----------
-    record : the answer as described.
-    drawn : what draws answer, by the record's fields; the first draw is everything as described.
-    reach : from all draws of a number to how far its interval goes below and above the first of them.
+    ``record``: the answer as described. ``drawn``: what draws answer, by the record's fields; the first draw is
+    everything as described. ``reach``: from all draws of a number to how far its interval goes below and above the
+    first of them.
     """
     changed: dict[str, object] = {}
     for name, column in drawn.items():

@@ -11,7 +11,7 @@ import numpy as np
 from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse_reduced, exit_speed_of, miss_costs
 from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.analysis.sweet_spot import SweetSpots
-from sweetspot.answers.answer import Answer, Uncertainty, uncertainty_of
+from sweetspot.answers.answer import Answer, Uncertainty, with_draws
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_properties
 from sweetspot.answers.hit import Hit, hit_of
 from sweetspot.answers.records import (
@@ -24,7 +24,6 @@ from sweetspot.answers.records import (
     MomentOfInertia,
     Ratio,
     Speed,
-    with_intervals,
 )
 from sweetspot.answers.report_draws import drawn_report
 from sweetspot.answers.setups import SwungWith
@@ -39,7 +38,6 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH, Curve, Interval
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt, speed_doubt
-from sweetspot.uncertainty.intervals import reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import IMPULSE, LENGTH, SPEED
@@ -247,14 +245,7 @@ def report_of(
         half = None if doubt is None else REACH * doubt.error
         return replace(plain, doubt=doubt, best_hit=replace(best, exit_speed_half=half))
     found = drawn_report(analysis, sources, misses=plain.misses, count=draws)
-    sampled = uncertainty_of(
-        found.best_exit_speed,
-        of="best_hit.exit_speed",
-        normal=found.normal,
-        names=sources.names,
-        sources=sources.described,
-    )
-    return with_intervals(replace(plain, uncertainty=sampled), found.columns, reach_of_draws)
+    return with_draws(plain, found, sources, of="best_hit.exit_speed")
 
 
 def _described(analysis: Analysis[Implement]) -> ReportAnswer:

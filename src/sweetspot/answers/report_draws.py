@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.position_scan import Scan
 from sweetspot.analysis.sweet_spot import without_spikes
+from sweetspot.answers.answer import DrawnAnswer
 from sweetspot.answers.conditions import conditions_columns, mass_columns
 from sweetspot.answers.hit import hit_columns
 from sweetspot.answers.records import Columns
@@ -37,34 +37,16 @@ DESCRIBED = ("bending", "hoop", "face")
 """Families of modes whose frequencies and nodes are answered."""
 
 
-@dataclass(frozen=True)
-class DrawnReport:
-    """What draws answer to a report.
-
-    Parameters
-    ----------
-    normal : standard normal numbers behind every draw, shape (draws, n).
-    columns : by the fields of `ReportAnswer`.
-    best_exit_speed : m/s, shape (draws,).
-    """
-
-    normal: Array
-    columns: Columns
-    best_exit_speed: Array
-
-
 def drawn_report(
     analysis: Analysis[Implement],
     sources: Sources,
     *,
     misses: Sequence[MissCost] = (),
     count: int = DRAWS,
-) -> DrawnReport:
+) -> DrawnAnswer:
     """Return the answers of draws to everything that a report answers with an interval.
 
-    Parameters
-    ----------
-    misses : what they cost the implement as described.
+    ``misses``: what they cost the implement as described.
     """
     draws = draws_of(analysis.beam, analysis.conditions, sources, count=count)
     scan, best = analysis.scan, analysis.sweet_spots.max_exit_speed
@@ -84,11 +66,7 @@ def drawn_report(
         "greatest_efficiency": tops(curves["collision_efficiency"])[1],
     }
     hoop = _lowest_hoop(draws, frequencies)
-    return DrawnReport(
-        draws.normal,
-        columns if hoop is None else {**columns, "lowest_hoop": hoop},
-        along.exit_speed[:, PLACES],
-    )
+    return DrawnAnswer(draws.normal, columns if hoop is None else {**columns, "lowest_hoop": hoop})
 
 
 def _curves(scan: Scan, along: HitsAlong) -> dict[str, Array]:

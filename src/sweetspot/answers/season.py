@@ -216,9 +216,7 @@ class SeasonAnswer(Answer):
     def to_frame(self, units: System = "si", *, key: str = "batter") -> pl.DataFrame:
         """Return the table of players, or of another grouping, with the unit in every name; empty where there is none.
 
-        Parameters
-        ----------
-        key : column that balls are grouped by, one of `standings.GROUPS`.
+        ``key``: column that balls are grouped by, one of `standings.GROUPS`.
         """
         standing = self.standings.get(key)
         return pl.DataFrame() if standing is None else standing.with_units(units)
@@ -268,10 +266,8 @@ def season_answer(
 ) -> SeasonAnswer:
     """Return the results of a season; groups without balls are left out.
 
-    Parameters
-    ----------
-    run : does a plan's tasks; None: in this process, two at a time.
-    progress : called with the rows done and in all.
+    ``run``: does a plan's tasks; None: in this process, two at a time. ``progress``: called with the rows done and in
+    all.
 
     Raises
     ------

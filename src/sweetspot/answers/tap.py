@@ -132,9 +132,7 @@ class TapAnswer(Answer):
 def tap_answer(question: TapQuestion, *, taps: Sequence[Tap] | None = None) -> TapAnswer:
     """Return the taps of recordings, good and bad, and the named tones of the good ones.
 
-    Parameters
-    ----------
-    taps : of all recordings, where they were found already.
+    ``taps``: of all recordings, where they were found already.
 
     Raises
     ------

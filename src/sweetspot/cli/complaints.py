@@ -30,9 +30,7 @@ UNITS = {unit for sizes in (*WRITTEN.values(), TEMPERATURES) for unit in sizes}
 def one_line(error: Exception, given: Sequence[str]) -> str:
     """Return a one-line message about an error in a command line.
 
-    Parameters
-    ----------
-    given : the words as they were typed.
+    ``given``: the words as they were typed.
     """
     if isinstance(error, UnknownCommandError):
         hint = nearest_names(given[0], list(PATHS))

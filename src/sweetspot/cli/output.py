@@ -83,9 +83,7 @@ def _width_of_pipe() -> int:
 def present(answer: Answer | Document, options: OutputOptions, *, long: bool = False) -> int:
     """Print an answer as it was asked for, its files written first, and return the exit code.
 
-    Parameters
-    ----------
-    long : whether a printed page goes on after its first sheet.
+    ``long``: whether a printed page goes on after its first sheet.
     """
     from sweetspot.reports.notebook import document_of
 

@@ -49,9 +49,7 @@ class SpinLaw(Protocol):
 def drag_with_spin(law: SpinLaw, spin_factor: float, spin: float, active_spin: float) -> float:
     """Return Cd but for its part with Reynolds's number; see `Aerodynamics`. Plain arithmetic, which kernels compile.
 
-    Parameters
-    ----------
-    spin_factor, spin, active_spin : S, w and w_perp, rad/s, >= 0.
+    ``spin_factor``, ``spin``, ``active_spin``: S, w and w_perp, rad/s, >= 0.
     """
     return (
         law.drag
@@ -64,9 +62,7 @@ def drag_with_spin(law: SpinLaw, spin_factor: float, spin: float, active_spin: f
 def lift_by_power(law: SpinLaw, raised: float, steepness: float) -> float:
     """Return Cl / S from S^n and S^n / S; see `Aerodynamics`. Plain arithmetic, which kernels compile.
 
-    Parameters
-    ----------
-    raised, steepness : S^n and S^n / S.
+    ``raised``, ``steepness``: S^n and S^n / S.
     """
     return law.lift_scale * steepness / (law.lift_offset + law.lift_slope * raised)
 
@@ -140,11 +136,7 @@ class Aerodynamics(Validated):
     ) -> float:
         """Return Cd.
 
-        Parameters
-        ----------
-        spin_factor : S, >= 0.
-        spin, active_spin : w and w_perp, rad/s, >= 0.
-        reynolds : Re, > 0.
+        ``spin_factor``: S, >= 0. ``spin``, ``active_spin``: w and w_perp, rad/s, >= 0. ``reynolds``: Re, > 0.
         """
         viscous = self.drag_per_inverse_reynolds * (REFERENCE_REYNOLDS / reynolds - 1)
         return drag_with_spin(self, spin_factor, spin, active_spin) + viscous
@@ -161,9 +153,7 @@ class Aerodynamics(Validated):
     def viscous_rate(self, *, radius: float, mass: float) -> float:
         """Return the braking by the part of drag that is linear in speed, Cd rho A v / (2 m) at Cd = c Re_0 / Re, 1/s.
 
-        Parameters
-        ----------
-        radius, mass : of the ball, m and kg, > 0.
+        ``radius``, ``mass``: of the ball, m and kg, > 0.
         """
         return self.drag_per_inverse_reynolds * REFERENCE_REYNOLDS * VISCOSITY * math.pi * radius / (4 * mass)
 
@@ -189,11 +179,8 @@ def acceleration(velocity: Array, *, spin: Array, ball: Ball, aerodynamics: Aero
     [nathan_calculator]. With S = R |spin x u_vector| / u^2 the lift is k (Cl / S) R (spin x u_vector), which stays
     finite where nothing spins.
 
-    Parameters
-    ----------
-    velocity : through the air (the ball's less the wind's), m/s, shape (3,).
-    spin : rad/s, shape (3,).
-    density : of the air, kg/m^3, >= 0.
+    ``velocity``: through the air (the ball's less the wind's), m/s, shape (3,). ``spin``: rad/s, shape (3,).
+    ``density``: of the air, kg/m^3, >= 0.
     """
     push = drag_and_lift(velocity, spin=spin, ball=ball, aerodynamics=aerodynamics, density=density)
     return np.array([0.0, 0.0, -STANDARD_GRAVITY]) + push[0] + push[1]

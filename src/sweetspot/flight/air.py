@@ -37,9 +37,7 @@ def vapour_pressure(temperature: ArrayLike) -> Array:
     >>> round(float(vapour_pressure(100.0)) / STANDARD_PRESSURE, 2)
     1.0
 
-    Parameters
-    ----------
-    temperature : degC, any shape.
+    ``temperature``: degC, any shape.
     """
     degrees = np.asarray(temperature, float)
     power = (18.687 - degrees / 234.5) * degrees / (257.14 + degrees)

@@ -97,9 +97,7 @@ def launched_to(
 def _where_nothing_is_missed(flown: Callable[[Array], tuple[Array, Flights]], spray: Array) -> tuple[Array, Flights]:
     """Return the directions, from some to begin with, that miss by no more than `CLOSE`, else NaN; and their flights.
 
-    Parameters
-    ----------
-    flown : of launch directions in rad, shape (n,), by how much the landings miss, rad, and the flights.
+    ``flown``: of launch directions in rad, shape (n,), by how much the landings miss, rad, and the flights.
     """
     miss, result = flown(spray)
     slope = np.ones_like(spray)

@@ -70,11 +70,9 @@ class CarryErrors:
         ``scatter`` has everything in it that makes home runs scatter. What measuring errors and spin have in that is
         taken away before those of this launch are added.
 
-        Parameters
-        ----------
-        exit_speed, launch_angle : as measured, m/s and rad, shape (n,).
-        per_drag : m by which the carry grows with the logarithm of drag, shape (n,).
-        scatter : of home runs, all expressed as drag, shape (n,); see `flight.home_runs.CarryScatter`.
+        ``exit_speed``, ``launch_angle``: as measured, m/s and rad, shape (n,). ``per_drag``: m by which the carry grows
+        with the logarithm of drag, shape (n,). ``scatter``: of home runs, all expressed as drag, shape (n,); see
+        `flight.home_runs.CarryScatter`.
         """
         row, along = _between(SPEEDS, exit_speed)
         column, across = _between(ANGLES, launch_angle)
@@ -95,11 +93,8 @@ def _between(nodes: Array, values: Array) -> tuple[NDArray[np.intp], Array]:
 def drag_alone(by_drag: Array, *, per_drag: Array, home_run: float) -> Array:
     """Return the variance of the carry that drag alone causes, m^2, from a scatter of home runs with all causes in it.
 
-    Parameters
-    ----------
-    by_drag : m, what carries would scatter by if all of it were drag.
-    per_drag : m by which the carry grows with the logarithm of drag.
-    home_run : see `CarryErrors`.
+    ``by_drag``: m, what carries would scatter by if all of it were drag. ``per_drag``: m by which the carry grows with
+    the logarithm of drag. ``home_run``: see `CarryErrors`.
     """
     return np.asarray(np.maximum(np.square(by_drag) - np.square(per_drag) * home_run, 0.0))
 
@@ -109,10 +104,7 @@ def carry_errors(
 ) -> CarryErrors:
     """Return the scatter of carries in given air.
 
-    Parameters
-    ----------
-    errors : of the measurements.
-    spin_scatter : standard deviation of backspin about the usual line, rad/s.
+    ``errors``: of the measurements. ``spin_scatter``: standard deviation of backspin about the usual line, rad/s.
     """
     through = FlightConditions(ball=ball, aerodynamics=aerodynamics, air=air)
     speeds, angles = np.meshgrid(SPEEDS, ANGLES, indexing="ij")
@@ -123,9 +115,7 @@ def carry_errors(
 def home_run_share(conditions: FlightConditions) -> float:
     """Return the ``home_run`` of `CarryErrors`: what errors and spin have in the scatter of tracked home runs.
 
-    Parameters
-    ----------
-    conditions : ball, law and air of the flights.
+    ``conditions``: ball, law and air of the flights.
     """
     fast, far = (np.array([value]) for value in HOME_RUN)
     law = braked(conditions.aerodynamics)
@@ -155,11 +145,8 @@ def usual_launch(
 ) -> BallMotions:
     """Return balls with their usual spin; beyond the angles it is known for, the spin of the nearest.
 
-    Parameters
-    ----------
-    speed, angle, spray : m/s and rad, shape (n,).
-    left : whether each was hit from the left side.
-    more_spin : backspin beyond the usual, rad/s.
+    ``speed``, ``angle``, ``spray``: m/s and rad, shape (n,). ``left``: whether each was hit from the left side.
+    ``more_spin``: backspin beyond the usual, rad/s.
     """
     axes = spin_axes(angle, spray)
     usual = np.clip(angle, USUAL_ANGLES[0] * DEGREE, USUAL_ANGLES[1] * DEGREE)

@@ -247,10 +247,8 @@ def solve(start: Array, method: FlightMethod, output: FlightOutput) -> None:
 
     Every lane carries one flight; when it has landed, the lane takes the next one, so that no lane waits for another.
 
-    Parameters
-    ----------
-    start : (12, n), see the rows of the input above.
-    output : with k points of each path, evenly in time; k = 0 to solve.
+    ``start``: (12, n), see the rows of the input above. ``output``: with k points of each path, evenly in time; k = 0
+    to solve.
     """
     lanes = np.zeros(ROWS * LANES)
     following, busy = 0, 0

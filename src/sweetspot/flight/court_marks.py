@@ -35,9 +35,7 @@ class Passage:
 def passages(flight: Flight, marks: Sequence[CourtMark], *, ball: Ball) -> tuple[Passage, ...]:
     """Return a flight at every mark, in their order; distances count from where the ball starts, along its way.
 
-    Parameters
-    ----------
-    flight : one that landed.
+    ``flight``: one that landed.
 
     >>> passages.__module__
     'sweetspot.flight.court_marks'

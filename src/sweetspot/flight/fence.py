@@ -87,9 +87,7 @@ def landings(path: Array, park: Park) -> Landings:
     the path it goes straight. It is out when its centre is above the top there. A ball that passes the distance of a
     foul pole on the wrong side of it, or comes down outside the foul lines before it, is foul.
 
-    Parameters
-    ----------
-    path : m, shape (..., points, 3), at least two points that are no NaN in each flight.
+    ``path``: m, shape (..., points, 3), at least two points that are no NaN in each flight.
 
     Raises
     ------

@@ -83,11 +83,8 @@ def chances(
 ) -> None:
     """Fill the chance of a home run, and the height over the fence by the law, of n balls in m parks.
 
-    Parameters
-    ----------
-    start : (12, n), as `solve` takes it; its density does not count.
-    densities : (3, n), of the airs that each ball is flown in, kg/m^3, thinnest first.
-    output : both (n, m).
+    ``start``: (12, n), as `solve` takes it; its density does not count. ``densities``: (3, n), of the airs that each
+    ball is flown in, kg/m^3, thinnest first. ``output``: both (n, m).
     """
     balls = start.shape[1]
     (weights, fences, nearest, drags, scatters), (chance, margin) = parks, output
@@ -160,10 +157,7 @@ def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float |
 def _fly(lanes: Array, method: FlightMethod, enough: float, paths: Array, points: IntArray, reach: Array) -> None:
     """Fill positions and velocities at every step, how many there are down to `DEPTH`, and the greatest distance.
 
-    Parameters
-    ----------
-    enough : m, when all have been farther than that they are followed no more.
-    paths : (points, 6, lanes).
+    ``enough``: m, when all have been farther than that they are followed no more. ``paths``: (points, 6, lanes).
     """
     law, _, power, profile, _, step = method
     over = np.zeros(LANES, np.bool_)

@@ -156,9 +156,7 @@ def _levels(elevations: tuple[float, ...]) -> tuple[Array, Array]:
 def _densities(air: Air | Airs, levels: Array, *, own_elevation: bool) -> Array:
     """Return the densities in which balls are flown, kg/m^3, shape (levels, 1) or (levels, n).
 
-    Parameters
-    ----------
-    own_elevation : whether the levels are above the sea, or above the elevation of the air.
+    ``own_elevation``: whether the levels are above the sea, or above the elevation of the air.
     """
     from_sea = levels[:, None] if own_elevation else levels[:, None] + np.asarray(air.elevation)
     return air_density(air.temperature, pressure=air.pressure, humidity=air.humidity, elevation=from_sea)

@@ -104,9 +104,7 @@ def fence_at(park: Park, direction: ArrayLike) -> tuple[Array, Array]:
     Between two vertices the wall is straight: 1/d = (sin(b - t)/d_a + sin(t - a)/d_b) / sin(b - a) for a direction t
     between those, a and b, of the vertices. Its height goes linearly with the direction.
 
-    Parameters
-    ----------
-    direction : rad from centre field, any shape.
+    ``direction``: rad from centre field, any shape.
     """
     at, distance, height = np.array(park.fence).T
     wanted = np.clip(np.asarray(direction, float), at[0], at[-1])

@@ -164,9 +164,7 @@ def flight_table(
 ) -> FlightTable:
     """Return a hit with one or two of its numbers varied.
 
-    Parameters
-    ----------
-    rows, columns : a field of `BattedBall` and its values in SI, at least one.
+    ``rows``, ``columns``: a field of `BattedBall` and its values in SI, at least one.
 
     Raises
     ------

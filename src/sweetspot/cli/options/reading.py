@@ -90,9 +90,7 @@ def given(options: Any, *names: str) -> list[str]:
 def refuse_unused(names: Sequence[str], what: str, instead: str) -> None:
     """Raise `InputError` if options were given that belong to something that was not asked for.
 
-    Parameters
-    ----------
-    what, instead : what they belong to, and what to do to have it.
+    ``what``, ``instead``: what they belong to, and what to do to have it.
 
     Examples
     --------

@@ -49,10 +49,8 @@ def spin_from_movement(
     What is left of the acceleration without weight and across the path is lift, k Cl v^2; the lift law is solved for
     the spin factor [nathan_calculator]. Gyro spin does not show.
 
-    Parameters
-    ----------
-    velocity, acceleration : m/s and m/s^2, shape (..., 3), best in the middle of the way.
-    density : of the air, kg/m^3, > 0.
+    ``velocity``, ``acceleration``: m/s and m/s^2, shape (..., 3), best in the middle of the way. ``density``: of the
+    air, kg/m^3, > 0.
 
     Returns
     -------

@@ -69,11 +69,9 @@ def nine_parameters(
 
     Statcast's tables hold no position at 50 ft but the one at the plate, so the start follows from the end.
 
-    Parameters
-    ----------
-    velocity : m/s, shape (..., 3), right, out (negative: towards the plate) and up, at 50 ft (vx0, vy0, vz0).
-    acceleration : m/s^2, shape (..., 3) (ax, ay, az).
-    side, height : m, where the ball passes the front edge of the plate (plate_x, plate_z).
+    ``velocity``: m/s, shape (..., 3), right, out (negative: towards the plate) and up, at 50 ft (vx0, vy0, vz0).
+    ``acceleration``: m/s^2, shape (..., 3) (ax, ay, az). ``side``, ``height``: m, where the ball passes the front edge
+    of the plate (plate_x, plate_z).
 
     Raises
     ------
@@ -97,11 +95,8 @@ def at_plate(
 ) -> BallMotion:
     """Return one tracked pitch where it passes the front edge of the plate.
 
-    Parameters
-    ----------
-    spin : rad/s, shape (3,), at release; see `pitch_spin` and `spin_from_movement`.
-    aerodynamics : how the spin tires on the way; None: it stays.
-    release : m in front of the plate's tip, where the ball was let go.
+    ``spin``: rad/s, shape (3,), at release; see `pitch_spin` and `spin_from_movement`. ``aerodynamics``: how the spin
+    tires on the way; None: it stays. ``release``: m in front of the plate's tip, where the ball was let go.
 
     Raises
     ------
@@ -123,9 +118,7 @@ def at_plate(
 def approach_angles(velocity: ArrayLike) -> tuple[Array, Array]:
     """Return the vertical and the horizontal approach angle of pitches in rad, negative: down, positive: to the right.
 
-    Parameters
-    ----------
-    velocity : m/s, shape (..., 3), at the plate.
+    ``velocity``: m/s, shape (..., 3), at the plate.
     """
     across, out, up = np.moveaxis(np.asarray(velocity, float), -1, 0)
     return np.arctan2(up, -out), np.arctan2(across, -out)
