@@ -7,7 +7,7 @@ rotation cubic on each element, so thin parts do not lock. Breakpoints and point
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -184,8 +184,14 @@ def mass_properties(beams: Beams) -> BendingBatch:
     whole, plain = beams.ends()
     length = _length(plain)
     mesh = _elements(whole, length / least_elements(MODES), _stiffness_at_ends(beams, whole))
-    _, (mass, moment, moi_cm, roll), _, _ = _weighed(beams, mesh, 0)
+    _, body, _, _ = _weighed(beams, mesh, 0)
+    return _without_modes(beams, length, mesh, body)
+
+
+def _without_modes(beams: Beams, length: Array, mesh: Mesh, body: tuple[Array, Array, Array, Array]) -> BendingBatch:
+    """Return the batch of beams with this mass, first moment, moment of inertia and roll, and no mode."""
     none = np.zeros((len(beams), 0))
+    mass, moment, moi_cm, roll = body
     return BendingBatch(
         length=length,
         mass=mass,
@@ -256,7 +262,6 @@ def _stiffening(beams: Beams, drawn: _Vibrating, elements: int, start: int) -> A
 def _some(beams: Beams, count: int, elements: int, start: int) -> BendingBatch:
     drawn = _vibrating(beams, count, elements, start)
     mesh, length, coefficients = drawn.mesh, _length(drawn.plain), drawn.coefficients
-    mass, first_moment, moi_cm, roll = drawn.body
     stiffening = _stiffening(beams, drawn, elements, start)
     squares = drawn.squares * stiffening[:, None]
     joint = joints(drawn.whole.left, drawn.stiffness_at_ends, drawn.whole.owner, beams=len(beams))
@@ -266,20 +271,8 @@ def _some(beams: Beams, count: int, elements: int, start: int) -> BendingBatch:
     slices = [drawn.plain.divided(length / number) for number in (CELLS, CELLS // 2)]
     slow = extrapolated(*(_slowly(beams, cut, drawn.points, sampled_at) for cut in slices)) / stiffening[:, None]
     left_out = slow - np.einsum("bpm,bm->bp", sampled**2, 1 / squares)
-    return BendingBatch(
-        length=length,
-        mass=mass,
-        balance_point=first_moment / mass,
-        moi_cm=moi_cm,
-        roll_moi=roll,
-        omega=np.sqrt(squares),
-        damping_ratio=beams.damping_ratio,
-        mesh=mesh,
-        coefficients=coefficients,
-        left_out=left_out,
-        sampled_at=sampled_at,
-        corner=corner,
-    )
+    bending = {"omega": np.sqrt(squares), "coefficients": coefficients, "left_out": left_out}
+    return replace(_without_modes(beams, length, mesh, drawn.body), **bending, sampled_at=sampled_at, corner=corner)
 
 
 def _length(plain: Mesh) -> Array:
