@@ -61,11 +61,8 @@ class CalibrateQuestion:
 class CalibratedValues:
     """What is known of a calibrated bat; empty where measurements contradict each other.
 
-    Parameters
-    ----------
-    moi : about 6 in from the knob end; of rackets, clubs and sticks the swing weight.
-    longitudinal_modulus, shear_modulus, density : of a bat's material.
-    first_frequency : of rackets, clubs and sticks.
+    ``moi``: about 6 in from the knob end; of rackets, clubs and sticks the swing weight. ``longitudinal_modulus``,
+    ``shear_modulus``, ``density``: of a bat's material. ``first_frequency``: of rackets, clubs and sticks.
     """
 
     mass: Annotated[CalibratedValue | None, MASS] = None
@@ -86,10 +83,8 @@ class CalibratedValues:
 class CalibratedUnknown:
     """Something that was not known: how far it is off the description.
 
-    Parameters
-    ----------
-    before_error : one sigma before anything was measured; of a logarithm, but for the density gradient.
-    deviation : from the description, of the same.
+    ``before_error``: one sigma before anything was measured; of a logarithm, but for the density gradient.
+    ``deviation``: from the description, of the same.
     """
 
     name: str
@@ -101,10 +96,8 @@ class CalibratedUnknown:
 class FittedMeasurement:
     """A measurement, what the fitted bat says to it, and how far it lies from all others together.
 
-    Parameters
-    ----------
-    fitted : None where measurements contradict each other.
-    off_by_sigma : one sigma is the measurement's and the model's error.
+    ``fitted``: None where measurements contradict each other. ``off_by_sigma``: one sigma is the measurement's and the
+    model's error.
     """
 
     kind: Annotated[MeasuredKind, INTERNAL]
@@ -123,10 +116,8 @@ class FittedMeasurement:
 class Suspect:
     """A measurement that alone explains a contradiction.
 
-    Parameters
-    ----------
-    should : what it should be by all others, or by the description where it is the only one.
-    meant : as what it would agree with them, the nearest first.
+    ``should``: what it should be by all others, or by the description where it is the only one. ``meant``: as what it
+    would agree with them, the nearest first.
     """
 
     measurement: Annotated[Measurement, INTERNAL]

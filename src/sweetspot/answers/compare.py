@@ -57,10 +57,8 @@ SpeedWithEnds = Annotated[Number, SPEED, NESTED]
 class EffortLaw:
     """The law by which bats are swung with the same effort; see `SwingLaw`.
 
-    Parameters
-    ----------
-    axis_from_grip : where the moment of inertia counts, from the bottom of the grip.
-    lightest_moi : below which a bat is swung no faster.
+    ``axis_from_grip``: where the moment of inertia counts, from the bottom of the grip. ``lightest_moi``: below which a
+    bat is swung no faster.
     """
 
     name: str
@@ -95,9 +93,7 @@ class RulesKept:
 class ComparedCurves:
     """Exit speed along one implement, from the knob end, arrays of shape (n,).
 
-    Parameters
-    ----------
-    change : against the first one, equally far from the tip; nan where nothing of the kind is known.
+    ``change``: against the first one, equally far from the tip; nan where nothing of the kind is known.
     """
 
     position: Annotated[Array, LENGTH]

@@ -22,10 +22,8 @@ from sweetspot.units.dimensions import SLOPE_PER_SPEED
 class HitConditions:
     """Pitch, swing, hands and ball; places from the knob end. See `Conditions`.
 
-    Parameters
-    ----------
-    ball_restitution, ball_restitution_speed, ball_restitution_slope : the ball's law on a wall: restitution at a speed,
-        and its fall with speed.
+    ``ball_restitution``, ``ball_restitution_speed``, ``ball_restitution_slope``: the ball's law on a wall: restitution
+    at a speed, and its fall with speed.
     """
 
     pitch_speed: Speed
@@ -73,10 +71,8 @@ def conditions_columns(draws: Draws) -> Columns:
 class MassProperties:
     """Name, length and mass properties; positions and axes from the knob end.
 
-    Parameters
-    ----------
-    moi_cm, moi_knob, moi_6in : about axes across it, through the balance point, the knob end and 6 in from that.
-    roll_moi : about its own axis.
+    ``moi_cm``, ``moi_knob``, ``moi_6in``: about axes across it, through the balance point, the knob end and 6 in from
+    that. ``roll_moi``: about its own axis.
     """
 
     name: str

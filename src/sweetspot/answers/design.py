@@ -85,11 +85,9 @@ class MaterialBest:
 class DesignGain:
     """What a design gains over the present bat in the batter's hands; see `sweetspot.designs.gain.Gain`.
 
-    Parameters
-    ----------
-    half_interval : of ``expected_exit_speed``, of which the next six are standard deviations.
-    balls, balls_needed : that tell of the contacts, and from how many the gain would be seen; None: no number.
-    present_is_better_within_from_tip : nearer the tip the present bat is better; None: nowhere.
+    ``half_interval``: of ``expected_exit_speed``, of which the next six are standard deviations. ``balls``,
+    ``balls_needed``: that tell of the contacts, and from how many the gain would be seen; None: no number.
+    ``present_is_better_within_from_tip``: nearer the tip the present bat is better; None: nowhere.
     """
 
     shift_towards_hands: Length

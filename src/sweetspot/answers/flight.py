@@ -31,10 +31,8 @@ Flown = TypeVar("Flown", bound="FlightAnswer")
 class BallLeaving:
     """How a ball leaves the bat.
 
-    Parameters
-    ----------
-    launch_angle, spray : above the level, and from centre field, positive to right field.
-    height : above the ground.
+    ``launch_angle``, ``spray``: above the level, and from centre field, positive to right field. ``height``: above the
+    ground.
     """
 
     exit_speed: Speed
@@ -138,11 +136,8 @@ def flight_end(flight: Flight, park: Park) -> FlightEnd:
 class FlightQuestion:
     """One flight that is asked for.
 
-    Parameters
-    ----------
-    motion : the ball as it leaves the bat.
-    sources : what is not known, see `flight_sources`; None: no intervals are asked for.
-    draws : how many answers the intervals come from, a power of two.
+    ``motion``: the ball as it leaves the bat. ``sources``: what is not known, see `flight_sources`; None: no intervals
+    are asked for. ``draws``: how many answers the intervals come from, a power of two.
     """
 
     motion: BallMotion

@@ -62,10 +62,7 @@ class FlyQuestion:
 class PassedMark:
     """A flight at a net, line or boundary; see `Passage` and `sweetspot.equipment.sport.Mark`.
 
-    Parameters
-    ----------
-    height : of the mark; None: a line.
-    ball_height : nan where the ball landed before.
+    ``height``: of the mark; None: a line. ``ball_height``: nan where the ball landed before.
     """
 
     name: str

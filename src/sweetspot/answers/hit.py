@@ -76,10 +76,8 @@ class HitHistory:
 class CollisionNumbers:
     """Quantities of any collision, also of one in a batch.
 
-    Parameters
-    ----------
-    position, lateral : from the knob end and beside the line.
-    outcome, outcome_text : how it ended, for programs and for people.
+    ``position``, ``lateral``: from the knob end and beside the line. ``outcome``, ``outcome_text``: how it ended, for
+    programs and for people.
     """
 
     position: Length
@@ -97,11 +95,9 @@ class CollisionNumbers:
 class Collision(CollisionNumbers):
     """One collision as the implement at rest sees it; see `Impact`.
 
-    Parameters
-    ----------
-    energy, energy_share : parts of the energy, and as parts of what comes in.
-    energy_imbalance : what the parts miss of the whole, an error of the time steps.
-    unrecovered_gain : how much faster a ball leaves that has not recovered when it is touched again; None: it is not.
+    ``energy``, ``energy_share``: parts of the energy, and as parts of what comes in. ``energy_imbalance``: what the
+    parts miss of the whole, an error of the time steps. ``unrecovered_gain``: how much faster a ball leaves that has
+    not recovered when it is touched again; None: it is not.
     """
 
     release_time: Time
@@ -163,11 +159,9 @@ def collision_of(impact: Impact) -> Collision:
 class Hit(Collision):
     """One collision under its conditions.
 
-    Parameters
-    ----------
-    bat_speed : at the place of the hit, before it.
-    smash_factor : exit speed over bat speed; None where the bat stands.
-    exit_speed_unrecovered : of a ball that has not recovered when it is touched again; None: it is touched once.
+    ``bat_speed``: at the place of the hit, before it. ``smash_factor``: exit speed over bat speed; None where the bat
+    stands. ``exit_speed_unrecovered``: of a ball that has not recovered when it is touched again; None: it is touched
+    once.
     """
 
     bat_speed: Speed
@@ -232,11 +226,9 @@ def strains_of(strains: Damage) -> Strains:
 class HitQuestion:
     """One collision that is asked for.
 
-    Parameters
-    ----------
-    position, lateral : m from the knob end and beside the line of a face.
-    sources : what is not known, for an interval beside every number; None: only what the ball leaves to the exit speed.
-    draws : how many answers the intervals come from, a power of two.
+    ``position``, ``lateral``: m from the knob end and beside the line of a face. ``sources``: what is not known, for an
+    interval beside every number; None: only what the ball leaves to the exit speed. ``draws``: how many answers the
+    intervals come from, a power of two.
     """
 
     implement: Implement

@@ -40,11 +40,8 @@ from sweetspot.uncertainty.sources import DRAWS, Sources
 class SwingSearch:
     """The contact that carries farthest is searched for each of these pitches; see `best_swing`.
 
-    Parameters
-    ----------
-    reduced : the bat, with what the hands do to it.
-    tilt : of the swing's plane, rad.
-    held : place and attack angle that are not searched.
+    ``reduced``: the bat, with what the hands do to it. ``tilt``: of the swing's plane, rad. ``held``: place and attack
+    angle that are not searched.
     """
 
     reduced: ReducedBat[Bat]
@@ -98,10 +95,8 @@ class ParkSearch:
 class OptimumQuestion:
     """What is asked about the best way to hit; None: not asked.
 
-    Parameters
-    ----------
-    sources : what is not known, of the hit and of the drag; None: no intervals are asked for.
-    draws : how many answers the intervals come from, a power of two.
+    ``sources``: what is not known, of the hit and of the drag; None: no intervals are asked for. ``draws``: how many
+    answers the intervals come from, a power of two.
     """
 
     bat: Bat

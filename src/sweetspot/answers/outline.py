@@ -24,10 +24,7 @@ from sweetspot.units.dimensions import LENGTH, MASS
 class OutlineQuestion:
     """An outline and the bat that has it.
 
-    Parameters
-    ----------
-    outline : see `sweetspot.calibration.outline.outline_file.read_outline`.
-    bat : see `bat_of_outline`.
+    ``outline``: see `sweetspot.calibration.outline.outline_file.read_outline`. ``bat``: see `bat_of_outline`.
     """
 
     outline: MeasuredOutline

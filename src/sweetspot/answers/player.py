@@ -94,10 +94,7 @@ class ParameterRange:
 class FittedParameter(ParameterRange):
     """A parameter of a player after the fit; see `sweetspot.player.posterior.Learned`.
 
-    Parameters
-    ----------
-    prior : what was known before any swing.
-    told_by_data : whether the swings say anything beyond that.
+    ``prior``: what was known before any swing. ``told_by_data``: whether the swings say anything beyond that.
     """
 
     prior: ParameterRange
@@ -110,11 +107,9 @@ class FittedParameter(ParameterRange):
 class TriedBat:
     """A bat tried on the player.
 
-    Parameters
-    ----------
-    key, label, family : see `sweetspot.player.candidate.Candidate`.
-    goal, change : what is expected with it, and that against the player's own bat.
-    chance_better : part of what the data allow in which it is better.
+    ``key``, ``label``, ``family``: see `sweetspot.player.candidate.Candidate`. ``goal``, ``change``: what is expected
+    with it, and that against the player's own bat. ``chance_better``: part of what the data allow in which it is
+    better.
     """
 
     key: str

@@ -81,10 +81,8 @@ class FitPlayerQuestion:
 class PlayerSwings:
     """A player's swings as they were read, with the bats that they were made with.
 
-    Parameters
-    ----------
-    file : the swings that count, and what to know about the file.
-    bat, others : the player's own bat, and the others by their names in the file.
+    ``file``: the swings that count, and what to know about the file. ``bat``, ``others``: the player's own bat, and the
+    others by their names in the file.
     """
 
     question: FitPlayerQuestion

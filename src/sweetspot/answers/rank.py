@@ -68,11 +68,8 @@ class RankQuestion:
 class RankedProperties:
     """What is known of a bat.
 
-    Parameters
-    ----------
-    moi : about 6 in from the knob; of rackets, clubs and sticks the swing weight.
-    modulus : over the described one, of a bat that was tapped; of other implements the square of the first frequency
-        over the described one's.
+    ``moi``: about 6 in from the knob; of rackets, clubs and sticks the swing weight. ``modulus``: over the described
+    one, of a bat that was tapped; of other implements the square of the first frequency over the described one's.
     """
 
     mass: Annotated[CalibratedValue, MASS]

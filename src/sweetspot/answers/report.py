@@ -70,9 +70,7 @@ class VibrationMode:
 class SweetSpotPlaces:
     """Every meaning of "sweet spot", from the knob end; see `SweetSpots`.
 
-    Parameters
-    ----------
-    zone, zone_width : its two ends, shape (2,), and how far they lie apart; None where there is none.
+    ``zone``, ``zone_width``: its two ends, shape (2,), and how far they lie apart; None where there is none.
     """
 
     center_of_percussion: Length
@@ -103,9 +101,8 @@ class CurvesAlong:
 class Miss:
     """Exit speed lost by hitting beside the best place, towards the hands and towards the tip.
 
-    Parameters
-    ----------
-    inside, outside : with the interval that two laws of the ball span, or that of draws; nan where nothing is hit.
+    ``inside``, ``outside``: with the interval that two laws of the ball span, or that of draws; nan where nothing is
+    hit.
     """
 
     distance: Length
@@ -137,9 +134,7 @@ class AtTheTip:
 class BestHit(Hit):
     """The hit at the best place.
 
-    Parameters
-    ----------
-    exit_speed_half : of the interval of its exit speed where no draws were made; None: not known, or draws were.
+    ``exit_speed_half``: of the interval of its exit speed where no draws were made; None: not known, or draws were.
     """
 
     exit_speed_half: Speed | None = None
@@ -206,10 +201,8 @@ class ReportAnswer(Answer):
 class ReportQuestion:
     """A report that is asked for.
 
-    Parameters
-    ----------
-    sources : what is not known; None: the exit speed is answered with what the ball alone leaves to it.
-    drawn : whether every number gets its interval, from ``draws`` draws of the sources; else the best exit speed alone.
+    ``sources``: what is not known; None: the exit speed is answered with what the ball alone leaves to it. ``drawn``:
+    whether every number gets its interval, from ``draws`` draws of the sources; else the best exit speed alone.
     """
 
     reduced: ReducedBat[Implement]

@@ -239,10 +239,7 @@ class SeasonAnswer(Answer):
 class SeasonPlayer(Answer):
     """One player of a season.
 
-    Parameters
-    ----------
-    season : whose player it is.
-    index : row in its table of players.
+    ``season``: whose player it is. ``index``: row in its table of players.
     """
 
     season: Annotated[SeasonAnswer, INTERNAL]

@@ -56,9 +56,7 @@ def error_of(written: Written | None) -> float:
 class SwungWith:
     """How a bat is swung that was changed or is choked up.
 
-    Parameters
-    ----------
-    same : what is the same as before the change, "effort" or "speed".
+    ``same``: what is the same as before the change, "effort" or "speed".
     """
 
     same: Literal["effort", "speed"]

@@ -45,11 +45,8 @@ class TapQuestion:
 class HeardTap:
     """A tap of a recording.
 
-    Parameters
-    ----------
-    time : from the beginning of the recording.
-    used, fault : whether it is used, and why not.
-    heard_to : up to which frequency it was heard, where that is less than the band.
+    ``time``: from the beginning of the recording. ``used``, ``fault``: whether it is used, and why not. ``heard_to``:
+    up to which frequency it was heard, where that is less than the band.
     """
 
     recording: str

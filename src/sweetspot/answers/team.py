@@ -33,10 +33,8 @@ if TYPE_CHECKING:
 class PooledParameter:
     """A parameter of a batter alone and knowing how the league's batters differ.
 
-    Parameters
-    ----------
-    alone, pooled : from the own swings only, and within the league.
-    own_share : how much of the pooled spread is the batter's own word; 0: that of the league.
+    ``alone``, ``pooled``: from the own swings only, and within the league. ``own_share``: how much of the pooled spread
+    is the batter's own word; 0: that of the league.
     """
 
     alone: ParameterRange
@@ -58,11 +56,9 @@ class LeagueParameter:
 class TeamRow:
     """One batter of a team as a row of a table.
 
-    Parameters
-    ----------
-    bat_speed_alone, position_spread_alone : as the own swings alone say; the others knowing the league.
-    one_inch_less_scatter : what it brings.
-    better_bat, better_by : the bat that is surely better by most; None: there is none.
+    ``bat_speed_alone``, ``position_spread_alone``: as the own swings alone say; the others knowing the league.
+    ``one_inch_less_scatter``: what it brings. ``better_bat``, ``better_by``: the bat that is surely better by most;
+    None: there is none.
     """
 
     batter: str
@@ -85,11 +81,8 @@ class TeamRow:
 class TeamBatter(TeamRow):
     """One batter of a team.
 
-    Parameters
-    ----------
-    alone : the fit to the own swings.
-    advice : which rests on the fit within the league.
-    best : the bat that is surely better by most; None: there is none.
+    ``alone``: the fit to the own swings. ``advice``: which rests on the fit within the league. ``best``: the bat that
+    is surely better by most; None: there is none.
     """
 
     parameters: Mapping[str, PooledParameter]

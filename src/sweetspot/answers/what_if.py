@@ -99,11 +99,8 @@ class FailedCell:
 class WhatIfQuestion:
     """A bat of which one or two things are varied.
 
-    Parameters
-    ----------
-    conditions : of the bat as it is.
-    law : as which every other bat is swung; None: at the same speed.
-    cell : the answer that a printed table shows.
+    ``conditions``: of the bat as it is. ``law``: as which every other bat is swung; None: at the same speed. ``cell``:
+    the answer that a printed table shows.
     """
 
     bat: Bat

@@ -17,10 +17,8 @@ from sweetspot.units import DEGREE, RPM
 class SpinLine:
     """The spin that hits have on average, a line through what single balls scatter about widely.
 
-    Parameters
-    ----------
-    backspin : rpm, rpm per degree of launch angle, rpm per degree of spray to the opposite side.
-    sidespin : rpm at `MIDDLE_ANGLE`, rpm per degree of spray, rpm per degree of launch angle above that.
+    ``backspin``: rpm, rpm per degree of launch angle, rpm per degree of spray to the opposite side. ``sidespin``: rpm
+    at `MIDDLE_ANGLE`, rpm per degree of spray, rpm per degree of launch angle above that.
     """
 
     backspin: tuple[float, float, float]

@@ -54,11 +54,8 @@ TRACKED = LaunchErrors(1.0 * MPH, 1.0 * DEGREE)
 class CarryErrors:
     """Scatter of carries apart from drag, m, at nodes of exit speed and launch angle.
 
-    Parameters
-    ----------
-    variances : m^2, of measuring errors and spin together, shape (speeds, angles).
-    home_run : the same of the average tracked home run over what drag does to it, squared: it is in what home runs
-        scatter by.
+    ``variances``: m^2, of measuring errors and spin together, shape (speeds, angles). ``home_run``: the same of the
+    average tracked home run over what drag does to it, squared: it is in what home runs scatter by.
     """
 
     variances: Array

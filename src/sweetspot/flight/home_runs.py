@@ -39,11 +39,9 @@ DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
 class CarryScatter:
     """Scatter of single flights, as fractions of the drag coefficient.
 
-    Parameters
-    ----------
-    roof, open : standard deviation under a roof that never opens and in the open.
-    roof_shift, open_shift : what balls near the fence have more of there than the law says; see docs/theory/flight.md.
-    closed : how much of a fixed roof is a closed one that moves; see docs/theory/parks.md.
+    ``roof``, ``open``: standard deviation under a roof that never opens and in the open. ``roof_shift``,
+    ``open_shift``: what balls near the fence have more of there than the law says; see docs/theory/flight.md.
+    ``closed``: how much of a fixed roof is a closed one that moves; see docs/theory/parks.md.
     """
 
     roof: float = 0.055
@@ -81,11 +79,8 @@ def is_likely(chance: float) -> bool:
 class HomeRuns:
     """Chances of many balls in many parks.
 
-    Parameters
-    ----------
-    chance : shape (n, parks), 0 to 1.
-    clearance : m from the fence's top up to the ball's centre over it as it flies by the law, shape (n, parks);
-        negative where it falls short, NaN where it is foul or does not come near.
+    ``chance``: shape (n, parks), 0 to 1. ``clearance``: m from the fence's top up to the ball's centre over it as it
+    flies by the law, shape (n, parks); negative where it falls short, NaN where it is foul or does not come near.
     """
 
     chance: Array

@@ -137,11 +137,8 @@ def directed(hit: BattedBall, *, ball: Ball, aerodynamics: Aerodynamics) -> Batt
 class FlightTable:
     """A hit with one or two of its numbers varied.
 
-    Parameters
-    ----------
-    hit : what is not varied.
-    rows, columns : what is varied and its values; without ``columns`` the table has one column.
-    flights : every flight, row after row.
+    ``hit``: what is not varied. ``rows``, ``columns``: what is varied and its values; without ``columns`` the table has
+    one column. ``flights``: every flight, row after row.
     """
 
     hit: BattedBall

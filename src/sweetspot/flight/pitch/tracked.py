@@ -20,11 +20,8 @@ from sweetspot.units import FOOT, MPH
 class NineParameters:
     """Pitches as Statcast gives them: constant acceleration, referred to `REFERENCE` in front of the plate's tip.
 
-    Parameters
-    ----------
-    position : m, shape (..., 3), there; see `nine_parameters`.
-    velocity : m/s, shape (..., 3), there; the second part negative, towards the plate.
-    acceleration : m/s^2, shape (..., 3).
+    ``position``: m, shape (..., 3), there; see `nine_parameters`. ``velocity``: m/s, shape (..., 3), there; the second
+    part negative, towards the plate. ``acceleration``: m/s^2, shape (..., 3).
     """
 
     position: Array
