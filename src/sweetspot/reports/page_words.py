@@ -98,6 +98,12 @@ def film_speeds(bat: float, ball: float, exit_speed: float) -> Sentence:
     )
 
 
+def force_words(peak: float) -> Sentence:
+    """Return what a picture of the force in time, N, and of the hands' motion shows."""
+    words = "Force on the ball, at most {peak}, and speed of the bat under the top hand, in time."
+    return say(words, peak=Slot(peak, "blow"))
+
+
 BEFORE = -1.0
 """s before first touch at which every film has begun."""
 
@@ -293,6 +299,14 @@ def leaving_words(ball: BallLeaving) -> Sentence:
 def bat_speed_words(speed: float) -> Sentence:
     """Return how fast the bat moves where it meets the ball."""
     return say("The bat moves at {speed:speed} where they meet.", speed=speed)
+
+
+def park_chances(park: str) -> Sentence:
+    """Return what a map of the chances of home runs in a park shows."""
+    words = (
+        "How likely a ball to centre field leaves {park}, in its own air, with what balls, spin and weather scatter by."
+    )
+    return say(words, park=park)
 
 
 def carries_farthest(exit_speed: float, launch_angle: float, carry: float) -> Sentence:

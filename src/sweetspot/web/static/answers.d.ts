@@ -748,6 +748,7 @@ export interface FilmAnswer {
   energy_names: Record<string, string>;
   energy_words: Record<"us" | "si", string[]>;
   speeds: Record<"us" | "si", string[]>;
+  force: Record<"us" | "si", string[]>;
   phases: FilmPhase[];
   top_hand: HandMotion;
   hoop: WallMotion | null;
@@ -1006,6 +1007,7 @@ export interface LaunchAnswer {
   map: CarryMap;
   park: string;
   words: Record<"us" | "si", string[]>;
+  chances: Record<"us" | "si", string[]>;
 }
 
 /** The launch angle at which a ball so fast carries farthest. */

@@ -30,6 +30,7 @@ from sweetspot.reports.page_words import (
     film_energy_words,
     film_phases,
     film_speeds,
+    force_words,
     wave_words,
 )
 from sweetspot.reports.sport_words import words_of
@@ -126,7 +127,7 @@ class FilmAnswer:
     ----------
     energy, energy_names : the parts of the energy that there are, and what they are called.
     energy_words : where the energy is at the end.
-    speeds : of bat and ball where they meet.
+    speeds, force : of bat and ball where they meet, and the greatest force, in words.
     words : what the hands could still do.
     phases : earliest first.
     """
@@ -140,6 +141,7 @@ class FilmAnswer:
     energy_names: Mapping[str, str]
     energy_words: Sentences
     speeds: Sentences
+    force: Sentences
     phases: tuple[FilmPhase, ...]
     top_hand: HandMotion
     hoop: WallMotion | None
@@ -193,6 +195,7 @@ def _answer(state: HitFilmState) -> FilmAnswer:
         energy_names=film_energy_names(energy, terms),
         energy_words=in_both_systems([last]),
         speeds=in_both_systems([film_speeds(bat_speed, conditions.pitch.speed, leaves)]),
+        force=in_both_systems([force_words(impact.peak_force)]),
         phases=tuple(FilmPhase(*phase) for phase in phases),
         top_hand=moved,
         hoop=_hoop(scene, modes, reduced_bat, conditions),

@@ -18,7 +18,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch import PitchFlight, aimed
 from sweetspot.motion.ball_motion import USUAL_CONTACT, batted_ball
 from sweetspot.reports.optimum.document import optimum_document
-from sweetspot.reports.page_words import carries_farthest
+from sweetspot.reports.page_words import carries_farthest, park_chances
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
 from sweetspot.web.controls import Name, SwungState, Tilt, within
@@ -65,6 +65,7 @@ class LaunchAnswer:
     map: CarryMap
     park: str
     words: Sentences
+    chances: Sentences
 
 
 def answer(state: OptimumState) -> LaunchAnswer:
@@ -86,6 +87,7 @@ def answer(state: OptimumState) -> LaunchAnswer:
         map=carries(ball, conditions=through, park=park, own_elevation=True),
         park=park.name,
         words=in_both_systems([carries_farthest(speed, best.launch_angle, best.carry)]),
+        chances=in_both_systems([park_chances(park.name)]),
     )
 
 

@@ -150,11 +150,11 @@ export default class HitView {
   }
 
   /** @param {FilmAnswer} given */
-  say({ hit, words: told }) {
+  say({ force, words: told }) {
     const words = told[this.app.units].join(" ");
     if (tell(this.words, words)) this.app.announce(words);
     this.side.label(`Ball and bat from the side, ${this.look.exaggeration} times its motion. ${words}`);
-    this.chart.label(`Force on the ball, at most ${this.app.text("force_n", hit.peak_force_n)}, and speed of the bat under the top hand, in time.`);
+    this.chart.label(force[this.app.units].join(" "));
   }
 
   unmount() { this.transport.end(); }

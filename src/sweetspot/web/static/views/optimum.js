@@ -63,7 +63,7 @@ export default class OptimumView {
     const [x, y, cross] = [map.exit_speed_m_s, map.launch_angle_rad, [launch.exit_speed_m_s, launch.launch_angle_rad]];
     this.map.draw({ x, y, z: map.carry_m, cross });
     this.chances.draw({ x, y, z: map.chance, cross });
-    const chance = `How likely a ball to centre field leaves ${answer.park}, in its own air, with what balls, spin and weather scatter by.`;
+    const chance = answer.chances[this.app.units].join(" ");
     this.park.textContent = chance;
     this.chances.label(`${chance} The table below has its numbers.`);
     this.map.label(`How far balls carry, by exit speed and launch angle. ${words}`);
