@@ -25,7 +25,7 @@ from sweetspot.catalog.files.tables import (
     Length,
     Made,
     Mass,
-    Named,
+    NameOf,
     Sizes,
     check_sport,
     in_si,
@@ -59,8 +59,8 @@ def _listed(value: object) -> object:
     return (value,) if isinstance(value, dict) else value
 
 
-MaterialName = Annotated[str, Named(material)]
-OwnMaterial = Annotated[str | None, Named(material, of_body=True)]
+MaterialName = Annotated[str, NameOf(material)]
+OwnMaterial = Annotated[str | None, NameOf(material, of_body=True)]
 
 
 class BoreTable(FileTable):
@@ -68,7 +68,7 @@ class BoreTable(FileTable):
 
     diameter: Length = Field(description="for example '1 in'")
     depth: Length = Field(description="from the tip, for example '10 in'")
-    fill: Annotated[str | None, Named(material)] = Field(
+    fill: Annotated[str | None, NameOf(material)] = Field(
         None, description="material of the catalogue that fills it; absent: empty"
     )
     plug: Length = Field("0 in", description="length of the mouth closed again with the bat's own material")
@@ -130,7 +130,7 @@ class ShellTable(FileTable):
     weight_by: Literal["handle", "knob", "end cap", "wall"] | None = Field(
         None, description="what meets a measured mass where density alone cannot; absent: the first of these that can"
     )
-    handle_material: Annotated[str | None, Named(material)] = Field(
+    handle_material: Annotated[str | None, NameOf(material)] = Field(
         None, description="of a two-piece bat; name in the catalogue"
     )
     joint: Annotated[str | None, LENGTH] = Field(

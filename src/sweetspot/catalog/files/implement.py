@@ -23,7 +23,7 @@ from sweetspot.catalog.files.tables import (
     Length,
     Made,
     Mass,
-    Named,
+    NameOf,
     Parts,
     Sizes,
     check_sport,
@@ -180,7 +180,7 @@ class GolfClubFile(CommonTable):
     first_frequency: FirstFrequency = None
 
 
-RubberName = Annotated[str | None, Named(rubber)]
+RubberName = Annotated[str | None, NameOf(rubber)]
 
 
 class TableTennisRacketFile(CommonTable):

@@ -39,7 +39,7 @@ class PairsOf:
 
 
 @dataclass(frozen=True)
-class Named:
+class NameOf:
     """Loader of what a field's text names in the catalogue; ``of_body``: where it names none, the bat's material."""
 
     function: Callable[[str], object]
@@ -62,7 +62,7 @@ class Called:
     name: str
 
 
-Meaning = Of | PairsOf | Named | Made
+Meaning = Of | PairsOf | NameOf | Made
 LENGTH, MASS, MOI, FORCE = Of("length"), Of("mass"), Of("moi"), Of("force")
 FREQUENCY, STIFFNESS, LINEAR_DENSITY = Of("frequency"), Of("stiffness"), Of("linear density")
 ANGLE, DENSITY, PRESSURE = Of("angle"), Of("density"), Of("pressure")
@@ -133,11 +133,11 @@ def values_in_si(
 def _meant(value: object, meaning: Meaning | None, label: str, implement: str, body: Material | None) -> object:
     """Return the meaning of a field's value."""
     match value, meaning:
-        case None, Named(of_body=True):
+        case None, NameOf(of_body=True):
             value = body
         case str(), Of():
             value = in_si(value, meaning.kind, label, implement)
-        case str(), Named():
+        case str(), NameOf():
             value = meaning.function(value)
         case tuple(), PairsOf():
             value = _pairs(value, meaning, label, implement)
