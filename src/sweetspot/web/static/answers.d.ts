@@ -1458,7 +1458,7 @@ export interface SavedTable {
 /** Of the chosen balls how well they were hit, where on the barrel, and where they would come down. */
 export interface SeasonMaps {
   words?: Record<"si" | "us", string>;
-  unmapped: string;
+  unmapped?: string;
   means?: BallMeans;
   ceilings?: BallCeilings;
   barrel?: MappedBalls;

@@ -158,11 +158,11 @@ class SeasonMaps:
     Parameters
     ----------
     words : whose balls they are, and how well they were hit.
-    unmapped : why there is no map of the barrel; "": there is one.
+    unmapped : why there is no map of the barrel; None: there is one.
     """
 
     words: Mapping[System, str] | None = None
-    unmapped: str = ""
+    unmapped: str | None = None
     means: BallMeans | None = None
     ceilings: BallCeilings | None = None
     barrel: MappedBalls | None = None
@@ -254,7 +254,7 @@ def maps(state: SeasonState) -> SeasonMaps:
     unmapped = "These tables have no bat speeds, so nothing is said of bats."
     return SeasonMaps(
         in_either_system(_words(state, means)),
-        "" if barrel is not None else unmapped if means.balls else "No ball is left by this choice.",
+        None if barrel is not None else unmapped if means.balls else "No ball is left by this choice.",
         means,
         None if ceilings is None else BallCeilings(**ceilings),
         None if barrel is None else _mapped(barrel, barrel_words(barrel)),

@@ -2,7 +2,7 @@
 //
 // How to write a view, say static/views/modes.js (plain ES modules; nothing is built, nothing comes from elsewhere):
 //
-//   export class view {             // made when it is opened, with every field set; static, and as in web/views/__init__.py:
+//   export default class ModesView {  // made anew whenever it is opened: its constructor gives every field a value
 //     static guide = [[title, words]];   // the steps of the guide
 //     constructor(root, app) {}       // build the elements once; no answer is there yet
 //     update(answer, state) {}        // a new answer, or the same one again after a change of units, theme or size: draw

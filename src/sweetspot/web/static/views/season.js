@@ -122,7 +122,7 @@ export default class SeasonView {
     app.announce(words[app.units]);
     this.facts.fill(means);
     MEANS.forEach(([, name], i) => (/** @type {HTMLElement} */ (this.facts.element.children[i]).hidden = typeof means[name] !== "number")); // what these tables do not hold
-    showWords(this.none, unmapped);
+    showWords(this.none, unmapped ?? "");
     this.design.hidden = this.barrel.element.hidden = !barrel;
     this.ceilings.element.hidden = !ceilings;
     this.told[1].hidden = !field;
