@@ -139,7 +139,7 @@ def test_a_bad_table_leaves_what_was_read(read: Page, settled: Callable[[Page], 
     rows = "".join(f"{90 + number},{10 + number},7\n" for number in range(12))
     page.evaluate(DROPPED, ["no bats.csv", f"exit_speed_mph,launch_angle_deg,batter\n{rows}"])
     expect(page.locator("#verdict")).to_contain_text("12 balls in play: ")
-    expect(page.get_by_text("These tables have no bat speeds, so nothing is told of bats.")).to_be_visible()
+    expect(page.get_by_text("These tables have no bat speeds, so nothing is said of bats.")).to_be_visible()
     settled(page)
     told = page.locator(".facts > div:visible dt").all_inner_texts()
     assert told[:2] == ["Balls", "Exit speed"] and not {"Bat speed", "From the best place"} & set(told)
