@@ -90,22 +90,10 @@ def implement_deviated(beam: BeamModel, deviations: Mapping[str, float]) -> Beam
     return beam_model(implement.replaced(**changes))
 
 
-UnknownName = Literal[
-    "modulus",
-    "shear_modulus",
-    "density",
-    "density_gradient",
-    "knob_mass",
-    "end_mass",
-    "wall",
-    "handle",
-    "barrel",
-    "ball_restitution",
-    "mass",
-    "balance_point",
-    "gyration",
-    "first_frequency",
-]
+UnknownName = (
+    Literal["modulus", "shear_modulus", "density", "density_gradient", "knob_mass", "end_mass", "wall", "handle"]
+    | Literal["barrel", "ball_restitution", "mass", "balance_point", "gyration", "first_frequency"]
+)
 OF_BALL: UnknownName = "ball_restitution"
 """The unknown that is not the bat's."""
 GRADIENT_SPREAD = 0.05
