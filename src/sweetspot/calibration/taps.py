@@ -136,6 +136,8 @@ WINDOW = 0.5
 """s of ringing that are used at most."""
 BEFORE = 0.004
 """s before the first tap in which its filtered sound may begin."""
+HUMLESS, CLEARER = 400.0, 6.0
+"""Hz from which on taps are looked for where they stand out by this many dB more: mains and steps are below."""
 FEWER_TONES = 1000.0
 """Hz up to which a tap is heard once more whose tones are more than a fit can hold."""
 LOSSY = 0.03
@@ -174,7 +176,7 @@ def find_taps(recording: Recording, *, band: FrequencyBand, held: float = HELD) 
     """Return all taps of a recording, good and bad."""
     clear = without_hum(recording)
     sound = in_band(clear, band)
-    starts = _starts(sound)
+    starts = _starts(_where_taps_stand_out(clear, sound, band))
     spans = list(pairwise([*starts, sound.duration]))
     quiet = starts[0] - BEFORE
     taps = [_tap(recording, sound, span, band, held=held, quiet=quiet) for span in spans]
@@ -190,6 +192,18 @@ def find_taps(recording: Recording, *, band: FrequencyBand, held: float = HELD) 
             fault = f"doubled: two taps {1e3 * (after - before):.0f} ms apart; let it ring between taps"
             taps[index : index + 2] = [replace(tap, fault=tap.fault or fault) for tap in taps[index : index + 2]]
     return tuple(taps)
+
+
+def _where_taps_stand_out(recording: Recording, sound: Recording, band: FrequencyBand) -> Recording:
+    """Return the sound in its band, or without what is low where taps then stand out of hum much farther."""
+    if not band.low < HUMLESS < min(band.high, 0.45 * recording.rate) / 2:
+        return sound
+    without = in_band(recording, FrequencyBand(HUMLESS, band.high))
+    gains = []
+    for entry in (sound, without):
+        level, floor = _levels(entry)
+        gains.append(float(level.max(initial=floor)) - floor)
+    return without if gains[1] > gains[0] + CLEARER else sound
 
 
 def _levels(sound: Recording) -> tuple[Array, float]:
