@@ -98,6 +98,16 @@ def test_what_hums_before_the_tap_is_no_tone(modes: Modes, sound: Recording) -> 
     assert any(abs(one.frequency.value - 116.5) < 2 for fit in fits for one in fit.sinusoids)  # it was heard
 
 
+def test_taps_in_rumble_are_found_and_called_too_quiet(sound: Recording) -> None:
+    """By the whole band one or two of the three would be found. The rumble is a quarter of the tap, 70 to 200 Hz."""
+    low = scipy.signal.butter(2, (70, 200), "bandpass", fs=sound.rate, output="sos")
+    rumble = scipy.signal.sosfilt(low, np.random.default_rng(5).standard_normal(len(sound.samples)))
+    rumble *= 0.25 * np.abs(sound.samples).max() / np.abs(rumble).max()
+    taps = find_taps(replace(sound, samples=sound.samples + rumble), band=BAT_BAND)
+    assert [round(tap.start, 1) for tap in taps] == [0.3, 1.3, 2.3]
+    assert any("too quiet" in (tap.fault or "") for tap in taps)
+
+
 def test_a_room_does_not_hold_the_bat(sound: Recording) -> None:
     """In an echo 10 dB below the tap a fast companion of the first tone is the room's, and the bat hangs freely."""
     time = np.arange(round(0.4 * sound.rate)) / sound.rate
