@@ -173,7 +173,7 @@ def reasons_of(tables: list[Dirty]) -> list[list[str]]:
     return told
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(tables=dirty_tables(), form=forms())
 def test_every_line_of_a_dirty_table_is_accounted_for(tables: list[Dirty], form: Form) -> None:
     with tempfile.TemporaryDirectory() as folder:
