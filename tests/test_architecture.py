@@ -56,7 +56,7 @@ HOMES = {
     "skfem": (),  # it sets the level of its logger for the whole process
     "emcee": (),  # the tests check draws with it
     "pymoo": ("designs/",),
-    "ezdxf": ("reports/drawing/", "calibration/outline/"),
+    "ezdxf": ("reports/drawing.py", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
     "PIL": ("calibration/outline/photo/",),
     "polars": ("answers/", "seasons/", "reports/season/", "player/swing_table.py", "numerics/whole_parquet.py"),

@@ -16,8 +16,7 @@ from sweetspot.cli import main
 from sweetspot.errors import InputError
 from sweetspot.reports import html
 from sweetspot.reports.quantities import US
-from sweetspot.reports.season.one_player import player_page
-from sweetspot.reports.season.tables import write_tables
+from sweetspot.reports.season.document import player_page, write_tables
 from sweetspot.seasons.batters import read_bats, require_batter
 from sweetspot.seasons.standings import GROUPS, Standing
 from tests.reports.season.test_picture import CASES

@@ -14,7 +14,7 @@ from sweetspot.numerics.interval import Interval
 from sweetspot.player.bat_pairs import BatPair, MeasuredBat, compared_pairs
 from sweetspot.player.goal import Goal
 from sweetspot.reports.document import Table
-from sweetspot.reports.player.pair_words import of_those_swung, pairs_table
+from sweetspot.reports.player.phrases import of_those_swung, pairs_table
 from sweetspot.reports.quantities import US
 from sweetspot.reports.sentences import read
 from sweetspot.units import FOOT, MPH

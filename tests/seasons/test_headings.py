@@ -16,7 +16,7 @@ from sweetspot.answers.season_question import SeasonQuestion
 from sweetspot.errors import InputError
 from sweetspot.reports import html
 from sweetspot.reports.quantities import US
-from sweetspot.reports.season.one_player import player_page
+from sweetspot.reports.season.document import player_page
 from sweetspot.seasons.batters import require_batter
 from sweetspot.seasons.headings import headings_of
 from sweetspot.seasons.made_up import MadeSeason, made_season

@@ -16,7 +16,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
-from sweetspot.reports.hit.ledger import ENERGY_NAMES
+from sweetspot.reports.quantities import ENERGY_NAMES
 from sweetspot.uncertainty.drawn_hits import drawn_ledger, draws_of, hits_along
 from sweetspot.uncertainty.sources import NOTHING, OF_BALL, PATCH, sources_of
 from sweetspot.units import MPH

@@ -164,7 +164,7 @@ def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tupl
     from sweetspot.answers.tap import TapQuestion, tap_answer
     from sweetspot.calibration.recording import read_recording
     from sweetspot.cli.tap_command import tap_places
-    from sweetspot.reports.tap.document import touched_words, unlike_words
+    from sweetspot.reports.tap import touched_words, unlike_words
 
     if not recordings:
         if at:

@@ -109,7 +109,7 @@ def _question(
         return OutlineQuestion(measured, bat)
     if sizes.given():
         raise InputError(f"--length or --ruler was given, but {source} is a bat and has its own; leave it out")
-    from sweetspot.reports.drawing.contour import outline_stations
+    from sweetspot.reports.drawing import outline_stations
 
     bat = catalog.load_bat(source)
     bat = bat if name is None else bat.replaced(name=name)
@@ -120,7 +120,7 @@ def _question(
 def _content(path: Path, bat: Bat, reading: Reader) -> bytes:
     """Return the contents of a file with this name."""
     from sweetspot.catalog.files.write import bat_toml, legible
-    from sweetspot.reports.drawing.drawing_files import ENDINGS, drawing_bytes
+    from sweetspot.reports.drawing import ENDINGS, drawing_bytes
 
     if path.suffix.lower() == BAT_FILE:
         return legible(bat_toml(bat)).encode()

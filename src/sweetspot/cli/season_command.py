@@ -147,9 +147,7 @@ def season(
 
 def _presented(answer: SeasonAnswer, output: OutputOptions) -> int:
     from sweetspot.cli.output import present
-    from sweetspot.reports.season.document import season_document, unread_of
-    from sweetspot.reports.season.one_player import player_page
-    from sweetspot.reports.season.tables import write_tables
+    from sweetspot.reports.season.document import player_page, season_document, unread_of, write_tables
 
     if output.out is not None:
         written = write_tables(answer, output.out)

@@ -92,7 +92,7 @@ def tap(
     from sweetspot.answers.tap import TapQuestion, tap_answer
     from sweetspot.calibration.recording import read_recording
     from sweetspot.cli.output import present
-    from sweetspot.reports.tap.document import tap_document
+    from sweetspot.reports.tap import tap_document
 
     if synthesis.synthesise is not None:
         read = {"a recording": recordings, "--bat": tapped.bat, "--bar": tapped.bar, "--mass": tapped.mass}

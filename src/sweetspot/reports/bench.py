@@ -24,7 +24,7 @@ from sweetspot.reports.document import (
 from sweetspot.reports.paper.statements import CHAIN, StatedRow, stated
 from sweetspot.reports.quantities import SI, Reader
 from sweetspot.reports.sentences import Slot, say
-from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.reports.uncertainty import how_sure
 from sweetspot.units.text import GROUPED_FROM, grouped
 from sweetspot.validation import Result
 

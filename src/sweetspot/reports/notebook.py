@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from io import StringIO
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any
 
+from sweetspot.answers.setups import SwungWith
 from sweetspot.errors import InputError
-from sweetspot.reports.document import Document
+from sweetspot.numerics.interval import NO_SPEED
+from sweetspot.reports.document import Document, Paragraph
 from sweetspot.reports.html import notebook_cell
-from sweetspot.reports.swung_with import with_effort
+from sweetspot.reports.sentences import Sentence, say
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -87,18 +90,18 @@ MAKERS: Mapping[str, str] = {
     "Flight": "sweetspot.reports.notebook:_flight_document",
     "FlyAnswer": "sweetspot.reports.flight.document:fly_document",
     "FlightAnswer": "sweetspot.reports.flight.document:flight_document",
-    "PlayAnswer": "sweetspot.reports.play.document:play_document",
-    "OptimumAnswer": "sweetspot.reports.optimum.document:optimum_document",
+    "PlayAnswer": "sweetspot.reports.play:play_document",
+    "OptimumAnswer": "sweetspot.reports.optimum:optimum_document",
     "DropAnswer": "sweetspot.reports.bench:drop_document",
     "DesignAnswer": "sweetspot.reports.design.document:design_document",
     "SeasonAnswer": "sweetspot.reports.season.document:season_document",
-    "SeasonPlayer": "sweetspot.reports.season.one_player:player_page",
+    "SeasonPlayer": "sweetspot.reports.season.document:player_page",
     "PendulumAnswer": "sweetspot.reports.bench:pendulum_document",
     "RankAnswer": "sweetspot.reports.calibration.ranking_report:ranking_document",
     "CalibrateAnswer": "sweetspot.reports.calibration.document:calibration_document",
     "FitPlayerAnswer": "sweetspot.reports.player.document:player_document",
     "FitTeamAnswer": "sweetspot.reports.player.team:team_document",
-    "TapAnswer": "sweetspot.reports.tap.document:tap_document",
+    "TapAnswer": "sweetspot.reports.tap:tap_document",
     "OutlineAnswer": "sweetspot.reports.calibration.outline_report:outline_document",
     "Comparison": "sweetspot.reports.comparison.document:comparison_document",
     "Certification": "sweetspot.reports.certification.document:certification_document",
@@ -112,17 +115,54 @@ MAKERS: Mapping[str, str] = {
     "ParksAnswer": "sweetspot.reports.flight.parks:parks_document",
     "SportAnswer": "sweetspot.reports.sports:sport_document",
     "SportsAnswer": "sweetspot.reports.sports:sports_document",
-    "WhatIfAnswer": "sweetspot.reports.comparison.two_way:what_if_document",
-    "FlyTableAnswer": "sweetspot.reports.flight.many:fly_table_document",
+    "WhatIfAnswer": "sweetspot.reports.comparison.document:what_if_document",
+    "FlyTableAnswer": "sweetspot.reports.many:fly_table_document",
     "HitAnswer": "sweetspot.reports.hit.document:hit_document",
     "Impact": "sweetspot.reports.hit.document:impact_document",
     "Implement": "sweetspot.reports.bat.document:described_document",
-    "Impacts": "sweetspot.reports.hit.many_hits:impacts_document",
-    "Strikes": "sweetspot.reports.hit.many_hits:impacts_document",
-    "Flights": "sweetspot.reports.flight.many:flights_document",
-    "Play": "sweetspot.reports.play.document:bare_play_document",
-    "Plays": "sweetspot.reports.play.document:bare_play_document",
-    "Strike": "sweetspot.reports.play.document:strike_document",
-    "Modes": "sweetspot.reports.modes.document:modes_document",
+    "Impacts": "sweetspot.reports.many:impacts_document",
+    "Strikes": "sweetspot.reports.many:impacts_document",
+    "Flights": "sweetspot.reports.many:flights_document",
+    "Play": "sweetspot.reports.play:bare_play_document",
+    "Plays": "sweetspot.reports.play:bare_play_document",
+    "Strike": "sweetspot.reports.play:strike_document",
+    "Modes": "sweetspot.reports.modes:modes_document",
 }
 """By the class of an answer, a name of one meaning, the function that makes its document; loaded when it is needed."""
+
+
+def effort_words(swung: SwungWith) -> Sentence:
+    """Say how a changed bat is swung, and what its speed became."""
+    name, speed = swung.changed.bat.name, float(swung.bat_speed)
+    if swung.same == "speed":
+        other = swung.changed.with_same_effort(swung.conditions).swing.bat_speed
+        return say(
+            "{name}: swung at the same speed as before the change, {speed:speed}; with the same effort it would move "
+            "at {other:speed}.",
+            name=name,
+            speed=speed,
+            other=other,
+        )
+    before = float(swung.bat_speed_before)
+    if abs(speed - before) < NO_SPEED:
+        return say(
+            "{name}: swung with the same effort as before the change, which leaves its speed at {speed:speed}.",
+            name=name,
+            speed=speed,
+        )
+    return say(
+        "{name}: swung with the same effort as before the change, at {speed:speed} in place of {before:speed}.",
+        name=name,
+        speed=speed,
+        before=before,
+    )
+
+
+def with_effort(document: Document, swung: SwungWith | None) -> Document:
+    """Return an answer about a changed bat with the sentence that says how it is swung; of another as it is."""
+    if swung is None:
+        return document
+    blocks = [*document.blocks]
+    place = next((at for at, block in enumerate(blocks[:2], start=1) if isinstance(block, Paragraph)), 0)
+    blocks.insert(place, Paragraph(effort_words(swung)))
+    return replace(document, blocks=blocks)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from sweetspot.answers.flight import BallLeaving, FlightEnd
 from sweetspot.equipment.sport import Terms
-from sweetspot.reports.hit.ledger import ENERGY_NAMES, FILM_NAMES
+from sweetspot.reports.quantities import ENERGY_NAMES, FILM_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.reports.sport_words import in_words
 from sweetspot.units import RPM

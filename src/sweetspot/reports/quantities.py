@@ -114,6 +114,7 @@ class Quantity:
     colour: str = ""
 
 
+GREY = "#59636e"
 BLUE, SKY, GREEN, ORANGE, RED, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7"
 PALETTE = {"blue": BLUE, "sky": SKY, "green": GREEN, "orange": ORANGE, "red": RED, "purple": PURPLE}
 """Okabe and Ito's palette, which colour-blind people can tell apart."""
@@ -237,3 +238,22 @@ def with_minus_signs(text: str) -> str:
     1
     """
     return MINUS.sub("\N{MINUS SIGN}", text)
+
+
+ENERGY_NAMES: Mapping[str, tuple[str, str]] = {
+    "ball": ("{ball}, flying back", RED),
+    "heat": ("heat in the {ball}", GREY),
+    "translation": ("{implement}, pushed back", BLUE),
+    "rotation": ("{implement}, turned", SKY),
+    "bending": ("{implement}, bending vibration", PURPLE),
+    "hoop": ("{implement}, barrel vibration", ORANGE),
+    "face": ("face, vibration", ORANGE),
+    "damping": ("heat in {implement} and {hands}", GREEN),
+}
+"""Field of `EnergyLedger`: (what it is called, with a sport's words; colour)."""
+FILM_NAMES = {name: words for name, (words, _) in ENERGY_NAMES.items()} | {
+    "ball": "{ball}, moving",
+    "stored": "{ball}, squeezed",
+    "dent": "surface, pressed in",
+}
+"""Field of `EnergyHistory`: what it is called while the hit lasts."""

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from sweetspot.calibration.measured import Measured
 from sweetspot.numerics.interval import REACH, Interval, Number, interval_of
 from sweetspot.reports.quantities import NOTHING, US, Reader
 from sweetspot.units import grouped
@@ -286,3 +287,14 @@ def with_doubt(value: float, doubt: float, scale: str) -> Sentence:
     """
     half = REACH * doubt
     return Sentence((Doubtful(value, half, scale) if half > 0 else Slot(value, scale),))
+
+
+def measured_words(value: Measured, scale: str, *, sign: bool = False) -> Sentence:
+    """Return a value with half the width of its interval, both to the second digit of that.
+
+    >>> from sweetspot.reports.quantities import US
+    >>> measured_words(Measured(171.8042, 0.2), "frequency").read(US)
+    '171.80 ± 0.33 Hz'
+    """
+    half = value.half_width
+    return Sentence((Doubtful(value.value, half, scale, sign) if half > 0 else Slot(value.value, scale, sign=sign),))

@@ -20,7 +20,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH
-from sweetspot.reports.swung_with import effort_words
+from sweetspot.reports.notebook import effort_words
 from sweetspot.units.dimensions import LENGTH, System
 from sweetspot.web.bat_bounds import Range, bounds
 from sweetspot.web.bats import UsualHit, changed_bat, conditions_of, swung, usual

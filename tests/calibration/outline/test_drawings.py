@@ -18,8 +18,7 @@ from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.catalog.files.bat import checked_drawing
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.drawing.contour import side_view
-from sweetspot.reports.drawing.drawing_files import drawing_bytes
+from sweetspot.reports.drawing import drawing_bytes, side_view
 from sweetspot.reports.quantities import SI, US, Reader
 
 BAT = catalog.bat("mlb-a")

@@ -16,8 +16,7 @@ from sweetspot import catalog
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.drawing.contour import meridian
-from sweetspot.reports.drawing.drawing_files import AROUND, RECORD, drawing_bytes, triangles
+from sweetspot.reports.drawing import AROUND, RECORD, drawing_bytes, meridian, triangles
 
 ROUND = math.sin(2 * math.pi / AROUND) / (2 * math.pi / AROUND)
 """Area of the polygon over the circle's (exact)."""

@@ -16,9 +16,9 @@ from sweetspot.player.model import player_model
 from sweetspot.player.posterior import fit_player
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
+from sweetspot.reports.pictures.shares import shares_figure
 from sweetspot.reports.player.picture import ALONE, ON_A_SHEET, player_figure
 from sweetspot.reports.quantities import SYSTEMS
-from sweetspot.reports.uncertainty.shares_picture import shares_figure
 from sweetspot.units import MPH
 from tests.reports.pictures.labels import check_labels, texts
 from tests.reports.told import Tell, tell

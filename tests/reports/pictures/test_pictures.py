@@ -22,11 +22,11 @@ from sweetspot.errors import InputError
 from sweetspot.reports.bat.figure import report_figure
 from sweetspot.reports.bat.outline_picture import bat_figure
 from sweetspot.reports.files import save, write_all
-from sweetspot.reports.hit.ledger import ENERGY_NAMES
 from sweetspot.reports.hit.picture import hit_figure
 from sweetspot.reports.pictures import style
 from sweetspot.reports.pictures.marks import ladder
 from sweetspot.reports.pictures.style import png_bytes, svg_bytes
+from sweetspot.reports.quantities import ENERGY_NAMES
 from sweetspot.reports.sport_words import words_of
 from sweetspot.reports.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH

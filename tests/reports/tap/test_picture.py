@@ -12,7 +12,7 @@ from sweetspot.calibration.recording import Recording
 from sweetspot.calibration.sinusoids import Fit, Sinusoid
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap, Tone
-from sweetspot.reports.tap.picture import tap_figure
+from sweetspot.reports.pictures.tap import tap_figure
 from tests.reports.pictures.labels import check_labels, texts
 
 RATE, SECONDS = 12_000, 0.4

@@ -13,8 +13,8 @@ from sweetspot.answers.report import ReportAnswer
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Band, Curve
-from sweetspot.reports.modes.picture import draw_mode
 from sweetspot.reports.pictures import marks
+from sweetspot.reports.pictures.modes import draw_mode
 from sweetspot.reports.pictures.panels import DASHED, Panel, band, beside, dot, frame, heading, rows_only, second_scale
 from sweetspot.reports.pictures.style import INK, MUTED, SMALL, ZONE, ZONE_EDGE, halo, styled
 from sweetspot.reports.quantities import GREEN, ORANGE, PURPLE, RED, SCALES, Reader, Unit

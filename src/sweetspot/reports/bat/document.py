@@ -34,7 +34,7 @@ from sweetspot.reports.document import Block, Cards, Document, Paragraph, Pictur
 from sweetspot.reports.hit.document import hit_picture, hit_table, masses_words, touched_again_between
 from sweetspot.reports.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
 from sweetspot.reports.sport_words import in_words, made_of_words, reader_of, weight, words_of
-from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.reports.uncertainty import how_sure
 
 
 def report_document(report: ReportAnswer) -> Document:

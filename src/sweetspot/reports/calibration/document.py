@@ -17,10 +17,9 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import REACH
-from sweetspot.reports.calibration.intervals import measured_words
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table, as_columns, table_head
 from sweetspot.reports.quantities import reader
-from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.sentences import Sentence, Slot, joined, measured_words, say
 
 SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
     "mass": ("mass", 2),

@@ -9,9 +9,8 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.outline.photo.photo_outline import HOOKED
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
-from sweetspot.reports.calibration.intervals import measured_words
 from sweetspot.reports.document import Block, Column, Document, Paragraph, Table, table_head
-from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.sentences import Sentence, Slot, joined, measured_words, say
 from sweetspot.units import INCH
 
 

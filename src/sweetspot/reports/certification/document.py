@@ -37,7 +37,7 @@ from sweetspot.reports.document import (
     table_head,
 )
 from sweetspot.reports.sentences import Line, Sentence, Slot, Span, Words, joined, say, tell
-from sweetspot.reports.uncertainty.section import chance_words, how_sure
+from sweetspot.reports.uncertainty import chance_words, how_sure
 
 PATCH_NOTE = (
     "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "

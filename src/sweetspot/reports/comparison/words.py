@@ -11,7 +11,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.interval import ENDS, NO_SPEED, interval_of, sure_sign
 from sweetspot.reports.sentences import Line, Sentence, joined, say, tell
-from sweetspot.reports.uncertainty.section import chance_words
+from sweetspot.reports.uncertainty import chance_words
 from sweetspot.units import MPH
 
 SURE = ENDS[1]

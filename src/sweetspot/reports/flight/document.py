@@ -14,7 +14,7 @@ from sweetspot.numerics.interval import Number
 from sweetspot.reports.document import Block, Document, Paragraph, Picture, drawn
 from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
-from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.reports.uncertainty import how_sure
 from sweetspot.units import DEGREE
 
 

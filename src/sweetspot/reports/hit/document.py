@@ -15,10 +15,10 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
 from sweetspot.reports.bat.appendix import soft_note
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, drawn, values_table
-from sweetspot.reports.hit.ledger import ENERGY_NAMES
+from sweetspot.reports.quantities import ENERGY_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, say
 from sweetspot.reports.sport_words import in_words, reader_of, weight, words_of
-from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.reports.uncertainty import how_sure
 
 Rows = list[tuple[Cell, Cell]]
 FEW_JOULES, FEW_NEWTONS = 20.0, 5e3

@@ -10,10 +10,9 @@ from matplotlib.ticker import MaxNLocator
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts
 from sweetspot.equipment.sport import Terms
-from sweetspot.reports.hit.ledger import ENERGY_NAMES
 from sweetspot.reports.pictures.panels import Page, Panel, beside, double_arrow, frame, heading, second_scale, write
 from sweetspot.reports.pictures.style import INK, LARGE, MUTED, NORMAL, halo, styled
-from sweetspot.reports.quantities import BLUE, GREEN, QUANTITIES, RED, US, Reader
+from sweetspot.reports.quantities import BLUE, ENERGY_NAMES, GREEN, QUANTITIES, RED, US, Reader
 from sweetspot.reports.sentences import Words, read
 from sweetspot.units import INCH, POUND_FORCE
 

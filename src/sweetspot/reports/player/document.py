@@ -23,8 +23,7 @@ from sweetspot.reports.document import (
     drawn,
     table_head,
 )
-from sweetspot.reports.player.pair_words import pairs_table
-from sweetspot.reports.player.phrases import GOALS, goal_shown, goal_words, option_words, pitch_words
+from sweetspot.reports.player.phrases import GOALS, goal_shown, goal_words, option_words, pairs_table, pitch_words
 from sweetspot.reports.player.words import PARAMETERS, answers, findings, notes, parameter_shown
 from sweetspot.reports.quantities import US
 from sweetspot.reports.sentences import Sentence, Slot, Words, read, say

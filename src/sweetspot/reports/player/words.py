@@ -17,8 +17,7 @@ from sweetspot.player.bat_pairs import measured_bats
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import Learned, PlayerPosterior
 from sweetspot.player.swings import SwingFile
-from sweetspot.reports.player.pair_words import of_those_swung
-from sweetspot.reports.player.phrases import goal_shown, goal_words, option_words
+from sweetspot.reports.player.phrases import goal_shown, goal_words, of_those_swung, option_words
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say, within
 from sweetspot.tables.cells import BadRow
 from sweetspot.units import INCH, MPH, OUNCE

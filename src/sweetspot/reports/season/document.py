@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -9,8 +10,10 @@ from typing import Any
 import numpy as np
 import polars as pl
 
-from sweetspot.answers.season import Caution, SeasonAnswer, SeasonTable
+from sweetspot.answers.records import plain_data
+from sweetspot.answers.season import Caution, SeasonAnswer, SeasonPlayer, SeasonTable
 from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.text_files import harmless
 from sweetspot.reports.document import (
     Block,
     Bullets,
@@ -24,14 +27,23 @@ from sweetspot.reports.document import (
     drawn,
     table_head,
 )
-from sweetspot.reports.season.words import few_of_a_kind, league_words, left_over_words, untracked_words
-from sweetspot.reports.sentences import Slot, within
+from sweetspot.reports.files import write_all
+from sweetspot.reports.season.words import (
+    best_bat_words,
+    few_of_a_kind,
+    league_words,
+    left_over_words,
+    player_words,
+    untracked_words,
+)
+from sweetspot.reports.sentences import Slot, joined, within
 from sweetspot.seasons.ball_columns import WITH
+from sweetspot.seasons.batters import table_stem
 from sweetspot.seasons.rows import REASONS
 from sweetspot.seasons.season_drag import DragOfMonth
 from sweetspot.seasons.standings import MEASURES, Standing
 from sweetspot.seasons.table_copies import LEFT_OUT
-from sweetspot.seasons.table_file import WARNINGS, is_parquet
+from sweetspot.seasons.table_file import CANNOT_TELL, WARNINGS, is_parquet
 from sweetspot.units import grouped
 
 SHOWN = 15
@@ -173,3 +185,88 @@ def _reliability(players: Standing) -> Table:
             label = MEASURES[name][1] if name in MEASURES else f"gain with {name.removeprefix(WITH)}"
             rows.append([label, grouped(spread.groups), *(None if np.isnan(part) else part for part in reliability)])
     return Table("Reliability: how well so many balls of a player tell him from the others", columns, rows)
+
+
+def write_tables(answer: SeasonAnswer, folder: Path) -> list[str]:
+    """Write each grouping's table as CSV and as Parquet and return the files' names.
+
+    Raises
+    ------
+    InputError
+        when one cannot be written.
+    """
+    contents: dict[Path, bytes] = {}
+    for key in answer.standings:
+        table = answer.to_frame(answer.question.system, key=key)
+        stem = table_stem(key)
+        texts = [column.name for column in table if column.dtype == pl.String]
+        harmless_table = table.with_columns(pl.col(texts).map_elements(harmless, return_dtype=pl.String))
+        contents[folder / f"{stem}.csv"] = harmless_table.write_csv().encode()
+        held = io.BytesIO()
+        table.write_parquet(held)
+        contents[folder / f"{stem}.parquet"] = held.getvalue()
+    if contents:
+        write_all(contents)
+    return sorted(path.name for path in contents)
+
+
+FIGURE = "sweetspot.reports.season.picture:season_figure"
+TELLING = 0.05
+"""Reliability below which players do not differ, and a percentile would be chance."""
+
+
+def player_page(player: SeasonPlayer) -> Document:
+    """Return one player's page: every measure partly pooled, with its intervals, reliability and rank in the table."""
+    answer, row, data = player.season, player.row, player.to_dict()
+    number = str(row["batter"])
+    name = str(row.get("name") or f"Player {number}")
+    balls = answer.counted.filter(pl.col("batter") == number)
+    drawing = Picture(
+        "player",
+        drawn(FIGURE, balls, title=name),
+        label=f"Balls of {name}.",
+        sheet=drawn(FIGURE, balls, title=""),
+    )
+    cannot = answer.cannot_tell if row.get("squared_up") is not None else (CANNOT_TELL["fouls"],)
+    rare = [Paragraph(sentence, "note") for sentence in few_of_a_kind(answer.rare_shares["batter"])]
+    return Document(
+        name=f"player-{number}",
+        title=name,
+        kind="Season of a player",
+        blocks=[
+            Paragraph(player_words(row)),
+            _measures(row),
+            *rare,
+            drawing,
+            *map(Paragraph, best_bat_words(row)),
+            Bullets(cannot),
+        ],
+        drawing=drawing,
+        data=plain_data(data),
+        rows={key: [value] for key, value in data.items()},
+    )
+
+
+def _measures(row: Mapping[str, Any]) -> Table:
+    heads = ("pooled", "50 %", "90 %", "own mean")
+    columns = [
+        Column("measure"),
+        *(Column(head, right=True) for head in heads),
+        Column("reliability", "ratio", 2),
+        Column("percentile", right=True),
+    ]
+    rows: list[list[Cell]] = []
+    for name, (scale, words) in MEASURES.items():
+        if row.get(name) is None:
+            continue
+        trust = row[f"{name}_reliability"]
+
+        def ends(width: str, name: str = name, scale: str = scale) -> Cell:
+            low, high = row[f"{name}_low{width}"], row[f"{name}_high{width}"]
+            return None if low is None else joined([Slot(low, scale).bare, "to", Slot(high, scale)])
+
+        rows.append([
+            words, Slot(row[name], scale), ends("50"), ends("90"), Slot(row[f"{name}_mean"], scale),
+            trust, f"{row[f'{name}_percentile']:.0f}" if (trust or 0.0) > TELLING else None,
+        ])  # fmt: skip
+    return Table("Against everybody in the tables", columns, rows)

@@ -30,8 +30,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
-from sweetspot.reports.design.document import compared
-from sweetspot.reports.design.sizes import drawing, tolerance_words
+from sweetspot.reports.design.document import compared, drawing, tolerance_words
 from sweetspot.reports.design.words import gain_words, gained_words, limit_words, weight_words
 from sweetspot.reports.quantities import SCALES, SYSTEMS
 from sweetspot.reports.sentences import Slot, say

@@ -212,7 +212,7 @@ def sure(state: FlightState) -> ReadDocument:
     from sweetspot.answers.flight import FlightQuestion, flight_answer, flight_sources
     from sweetspot.answers.play import PlayQuestion, play_answer, play_sources
     from sweetspot.reports.flight.document import flight_document
-    from sweetspot.reports.play.document import play_document
+    from sweetspot.reports.play import play_document
     from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     start = _start(state)

@@ -17,7 +17,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch import PitchFlight, aimed
 from sweetspot.motion.ball_motion import USUAL_CONTACT, batted_ball
-from sweetspot.reports.optimum.document import optimum_document
+from sweetspot.reports.optimum import optimum_document
 from sweetspot.reports.page_words import carries_farthest, park_chances
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung

@@ -28,7 +28,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.sentences import Slot, joined, say
-from sweetspot.reports.tap.document import touched_words, unlike_words
+from sweetspot.reports.tap import touched_words, unlike_words
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import FREQUENCY, TIME, System
 from sweetspot.web.documents import in_either_system

@@ -289,7 +289,7 @@ def _mapped(ball_map: BallMap, words: tuple[Sentence, Sentence]) -> MappedBalls:
 
 def player(state: SeasonState) -> ReadDocument | None:
     """Return one player's page; None where no player is chosen."""
-    from sweetspot.reports.season.one_player import player_page
+    from sweetspot.reports.season.document import player_page
 
     folder = _folder(state)
     if folder is None or state.batter is None:

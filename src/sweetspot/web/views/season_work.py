@@ -183,9 +183,8 @@ def without_folders(words: str, paths: list[Path]) -> str:
 
 def keep(answer: SeasonAnswer, folder: Path, described: str) -> None:
     """Write what the view tells of a season, the tables that can be taken away, and the summary last of all."""
-    from sweetspot.reports.season.document import season_document, unread_of
+    from sweetspot.reports.season.document import season_document, unread_of, write_tables
     from sweetspot.reports.season.page_words import read_words
-    from sweetspot.reports.season.tables import write_tables
     from sweetspot.seasons.ball_maps import choices_of
 
     tables = folder / TAKEN_AWAY

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.grid.grid import Grid, varied
+from sweetspot.reports.grid import Grid, varied
 from sweetspot.reports.pictures.panels import Panel, frame
 from sweetspot.reports.pictures.style import INK, LARGE, MUTED, PAPER, SMALL, fitted, styled
 from sweetspot.reports.quantities import BLUE, QUANTITIES, Reader

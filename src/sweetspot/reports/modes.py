@@ -29,7 +29,7 @@ def modes_document(modes: Modes) -> Document:
     columns = table_head("motion | rings at: frequency | damping: share, 2 | stands still, from the end of the grip")
     picture = Picture(
         "modes",
-        drawn("sweetspot.reports.modes.picture:modes_figure", modes),
+        drawn("sweetspot.reports.pictures.modes:modes_figure", modes),
         label="How the bat bends in its first modes.",
     )
     bends = bool(len(modes.of_family("bending")))

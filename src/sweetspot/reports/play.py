@@ -10,11 +10,11 @@ from sweetspot.collision.hit_in_space import Strike
 from sweetspot.reports.bat.appendix import soft_note
 from sweetspot.reports.document import Document, Paragraph, Picture, drawn
 from sweetspot.reports.flight.document import alike_words, fence_words, flight_document, flight_words, launch_words
-from sweetspot.reports.flight.many import flights_document
 from sweetspot.reports.hit.document import by_ball, impact_document, touched_again
+from sweetspot.reports.many import flights_document
 from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, joined, say
-from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.reports.uncertainty import how_sure
 
 
 def play_document(answer: PlayAnswer) -> Document:
@@ -23,7 +23,7 @@ def play_document(answer: PlayAnswer) -> Document:
     pitch = say("{speed:speed, 0} pitch", speed=answer.pitch_speed)
     picture = Picture(
         "play",
-        drawn("sweetspot.reports.play.picture:play_figure", answer, words),
+        drawn("sweetspot.reports.pictures.play:play_figure", answer, words),
         label="The contact of bat and ball, and the ball's path from above and from the side.",
     )
     return Document(

@@ -10,10 +10,9 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.taps import Tap, Tone
-from sweetspot.reports.calibration.intervals import measured_words
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, drawn, table_head
 from sweetspot.reports.quantities import NOTHING, SI
-from sweetspot.reports.sentences import Sentence, joined, say
+from sweetspot.reports.sentences import Sentence, joined, measured_words, say
 
 BY_RATIOS = (
     "Names come from the ratios of bats in general. Of a hollow bat, what is named bending 3 may be a hoop tone: say "
@@ -73,7 +72,7 @@ def tap_document(answer: TapAnswer) -> Document:
         notes.append(Paragraph(BY_RATIOS, "note"))
     picture = Picture(
         "tap",
-        drawn("sweetspot.reports.tap.picture:tap_figure", test, title),
+        drawn("sweetspot.reports.pictures.tap:tap_figure", test, title),
         "The recording, its spectrum and how its tones decay",
     )
     data = answer.to_dict()

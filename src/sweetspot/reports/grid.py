@@ -1,4 +1,4 @@
-"""One answer over one or two things that are varied."""
+"""One answer over one or two things that are varied, and its table."""
 
 from __future__ import annotations
 
@@ -6,7 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.document import Cell, Column, Table
+from sweetspot.reports.document import (
+    Cell,
+    Column,
+    Table,
+)
 from sweetspot.reports.quantities import QUANTITIES, SCALES, Reader
 from sweetspot.reports.sentences import Sentence, Slot, UnitName, joined, say
 

@@ -11,7 +11,7 @@ from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture
 from sweetspot.reports.flight.document import direction_words
 from sweetspot.reports.quantities import reader
 from sweetspot.reports.sentences import Sentence, Slot, say
-from sweetspot.reports.uncertainty.section import how_sure
+from sweetspot.reports.uncertainty import how_sure
 
 HELD = (
     "What was searched, place, undercut, attack and launch angle, is a choice: it stays as it is best for all as "
@@ -32,7 +32,7 @@ def optimum_document(answer: OptimumAnswer) -> Document:
     if answer.uncertainty is not None:
         blocks.append(Paragraph(HELD, "note"))
     picture = Picture(
-        "best", drawn("sweetspot.reports.optimum.picture:optimum_figure", answer), label="The best of what was tried."
+        "best", drawn("sweetspot.reports.pictures.optimum:optimum_figure", answer), label="The best of what was tried."
     )
     blocks.append(picture)
     if answer.uncertainty is not None:

@@ -55,7 +55,7 @@ def shares_picture(shares: Mapping[str, float], named: str) -> Picture:
     ranked = ", ".join(f"{name} {100 * share:.0f} %" for name, share in shares_by_name.items())
     return Picture(
         "doubt",
-        drawn("sweetspot.reports.uncertainty.shares_picture:shares_figure", shares_by_name, named),
+        drawn("sweetspot.reports.pictures.shares:shares_figure", shares_by_name, named),
         label=f"What the doubt comes from: {ranked}.",
     )
 

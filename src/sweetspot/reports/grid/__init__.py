@@ -1,1 +1,0 @@
-"""One answer over what is varied: table and picture."""

@@ -1,1 +1,0 @@
-"""The motions of a bat, shown."""

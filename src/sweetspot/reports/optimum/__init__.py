@@ -1,1 +1,0 @@
-"""Best swings and launches for people: words, tables, pictures."""

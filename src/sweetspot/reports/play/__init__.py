@@ -1,1 +1,0 @@
-"""A play from pitch to fence for people: words, tables, pictures."""

@@ -1,1 +1,0 @@
-"""A tap test as words, tables, JSON and picture."""

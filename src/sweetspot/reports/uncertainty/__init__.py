@@ -1,1 +1,0 @@
-"""Intervals beside the numbers of any document, and what they come from."""
