@@ -17,10 +17,16 @@ from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline, read
 from sweetspot.calibration.outline.photo.picture import read_picture
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from tests.photographs import ASH, BAT, BLACK, BLUE, GREEN, GREY, WALNUT, WHITE, rendered, saved
+from tests import photographs
+from tests.photographs import ASH, BAT, BLACK, BLUE, GREEN, GREY, WALNUT, WHITE, saved
 
 SHARED = Path(__file__).parents[4] / "shared" / "data"
 INCH = 0.0254
+
+
+def rendered(**how: Any) -> Array:
+    """Return a photograph with 160 pixels of ground beside the bat: a reading costs as much as its pixels."""
+    return photographs.rendered(**{"beside": 160} | how)
 
 
 def misses(outline: PhotoOutline) -> Array:
@@ -183,11 +189,11 @@ def test_refusals(tmp_path: Path) -> None:
         read_photo(tmp_path / "none.jpg", length=0.86)
 
 
-SMALL: dict[str, Any] = {"size": 500, "pixel": 2.2e-3}
+SMALL: dict[str, Any] = {"size": 500, "pixel": 2.2e-3, "beside": None}
 
 
 def black_on_grey(folder: Path, grey: float, quality: int) -> Path:
-    picture = rendered(wood=BLACK, ground=(grey, grey, grey + 0.01), angle=17)
+    picture = rendered(wood=BLACK, ground=(grey, grey, grey + 0.01), angle=17, beside=None)
     return saved(folder / "bat.jpg", picture, quality=quality)
 
 
