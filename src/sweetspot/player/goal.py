@@ -289,9 +289,7 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     )
     efficiency = float(
         np.interp(
-            BARREL,
-            reference.from_tip,
-            reference.efficiency + (pitch_speed + BAT_SPEED) * reference.efficiency_slope,
+            BARREL, reference.from_tip, reference.efficiency + (pitch_speed + BAT_SPEED) * reference.efficiency_slope
         )
     )
     head_on = efficiency * (pitch_speed + BAT_SPEED) + BAT_SPEED

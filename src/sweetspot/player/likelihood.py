@@ -132,10 +132,7 @@ def _density_untold(
 
     ``share``: (offsets, places), which add to one when each counts as its place's weight.
     """
-    retained, variance = (
-        table.untold_kept[table.untold[i], :, here],
-        table.untold_variance[table.untold[i], :, here],
-    )
+    retained, variance = (table.untold_kept[table.untold[i], :, here], table.untold_variance[table.untold[i], :, here])
     total = 0.0
     for k in range(len(share)):
         for j in range(len(room.weight)):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import csv
 import io
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
@@ -35,18 +34,8 @@ ADVICE = "give a CSV file with the rows of one batter, or Parquet"
 
 
 SUMMARIES = {
-    "average",
-    "averages",
-    "avg",
-    "mean",
-    "median",
-    "total",
-    "totals",
-    "sum",
-    "max",
-    "maximum",
-    "min",
-    "minimum",
+    *("average", "averages", "avg", "mean", "median", "total", "totals", "sum"),
+    *("max", "maximum", "min", "minimum"),
 }
 """What spreadsheets and devices call a row below the others that sums them up, in lower case."""
 
@@ -65,32 +54,8 @@ def _sums_up(cells: Sequence[str]) -> bool:
     return any(one_name(cell).rstrip(":.") in SUMMARIES for cell in cells)
 
 
-class SwingTable(ABC):
-    """A table whose headings are known; rows are (line of the file, cells)."""
-
-    headings: tuple[str, ...]
-    summaries: Lines = ()
-    """Rows below the swings that sum them up; they are not among the rows."""
-
-    @abstractmethod
-    def narrowed(self, columns: Headings) -> Headings:
-        """Return the columns as they stand in the rows that are given."""
-
-    @abstractmethod
-    def width(self, columns: Headings) -> int:
-        """Return the number of cells of a whole row."""
-
-    @abstractmethod
-    def rows(self, columns: Headings, batter: str | None = None) -> Lines:
-        """Return the rows, of one batter where one is named."""
-
-    @abstractmethod
-    def batters(self, columns: Headings) -> list[str]:
-        """Return the names of the batters, in the order of the alphabet."""
-
-
-class TextTable(SwingTable):
-    """A CSV file that is read whole."""
+class TextTable:
+    """A CSV file that is read whole; rows are (line of the file, cells), without those below that sum them up."""
 
     def __init__(self, lines: Lines) -> None:
         self.headings = tuple(lines[0][1]) if lines else ()
@@ -129,13 +94,14 @@ class TextTable(SwingTable):
         return self._parted[place]
 
 
-class ScannedTable(SwingTable):
+class ScannedTable:
     """Parquet or a large CSV file, of which only what is needed is read.
 
     ``frame``: its rows, with the line of each in ``LINE``. ``commas``: whether numbers may have decimal commas.
     """
 
     LINE = "line of the file"
+    summaries: Lines = ()
 
     def __init__(self, path: Path, frame: pl.LazyFrame, *, commas: bool = False) -> None:
         self.path, self._frame, self._commas = path, frame, commas
@@ -222,6 +188,10 @@ class ScannedTable(SwingTable):
         if self._commas:
             rows = ((line, [pointed(cell) for cell in cells]) for line, cells in rows)
         return tuple((line, cells) for line, cells in rows if any(cell.strip() for cell in cells))
+
+
+SwingTable = TextTable | ScannedTable
+"""A table whose headings are known."""
 
 
 def open_swings(path: Path, given: GivenColumns = NOTHING_GIVEN) -> SwingTable:

@@ -162,14 +162,7 @@ def _some(rows: Lines, path: Path) -> Lines:
 
 
 def _read(
-    line: int,
-    cells: list[str],
-    columns: Headings,
-    *,
-    width: int,
-    length: float,
-    pitch_speed: float | None,
-    sport: str,
+    line: int, cells: list[str], columns: Headings, *, width: int, length: float, pitch_speed: float | None, sport: str
 ) -> PlayerSwing | BadRow | None:
     """Return a row as a swing, as a bad row with its reason, or None where it holds no swing at all."""
     if len(cells) != width:

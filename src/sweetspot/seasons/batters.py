@@ -17,7 +17,7 @@ from sweetspot.seasons.ball_columns import UNKNOWN_BAT
 from sweetspot.seasons.rows import tidy
 from sweetspot.seasons.standings import GROUPS, PLAIN
 from sweetspot.seasons.table_file import no_table, text_columns
-from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, names_one_of, read_headings
 from sweetspot.tables.text_encoding import table_rows
 
 ENDINGS = (".csv", ".parquet")
@@ -133,8 +133,8 @@ def _values(tables: Sequence[pl.LazyFrame], column: str) -> list[str]:
     return values
 
 
-WHO = ("batter", "batter_id", "player", "hitter", "batter_name")
-"""Headings of the column of batters in a table of bats."""
+WHO = ("batter", "batter_name", "player_name", "person")
+"""Quantities that name the batter in a table of bats, the first that is there."""
 
 
 def read_bats(path: Path) -> dict[str, str]:
@@ -143,19 +143,20 @@ def read_bats(path: Path) -> dict[str, str]:
     Batters who are not in the table and have no row for all others count as batters with an unknown bat.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV table of bats")
-    lines = table_rows(text, path, is_heading=lambda cells: "bat" in _plain(cells))
+    lines = table_rows(text, path, is_heading=lambda cells: names_one_of(cells, ("bat",)))
     _, headings = next(lines, (0, []))
-    names = _plain(headings)
-    who = next((names.index(name) for name in WHO if name in names), None)
     if not headings:
         raise InputError(f"{path} is empty; give a table with the columns batter and bat")
-    if who is None or "bat" not in names:
+    columns = read_headings([name.strip() for name in headings], wanted=(*WHO, "bat"), file_name=str(path)).columns
+    who = next((columns[name] for name in WHO if name in columns), None)
+    if who is None or "bat" not in columns:
         missing = "bat" if who is not None else "batter"
         raise InputError(f"{path} has no column {missing}; it has: {', '.join(headings)}; give batter and bat")
+    places = who.index, columns["bat"].index
     bats: dict[str, str] = {}
     faults = []
     for line, cells in lines:
-        batter, bat = (cells[place].strip() if place < len(cells) else "" for place in (who, names.index("bat")))
+        batter, bat = (cells[place].strip() if place < len(cells) else "" for place in places)
         if batter.removesuffix(".0").isdigit():  # as spreadsheets write it
             batter = batter.removesuffix(".0")
         try:
@@ -167,10 +168,6 @@ def read_bats(path: Path) -> dict[str, str]:
     if not bats:
         raise InputError(f"{path} names no bat; give a row per batter")
     return {"": UNKNOWN_BAT} | bats
-
-
-def _plain(cells: Sequence[str]) -> list[str]:
-    return [cell.strip().lower() for cell in cells]
 
 
 def _require_bat(bat: str, *, beside: str, whose: str) -> None:

@@ -31,17 +31,7 @@ TURN = 0.05
 LEVELS = (ENDS[0], 0.25, 0.5, 0.75, ENDS[1])
 PLACE, DISTANCE = 0, 5
 """First rows of the quantiles of the place and of the distance from the best one."""
-OFFSET, OFFSET_SPREAD, TIP_SIDE, RANK, KEPT, EXPECTED, EVIDENCE, SENSITIVE, MEAN_PLACE = (
-    10,
-    11,
-    12,
-    13,
-    14,
-    15,
-    16,
-    17,
-    18,
-)
+OFFSET, OFFSET_SPREAD, TIP_SIDE, RANK, KEPT, EXPECTED, EVIDENCE, SENSITIVE, MEAN_PLACE = range(10, 19)
 DRAWN = 19
 BESIDE = 0.05
 """m beyond the best place that is looked up at least; a ball's places end `FARTHEST` from where it is thought met."""
@@ -142,12 +132,8 @@ def fill_posteriors(
     wanted.
     """
     longest, step = len(PLACES), PLACES[1] - PLACES[0]
-    every_fast, every_above, every_part, work = (
-        np.empty(longest),
-        np.empty(longest),
-        np.empty(longest),
-        np.empty((4, longest)),
-    )
+    every_fast, every_above, every_part = np.empty((3, longest))
+    work = np.empty((4, longest))
     for i in range(len(measured)):
         results[i] = math.nan
         farthest = max(prior[i, 0] + FARTHEST * prior[i, 1], best[i, 0] + BESIDE)

@@ -289,10 +289,7 @@ def _sampled(survey: Survey, swung: int) -> Iterator[pl.DataFrame]:
 
 
 def season_columns(
-    frame: pl.DataFrame | pl.LazyFrame,
-    *,
-    setting: SeasonSetting | None = None,
-    given: GivenColumns = NOTHING_GIVEN,
+    frame: pl.DataFrame | pl.LazyFrame, *, setting: SeasonSetting | None = None, given: GivenColumns = NOTHING_GIVEN
 ) -> pl.LazyFrame:
     """Return a table with the answers beside its own columns, for the rows that are used; lazy in, lazy out.
 
