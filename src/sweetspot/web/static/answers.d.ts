@@ -1378,17 +1378,6 @@ export interface ReadDocument {
   html: Record<"us" | "si", string>;
 }
 
-/** A season that was read: see `SeasonSummary`; whether it was read with the bat on the bench; and that in words. */
-export interface ReadSeason {
-  choices: Record<string, [string, number][]>;
-  rows: number;
-  files: string[];
-  unread: string[];
-  tables: SavedTable[];
-  same_bat: boolean;
-  words: string;
-}
-
 /** The swings of a table as they were read. */
 export interface ReadSwings {
   bat: BenchBat;
@@ -1469,7 +1458,7 @@ export interface SeasonMaps {
 export interface SeasonPicture {
   bat: BenchBat;
   park: FieldFence;
-  season: ReadSeason | null;
+  season: SeasonSummary | null;
 }
 
 /** How far the reading of a season is. */
@@ -1506,6 +1495,17 @@ export interface SeasonState {
   month: string | null;
   park: string | null;
   fence: string | null;
+}
+
+/** The summary of a season that was read to its end; ``bat`` is the state of the bat it was read with. */
+export interface SeasonSummary {
+  choices: Record<string, [string, number][]>;
+  rows: number;
+  files: string[];
+  words: string;
+  unread: string[];
+  tables: SavedTable[];
+  same_bat: boolean;
 }
 
 /** The summary of the whole season, and its players; nothing where none was read. */

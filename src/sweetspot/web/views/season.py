@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -35,7 +35,6 @@ from sweetspot.web.views.design_state import BatterControls, batter_controls
 from sweetspot.web.views.season_work import (
     Handed,
     ListedPlayer,
-    SavedTable,
     SeasonSummary,
     kept_answer,
     kept_summary,
@@ -84,25 +83,12 @@ class FieldFence:
 
 
 @dataclass(frozen=True)
-class ReadSeason:
-    """A season that was read: see `SeasonSummary`; whether it was read with the bat on the bench; and that in words."""
-
-    choices: Mapping[str, Sequence[tuple[str, int]]]
-    rows: int
-    files: tuple[str, ...]
-    unread: tuple[str, ...]
-    tables: tuple[SavedTable, ...]
-    same_bat: bool
-    words: str
-
-
-@dataclass(frozen=True)
 class SeasonPicture:
     """The bat, the chosen park's fence, and of a season that was read what can be chosen and taken away."""
 
     bat: BenchBat
     park: FieldFence
-    season: ReadSeason | None
+    season: SeasonSummary | None
 
 
 @dataclass(frozen=True)
@@ -176,27 +162,11 @@ def answer(state: SeasonState) -> SeasonPicture:
         park = fenced(state)
         distance, _ = fence_at(park, DIRECTIONS)
     summary = _summary(state)
-    same_bat = summary is not None and summary.bat == bat_words(state)
-    return SeasonPicture(
-        bench_bat(state, bat),
-        FieldFence(
-            park.name,
-            distance * np.sin(DIRECTIONS),
-            distance * np.cos(DIRECTIONS),
-            f"The fence is that of {park.name}.",
-        ),
-        None
-        if summary is None
-        else ReadSeason(
-            summary.choices,
-            summary.rows,
-            summary.files,
-            summary.unread,
-            summary.tables,
-            same_bat,
-            summary.words if same_bat else f"{summary.words} {OTHER_BAT}",
-        ),
-    )
+    if summary is not None and summary.bat != bat_words(state):
+        summary = replace(summary, same_bat=False, words=f"{summary.words} {OTHER_BAT}")
+    right, out = distance * np.sin(DIRECTIONS), distance * np.cos(DIRECTIONS)
+    fence = FieldFence(park.name, right, out, f"The fence is that of {park.name}.")
+    return SeasonPicture(bench_bat(state, bat), fence, summary)
 
 
 def fenced(state: SeasonState) -> Park:
@@ -350,8 +320,6 @@ def recipe(state: SeasonState) -> dict[str, str]:
     }
 
 
-VIEW = View(
-    "season", "Season", SeasonState, answer, recipe,
-    asides={"summary": summary, "maps": maps, "player": player, "contacts": contacts},
-    jobs={"read": LongWork(read_season, begun)},
-)  # fmt: skip
+ASIDES = {"summary": summary, "maps": maps, "player": player, "contacts": contacts}
+READ = {"read": LongWork(read_season, begun)}
+VIEW = View("season", "Season", SeasonState, answer, recipe, asides=ASIDES, jobs=READ)

@@ -10,8 +10,9 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
+from sweetspot.answers.records import INTERNAL
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.whole_files import written_whole
@@ -69,18 +70,20 @@ class SavedTable:
 class SeasonSummary:
     """The summary of a season that was read to its end; ``bat`` is the state of the bat it was read with.
 
-    Balls can be chosen by ``choices``, each with its number of balls; ``words`` say how much of which files was read.
+    Balls can be chosen by ``choices``, each with its number of balls; ``words`` say how much of which files was read,
+    and ``same_bat`` whether that bat lies on the bench.
     """
 
-    bat: str
-    html: Mapping[System, str]
-    players: tuple[ListedPlayer, ...]
+    bat: Annotated[str, INTERNAL]
+    html: Annotated[Mapping[System, str], INTERNAL]
+    players: Annotated[tuple[ListedPlayer, ...], INTERNAL]
     choices: Mapping[str, Sequence[tuple[str, int]]]
     rows: int
     files: tuple[str, ...]
     words: str
     unread: tuple[str, ...]
     tables: tuple[SavedTable, ...]
+    same_bat: bool = True
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,7 +4,7 @@ import { button, faultPlace } from "../controls/controls.js";
 import { longWork } from "../shell/longwork.js";
 import { make, paragraphs, partOf, showWords } from "../controls/parts.js";
 import { takeDrops, upload, whereTo } from "../controls/upload.js";
-/** @import { ReadSeason, SeasonReading } from "../answers.js" */
+/** @import { SeasonSummary, SeasonReading } from "../answers.js" */
 /** @import { App } from "../shell/main.js" */
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
@@ -22,7 +22,7 @@ export class Reading {
     this.onSeason = onSeason;
     /** @type {AbortController | null} */
     this.going = null;
-    /** @type {ReadSeason | null} */
+    /** @type {SeasonSummary | null} */
     this.season = null;
     this.wrong = ""; // with the work
     this.work = longWork("season/read");
@@ -103,7 +103,7 @@ export class Reading {
   }
 
   // What the last answer says of a season, null where none was read.
-  /** @param {ReadSeason | null} season */
+  /** @param {SeasonSummary | null} season */
   draw(season) {
     this.season = season;
     const unread = season?.unread ?? [];
