@@ -7,7 +7,7 @@ from sweetspot.answers.flight import flight_of
 from sweetspot.answers.play import PlayAnswer
 from sweetspot.catalog.sports import sport
 from sweetspot.collision.hit_in_space import Strike
-from sweetspot.reports.bat.appendix import soft_note
+from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.document import Document, Paragraph, Picture, drawn
 from sweetspot.reports.flight.document import alike_words, fence_words, flight_document, flight_words, launch_words
 from sweetspot.reports.hit.document import by_ball, impact_document, touched_again

@@ -8,11 +8,9 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import canonical
 from sweetspot.catalog.sports import DEFAULT_SPORT, sport
-from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import ASSUMED_MARK
-from sweetspot.motion.swing import Conditions
-from sweetspot.reports.bat.provenance import assumed_of_ball, own_values, shown, used_records
+from sweetspot.reports.bat.provenance import own_values, shown, used_records
 from sweetspot.reports.document import (
     Block,
     Bullets,
@@ -25,7 +23,7 @@ from sweetspot.reports.document import (
     Table,
     table_head,
 )
-from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
+from sweetspot.reports.sentences import Sentence, Slot, Words, say
 from sweetspot.reports.sport_words import in_words, words_of
 from sweetspot.units import MPH
 from sweetspot.validation import Result, Row, sources
@@ -181,38 +179,3 @@ def _tells(row: Row) -> bool:
     """Return whether a row is a measured number and not a known miss."""
     number = row.kind in ("quantitative", "band") and any(letter.isdigit() for letter in row.printed)
     return number and not row.expected_miss
-
-
-def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = None) -> Sentence:
-    """Return a sentence on the assumed values of a ball and, with conditions, of the speeds; empty if there are none.
-
-    >>> from sweetspot.catalog.balls import ball
-    >>> from sweetspot.catalog.bats import bat
-    >>> from sweetspot.reports.sport_words import reader_of
-    >>> slow = bat("slow-pitch")
-    >>> soft_defaults(slow.sport, ball("softball-12in")).read(reader_of(slow.sport))
-    'Assumed, not measured: of the ball, loss of restitution with speed and stiffness.'
-    >>> soft_defaults("baseball", ball("baseball")).parts
-    ()
-    """
-    stroke = sport(sport_name).stroke
-    used = (
-        ((stroke.swing_speed, conditions.swing.bat_speed), (stroke.ball_speed, conditions.pitch.speed))
-        if conditions
-        else ()
-    )
-    soft = [
-        say("{name} {speed:speed, round}", name=each.name, speed=value)
-        for each, value in used
-        if each.kind == "assumed" and each.value == value
-    ]
-    if values := assumed_of_ball(ball):
-        listed = " and ".join([*filter(None, [", ".join(values[:-1])]), values[-1]])
-        soft.append(in_words("of the {ball}, {listed}", words_of(sport_name), listed=listed))
-    return say("Assumed, not measured: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
-
-
-def soft_note(sport_name: str, ball: Ball) -> list[Block]:
-    """Return the assumed values of a ball as a note of a document, or nothing."""
-    words = soft_defaults(sport_name, ball)
-    return [Paragraph(words, "note")] if words.parts else []

@@ -17,6 +17,10 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.table_tennis_racket import Rubber, TableTennisRacket
+from sweetspot.motion.swing import Conditions
+from sweetspot.reports.document import Block, Paragraph
+from sweetspot.reports.sentences import Sentence, joined, say
+from sweetspot.reports.sport_words import in_words, words_of
 
 MECHANICS = ("nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012")
 METHOD_SOURCES = (*MECHANICS, "russell2017acoustics", "paper2014")
@@ -159,3 +163,38 @@ def _changes(what: str, used: Material | Ball, original: Material | Ball) -> lis
         return []
     fields = ", ".join(names).replace("_", " ")
     return [f"Not the catalogue's values, but given for this report: {fields} of the {what} {used.name}."]
+
+
+def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = None) -> Sentence:
+    """Return a sentence on the assumed values of a ball and, with conditions, of the speeds; empty if there are none.
+
+    >>> from sweetspot.catalog.balls import ball
+    >>> from sweetspot.catalog.bats import bat
+    >>> from sweetspot.reports.sport_words import reader_of
+    >>> slow = bat("slow-pitch")
+    >>> soft_defaults(slow.sport, ball("softball-12in")).read(reader_of(slow.sport))
+    'Assumed, not measured: of the ball, loss of restitution with speed and stiffness.'
+    >>> soft_defaults("baseball", ball("baseball")).parts
+    ()
+    """
+    stroke = sport(sport_name).stroke
+    used = (
+        ((stroke.swing_speed, conditions.swing.bat_speed), (stroke.ball_speed, conditions.pitch.speed))
+        if conditions
+        else ()
+    )
+    soft = [
+        say("{name} {speed:speed, round}", name=each.name, speed=value)
+        for each, value in used
+        if each.kind == "assumed" and each.value == value
+    ]
+    if values := assumed_of_ball(ball):
+        listed = " and ".join([*filter(None, [", ".join(values[:-1])]), values[-1]])
+        soft.append(in_words("of the {ball}, {listed}", words_of(sport_name), listed=listed))
+    return say("Assumed, not measured: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
+
+
+def soft_note(sport_name: str, ball: Ball) -> list[Block]:
+    """Return the assumed values of a ball as a note of a document, or nothing."""
+    words = soft_defaults(sport_name, ball)
+    return [Paragraph(words, "note")] if words.parts else []

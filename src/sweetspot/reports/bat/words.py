@@ -15,7 +15,7 @@ from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Interval, Number
-from sweetspot.reports.bat.appendix import soft_defaults
+from sweetspot.reports.bat.provenance import soft_defaults
 from sweetspot.reports.hit.document import best_in_doubt
 from sweetspot.reports.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.reports.sport_words import arriving, in_words, weight, words_of

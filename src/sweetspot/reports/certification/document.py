@@ -13,7 +13,7 @@ from sweetspot.catalog.balls import ball
 from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.rigid import moi_doubt
-from sweetspot.reports.bat.appendix import soft_note
+from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.certification.limits_shown import (
     broken_words,

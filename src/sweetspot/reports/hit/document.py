@@ -13,7 +13,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
-from sweetspot.reports.bat.appendix import soft_note
+from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, drawn, values_table
 from sweetspot.reports.quantities import ENERGY_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, say
