@@ -38,7 +38,7 @@ def pulled(client: httpx.Client) -> dict[str, Any]:
 
 def test_the_first_answer_is_the_present_bat(client: httpx.Client) -> None:
     answer = asked(client)
-    assert not answer["own"] and len(answer["design"]["stations"]) == 11
+    assert not answer["shaped"] and len(answer["design"]["stations"]) == 11
     assert {one["change"] for one in answer["measures"] if one["change"] is not None} == {0.0}
     assert set(answer["curves"]["difference_m_s"]) == {0.0}
     assert answer["design"]["outline"] == answer["present"]["outline"]
@@ -46,7 +46,7 @@ def test_the_first_answer_is_the_present_bat(client: httpx.Client) -> None:
     handles = {**{"design_si": [one["value"] for one in answer["variables"]], "design_for": answer["key"]}}
     smooth = measure(asked(client, **handles), "exit_speed")
     assert abs(smooth["change"]) < 0.05  # m/s: eleven handles say what the bat's stations did
-    assert all(one["kept"] for one in answer["locks"] + answer["limits"])
+    assert all(one["holds"] for one in answer["locks"] + answer["limits"])
     assert {one["verdict"] for one in answer["rules"]} <= {"pass", "not decidable", "does not apply"}
 
 
@@ -57,14 +57,14 @@ def test_what_is_locked_stays_and_what_is_pulled_stays_pulled(client: httpx.Clie
     for name in ("mass", "moi"):
         assert abs(measure(kept, name)["change"]) <= 0.0101 * measure(kept, name)["present"]
     assert kept["variables"][7]["value"] == pytest.approx(pulled["design_si"][7], rel=2e-3)
-    assert all(one["kept"] for one in kept["locks"])
+    assert all(one["holds"] for one in kept["locks"])
     tight = asked(client, **{**pulled, "design_si": [one["high"] for one in free["variables"]]}, keep_balance=True)
-    assert all(one["kept"] for one in tight["locks"])
+    assert all(one["holds"] for one in tight["locks"])
 
 
 def test_numbers_of_another_bat_are_left_out(client: httpx.Client, pulled: dict[str, Any]) -> None:
-    assert asked(client, **pulled)["own"]
-    assert not asked(client, **pulled, bat="mlb-a")["own"]
+    assert asked(client, **pulled)["shaped"]
+    assert not asked(client, **pulled, bat="mlb-a")["shaped"]
     hollow = asked(client, bat="single-wall")
     assert hollow["design"]["stations"] == [] and len(hollow["variables"]) == 5
     assert any(one["title"] == "BBCOR" and one["verdict"] == "fail" for one in hollow["rules"])

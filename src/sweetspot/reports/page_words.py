@@ -99,7 +99,7 @@ def film_speeds(bat: float, ball: float, exit_speed: float) -> Sentence:
 
 
 def force_words(peak: float) -> Sentence:
-    """Return what a picture of the force in time, N, and of the hands' motion shows."""
+    """Describe a picture of the force in time, N, and of the hands' motion."""
     words = "Force on the ball, at most {peak}, and speed of the bat under the top hand, in time."
     return say(words, peak=Slot(peak, "blow"))
 
@@ -244,7 +244,7 @@ def margin_words(end: FlightEnd) -> list[Sentence]:
 
 
 def side_words(end: FlightEnd, *, apex: float, carry: float) -> Sentence:
-    """Return what a picture of a flight from the side shows; m."""
+    """Describe a picture of a flight from the side; m."""
     passes = say("not reaching the fence")
     if end.clearance is not None:
         way = "above" if float(end.clearance) > 0 else "below"
@@ -258,7 +258,7 @@ def side_words(end: FlightEnd, *, apex: float, carry: float) -> Sentence:
 
 
 def above_words(end: FlightEnd) -> Sentence:
-    """Return what a picture of a flight from above shows."""
+    """Describe a picture of a flight from above."""
     return say(
         "The field of {park} from above, with the path of the ball, which is {outcome}.",
         park=end.park,
@@ -302,7 +302,7 @@ def bat_speed_words(speed: float) -> Sentence:
 
 
 def park_chances(park: str) -> Sentence:
-    """Return what a map of the chances of home runs in a park shows."""
+    """Describe a map of the chances of home runs in a park."""
     words = (
         "How likely a ball to centre field leaves {park}, in its own air, with what balls, spin and weather scatter by."
     )

@@ -28,7 +28,7 @@ export interface Answers {
   own: OwnAnswer;
   design: DesignPicture;
   season: SeasonPicture;
-  sports: SportsAnswer;
+  sports: SportsPicture;
   paper: PaperPicture;
 }
 
@@ -58,7 +58,7 @@ export interface Jobs {
   optimum: {  };
   player: {  };
   own: {  };
-  design: { search: DesignFront; };
+  design: { search: FrontProgress; };
   season: { read: SeasonReading; };
   sports: {  };
   paper: {  };
@@ -430,20 +430,10 @@ export interface DesignFiles {
   si: Record<string, string>;
 }
 
-/** The front after a generation, and the present bat, whose ``key`` is that of the answer. */
-export interface DesignFront {
-  key: string;
-  generation: number;
-  generations: number;
-  wants: string[];
-  front: FrontBat[];
-  present: Record<string, number>;
-}
-
 /** Whether a limit is kept, with the value and the ends in words. */
 export interface DesignLight {
   label: string;
-  kept: boolean;
+  holds: boolean;
   words: Record<"si" | "us", string>;
 }
 
@@ -452,7 +442,7 @@ export interface DesignPicture {
   bat: BatPicture;
   ball: BallPicture;
   key: string;
-  own: boolean;
+  shaped: boolean;
   left_out: string[];
   present: BatShape;
   variables: ShapedNumber[];
@@ -897,6 +887,16 @@ export interface FrontBat {
   outline?: DrawnOutline;
 }
 
+/** The front after a generation, and the present bat, whose ``key`` is that of the answer. */
+export interface FrontProgress {
+  key: string;
+  generation: number;
+  generations: number;
+  wants: string[];
+  front: FrontBat[];
+  present: Record<string, number>;
+}
+
 /** The motion of the top hand's place, and the arrival of the wave there; None: it does not arrive. */
 export interface HandMotion {
   displacement_m: number[];
@@ -1079,7 +1079,7 @@ export interface ModesAnswer {
   hoop_start_m: number | null; hoop_start_low_m?: number; hoop_start_high_m?: number;
   tap: BatTap;
   modes: BatMotion[];
-  shown: number;
+  chosen: number;
   words: Record<"us" | "si", string[]>;
 }
 
@@ -1571,23 +1571,6 @@ export interface SpeedsPicture {
   travel_m?: number; travel_low_m?: number; travel_high_m?: number;
 }
 
-/** An implement's sweet spots, curves along it, and the hit at the chosen place, in its sport's words. */
-export interface SportsAnswer {
-  implement: string;
-  has_face: boolean;
-  sport: string;
-  words: Terms;
-  tool: ToolFacts;
-  ball: SportsBall;
-  swing_mph: number;
-  incoming_mph: number;
-  sweet_spots: SweetSpotPlaces;
-  scan: CurvesAlongTool;
-  hit: SportsHit;
-  headline: Record<"us" | "si", string[]>;
-  touched_again: Record<"us" | "si", string[]>;
-}
-
 /** The ball of the sport. */
 export interface SportsBall {
   name: string;
@@ -1614,6 +1597,23 @@ export interface SportsHit {
   bat_speed_m_s: number; bat_speed_low_m_s?: number; bat_speed_high_m_s?: number;
   exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
   sting_m_s: number;
+}
+
+/** An implement's sweet spots, curves along it, and the hit at the chosen place, in its sport's words. */
+export interface SportsPicture {
+  implement: string;
+  has_face: boolean;
+  sport: string;
+  words: Terms;
+  tool: ToolFacts;
+  ball: SportsBall;
+  swing_mph: number;
+  incoming_mph: number;
+  sweet_spots: SweetSpotPlaces;
+  scan: CurvesAlongTool;
+  hit: SportsHit;
+  headline: Record<"us" | "si", string[]>;
+  touched_again: Record<"us" | "si", string[]>;
 }
 
 /** The implement, its speed, and the place of the ball; empty: as is usual in its sport. */

@@ -113,7 +113,7 @@ class DesignLight:
     """Whether a limit is kept, with the value and the ends in words."""
 
     label: str
-    kept: bool
+    holds: bool
     words: Mapping[System, str]
 
 
@@ -135,7 +135,7 @@ class DesignPicture:
     Parameters
     ----------
     key : of the present bat.
-    own : whether it is another bat than the present one.
+    shaped : whether it is another bat than the present one.
     left_out : what of the present bat no design has.
     gained : what it gains, without how sure that is.
     weighs : its weight, balance and swing weight.
@@ -144,7 +144,7 @@ class DesignPicture:
     bat: BatPicture
     ball: BallPicture
     key: str
-    own: bool
+    shaped: bool
     left_out: tuple[str, ...]
     present: BatShape
     variables: tuple[ShapedNumber, ...]
@@ -198,12 +198,12 @@ def answer(state: DesignState) -> DesignPicture:
     rules = tuple(rule_check(league, check) for league, check in _checks(state, shaped))
     leagues = {rule.league_name for rule in rules}  # what their lights show already
     limits = [limit for limit in limits_of(state) if limit.why != AS_IT_IS]
-    gain = measured.values["exit_speed"][0] - now.values["exit_speed"][0] if shaped.own else None
+    gain = measured.values["exit_speed"][0] - now.values["exit_speed"][0] if shaped.changed else None
     return DesignPicture(
         bat=bat_picture(state, reduced(state, ball_of(state))),
         ball=ball_picture(state, ball_of(state)),
         key=request.key,
-        own=shaped.own,
+        shaped=shaped.changed,
         left_out=request.left_out,
         present=outline(shaped.present),
         variables=tuple(map(_number, space.variables, shaped.numbers.tolist())),
@@ -211,7 +211,7 @@ def answer(state: DesignState) -> DesignPicture:
         measures=tuple(_beside(name, measured, now) for name in compared(space, measured)),
         locks=tuple(_light(limit, measured) for limit in locks_of(state)),
         limits=tuple(
-            light for limit in limits if not (light := _light(limit, measured)).kept or limit.why not in leagues
+            light for limit in limits if not (light := _light(limit, measured)).holds or limit.why not in leagues
         ),
         rules=rules,
         curves=_curves(shaped),
@@ -230,12 +230,12 @@ def _number(variable: Variable, value: float) -> ShapedNumber:
 
 
 class _Shaped(NamedTuple):
-    """The bat that is being shaped, beside the present one; ``own``: its numbers are not those of the present one."""
+    """The bat that is being shaped, beside the present one; ``changed``: its numbers are others."""
 
     request: ShapedBat
     present: Bat
     numbers: Array
-    own: bool
+    changed: bool
     bat: Bat
     measured: MeasuredDesigns
 
@@ -245,12 +245,12 @@ def _shaped(state: DesignState) -> _Shaped:
     request = asked(state)
     space, now = request.bench.space, request.now
     present = bat = space.present
-    numbers, own = numbers_of(state, request)
+    numbers, changed = numbers_of(state, request)
     measured = MeasuredDesigns({**request.sizes, **now.values}, now.curve, now.worth)
-    if own:
+    if changed:
         measured, bat = request.bench.measured(numbers), space.made(numbers, f"{present.name}, designed")
     assert isinstance(present, Bat) and isinstance(bat, Bat)
-    return _Shaped(request, present, numbers, own, bat, measured)
+    return _Shaped(request, present, numbers, changed, bat, measured)
 
 
 def _handles(shaped: _Shaped) -> tuple[Station, ...]:
@@ -300,8 +300,8 @@ def gain(state: DesignState) -> DesignWorth:
     words = gain_words(design) + ([] if tolerance is None else [tolerance])
     gained, band = design.gain, REACH * design.gain.noise[::-1]
     return DesignWorth(
-        gained=in_both_systems([gained_words(gained.expected if shaped.own else None, gained)]),
-        sentences=in_both_systems(words if shaped.own else []),
+        gained=in_both_systems([gained_words(gained.expected if shaped.changed else None, gained)]),
+        sentences=in_both_systems(words if shaped.changed else []),
         noise_low=-band,
         noise_high=band,
         expected=gained.expected,

@@ -256,7 +256,7 @@ class FrontBat:
 
 
 @dataclass(frozen=True)
-class DesignFront:
+class FrontProgress:
     """The front after a generation, and the present bat, whose ``key`` is that of the answer."""
 
     key: str
@@ -267,17 +267,17 @@ class DesignFront:
     present: Mapping[str, float] = field(default_factory=dict)
 
 
-def search(state: DesignState, *, after: tuple[int, Array] | None, say: Say) -> DesignFront:
+def search(state: DesignState, *, after: tuple[int, Array] | None, say: Say) -> FrontProgress:
     """Look for better bats: begins a search whose front the page sees growing."""
     task = asked(state)
     question = question_of(state)
     begun = 0 if after is None else after[0]
     if after is not None and begun >= question.generations:  # asked to go on beyond its end
         question = replace(question, generations=min(2000, begun + state.generations))
-    nothing = DesignFront(task.key, begun, question.generations, question.wants)
+    nothing = FrontProgress(task.key, begun, question.generations, question.wants)
     present = {name: float(task.now.values[name][0]) for name in question.wants}
 
-    def progress_at(generation: int, front: Front) -> DesignFront:
+    def progress_at(generation: int, front: Front) -> FrontProgress:
         return replace(nothing, generation=generation, front=_bats(task.bench, front), present=present)
 
     def grown(generation: int, front: Front) -> None:

@@ -104,7 +104,7 @@ class ModesAnswer:
     ----------
     place : from the knob end, of the shapes.
     hoop_start : where a hollow barrel begins to ring; None: it is solid.
-    shown, words : which of the motions is asked about, and what it is.
+    chosen, words : which of the motions is asked about, and what it is.
     """
 
     bat: BatPicture
@@ -114,7 +114,7 @@ class ModesAnswer:
     hoop_start: Length | None
     tap: BatTap
     modes: tuple[BatMotion, ...]
-    shown: int
+    chosen: int
     words: Sentences
 
 
@@ -149,7 +149,7 @@ def answer(state: ModesState) -> ModesAnswer:
         hoop_start=held.hoop_start,
         tap=BatTap(place, duration),
         modes=motions,
-        shown=index,
+        chosen=index,
         words=in_both_systems(words),
     )
 

@@ -99,7 +99,7 @@ class SportsBall:
 
 
 @dataclass(frozen=True, kw_only=True)
-class SportsAnswer:
+class SportsPicture:
     """An implement's sweet spots, curves along it, and the hit at the chosen place, in its sport's words."""
 
     implement: str
@@ -139,7 +139,7 @@ class SportsWords:
     sentences: Sentences
 
 
-def answer(state: SportsState) -> SportsAnswer:
+def answer(state: SportsState) -> SportsPicture:
     """Return the implement's sweet spots, curves along it, and the hit at the chosen place."""
     analysis = _played(state)
     tool, conditions, along = analysis.bat, analysis.conditions, analysis.scan
@@ -156,7 +156,7 @@ def answer(state: SportsState) -> SportsAnswer:
             words=words,
         ),
     ]
-    return SportsAnswer(
+    return SportsPicture(
         implement=state.implement,
         has_face=_has_face(tool),
         sport=catalog.sport(tool.sport).name,

@@ -218,7 +218,7 @@ export default class DesignView {
     this.picture.draw({ bat: design, ghost: answer.present });
     this.light(answer);
     this.compare(answer);
-    this.front.draw(answer.key, answer.own ? answer.variables.map(({ value }) => value) : null);
+    this.front.draw(answer.key, answer.shaped ? answer.variables.map(({ value }) => value) : null);
     const note = [...answer.left_out, design.stations.length ? "Dashed: the present bat. Pull a round handle." : "Dashed: the present bat. A hollow bat's wall is changed by “The bat's numbers” among the controls."].join(" ");
     write(this.note, note);
     for (const file of this.drawings) file.hidden = design.hollow;
@@ -244,7 +244,7 @@ export default class DesignView {
 
   /** @param {DesignPicture} answer */
   light({ locks, rules, limits }) {
-    const lamp = (/** @type {DesignLight} */ { label, kept, words }) => ({ state: /** @type {Light} */ (kept ? "pass" : "fail"), name: label, words: words[this.app.units] });
+    const lamp = (/** @type {DesignLight} */ { label, holds, words }) => ({ state: /** @type {Light} */ (holds ? "pass" : "fail"), name: label, words: words[this.app.units] });
     this.lights.locks.show(locks.map(lamp));
     this.lights.limits.show(limits.map(lamp));
     showRules(this.lights.rules, rules, this.app);

@@ -6,7 +6,7 @@ import { make, tableOf, write } from "../controls/parts.js";
 import { dot, line, shape } from "../charts/pen.js";
 import { FONT, Surface, haloText, ticks } from "../charts/surface.js";
 import { fromShown, toShown, unitOf } from "../controls/units.js";
-/** @import { DesignFront, FrontBat } from "../answers.js" */
+/** @import { FrontProgress, FrontBat } from "../answers.js" */
 /** @import { Point } from "../charts/pen.js" */
 /** @import { App, State } from "../shell/main.js" */
 
@@ -22,7 +22,7 @@ export class Front {
   constructor(app, /** @type {{ onTake: (numbers: number[]) => void, state: () => State }} */ { onTake, state }) {
     this.app = app;
     this.onTake = onTake;
-    /** @type {DesignFront | null} */
+    /** @type {FrontProgress | null} */
     this.found = null;
     /** @type {string | undefined} */
     this.key = undefined;
@@ -89,7 +89,7 @@ export class Front {
   }
 
   // How the plane of the two wants lies on the picture: names, ranges, and from a value to a pixel.
-  /** @param {DesignFront} found @param {number} width */
+  /** @param {FrontProgress} found @param {number} width */
   plane({ wants: [x, y = "moi"], front, present }, width) {
     const span = (/** @type {string} */ name) => {
       const values = front.map((bat) => bat.values[name]);

@@ -110,7 +110,7 @@ export default class ModesView {
   /** @param {ModesAnswer} answer */
   shown(answer) {
     const { state, app } = this;
-    return { answer, motion: answer.modes[answer.shown], phase: this.phase, size: state.exaggeration, both: !this.stop, colors: app.colors, text: app.text.bind(app) };
+    return { answer, motion: answer.modes[answer.chosen], phase: this.phase, size: state.exaggeration, both: !this.stop, colors: app.colors, text: app.text.bind(app) };
   }
 
   play() {
@@ -133,14 +133,14 @@ export default class ModesView {
   }
 
   /** @param {ModesAnswer} answer */
-  list({ modes, shown }) {
+  list({ modes, chosen: index }) {
     const rows = modes.slice(0, MOST_ROWS);
     const shape = JSON.stringify(rows.map((row) => [row.family, row.number, row.shape]));
     if (shape !== this.listed) {
       this.listed = shape;
       this.rows(rows);
     }
-    const chosen = modes[shown];
+    const chosen = modes[index];
     const most = Math.max(...rows.map((row) => row.tap.hand_speed_m_s_per_n_s));
     rows.forEach((row, i) => {
       const cells = this.cells[i];
@@ -181,8 +181,8 @@ export default class ModesView {
   }
 
   /** @param {ModesAnswer} answer */
-  say({ bat, modes, shown, words }) {
-    const { app } = this, { frequency_hz: hertz } = modes[shown], said = words[app.units].join(" ");
+  say({ bat, modes, chosen, words }) {
+    const { app } = this, { frequency_hz: hertz } = modes[chosen], said = words[app.units].join(" ");
     tell(this.words, said);
     this.speed.textContent = hertz ? `slowed down ${Math.round((hertz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
     const label = `${bat.name}. ${said}`;
@@ -193,8 +193,8 @@ export default class ModesView {
 
   // The chosen motion at even places along the bat.
   /** @param {ModesAnswer} answer */
-  tabled({ bat, place_m: places, modes, shown }) {
-    const { units } = this.app, { digits, unit } = kindOf("node_m")[units], { shape, name } = modes[shown];
+  tabled({ bat, place_m: places, modes, chosen }) {
+    const { units } = this.app, { digits, unit } = kindOf("node_m")[units], { shape, name } = modes[chosen];
     return {
       caption: `${name}: how far each place moves, as a part of the most`, columns: [`${unit} from the tip`, "Moves by"],
       rows: evenly([...places.keys()], 18).map((i) => [toShown("node_m", bat.length_m - places[i], units).toFixed(digits), shape[i].toFixed(2).replace(/^-(0\.00)$/, "$1").replace("-", "−")]),

@@ -9,14 +9,14 @@ import { factList, make, paragraphs, partOf, section, showWords, tell } from "..
 import { INCH } from "../controls/units.js";
 import { takeDrops } from "../controls/upload.js";
 import { FORGOTTEN } from "./own_measured.js";
-/** @import { SportsAnswer, SportsFace, SportsWords } from "../answers.js" */
+/** @import { SportsPicture, SportsFace, SportsWords } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 /** @import { AppOf, Guide, State } from "../shell/main.js" */
 
 const OWN = "own file";
 const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it changes neither map nor words
 
-/** @type {Fact<SportsAnswer>[]} */
+/** @type {Fact<SportsPicture>[]} */
 const FACTS = [
   ["Leaves at", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Efficiency", (a) => ["ratio", a.hit.collision_efficiency]],
@@ -40,7 +40,7 @@ export default class SportsView {
   /** @param {HTMLElement} root @param {AppOf<"sports">} app */
   constructor(root, app) {
     this.app = app;
-    /** @type {SportsAnswer | null} */
+    /** @type {SportsPicture | null} */
     this.answer = null;
     /** @type {SportsFace["face"] | null} */
     this.face = null;
@@ -115,7 +115,7 @@ export default class SportsView {
     this.app.setState(change, { commit: last });
   }
 
-  /** @param {SportsAnswer} answer */
+  /** @param {SportsPicture} answer */
   update(answer) {
     this.answer = answer;
     const { hit, scan, sweet_spots: spots, words } = answer;
@@ -147,7 +147,7 @@ export default class SportsView {
   }
 
   // The map comes apart: the last one stands there until then.
-  /** @param {SportsAnswer} answer */
+  /** @param {SportsPicture} answer */
   drawFace({ hit, has_face: some }) {
     const { face } = this;
     this.map.element.hidden = this.map.numbers.element.hidden = !some;
