@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -59,10 +59,18 @@ def season(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.fixture(scope="module")
+def opened(browser: Browser) -> Iterator[Page]:
+    """One tab for all sheets: a new one costs more than most of them."""
+    page = browser.new_page()
+    yield page
+    page.close()
+
+
 @pytest.mark.parametrize(("name", "least", "command"), COMMANDS, ids=lambda one: one if isinstance(one, str) else "")
 def test_a_page_is_one_sheet(
     run: Run,
-    browser: Browser,
+    opened: Page,
     swings: Path,
     season: Path,
     tmp_path: Path,
@@ -81,7 +89,8 @@ def test_a_page_is_one_sheet(
     page = (tmp_path / f"{name}.html").read_text(encoding="utf-8")
     assert "<h1>Spring &lt;2026&gt;</h1>" in page and "<b>For Ann Example</b>" in page
     assert re.search(r"\d{1,2} [A-Z][a-z]+ 20\d\d: sweetspot " + words[0], page)
-    opened = browser.new_page()
+    opened.emulate_media(media="null")
+    opened.set_viewport_size({"width": 1280, "height": 720})
     opened.set_content(page)
     for paper in ("A4", "Letter"):
         printed = opened.pdf(format=paper, margin=MARGINS)  # type: ignore[arg-type]
@@ -90,7 +99,6 @@ def test_a_page_is_one_sheet(
         the_picture_takes_what_is_left(opened, least, A4)
         if name == "compare":
             the_picture_takes_what_is_left(opened, least, LETTER)
-    opened.close()
 
 
 A4, LETTER = (688, 1039), (710, 973)
