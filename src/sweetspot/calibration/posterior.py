@@ -135,14 +135,11 @@ def _misses(
     here = shot_misses(around)
     steps = SHOT_STEP * np.eye(len(unknowns))
     slopes = np.array([(shot_misses(around + step) - here) / SHOT_STEP for step in steps]).T
-    rest = [index for index in range(len(measurements)) if index not in shot]
+    order = np.argsort([*(index for index in range(len(measurements)) if index not in shot), *shot])
 
     def quick(x: Array) -> Array:
-        others_there = exact(x)
-        misses_there = np.empty(len(measurements) + len(x))
-        misses_there[rest], misses_there[len(measurements) :] = others_there[: len(rest)], others_there[len(rest) :]
-        misses_there[shot] = here + slopes @ (x - around)
-        return misses_there
+        of_others, expected = np.split(exact(x), [len(others)])
+        return np.concatenate([np.concatenate([of_others, here + slopes @ (x - around)])[order], expected])
 
     return quick
 
