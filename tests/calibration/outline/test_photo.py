@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -107,12 +109,17 @@ def test_a_ground_that_was_taken_out(tmp_path: Path) -> None:
     assert np.abs(misses(read_photo(path, length=BAT.length, camera_distance=1e6))).max() < 2.2e-3
 
 
-def test_a_near_camera_sees_the_near_rims(tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def seen_from(tmp_path_factory: pytest.TempPathFactory) -> Callable[[float | None], PhotoOutline]:
+    """The outline that one picture shows, for a camera so far away."""
+    path = saved(tmp_path_factory.mktemp("plain") / "bat.png", rendered())
+    return cache(lambda away: read_photo(path, length=BAT.length, camera_distance=away))
+
+
+def test_a_near_camera_sees_the_near_rims(seen_from: Callable[[float | None], PhotoOutline]) -> None:
     """Of a camera at 1 m the ends seem farther out; knowing that makes the bat thicker by as much."""
-    path = saved(tmp_path / "bat.png", rendered())
-    near, far = (read_photo(path, length=BAT.length, camera_distance=away) for away in (1.0, 1e6))
+    near, far, unknown = map(seen_from, (1.0, 1e6, None))
     assert 1.005 < near.pixel / far.pixel < 1.03
-    unknown = read_photo(path, length=BAT.length)
     assert "--camera-distance" in unknown.notes[0]
     assert unknown.place_error > 2e-3 > far.place_error
 
@@ -140,13 +147,11 @@ def test_a_staircase_is_smoothed_away_and_a_knob_is_not() -> None:
     assert np.abs(smooth(outlier) - smooth(knob)).max() < 0.05
 
 
-def test_an_unknown_camera_makes_diameters_less_sure(tmp_path: Path) -> None:
+def test_an_unknown_camera_makes_diameters_less_sure(seen_from: Callable[[float | None], PhotoOutline]) -> None:
     """From 1.5 m the bat's length looks 1 % longer than it is, and all diameters that much thinner."""
-    path = saved(tmp_path / "bat.png", rendered())
-    known, unknown = (read_photo(path, length=BAT.length, camera_distance=away) for away in (1e6, None))
+    known, unknown, near = map(seen_from, (1e6, None, 1.5))
     at = 0.75 * BAT.length
     sure, doubted = (np.interp(at, [x for x, _ in one.profile], one.diameter_error) for one in (known, unknown))
-    near = read_photo(path, length=BAT.length, camera_distance=1.5)
     thinner = near.pixel / known.pixel - 1
     assert thinner > 0.005
     assert doubted**2 - sure**2 > (0.4 * thinner * BAT.diameter_at(at)) ** 2
@@ -175,7 +180,7 @@ def test_a_huge_picture_of_one_colour_is_refused_by_its_header(tmp_path: Path, m
 
 
 def test_refusals(tmp_path: Path) -> None:
-    path = saved(tmp_path / "bat.png", rendered())
+    path = saved(tmp_path / "bat.png", rendered(**SMALL))
     with pytest.raises(InputError, match="no ruler"):
         read_photo(path, ruler=0.3)
     with pytest.raises(InputError, match="scale"):
