@@ -51,15 +51,10 @@ def candidates(
     ``bat``: the player's own.
     """
     mass = rigid_body(beam_model(bat)).mass
+    tip, knob = (partial(bat.weighted, position=place, mass=WEIGHT) for place in (bat.length - FROM_END, FROM_END))
     makers: list[tuple[str, str, str, float, Callable[[], Bat]]] = [
-        (
-            "end-loaded",
-            "1 oz at the tip",
-            "balance",
-            WEIGHT,
-            partial(bat.weighted, position=bat.length - FROM_END, mass=WEIGHT),
-        ),
-        ("knob-loaded", "1 oz at the knob", "balance", WEIGHT, partial(bat.weighted, position=FROM_END, mass=WEIGHT)),
+        ("end-loaded", "1 oz at the tip", "balance", WEIGHT, tip),
+        ("knob-loaded", "1 oz at the knob", "balance", WEIGHT, knob),
     ]
     for ounces in WEIGHTS:
         words = f"{abs(ounces)} oz {'heavier' if ounces > 0 else 'lighter'}"

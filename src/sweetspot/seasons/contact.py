@@ -283,7 +283,7 @@ def _with_other(
 
 
 def measures(balls: Balls, contacts: Contacts) -> dict[str, Array]:
-    """Return what is counted and averaged over players, by name; ratios, and chances between 0 and 1."""
+    """Return the quantities that are counted and averaged over players; chances are from 0 to 1."""
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = balls.exit_speed / contacts.ceiling
         league = np.where(np.isnan(ratio), np.nan, balls.exit_speed / contacts.league_ceiling)

@@ -82,7 +82,7 @@ FILE = Path(__file__).with_name("headings.toml")
 
 @dataclass(frozen=True)
 class TableQuantity:
-    """A quantity of tables: what kind it is (`unit_words.UNITS`), and its names that anybody may use."""
+    """A quantity of tables: what kind it is (`UNITS`), and its names that anybody may use."""
 
     kind: str
     names: tuple[str, ...]
