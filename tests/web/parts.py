@@ -4,8 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import Any
 
 from playwright.sync_api import Page
+
+Answered = Callable[..., int]
+Wait = Callable[[Page], None]
+Until = Callable[[Page, str], Any]
+Repainted = Callable[[Page, Callable[[], None]], None]
+"""What the fixtures of those names in conftest.py do; `settled` and `narrow` wait."""
 
 UNFOLD = "(field) => { for (let at = field; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true }"
 
@@ -24,7 +31,7 @@ def written(page: Page, field: str, value: object) -> None:
     box.press("Enter")
 
 
-def moved(page: Page, answered: Callable[..., int], field: str, value: object) -> None:
+def moved(page: Page, answered: Answered, field: str, value: object) -> None:
     """Write a number into a control's field and wait for the picture."""
     before = answered(page)
     written(page, field, value)

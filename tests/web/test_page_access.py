@@ -5,16 +5,14 @@ What holds for every view is checked in test_page_every_view.py.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.parts import written
+from tests.web.parts import Answered, Wait, written
 
-Answered = Callable[..., int]
 CHECKS = Path(__file__).with_name("access.js").read_text(encoding="utf-8")
 
 
@@ -72,7 +70,7 @@ def test_the_explorer_works_without_a_mouse(page: Page, server: str, answered: A
     [("flight", "This path as a table", "382"), ("modes?number=2", "This motion as a table", "0.00")],
 )
 def test_a_path_and_a_motion_are_tables_too(
-    page: Page, server: str, settled: Callable[[Page], None], view: str, words: str, last: str
+    page: Page, server: str, settled: Wait, view: str, words: str, last: str
 ) -> None:
     page.goto(f"{server}/{view}")
     settled(page)
@@ -91,7 +89,7 @@ COVERED = """(() => {
 
 @pytest.mark.parametrize("view", ["explorer", "flight"])
 def test_on_a_phone_the_keyboard_reaches_the_picture_first_and_nothing_that_is_covered(
-    page: Page, server: str, settled: Callable[[Page], None], view: str
+    page: Page, server: str, settled: Wait, view: str
 ) -> None:
     page.set_viewport_size({"width": 390, "height": 844})
     page.goto(f"{server}/{view}")
@@ -111,9 +109,7 @@ def test_on_a_phone_the_keyboard_reaches_the_picture_first_and_nothing_that_is_c
     assert not covered
 
 
-def test_a_low_window_is_not_filled_by_what_stays_on_top(
-    page: Page, server: str, settled: Callable[[Page], None]
-) -> None:
+def test_a_low_window_is_not_filled_by_what_stays_on_top(page: Page, server: str, settled: Wait) -> None:
     page.set_viewport_size({"width": 720, "height": 450})  # a laptop's at 200 %
     page.goto(f"{server}/explorer")
     settled(page)

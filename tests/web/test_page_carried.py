@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from urllib.parse import quote
@@ -17,8 +16,7 @@ from sweetspot.web import answers
 from sweetspot.web.answers import first_questions, kept_answer, work_out
 from sweetspot.web.controls import CARRIED
 from sweetspot.web.views import VIEWS
-
-Answered = Callable[..., int]
+from tests.web.parts import Answered, Wait
 
 OWN = bat_toml(catalog.bat("youth-30").replaced(name="Somebody's own"))
 STATES = {
@@ -131,9 +129,7 @@ def test_every_way_is_gone_once(start: str) -> None:
     assert len(ways) == len({*ways}) == len(VIEWS) * (len(VIEWS) - 1)
 
 
-def test_whatever_goes_along_no_way_to_another_view_ends_blank(
-    page: Page, server: str, settled: Callable[[Page], None]
-) -> None:
+def test_whatever_goes_along_no_way_to_another_view_ends_blank(page: Page, server: str, settled: Wait) -> None:
     """Each state goes to every view, some every way, in one page, past views that were left as somebody set them."""
     page.emulate_media(reduced_motion="reduce")  # what moves would be drawn all the time
     page.set_viewport_size({"width": 700, "height": 500})

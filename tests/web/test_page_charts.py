@@ -10,8 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from sweetspot.web.views import VIEWS
-
-Answered = Callable[..., int]
+from tests.web.parts import Answered, Repainted, Until, Wait
 
 SCROLLED = """new Promise((done) => {
   let last = NaN;
@@ -22,12 +21,7 @@ SCROLLED = """new Promise((done) => {
 
 
 def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(
-    page: Page,
-    server: str,
-    answered: Answered,
-    settled: Callable[[Page], None],
-    until: Callable[[Page, str], Any],
-    repainted: Callable[[Page, Callable[[], None]], None],
+    page: Page, server: str, answered: Answered, settled: Wait, until: Until, repainted: Repainted
 ) -> None:
     page.goto(f"{server}/explorer")
     settled(page)
@@ -63,11 +57,7 @@ def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(
 
 
 def test_fingers_zoom_and_scroll_without_moving_the_ball(
-    browser: Browser,
-    server: str,
-    settled: Callable[[Page], None],
-    repainted: Callable[[Page, Callable[[], None]], None],
-    in_view: Callable[[Page, str, str], Any],
+    browser: Browser, server: str, settled: Wait, repainted: Repainted, in_view: Callable[[Page, str, str], Any]
 ) -> None:
     context = browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
     context.add_init_script("localStorage.setItem('guided', 'yes')")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import quote
 
@@ -12,10 +11,7 @@ from playwright.sync_api import Page, Route, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
-from tests.web.parts import picture
-
-Answered = Callable[..., int]
-
+from tests.web.parts import Answered, Wait, picture
 
 VIEW = "compare"
 
@@ -133,7 +129,7 @@ def test_rules_of_a_league(opened: Page, answered: Answered) -> None:
     expect(rules).to_contain_text("Major League Baseball")
 
 
-def test_units_and_phone(opened: Page, narrow: Callable[[Page], None]) -> None:
+def test_units_and_phone(opened: Page, narrow: Wait) -> None:
     opened.get_by_label("Compare", exact=True).select_option("cork")
     opened.get_by_role("radio", name="SI").check()
     expect(opened.locator("#verdict")).to_contain_text("m/s")

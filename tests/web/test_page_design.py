@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from typing import Any
 
 from playwright.sync_api import Page, expect
 
-Answered = Callable[..., int]
+from tests.web.parts import Answered, Wait
 
 
-def test_a_handle_is_pulled_by_hand_and_by_keyboard(
-    page: Page, server: str, answered: Answered, settled: Callable[[Page], None]
-) -> None:
+def test_a_handle_is_pulled_by_hand_and_by_keyboard(page: Page, server: str, answered: Answered, settled: Wait) -> None:
     page.goto(f"{server}/design?keep_mass=false&keep_moi=false")
     count = answered(page)
     expect(page.locator("#verdict")).to_contain_text("present bat still")

@@ -9,13 +9,12 @@ are after the Web Content Accessibility Guidelines 2.2: names and roles of contr
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from sweetspot.web.views import VIEWS
+from tests.web.parts import Until, Wait
 from tests.web.test_page_access import check
 from tests.web.test_page_screens import OPEN, OUTSIDE
 
@@ -29,14 +28,7 @@ MARKED = """(place) => [...document.querySelectorAll(place)].map((element) => ge
 
 
 @pytest.mark.parametrize("name", VIEWS)
-def test_every_view(
-    page: Page,
-    server: str,
-    settled: Callable[[Page], None],
-    narrow: Callable[[Page], None],
-    until: Callable[[Page, str], Any],
-    name: str,
-) -> None:
+def test_every_view(page: Page, server: str, settled: Wait, narrow: Wait, until: Until, name: str) -> None:
     asked: list[str] = []
     page.on("request", lambda request: asked.append(request.url))
     address = f"{server}/{ADDRESSES.get(name, name)}"

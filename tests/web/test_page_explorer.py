@@ -4,25 +4,19 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
-from tests.web.parts import moved, number, picture, written
-
-Answered = Callable[..., int]
-Until = Callable[[Page, str], Any]
-
+from tests.web.parts import Answered, Until, Wait, moved, number, picture, written
 
 VIEW = "explorer"
 
 
-def test_the_first_picture_says_where_the_bat_hits_best(opened: Page, settled: Callable[[Page], None]) -> None:
+def test_the_first_picture_says_where_the_bat_hits_best(opened: Page, settled: Wait) -> None:
     settled(opened)
     expect(opened.locator("#verdict")).to_contain_text("R161, white ash hits fastest 5.8 in from the tip")
     expect(opened.locator("#view canvas")).to_have_count(3)
@@ -60,9 +54,7 @@ CONTROLS = {
 }
 
 
-def test_every_control_changes_number_picture_and_address(
-    opened: Page, answered: Answered, settled: Callable[[Page], None]
-) -> None:
+def test_every_control_changes_number_picture_and_address(opened: Page, answered: Answered, settled: Wait) -> None:
     settled(opened)
     for field, (value, name) in CONTROLS.items():
         before, shown = number(opened, name), picture(opened)
@@ -93,7 +85,7 @@ def test_dragging_a_slider_redraws_before_it_is_let_go(opened: Page, answered: A
     expect(opened).to_have_url(re.compile("pitch_speed_mph="))
 
 
-def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered, settled: Callable[[Page], None]) -> None:
+def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered, settled: Wait) -> None:
     settled(opened)
     before, count = number(opened, "Exit speed"), answered(opened)
     canvas = opened.locator("#view canvas").first.bounding_box()
@@ -110,7 +102,7 @@ def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered, settl
 
 @pytest.mark.parametrize("pressed", ["Exit speed over the barrel", "Curves along the bat"])
 def test_the_map_and_the_curves_can_be_pressed_too(
-    opened: Page, answered: Answered, settled: Callable[[Page], None], pressed: str
+    opened: Page, answered: Answered, settled: Wait, pressed: str
 ) -> None:
     settled(opened)  # the map comes after the answer
     count = answered(opened)
@@ -184,7 +176,7 @@ def test_a_wrong_file_is_explained_beside_the_field(opened: Page, answered: Answ
     assert number(opened, "Exit speed") > 100  # the last good picture stays
 
 
-def test_drawing_the_outline(opened: Page, answered: Answered, settled: Callable[[Page], None]) -> None:
+def test_drawing_the_outline(opened: Page, answered: Answered, settled: Wait) -> None:
     before, count = number(opened, "Weight"), answered(opened)
     opened.get_by_role("button", name="Whole bat").click()
     opened.locator("summary", has_text="Draw the outline").click()
@@ -245,7 +237,7 @@ def test_the_export_gives_the_numbers_and_pictures(opened: Page) -> None:
     [("explorer", "sure", "ball restitution", "%"), ("compare", "rules_sure", "BBCOR of the test", " to ")],
 )
 def test_how_sure_the_numbers_are_stands_below(
-    still: Page, server: str, settled: Callable[[Page], None], view: str, fold: str, row: str, words: str
+    still: Page, server: str, settled: Wait, view: str, fold: str, row: str, words: str
 ) -> None:
     """Asked for only by those who open it: intervals beside the report's numbers, and what they come from."""
     still.goto(f"{server}/{view}")

@@ -9,10 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.parts import moved, number, picture, written
-
-Answered = Callable[..., int]
-
+from tests.web.parts import Answered, Wait, moved, number, picture, written
 
 VIEW = "flight"
 
@@ -62,9 +59,7 @@ def test_direction_and_sidespin_move_the_path_on_the_field(opened: Page, answere
     expect(opened.locator("#verdict")).to_contain_text("Foul")
 
 
-def test_dragging_on_the_field_turns_the_ball(
-    opened: Page, answered: Answered, settled: Callable[[Page], None]
-) -> None:
+def test_dragging_on_the_field_turns_the_ball(opened: Page, answered: Answered, settled: Wait) -> None:
     settled(opened)
     count = answered(opened)
     box = opened.get_by_role("img", name=re.compile("^The field of")).bounding_box()
@@ -79,7 +74,7 @@ def test_dragging_on_the_field_turns_the_ball(
 
 
 def test_the_ball_comes_down_where_the_hand_lets_it_go(
-    page: Page, server: str, settled: Callable[[Page], None], in_view: Callable[[Page, str, str], Any]
+    page: Page, server: str, settled: Wait, in_view: Callable[[Page, str, str], Any]
 ) -> None:
     """Within half: carry is not quite the 0.6th power of speed. Twenty moves before an answer must not add up."""
     page.goto(f"{server}/flight?spray_deg=0")
@@ -127,7 +122,7 @@ def test_from_the_swing(opened: Page, answered: Answered) -> None:
     expect(opened.locator("[data-field=tilt_deg]")).to_contain_text("No path in a plane is steeper")
 
 
-def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> None:
+def test_units_phone_and_lines(opened: Page, narrow: Wait) -> None:
     opened.get_by_role("radio", name="SI").check()
     expect(opened.locator("#verdict")).to_contain_text(" m ")
     text = opened.locator("#view").inner_text()

@@ -5,15 +5,13 @@ from __future__ import annotations
 import csv
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page
 
-Until = Callable[[Page, str], Any]
-Answered = Callable[..., int]
+from tests.web.parts import Answered, Until
+
 SIDE = 0
 
 

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from playwright.sync_api import Page, expect
 
-Until = Callable[[Page, str], Any]
-Answered = Callable[..., int]
-Repainted = Callable[[Page, Callable[[], None]], None]
+from tests.web.parts import Answered, Repainted, Until, Wait
 
 
 def picture(page: Page) -> str:
@@ -67,7 +63,7 @@ def test_a_tap_on_a_node_leaves_its_motion_alone(still: Page, server: str, answe
     assert picture(still) != before  # the arrow has moved
 
 
-def test_the_tap_can_be_dragged(still: Page, server: str, answered: Answered, settled: Callable[[Page], None]) -> None:
+def test_the_tap_can_be_dragged(still: Page, server: str, answered: Answered, settled: Wait) -> None:
     still.goto(f"{server}/modes")
     settled(still)
     drawn = answered(still)

@@ -13,8 +13,8 @@ from playwright.sync_api import BrowserContext, Page, expect
 
 from sweetspot.reports.quantities import PALETTE, SI, US
 from sweetspot.web.files import FOLDER
+from tests.web.parts import Answered, Wait
 
-Answered = Callable[..., int]
 SOUND = ("recorder",)
 """Modules that run where sound is heard, and nowhere else."""
 
@@ -338,9 +338,7 @@ def test_a_bat_by_questions_and_what_words_mean(page: Page, server: str, answere
     expect(page.locator(".tip:visible")).to_contain_text("F2219")
 
 
-def test_words_keep_their_meanings_when_a_view_is_drawn_anew(
-    page: Page, server: str, settled: Callable[[Page], None]
-) -> None:
+def test_words_keep_their_meanings_when_a_view_is_drawn_anew(page: Page, server: str, settled: Wait) -> None:
     """Its tables are then other ones: another system of units or another width must not take the meanings away."""
     page.goto(f"{server}/compare")
     expect(page.locator("th .term", has_text="Swing weight").first).to_be_attached()  # drawn with the whole intervals

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
 import soundfile
@@ -12,8 +11,7 @@ from sweetspot import catalog
 from sweetspot.calibration.recording import recording_bytes, synthesised
 from sweetspot.calibration.tap_analysis import modes_to_name
 from tests import browsers
-
-Answered = Callable[..., int]
+from tests.web.parts import Answered
 
 
 def test_a_bat_is_weighed_tapped_and_carried_to_other_views(

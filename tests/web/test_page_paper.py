@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 from playwright.sync_api import Page, expect
 
 from sweetspot.papers.chain import PARTS
-from tests.web.parts import moved, picture
+from tests.web.parts import Answered, Wait, moved, picture
 
-Answered = Callable[..., int]
 CONTROLS = {
     "end": ("entry_angle_deg", "30"),
     "percussion": ("rod_hands_in", "0"),
@@ -83,7 +81,7 @@ def test_a_bat_that_cannot_be_drilled_is_explained(page: Page, server: str) -> N
     expect(page.locator("[data-field=bat] .fault")).to_contain_text("choose a solid wood bat")
 
 
-def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> None:
+def test_units_phone_and_lines(opened: Page, narrow: Wait) -> None:
     opened.get_by_role("radio", name="SI").check()
     expect(opened.locator("#verdict")).to_contain_text("m/s")
     assert "mph" not in opened.locator("#view").inner_text()
@@ -93,7 +91,7 @@ def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> 
     expect(opened.locator("dialog pre").nth(1)).to_contain_text("sweetspot.paper('r161-ash', entry_angle='10deg'")
 
 
-def test_symbols_of_the_statements_are_formulas(page: Page, server: str, answered: Callable[..., int]) -> None:
+def test_symbols_of_the_statements_are_formulas(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/paper?question=percussion")
     answered(page)
     table = page.locator("#view table").last

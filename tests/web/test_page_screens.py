@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Page, expect
 
-Answered = Callable[..., int]
+from tests.web.parts import Answered, Wait
+
 OUTSIDE = """() => [...document.querySelectorAll("body *")].filter((element) => {
   const { left, right, width } = element.getBoundingClientRect();
   const movable = ".scroll, .stations, .formula, pre, textarea, .top nav, .top .tools, .unseen, .skip";
@@ -152,7 +152,7 @@ def test_a_table_without_room_keeps_words_whole_and_bars_true(page: Page, server
     assert widths["unit"] == "Impulse, N\u00a0s", "no line breaks a unit of two words"
 
 
-def test_a_scrolled_table_ends_with_a_whole_row(page: Page, server: str, settled: Callable[[Page], None]) -> None:
+def test_a_scrolled_table_ends_with_a_whole_row(page: Page, server: str, settled: Wait) -> None:
     page.goto(f"{server}/explorer")
     settled(page)
     page.evaluate(OPEN)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from playwright.sync_api import BrowserContext, Page, expect
 
-Answered = Callable[..., int]
+from tests.web.parts import Answered, Wait
+
 READ = re.compile(r"\d balls in play: ")  # before, the sentence asks for tables of balls in play
 DROPPED = """([name, text]) => {
   const data = new DataTransfer();
@@ -44,7 +44,7 @@ def read(page: Page, address: str) -> Page:
 
 
 def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
-    read: Page, answered: Answered, settled: Callable[[Page], None], narrow: Callable[[Page], None]
+    read: Page, answered: Answered, settled: Wait, narrow: Wait
 ) -> None:
     page = read
     expect(page.get_by_role("status").filter(has_text="rows of my balls.csv")).to_be_visible()
@@ -125,7 +125,7 @@ def test_a_reading_outlives_a_server_that_is_silent_and_a_reload(
     assert "uploads=" in page.url and page.evaluate("sessionStorage.length") == 0
 
 
-def test_a_bad_table_leaves_what_was_read(read: Page, settled: Callable[[Page], None]) -> None:
+def test_a_bad_table_leaves_what_was_read(read: Page, settled: Wait) -> None:
     page = read
     settled(page)
     whole, address = page.locator("#verdict").inner_text(), page.url

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 from urllib.parse import quote
@@ -16,9 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.web.run_server import listening, server_for
-
-Answered = Callable[..., int]
-Until = Callable[[Page, str], Any]
+from tests.web.parts import Answered, Until, Wait
 
 
 def field(page: Page, name: str) -> Any:
@@ -151,7 +149,7 @@ def test_a_lost_connection_is_shown_and_comes_back(page: Page, answered: Answere
 
 
 def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
-    page: Page, answered: Answered, settled: Callable[[Page], None]
+    page: Page, answered: Answered, settled: Wait
 ) -> None:
     with serving() as port:
         page.goto(f"http://127.0.0.1:{port}/explorer?bat=youth-30")
@@ -177,7 +175,7 @@ def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
 
 @pytest.mark.parametrize("files", ["design.js", "design_front.js"])
 def test_a_view_whose_files_did_not_come_comes_once_they_can(
-    page: Page, server: str, answered: Answered, settled: Callable[[Page], None], files: str
+    page: Page, server: str, answered: Answered, settled: Wait, files: str
 ) -> None:
     """The line to the server stays open all the while, so nothing but another try can bring them."""
     page.route(f"**/static/views/{files}*", lambda route: route.abort("connectionrefused"))

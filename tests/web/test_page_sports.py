@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -12,6 +10,7 @@ from sweetspot.web.views.flight import FlownBall, fences
 from sweetspot.web.views.flight import answer as flight
 from sweetspot.web.views.flight_state import FlightState
 from sweetspot.web.views.optimum import OptimumState, recipe
+from tests.web.parts import Answered
 
 
 @pytest.mark.parametrize(
@@ -29,7 +28,7 @@ def test_balls_fly_over_the_fields_of_the_bats_sport(bat: str, fields: int) -> N
     assert chosen.park.name == "Coors Field"  # who chooses gets it
 
 
-def test_bats_of_the_sport_stand_beside_a_softball_bat(page: Page, server: str, answered: Callable[..., int]) -> None:
+def test_bats_of_the_sport_stand_beside_a_softball_bat(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/compare?bat=slow-pitch")
     answered(page)
     beside = page.get_by_role("group", name="Bat 2", exact=True).locator("select").first
@@ -42,7 +41,7 @@ def test_bats_of_the_sport_stand_beside_a_softball_bat(page: Page, server: str, 
     expect(page.get_by_role("group", name="Bat 2", exact=True).locator("select").first).to_have_value("youth-alloy")
 
 
-def test_the_best_swing_of_a_softball_bat_has_its_field(page: Page, server: str, answered: Callable[..., int]) -> None:
+def test_the_best_swing_of_a_softball_bat_has_its_field(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/optimum?bat=fast-pitch")
     answered(page)
     expect(page.locator("[data-field=park] select")).to_have_value("fast-pitch")
@@ -51,9 +50,7 @@ def test_the_best_swing_of_a_softball_bat_has_its_field(page: Page, server: str,
     expect(page.locator("#bench-chip")).to_be_visible()
 
 
-def test_a_racket_is_named_over_its_view_and_the_bat_over_others(
-    page: Page, server: str, answered: Callable[..., int]
-) -> None:
+def test_a_racket_is_named_over_its_view_and_the_bat_over_others(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/sports")
     answered(page)
     expect(page.locator("#bench-chip")).to_have_text(catalog.implement("tennis-racket").name)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web import conftest
+from tests.web.parts import Until
 
 
 def test_a_wrong_word_on_a_page_at_rest_fails_soon(
-    page: Page, server: str, until: Callable[[Page, str], Any], monkeypatch: pytest.MonkeyPatch
+    page: Page, server: str, until: Until, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(conftest, "REST", 200)
     page.goto(f"{server}/static/no-such-page")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -11,6 +10,7 @@ from playwright.sync_api import Page, expect
 from sweetspot.units import INCH
 from sweetspot.web.controls import BatState
 from sweetspot.web.views.explorer_curves import Publication, published
+from tests.web.parts import Answered
 
 LENGTH = 0.84
 
@@ -34,7 +34,7 @@ def test_a_changed_bat_is_not_the_one_that_was_measured() -> None:
     assert of_bat(bat="composite") == ()
 
 
-def test_the_page_lists_what_its_diamonds_are(page: Page, server: str, answered: Callable[..., int]) -> None:
+def test_the_page_lists_what_its_diamonds_are(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer")
     count = answered(page)
     page.locator("summary", has_text="What was published of this bat").click()

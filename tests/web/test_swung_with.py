@@ -16,6 +16,7 @@ from sweetspot.units import MPH
 from sweetspot.web.views import VIEWS, compare, explorer, flight
 from sweetspot.web.views.compare_state import CompareState
 from sweetspot.web.views.flight_state import FlightState
+from tests.web.parts import Answered
 
 CHANGES: list[dict[str, Any]] = [
     {"mass_oz": 36.0}, {"mass_oz": 28.0}, {"bore_diameter_in": 1.0}, {"cup_diameter_in": 1.2}, {"weight_oz": 2.0},
@@ -97,7 +98,7 @@ def test_the_copied_commands_agree(
     assert played["flight"]["carry_m"] == pytest.approx(to_dict(flight.answer(state))["flight"]["carry_m"], rel=1e-4)
 
 
-def test_choking_up_says_what_it_costs(page: Page, server: str, answered: Callable[..., int]) -> None:
+def test_choking_up_says_what_it_costs(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer")
     count = answered(page)
     switch = page.locator("[data-field=same]")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +19,7 @@ from sweetspot.web.views.explorer import ExplorerState
 from sweetspot.web.views.explorer_curves import along
 from sweetspot.web.views.optimum import OptimumState
 from sweetspot.web.views.optimum import recipe as optimum_recipe
+from tests.web.parts import Answered
 
 REPORTS = Path(__file__).parents[1] / "golden" / "answers"
 PITCH, BALL = "[data-field=pitch_speed_mph] input[type=number]", "[data-field=ball] select"
@@ -52,9 +52,7 @@ def test_other_questions_follow_the_sport_too() -> None:
     assert "--pitch little-league-fastball" in optimum_recipe(OptimumState(bat="youth-30"))["command"]
 
 
-def test_choosing_a_bat_brings_its_sport_s_ball_and_pitch(
-    page: Page, server: str, answered: Callable[..., int]
-) -> None:
+def test_choosing_a_bat_brings_its_sport_s_ball_and_pitch(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer")
     answered(page)
     expect(page.locator(PITCH)).to_have_value("90")

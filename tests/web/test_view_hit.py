@@ -102,8 +102,7 @@ def test_hands_change_the_handle_and_not_the_ball() -> None:
 
 
 @pytest.mark.parametrize(
-    ("controls", "field"),
-    [({"impact_from_tip_in": 30}, "impact_from_tip_in"), ({"bat": "no such bat"}, "bat")],
+    ("controls", "field"), [({"impact_from_tip_in": 30}, "impact_from_tip_in"), ({"bat": "no such bat"}, "bat")]
 )
 def test_wrong_controls_are_named(controls: dict[str, Any], field: str) -> None:
     with pytest.raises(FieldError) as refused:

@@ -19,6 +19,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.errors import FieldError
 from sweetspot.web.wizard import PATTERNS, Wanted, described_by, forms
+from tests.web.parts import Wait
 
 KINDS = [(sport, key) for sport, patterns in PATTERNS.items() for key in patterns]
 ASKED: dict[str, dict[str, Any]] = {
@@ -97,7 +98,7 @@ def test_the_answer_that_cannot_be_is_named(wanted: dict[str, Any], field: str, 
     assert raised.value.field == field
 
 
-def test_a_racket_by_questions_lies_on_the_bench(page: Page, server: str, settled: Callable[[Page], None]) -> None:
+def test_a_racket_by_questions_lies_on_the_bench(page: Page, server: str, settled: Wait) -> None:
     page.goto(f"{server}/sports")
     settled(page)
     page.get_by_role("button", name="Describe yours by questions").click()
