@@ -100,7 +100,7 @@ def _marks(found: Sport) -> str:
 
 
 def _formulas(found: Sport) -> str:
-    rows = [tuple(vars(stated(row, SI)).values()) for row in sport_rows(found)]
+    rows = [tuple(vars(stated(row, SI)).values())[:-1] for row in sport_rows(found)]
     return table(("eq.", "quantity", "unit", "rule or claim", "formula", "full model", "comment"), rows)
 
 

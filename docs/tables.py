@@ -116,7 +116,7 @@ def along_table() -> str:
 
 def paper_table() -> str:
     """Return the implemented paper's chain beside the full model."""
-    rows = [tuple(vars(stated(row)).values()) for row in paper_rows(analysed())]
+    rows = [tuple(vars(stated(row)).values())[:-1] for row in paper_rows(analysed())]
     return table(("eq.", "quantity", "unit", "paper", "computed", "full model", "comment"), rows)
 
 

@@ -248,9 +248,10 @@ class StatedRow:
     computed: Value
     full_model: Value
     comment: str
+    name: str
 
 
 def stated(row: PaperRow, reading: Reader = CHAIN) -> StatedRow:
     """Return a row with its words as a reader sees them."""
     quantity, comment = (sentence.read(reading) for sentence in statement(row))
-    return StatedRow(row.equation, quantity, row.unit, row.paper, row.computed, row.full_model, comment)
+    return StatedRow(row.equation, quantity, row.unit, row.paper, row.computed, row.full_model, comment, row.name)

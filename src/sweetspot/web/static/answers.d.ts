@@ -1646,6 +1646,7 @@ export interface Statement {
   computed: number | string | null;
   full_model: number | string | null;
   comment: string;
+  name: string;
   words: Record<"us" | "si", StatementWords>;
 }
 
