@@ -84,7 +84,7 @@ def exit_speed_without_spikes(scan: Scan) -> Array:
 
     >>> from sweetspot import analyse, catalog, standard_conditions
     >>> scan = analyse(catalog.bat(), standard_conditions(catalog.bat())).scan
-    >>> bool((held_exit_speed(scan) == scan.exit_speed).all())
+    >>> bool((exit_speed_without_spikes(scan) == scan.exit_speed).all())
     True
     """
     return without_spikes(scan.exit_speed, step=float(scan.position[1] - scan.position[0]))
