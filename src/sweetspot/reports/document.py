@@ -40,13 +40,7 @@ class Linked:
 
 @dataclass(frozen=True)
 class Cited:
-    """A work of the bibliography: a terminal names it by its key, a page by who wrote it and when.
-
-    Parameters
-    ----------
-    year : of the edition; "": unknown.
-    note : behind it, such as how it was read.
-    """
+    """A work of the bibliography: a terminal names it by its key, a page by who wrote it and when."""
 
     key: str
     year: str = ""

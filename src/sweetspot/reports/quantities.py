@@ -172,12 +172,7 @@ def key(name: str) -> str:
 
 @dataclass(frozen=True)
 class Reader:
-    """Who reads: the unit of every scale.
-
-    Parameters
-    ----------
-    units : by scale.
-    """
+    """Who reads: the unit of every scale."""
 
     units: Mapping[str, Unit]
 

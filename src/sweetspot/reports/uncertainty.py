@@ -22,12 +22,7 @@ HOW_SURE = (
 
 
 def how_sure(uncertainty: Uncertainty, named: str) -> Section:
-    """Return an explanation of an answer's intervals, with the sources of the main number's.
-
-    Parameters
-    ----------
-    named : what people call the main number.
-    """
+    """Return an explanation of an answer's intervals, with the sources of the main number's."""
     shares = {name: share for name, share in uncertainty.shares.items() if share >= LEAST_SHARE}
     not_drawn = {name: 0.0 for name in uncertainty.sources if name not in uncertainty.shares}
     words = say(HOW_SURE, drawn=uncertainty, named=named)

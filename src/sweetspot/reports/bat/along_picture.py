@@ -129,12 +129,7 @@ def mode_shapes(axes: Axes, report: ReportAnswer, reading: Reader) -> None:
 
 
 def _band(axes: Axes, report: ReportAnswer, curve: Curve, colour: str, *, size: float = 1.0) -> Array:
-    """Draw the interval around a curve of the scan as a band, and return its upper end; empty where there is none.
-
-    Parameters
-    ----------
-    size : of the unit that is drawn.
-    """
+    """Draw the interval around a curve of the scan as a band, and return its upper end; empty where there is none."""
     if not isinstance(curve, Band):
         return np.zeros(0)
     band(axes, report.scan.position, curve.low / size, curve.high / size, colour)

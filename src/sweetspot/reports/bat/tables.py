@@ -130,13 +130,7 @@ def misses_table(report: ReportAnswer) -> Table:
 
 
 def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
-    """Return weight, balance, how the sport weighs a swing, and moments of inertia.
-
-    Parameters
-    ----------
-    body : of the implement as described.
-    mass : its numbers, with the intervals that are known.
-    """
+    """Return weight, balance, how the sport weighs a swing, and moments of inertia."""
     words = words_of(bat.sport)
     standard = in_words("{axis:place, round} from the {butt}", words, axis=STANDARD_AXIS)
     axes = [

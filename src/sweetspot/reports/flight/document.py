@@ -222,12 +222,7 @@ def alike_words(half: Number, *, spin_known: bool) -> Sentence:
 
 
 def launch_words(ball: BallLeaving, *, ballpark: bool = True) -> Sentence:
-    """Return how a ball leaves: "at 105.8 mph, 24.8° up and 11.7° to right field, with 3249 rpm of backspin ...".
-
-    Parameters
-    ----------
-    ballpark : as in `direction_words`.
-    """
+    """Return how a ball leaves: "at 105.8 mph, 24.8° up and 11.7° to right field, with 3249 rpm of backspin ..."."""
     return say(
         "at {speed:speed}, {up} and {aside}, with {spin}",
         speed=ball.exit_speed,

@@ -200,14 +200,7 @@ REACH = 440 * FOOT
 def parks_figure(
     parks: Sequence[Park], named: Sequence[Park] = (), reading: Reader = US, *, size: tuple[float, float] = (7.0, 5.6)
 ) -> Figure:
-    """Return many fences laid over each other, those in ``named`` in colour with their heights as thickness.
-
-    Parameters
-    ----------
-    parks : drawn thin and grey.
-    named : up to six, drawn in colour and with names.
-    size : inches of paper.
-    """
+    """Return many fences laid over each other, those in ``named`` in colour with their heights as thickness."""
     figure = Figure(figsize=size, layout="constrained")
     axes = figure.subplots()
     draw_field(axes, reading)
@@ -225,12 +218,7 @@ def parks_figure(
 
 
 def draw_field(axes: Axes, reading: Reader = US, *, small: bool = False) -> None:
-    """Draw foul lines, the infield and distance rings in the readers' unit, and fix the axes' shape.
-
-    Parameters
-    ----------
-    small : a field for youth, whose bases are 60 ft apart.
-    """
+    """Draw foul lines, the infield and distance rings in the readers' unit, and fix the axes' shape."""
     unit = reading.units["distance"].size
     line = np.array([0.0, 0.95 * REACH / unit]) * math.sin(FOUL_LINE)
     for side in (-1, 1):

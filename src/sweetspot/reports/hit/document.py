@@ -118,12 +118,7 @@ def hit_table(hit: Hit, words: Terms, masses: Sentence, *, rigid: bool) -> Table
 
 
 def hit_picture(impact: Impact, words: Terms, caption: str | Sentence = "", *, title: str | Sentence = "") -> Picture:
-    """Return force and energy of a hit, drawn.
-
-    Parameters
-    ----------
-    title : over the picture where it is a file of its own.
-    """
+    """Return force and energy of a hit, drawn."""
     heat = impact.energy.heat / impact.energy.incoming if impact.energy.incoming else 0.0
     label = in_words(
         "Force of the hit: it rises to {force} and lasts {time:contact, 2}. Of the energy, {heat:share} become heat "
@@ -222,12 +217,7 @@ def touched_again_at(
     perhaps: bool, words: Terms, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
     lateral: float = 0.0,
 ) -> list[Sentence]:  # fmt: skip
-    """Return the same for a hit of the compiled solver, which is made once more for it.
-
-    Parameters
-    ----------
-    perhaps : whether the ball was touched again, or is nearby; else there is nothing to say.
-    """
+    """Return the same for a hit of the compiled solver, which is made once more for it."""
     if not perhaps:
         return []
     again = hit(modes, ball=ball, position=position, lateral=lateral, closing_speed=closing_speed)

@@ -23,12 +23,7 @@ WIDTH, HEIGHT, TITLE = 8.5, 4.75, 0.4
 
 @styled
 def hit_figure(impact: Impact, words: Terms = BASEBALL, title: Words = "", reading: Reader = US) -> Figure:
-    """Return force against time, force against compression, and the energy ledger of one hit.
-
-    Parameters
-    ----------
-    title : over it where it stands alone; "": none.
-    """
+    """Return force against time, force against compression, and the energy ledger of one hit."""
     above = TITLE if title else 0.0
     page = Page(WIDTH, HEIGHT + above, 0.3)
     if title:

@@ -29,12 +29,7 @@ Told = tuple[list[Sentence], list[Sentence]]
 
 
 def paper_words(question: str, analysis: Analysis[Bat], choices: Choices, rows: list[PaperRow]) -> Told:
-    """Return the full model's answer to a question, and the question's formulas with its numbers.
-
-    Parameters
-    ----------
-    rows : the paper's statements on it, see `sweetspot.papers.chain.PARTS`.
-    """
+    """Return the full model's answer to a question, and the question's formulas with its numbers."""
     return QUESTIONS[question](analysis, choices, rows)
 
 

@@ -23,12 +23,7 @@ LINE = 118
 
 @styled
 def play_figure(answer: PlayAnswer, words: Sentence, reading: Reader = US) -> Figure:
-    """Return the picture of a play; a miss has no flight to draw.
-
-    Parameters
-    ----------
-    words : for the foot of the page.
-    """
+    """Return the picture of a play; a miss has no flight to draw."""
     figure = Figure(figsize=(9.0, 6.9), layout="constrained")
     figure.get_layout_engine().set(rect=(0.01, 0, 0.98, 0.95))  # type: ignore[union-attr, call-arg]
     figure.text(0.02, 0.965, answer.bat, weight="bold", size=LARGE, parse_math=False)

@@ -16,13 +16,7 @@ WIDTH, NAMES, BAR, AROUND = 8.0, 1.9, 0.34, 0.75
 
 @styled
 def shares_figure(shares: Mapping[str, float], named: str, reading: Reader = US) -> Figure:  # noqa: ARG001 - parts
-    """Return a figure of ranked bars: the part of the variance of an answer that each source causes alone.
-
-    Parameters
-    ----------
-    shares : by the name of the source, the greatest first.
-    named : what people call the answer.
-    """
+    """Return a figure of ranked bars: the part of the variance of an answer that each source causes alone."""
     tall = BAR * max(len(shares), 1)
     page = Page(WIDTH, AROUND + tall, 0.0)
     axes = page.panel(AROUND / 2, tall, left=NAMES, width=WIDTH - NAMES - 0.1)

@@ -30,13 +30,7 @@ from sweetspot.reports.sentences import Sentence, Slot, Words, read, say
 
 
 def player_document(answer: FitPlayerAnswer, *, player: str = "", day: str = "") -> Document:
-    """Return the training report as a document.
-
-    Parameters
-    ----------
-    player : whom it is for, named in the picture.
-    day : when it was made, in the picture too.
-    """
+    """Return the training report as a document."""
     advice, found, asked = answer.advice, findings(answer), answers(answer.advice)
     untried = [f"Could not be tried: {fault}." for fault in answer.not_tried]
     picture = Picture(

@@ -34,13 +34,7 @@ ROW, LEAST, LINE, AXIS = 2.9, 1.9, 0.165, 0.75
 
 @styled
 def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Reader = US) -> Figure:
-    """Return the figure of a season's or a player's balls; panels that would be empty are left out.
-
-    Parameters
-    ----------
-    counted : groups and measures of the balls.
-    title : above it; "": none.
-    """
+    """Return the figure of a season's or a player's balls; panels that would be empty are left out."""
     names = counted.collect_schema().names()
     swung = "squared_up_ratio" in names and counted.select(pl.col("squared_up_ratio").count()).collect().item() > 0
     tables = {name: groups for name in LABELS if (groups := left_over_by(counted, name))}
@@ -90,12 +84,7 @@ def _ceilings(axes: Axes, counted: pl.LazyFrame) -> None:
 
 
 def barrel_map(axes: Axes, counted: pl.LazyFrame, reading: Reader = US) -> None:
-    """Draw where on the barrel balls were met: one draw from what is known of each, so that doubt shows as width.
-
-    Parameters
-    ----------
-    counted : groups and measures of the balls.
-    """
+    """Draw where on the barrel balls were met: one draw from what is known of each, so that doubt shows as width."""
     unit = reading.units["offset"]
     table = counted.select("from_tip_drawn", "offset").drop_nulls().collect()
     places, offsets = table["from_tip_drawn"].to_numpy() / unit.size, table["offset"].to_numpy() / unit.size
