@@ -59,11 +59,9 @@ def drop_document(answer: DropAnswer) -> Document:
 
 def _rows(answer: DropAnswer) -> list[tuple[Cell, Cell]]:
     made_of = say(
-        "{material}, {thickness:pressed} thick, {mass:mass}, {support}",
-        material=answer.material,
+        "{answer.material}, {answer.thickness:pressed} thick, {answer.block_mass:mass}, {support}",
+        answer=answer,
         support=SUPPORTS[answer.support],
-        thickness=answer.thickness,
-        mass=answer.block_mass,
     )
     rows: list[tuple[Cell, Cell]] = [
         ("block", made_of),

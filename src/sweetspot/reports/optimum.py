@@ -54,30 +54,25 @@ def optimum_document(answer: OptimumAnswer) -> Document:
 def _swing_words(best: FarthestSwing, *, length: float) -> Sentence:
     below = float(best.undercut) >= 0
     return say(
-        "A {pitch}, {speed:speed, 0} at the plate, carries farthest, {carry:distance}, met {place:place} from the tip "
-        "with the bat's axis {offset:offset} {side} the ball's centre and rising at {attack:angle}.",
-        pitch=best.pitch,
+        "A {best.pitch}, {speed:speed, 0} at the plate, carries farthest, {best.carry:distance}, met {place:place} "
+        "from the tip with the bat's axis {offset:offset} {side} the ball's centre and rising at "
+        "{best.attack_angle:angle}.",
+        best=best,
         speed=float(best.pitch_speed),
-        carry=best.carry,
         place=length - best.position,
         offset=best.undercut if below else -best.undercut,
         side="below" if below else "above",
-        attack=best.attack_angle,
     )
 
 
 def _park_words(parks: Sequence[SlowestHomeRun]) -> Sentence:
     easiest = min(parks, key=lambda park: float(park.exit_speed))
     return say(
-        "{lead} {park}: a ball of {speed:speed} at {angle:angle}, {where}, just clears a fence {far:distance} away "
-        "and {high:distance} high.",
+        "{lead} {easiest.park}: a ball of {easiest.exit_speed:speed} at {easiest.launch_angle:angle}, {where}, just "
+        "clears a fence {easiest.fence_distance:distance} away and {easiest.fence_height:distance} high.",
         lead="Easiest to leave is" if len(parks) > 1 else "Easiest way out of",
-        park=easiest.park,
-        speed=easiest.exit_speed,
-        angle=easiest.launch_angle,
+        easiest=easiest,
         where=direction_words(easiest.direction),
-        far=easiest.fence_distance,
-        high=easiest.fence_height,
     )
 
 

@@ -90,14 +90,14 @@ def tap_document(answer: TapAnswer) -> Document:
 
 def _fault(test: TapTest, number: int) -> Sentence:
     tap = test.taps[number]
-    return say("{name}, {start:time, 2}: {fault}", name=tap.recording, start=tap.start, fault=tap.fault or NOTHING)
+    return say("{tap.recording}, {tap.start:time, 2}: {fault}", tap=tap, fault=tap.fault or NOTHING)
 
 
 def _heard_to(tap: Tap, top: float) -> Sentence:
     return say(
-        "{name}, {start:time, 2}: heard below {top:frequency, 0} only; above it has more tones than can be separated.",
-        name=tap.recording,
-        start=tap.start,
+        "{tap.recording}, {tap.start:time, 2}: heard below {top:frequency, 0} only; above it has more tones than can "
+        "be separated.",
+        tap=tap,
         top=top,
     )
 
@@ -183,10 +183,9 @@ def unlike_words(test: TapTest) -> Sentence:
 def touched_words(test: TapTest, tone: Tone) -> Sentence:
     """Return in words that something may touch what rang."""
     return say(
-        "At {frequency:frequency, 0} the damping is {damping:share, 1}; a freely hung one of this kind has less than "
-        "{free:share, 1}. A hand, a table or a loose part may touch it, which moves its tones by some per cent: hang "
-        "it from rubber bands.",
-        frequency=tone.frequency.value,
-        damping=tone.damping_ratio.value,
+        "At {tone.frequency.value:frequency, 0} the damping is {tone.damping_ratio.value:share, 1}; a freely hung one "
+        "of this kind has less than {free:share, 1}. A hand, a table or a loose part may touch it, which moves its "
+        "tones by some per cent: hang it from rubber bands.",
+        tone=tone,
         free=test.free_damping,
     )

@@ -88,13 +88,13 @@ def _sizes(report: ReportAnswer) -> Sentence:
     bat, ball = report.analysis.bat, report.analysis.conditions.ball
     other = "" if ball == standard_conditions(bat).ball else f"; hit by: {ball.name}"
     return in_words(
-        "{length:length} long, {mass:mass}, {made_of}, balance {balance:place} from the {butt}{other}",
+        "{length:length} long, {report.bat.mass:mass}, {made_of}, balance {report.bat.balance_point:place} from the "
+        "{butt}{other}",
         words_of(bat.sport),
         other=other,
         length=bat.length,
-        mass=report.bat.mass,
+        report=report,
         made_of=made_of_words(bat),
-        balance=report.bat.balance_point,
     )
 
 

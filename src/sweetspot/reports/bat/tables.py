@@ -166,7 +166,7 @@ def moment(moi: Number, doubt: float) -> Sentence:
 def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> tuple[Cell, Cell]:
     """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
     name = in_words(
-        "{name}, about {axis:place} from the {butt}", words_of(bat.sport), name=convention.name, axis=convention.axis
+        "{convention.name}, about {convention.axis:place} from the {butt}", words_of(bat.sport), convention=convention
     )
     return name, convention.text_of(body).replace("^2", "²")
 
@@ -189,9 +189,9 @@ def conditions_table(report: ReportAnswer) -> Table:
     """Return pitch, swing, hands and ball."""
     hit, words, hands = report.conditions, words_of(report.analysis.bat.sport), report.analysis.conditions.hands
     bounce = say(
-        "{e:ratio} at {speed:speed, round}, {slope:ratio, 4} per {step:speed, round} faster",
-        e=hit.ball_restitution,
-        speed=hit.ball_restitution_speed,
+        "{hit.ball_restitution:ratio} at {hit.ball_restitution_speed:speed, round}, {slope:ratio, 4} per {step:speed, "
+        "round} faster",
+        hit=hit,
         slope=-10 * MPH * hit.ball_restitution_slope,
         step=10 * MPH,
     )

@@ -58,13 +58,11 @@ def photo_words(answer: PhotoOutlineAnswer) -> Sentence:
     errors = np.sort(answer.diameter_error)
     usual, most = (REACH * float(errors[int(part * (len(errors) - 1))]) for part in (0.5, 0.9))
     return say(
-        "From the photograph: a pixel is {pixel:compression, 2}; its edges scatter by {scatter:compression, 2} (rms) "
-        "and the axis is straight to {bend:compression, 2}. Half of the diameters are sure to ± {usual:compression}, "
-        "nine tenths to ± {most:compression}, places along the bat to ± {place:compression}: where it is steep, these "
-        "decide (90 % intervals).",
-        pixel=answer.pixel,
-        scatter=answer.edge_scatter,
-        bend=answer.axis_bend,
+        "From the photograph: a pixel is {answer.pixel:compression, 2}; its edges scatter by "
+        "{answer.edge_scatter:compression, 2} (rms) and the axis is straight to {answer.axis_bend:compression, 2}. "
+        "Half of the diameters are sure to ± {usual:compression}, nine tenths to ± {most:compression}, places along "
+        "the bat to ± {place:compression}: where it is steep, these decide (90 % intervals).",
+        answer=answer,
         usual=usual,
         most=most,
         place=REACH * answer.place_error,

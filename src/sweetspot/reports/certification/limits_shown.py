@@ -33,10 +33,9 @@ def broken_words(check: RuleCheck) -> Sentence:
     """Return a broken rule with its league, since another league's rules may be kept, and by what it is broken."""
     if check.quantity in BROKEN:
         return say("{fault} ({league})", fault=BROKEN[check.quantity], league=check.league_name)
-    return say(
-        "{rule} of {league} ({value}, allowed {limit})", rule=check.title, league=check.league_name,
-        value=value_shown(check.quantity, check.outcome.value), limit=limit_shown(check),
-    )  # fmt: skip
+    value, limit = value_shown(check.quantity, check.outcome.value), limit_shown(check)
+    words = "{check.title} of {check.league_name} ({value}, allowed {limit})"
+    return say(words, check=check, value=value, limit=limit)
 
 
 def unsure_words(checks: Sequence[Check], *, verdict: Verdict = Verdict.PASS) -> str:

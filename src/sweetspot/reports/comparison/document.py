@@ -229,7 +229,7 @@ def _reason(tested: CertifyAnswer) -> Sentence:
         if check.outcome.verdict is Verdict.PASS and check.quantity in ("bbcor", "bpf", "besr")
     ]  # fmt: skip
     lively += [
-        say("one piece of wood, which {league} do not hold to {rule}", league=check.league_name, rule=check.title)
+        say("one piece of wood, which {check.league_name} do not hold to {check.title}", check=check)
         for check in tested.checks
         if check.outcome.verdict is Verdict.NOT_APPLICABLE and check.quantity == "bbcor"
     ]

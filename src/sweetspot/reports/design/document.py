@@ -130,15 +130,13 @@ def _subtitle(design: Designed) -> str:
 def _assumed(design: Designed) -> Words:
     batter = design.bench.batter
     return say(
-        "Contacts {place:place} from the tip on average; {pitch:speed, 0} {incoming}, {bat:speed, 0} of {tool} speed "
-        "with the present {tool}. The same places from the tip and the same effort with every {tool}. The model's "
-        "ball, {wood} and swing; nothing was made.",
+        "Contacts {batter.mean_contact:place} from the tip on average; {batter.pitch_speed:speed, 0} {incoming}, "
+        "{batter.bat_speed:speed, 0} of {tool} speed with the present {tool}. The same places from the tip and the "
+        "same effort with every {tool}. The model's ball, {wood} and swing; nothing was made.",
         tool=tool_of(design),
         incoming=sport(design.bench.space.present.sport).words.incoming,
         wood="wood" if design.gain.shipment else "material",
-        place=batter.mean_contact,
-        pitch=batter.pitch_speed,
-        bat=batter.bat_speed,
+        batter=batter,
     )
 
 

@@ -55,9 +55,8 @@ def gained_words(change: float | None, gain: Gain | None = None) -> Sentence:
 def weight_words(weights: MassProperties, moi_doubt: float) -> Sentence:
     """Return the weight and balance of a bat; ``moi_doubt`` is the standard deviation of its swing weight."""
     return say(
-        "{mass:mass}, balance {balance:place} from the knob, swing weight {moi}.",
-        mass=weights.mass,
-        balance=weights.balance_point,
+        "{weights.mass:mass}, balance {weights.balance_point:place} from the knob, swing weight {moi}.",
+        weights=weights,
         moi=with_doubt(float(weights.moi_6in), moi_doubt, "moi"),
     )
 
@@ -177,15 +176,13 @@ def _doubts(design: Designed) -> Sentence:
     else:
         parts.append(
             say(
-                "Two bats of one shape differ by {wood:speed_change} (one standard deviation: density {density}, "
-                "stiffness {modulus}; {weighed:speed_change} chosen by weight), or by {pair:speed_change}: best and "
-                "worst of a dozen by up to {shipment:speed, 0, round}.",
-                wood=gain.wood,
+                "Two bats of one shape differ by {gain.wood:speed_change} (one standard deviation: density {density}, "
+                "stiffness {modulus}; {gain.by_weight:speed_change} chosen by weight), or by "
+                "{gain.shipment:speed_change}: best and worst of a dozen by up to {shipment:speed, 0, round}.",
+                gain=gain,
                 density=_spread(DENSITY_SPREAD),
                 modulus=_spread(MODULUS_SPREAD),
-                weighed=gain.by_weight,
                 shipment=SHIPMENT,
-                pair=gain.shipment,
             )
         )
     law = design.bench.batter.law

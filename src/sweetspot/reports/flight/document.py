@@ -107,12 +107,9 @@ def _weather(answer: FlyAnswer) -> Sentence:
         where = wind_words(hit.wind_direction, ballpark=answer.question.sport.key in BALLPARKS)
         wind = say("wind {speed} {where}", speed=blowing, where=where)
     return say(
-        "Air {temperature:temperature}, {humidity:share} humid, {elevation:elevation} above the sea: "
-        "{density:air_density, 4}; {wind}.",
-        temperature=hit.temperature,
-        humidity=hit.humidity,
-        elevation=hit.elevation,
-        density=hit.air.density,
+        "Air {hit.temperature:temperature}, {hit.humidity:share} humid, {hit.elevation:elevation} above the sea: "
+        "{hit.air.density:air_density, 4}; {wind}.",
+        hit=hit,
         wind=wind,
     )
 
@@ -168,13 +165,9 @@ def flight_words(flown: FlightNumbers) -> Sentence:
     if outcome is not FlightOutcome.LANDED:
         return say(outcome.sentence[0].upper() + outcome.sentence[1:] + ".")
     return say(
-        "It carries {carry:distance} in {time:time}, at most {apex:distance} high, and comes down {angle:angle, 0} "
-        "steep at {speed:speed, 0}.",
-        carry=flown.carry,
-        time=flown.hang_time,
-        apex=flown.apex,
-        angle=flown.landing_angle,
-        speed=flown.landing_speed,
+        "It carries {flown.carry:distance} in {flown.hang_time:time}, at most {flown.apex:distance} high, and comes "
+        "down {flown.landing_angle:angle, 0} steep at {flown.landing_speed:speed, 0}.",
+        flown=flown,
     )
 
 
@@ -198,9 +191,8 @@ def fence_words(end: FlightEnd, *, chance: float | None = None) -> Sentence:
     if chance is not None and (outcome == "home run") != is_likely(chance):
         outcome = f"such balls {'go out' if is_likely(chance) else 'stay in'} more often than not"
     return say(
-        "At {park} it reaches the fence {distance:distance} away {clearance} {side} its top: {outcome}.",
-        park=end.park,
-        distance=end.distance,
+        "At {end.park} it reaches the fence {end.distance:distance} away {clearance} {side} its top: {outcome}.",
+        end=end,
         clearance=small_or_far(clearance),
         side="over" if clearance > 0 else "below",
         outcome=outcome,

@@ -156,10 +156,10 @@ def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:
     if strains is None:
         return []
     text = in_words(
-        "Greatest bending strain of the handle {strain:strain}, {place:place} from the {butt}",
+        "Greatest bending strain of the handle {strains.handle_strain:strain}, {strains.handle_position:place} from "
+        "the {butt}",
         words,
-        strain=strains.handle_strain,
-        place=strains.handle_position,
+        strains=strains,
     )
     if strains.wall_strain is not None:
         text += say("; of the barrel's wall {strain:strain}", strain=strains.wall_strain)

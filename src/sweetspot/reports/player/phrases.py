@@ -125,10 +125,7 @@ def _lead(pairs: tuple[BatPair, ...]) -> str:
 
 def _better(pair: BatPair, advice: Advice) -> Sentence:
     words = say(
-        "{better} against {other} {gain}",
-        better=pair.better,
-        other=pair.other,
-        gain=goal_shown(pair.gain, advice.goal, sign=True),
+        "{pair.better} against {pair.other} {gain}", pair=pair, gain=goal_shown(pair.gain, advice.goal, sign=True)
     )
     if pair.measured is None or not pair.goal_is_speed:
         return words
@@ -148,16 +145,12 @@ def _unsure(pair: BatPair, advice: Advice) -> Sentence:
     gain = goal_shown(pair.gain, advice.goal, sign=True)
     if pair.measured is not None and pair.goal_is_speed and pair.measured.value < 0 < pair.gain.low:
         return say(
-            "{better} against {other} {gain} by the model and {measured:speed_change, sign, ends} as measured: the "
-            "swings cannot tell",
-            better=pair.better,
-            other=pair.other,
+            "{pair.better} against {pair.other} {gain} by the model and {pair.measured:speed_change, sign, ends} as "
+            "measured: the swings cannot tell",
+            pair=pair,
             gain=gain,
-            measured=pair.measured,
         )
-    return say(
-        "{better} against {other} {gain}: the swings cannot tell", better=pair.better, other=pair.other, gain=gain
-    )
+    return say("{pair.better} against {pair.other} {gain}: the swings cannot tell", pair=pair, gain=gain)
 
 
 def _gainsaid(pair: BatPair, advice: Advice) -> Sentence:

@@ -142,7 +142,7 @@ def measured(posterior: PlayerPosterior) -> Words:
         return ""
     swung.sort(key=lambda bat: -float(bat.exit_speed or 0.0))
     parts = [
-        say("{name} {ball:speed, ends}", name=bat.bat.name, ball=bat.exit_speed)
+        say("{bat.bat.name} {bat.exit_speed:speed, ends}", bat=bat)
         + (say(" at {speed:speed, ends} of bat speed", speed=bat.bat_speed) if bat.bat_speed else "")
         for bat in swung
         if bat.exit_speed
