@@ -21,14 +21,7 @@ from sweetspot.dynamics.hoop import hoop_modes
 from sweetspot.dynamics.local_compliance import blade_compliance, solid_bat_compliance
 from sweetspot.dynamics.modes import MOST_MODES, Family, Modes, excited_frequency, joined
 from sweetspot.dynamics.patch import patch_law
-from sweetspot.dynamics.residual_flexibility import (
-    CELLS,
-    extrapolated,
-    joints,
-    just_inside,
-    sample_places,
-    with_corner,
-)
+from sweetspot.dynamics.residual_flexibility import CELLS, extrapolated, joints, just_inside, sample_places, with_corner
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat

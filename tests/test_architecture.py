@@ -245,10 +245,7 @@ def test_nothing_public_takes_a_train_of_arguments() -> None:
 
 def test_planted_trains_are_seen() -> None:
     eight = ", ".join("abcdefgh")
-    assert long_trains(f"class A:\n    def f(self, {eight}): ...\ndef g(*, {eight}): ...") == [
-        "f takes 8",
-        "g takes 8",
-    ]
+    assert long_trains(f"class A:\n    def f(self, {eight}): ...\ndef g(*, {eight}): ...") == ["f takes 8", "g takes 8"]
     assert not long_trains(f"def _f({eight}): ...\n@compiled()\ndef g({eight}): ...\ndef h({eight[:-3]}): ...")
 
 
@@ -326,17 +323,9 @@ UNTYPED = {
     "seasons": 1, "validation": 6, "web": 51,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""
-RIDDLES = {
-    "answers": 1,
-    "web": 2,
-}
+RIDDLES = {"answers": 1, "web": 2}
 """How many variables and parameters of a package may still have a name that does not say what they hold."""
-DIALECT = {
-    "answers": 2,
-    "calibration": 1,
-    "cli": 2,
-    "web": 2,
-}
+DIALECT = {"answers": 2, "calibration": 1, "cli": 2, "web": 2}
 """How many words of the house's dialect may still stand in a package's texts."""
 
 

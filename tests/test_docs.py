@@ -88,10 +88,7 @@ def test_commands_of_a_page_run(
         assert captured.out or "wrote" in captured.err, line
 
 
-TUTORIAL_CODES = {
-    "certify tested.toml --shots shots.csv": 1,
-    "certify tested.toml --uncertainty": 1,
-}
+TUTORIAL_CODES = {"certify tested.toml --shots shots.csv": 1, "certify tested.toml --uncertainty": 1}
 """Of lines of tutorials that end otherwise than with 0: the laboratory's bat breaks a rule."""
 
 

@@ -71,10 +71,7 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
         lambda: door.what_if("mlb-a", {"mass": ["0.85 kg", 0.9], "cup_depth": ["0 cm", "2 cm"]}, bat_speed="68 mph"),
     ),
     ("compare r161-ash youth-30 --same-speed", lambda: door.compare(R161, "youth-30", same_speed=True)),
-    (
-        "compare r161-ash --what-if cork --bore-depth 8in",
-        lambda: door.compare_corked(R161, bore_depth="8in"),
-    ),
+    ("compare r161-ash --what-if cork --bore-depth 8in", lambda: door.compare_corked(R161, bore_depth="8in")),
     (
         "design mlb-a --contact 8in --population 8 --generations 2 --want exit-speed",
         lambda: door.design("mlb-a", contact="8in", population=8, generations=2, want=["exit_speed"]),
@@ -96,25 +93,16 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
         "pendulum --mass 30.5oz --balance-point 22.4in --period 1.38s±0.01s --uncertainty",
         lambda: door.pendulum(mass="30.5oz", balance_point="22.4in", period="1.38s±0.01s", uncertainty=True),
     ),
-    (
-        "paper r161-ash --entry-angle 20deg --fill rubber",
-        lambda: door.paper(R161, entry_angle="20deg", fill="rubber"),
-    ),
+    ("paper r161-ash --entry-angle 20deg --fill rubber", lambda: door.paper(R161, entry_angle="20deg", fill="rubber")),
     (
         "fit-player swings.csv --bat mlb-a --pitch-speed 60mph --goal line --line 250ft",
         lambda: door.fit_player("swings.csv", bat="mlb-a", pitch_speed="60mph", goal="line", line="250ft"),
     ),
-    (
-        "rank bats.csv --like r161-ash --bat-speed 68mph",
-        lambda: door.rank("bats.csv", like=R161, bat_speed="68mph"),
-    ),
+    ("rank bats.csv --like r161-ash --bat-speed 68mph", lambda: door.rank("bats.csv", like=R161, bat_speed="68mph")),
     (
         "calibrate r161-ash --mass 31.00oz±0.05oz --balance-point 22.05in±0.05in --tone bending-1:171.5Hz±0.4Hz",
         lambda: door.calibrate(
-            R161,
-            mass="31.00oz±0.05oz",
-            balance_point="22.05in±0.05in",
-            tones={"bending-1": door.Measured(171.5, 0.4)},
+            R161, mass="31.00oz±0.05oz", balance_point="22.05in±0.05in", tones={"bending-1": door.Measured(171.5, 0.4)}
         ),
     ),
     ("outline stations.csv --material maple", lambda: door.outline("stations.csv", material="maple")),

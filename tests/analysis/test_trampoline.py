@@ -11,13 +11,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse, exit_speed_of
 from sweetspot.analysis.position_scan import scan
-from sweetspot.analysis.trampoline import (
-    wall_energy,
-    wall_point,
-    wall_share,
-    wall_stiffness_at,
-    wall_sweep,
-)
+from sweetspot.analysis.trampoline import wall_energy, wall_point, wall_share, wall_stiffness_at, wall_sweep
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.modes import Modes

@@ -269,10 +269,7 @@ def test_bad_rows_are_printed(run: Run, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("rows", "message"),
-    [
-        (["136,28,6,0.54"], "1 good shot: no uncertainty can be given"),
-        (["136,-28,6,0.54"], "negative rebound"),
-    ],
+    [(["136,28,6,0.54"], "1 good shot: no uncertainty can be given"), (["136,-28,6,0.54"], "negative rebound")],
 )
 def test_shots_that_are_bad_input(rows: list[str], message: str, run: Run, tmp_path: Path) -> None:
     code, out, err = run("certify", "college-alloy", "--shots", written(tmp_path, *rows))

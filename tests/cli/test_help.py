@@ -79,8 +79,7 @@ def test_help_and_version_are_commands_to_those_who_type_them_so(run: Run) -> No
 
 
 @pytest.mark.parametrize(
-    ("columns", "commands"),
-    [("1", EXAMPLES), *((columns, ["design"]) for columns in ("0", "2", "3", "10", "40"))],
+    ("columns", "commands"), [("1", EXAMPLES), *((columns, ["design"]) for columns in ("0", "2", "3", "10", "40"))]
 )  # every command, and the one with most options
 def test_help_ends_however_narrow_the_terminal(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, commands: Iterable[str]

@@ -32,10 +32,7 @@ def bat(ash: Material, **changes: Any) -> Bat:
         ({"length": -1.0}, "length"),
         ({"length": 33.0}, "length"),
         ({"length": math.nan}, "finite"),
-        (
-            {"profile": ((0.0, 0.05), (0.5, 0.03), (0.4, 0.03), (0.84, 0.06))},
-            "goes back from 0.5 m (19.69 in) to 0.4",
-        ),
+        ({"profile": ((0.0, 0.05), (0.5, 0.03), (0.4, 0.03), (0.84, 0.06))}, "goes back from 0.5 m (19.69 in) to 0.4"),
         ({"profile": ((0.0, 0.05), (0.5, 0.03))}, "give a station at each end"),
         ({"profile": ((0.0, 0.05),)}, "two or more"),
         ({"profile": ((0.0, 0.05), (0.84, 0.65))}, "650 mm at 0.84 m; allowed is 5 to 120 mm"),

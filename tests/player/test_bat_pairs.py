@@ -41,11 +41,7 @@ def test_every_two_bats_are_compared_the_best_first() -> None:
     """Exact: medians 3, 1 and 0 m/s; the same draws for every bat, so that a constant difference has no width."""
     bats = [swung("own", 40.0), swung("second", 43.0), swung("third", 41.0)]
     pairs, words, table = told(bats, {"own": SPREAD, "second": SPREAD + 3, "third": SPREAD + 1})
-    assert [(pair.better, pair.other) for pair in pairs] == [
-        ("second", "third"),
-        ("second", "own"),
-        ("third", "own"),
-    ]
+    assert [(pair.better, pair.other) for pair in pairs] == [("second", "third"), ("second", "own"), ("third", "own")]
     assert [pair.gain.value for pair in pairs] == pytest.approx([2.0, 3.0, 1.0])
     assert {pair.verdict for pair in pairs} == {"better"} and all(pair.chance == 1 for pair in pairs)
     assert pairs[0].measured is not None and pairs[0].measured.value == pytest.approx(2.0)

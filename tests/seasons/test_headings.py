@@ -244,10 +244,7 @@ def test_a_club_s_feed_needs_no_inference_of_the_place(tmp_path: Path) -> None:
 def test_who_has_no_number_goes_by_his_name(tmp_path: Path) -> None:
     """And where no park is known, and no event, home runs are missing: nobody was counted to hit none."""
     frame = trackman().select(
-        "ExitSpeed",
-        "Angle",
-        Batter=pl.format("Batter, {}", "BatterId"),
-        Pitcher=pl.lit("Pitcher, One"),
+        "ExitSpeed", "Angle", Batter=pl.format("Batter, {}", "BatterId"), Pitcher=pl.lit("Pitcher, One")
     )
     frame.write_csv(tmp_path / "table.csv")
     require_batter([tmp_path / "table.csv"], "Batter, 600001")

@@ -25,10 +25,7 @@ def flies(extra: float = 0.0, factor: float = 1.0) -> pl.DataFrame:
         "hc_y": np.full(COUNT, 70.0), "game_date": ["2024-05-01"] * COUNT,
     })  # fmt: skip
     flown = season_columns(table, setting=SETTING).collect()
-    return table.with_columns(
-        hit_distance_sc=flown["carry_ft"] * factor,
-        hang_time=flown["hang_time_s"] + extra,
-    )
+    return table.with_columns(hit_distance_sc=flown["carry_ft"] * factor, hang_time=flown["hang_time_s"] + extra)
 
 
 def checked(table: pl.DataFrame, *, caught: bool = False) -> HangCheck | None:

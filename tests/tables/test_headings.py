@@ -102,18 +102,10 @@ READERS: dict[str, Callable[..., object]] = {
     ("reader", "text", "faults"),
     [
         ("swings", "bat_speed_kn,exit_speed,pitch_speed_mph\n70,95,85", ["unknown unit, kn", "exit_speed has no unit"]),
-        (
-            "swings",
-            "bat_speed_mph,bat speed (km/h),exit_speed\n70,110,95",
-            ["both give bat_speed", "exit_speed has"],
-        ),
+        ("swings", "bat_speed_mph,bat speed (km/h),exit_speed\n70,110,95", ["both give bat_speed", "exit_speed has"]),
         ("shots", "ball_in_kn,ball_out\n60,20", ["unknown unit, kn", "no column for position", "ball_out has no unit"]),
         ("bats", "name,mass_oz,weight_g,moi\nA,31,880,11000", ["both give mass", "moi has no unit"]),
-        (
-            "bats",
-            "name,mass_oz,balance_point_in\nA,x,22\nB,31,y\nA,31,22",
-            ["line 2, mass", "line 3, bal", "line 4"],
-        ),
+        ("bats", "name,mass_oz,balance_point_in\nA,x,22\nB,31,y\nA,31,22", ["line 2, mass", "line 3, bal", "line 4"]),
     ],
 )
 def test_all_faults_of_other_tables_are_told_at_once(reader: str, text: str, faults: list[str], tmp_path: Path) -> None:

@@ -31,17 +31,7 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import Hands
 from sweetspot.units import INCH, MPH
 
-WOOD_BATS = (
-    "r161-ash",
-    "russell-b1",
-    "russell-b2",
-    "russell-b3",
-    "mlb-a",
-    "mlb-b",
-    "mlb-c",
-    "mlb-d",
-    "youth-30",
-)
+WOOD_BATS = ("r161-ash", "russell-b1", "russell-b2", "russell-b3", "mlb-a", "mlb-b", "mlb-c", "mlb-d", "youth-30")
 
 
 def test_the_limit_of_1999_is_three_ways_of_saying_one_thing() -> None:

@@ -75,11 +75,7 @@ def test_any_ground_any_way_up(tmp_path: Path, how: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize(
     "how",
-    [
-        {"wood": BLACK, "shadow": 0.5},
-        {"wood": BLACK, "ground": (0.25, 0.25, 0.26)},
-        {"ground": (0.86, 0.75, 0.58)},
-    ],
+    [{"wood": BLACK, "shadow": 0.5}, {"wood": BLACK, "ground": (0.25, 0.25, 0.26)}, {"ground": (0.86, 0.75, 0.58)}],
 )
 def test_a_blurred_photograph_has_wider_intervals_that_hold(tmp_path: Path, how: dict[str, Any]) -> None:
     """Out of focus by 2 pixels: diameters were up to 10 mm off with intervals of 1.3 mm, none of them holding."""

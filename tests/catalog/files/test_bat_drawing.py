@@ -39,10 +39,7 @@ def test_slips_of_a_drawing_are_refused_unless_insisted_on(changes: dict[str, An
     [
         ({"balence_point": "22 in"}, "unknown key 'balence_point': did you mean 'balance_point'"),
         ({"mass": 31}, "mass was given as 31: write the unit too"),
-        (
-            {"profile": [[0, 1.75], ["33 in", "2.5 in"]]},
-            "profile was given as 0: write the unit too",
-        ),
+        ({"profile": [[0, 1.75], ["33 in", "2.5 in"]]}, "profile was given as 0: write the unit too"),
         ({"material": {"longitudnal_modulus": "15 GPa"}}, "did you mean 'longitudinal_modulus'"),
         ({"mass": "30,500 oz"}, "decimals after a point"),
     ],
