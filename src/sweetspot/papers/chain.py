@@ -163,8 +163,8 @@ def _drop(analysis: Analysis, choices: Choices) -> Iterator[PaperRow]:
         block = Block(material=material, thickness=thickness, support=choices.block_support)
         rebound, share = bounce(block, ball=ball, height=height)
         of_block = {"lost": limit.lost_energy, "share": share, "block": name, name: True}
-        known = {"wood": False, "metal": False} | facts | of_block
-        yield PaperRow("Fig. 6", "rebound", "m", claim, limit.rebound, rebound, known)
+        both = {"wood": False, "metal": False} | facts | of_block
+        yield PaperRow("Fig. 6", "rebound", "m", claim, limit.rebound, rebound, both)
 
 
 def _energy(analysis: Analysis, choices: Choices) -> Iterator[PaperRow]:

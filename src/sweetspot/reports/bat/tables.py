@@ -77,7 +77,7 @@ def along_table(report: ReportAnswer) -> Table:
     """Return the results of hits at even places from the tip."""
     scan, bat = report.scan, report.analysis.bat
     words, rigid = words_of(bat.sport), bat.face is None
-    shown = [
+    measures = [
         (Column(words.exit_speed, "speed"), scan.exit_speed),
         (Column("if it were rigid", "speed"), scan.rigid_exit_speed),
         (Column("q", "ratio"), scan.collision_efficiency),
@@ -85,18 +85,18 @@ def along_table(report: ReportAnswer) -> Table:
         (Column("jolt", "impulse", sign=True), scan.hand_impulse),
         (Column("vibration", "vibration"), scan.sting),
     ]
-    shown = [pair for pair in shown if rigid or pair[1] is not scan.bbcor]
+    measures = [pair for pair in measures if rigid or pair[1] is not scan.bbcor]
 
     def cell(column: Column, curve: Curve, place: float) -> Slot:
         number = interpolated(curve, scan.position, bat.length - place)
         return Slot(number, column.scale, sign=column.sign, unit=False)
 
     rows: list[list[Cell]] = [
-        [Slot(place, "place", round=True).bare, *(cell(*pair, place) for pair in shown)]
+        [Slot(place, "place", round=True).bare, *(cell(*pair, place) for pair in measures)]
         for place in stations(report.analysis).tolist()
     ]
     where = say("{unit} from the {tip}", unit=UnitName("place"), tip=words.tip)
-    return Table("", [Column(where, right=True), *(column for column, _ in shown)], rows)
+    return Table("", [Column(where, right=True), *(column for column, _ in measures)], rows)
 
 
 def stations(analysis: Analysis[Implement]) -> Array:

@@ -203,13 +203,13 @@ def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
     game = "BBCOR of the test" if test.swung == BASEBALL_TEST else "ball-bat restitution"
     fast_place = _place(fast, length)
     at_best = say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))
-    own = "ball at {of.closing_speed:speed, 0}, whose own restitution is {of.ball_restitution:ratio, 4}"
+    at_rest = "ball at {of.closing_speed:speed, 0}, whose own restitution is {of.ball_restitution:ratio, 4}"
     speed, speeds = Slot(test.batted_ball_speed, "speed"), ranges("batted_ball_speed", "speed", 1)
     rows: list[list[Cell]] = [
         [game, Slot(test.bbcor, "ratio", 4), *ranges("bbcor"), fast_place, at_best],
         ["collision efficiency q", Slot(test.collision_efficiency, "ratio", 4), *none, fast_place, "there"],
         *([besr] if test.swung == BASEBALL_TEST else []),
-        ["BPF", Slot(test.bpf, "ratio"), *ranges("bpf", digits=3), _place(slow, length), say(own, of=slow)],
+        ["BPF", Slot(test.bpf, "ratio"), *ranges("bpf", digits=3), _place(slow, length), say(at_rest, of=slow)],
         ["batted-ball speed", speed, *speeds, fast_place, _swung(test.swung)],
         ["MOI", turning, *none, "", "the clamp's axis"],
     ]

@@ -65,9 +65,9 @@ def park_document(answer: ParkAnswer) -> Document:
 
 
 def _picture(parks: Sequence[Park], named: Park | None) -> Picture:
-    shown = [named] if named else []
+    coloured = [named] if named else []
     label = "Fences from above." if named is None else f"The fence of {named.name} from above, over those of others."
     return Picture(
-        "fences", drawn(PARKS, parks, shown, size=(7.0, 5.6)), label=label,
-        sheet=drawn(PARKS, parks, shown, size=(4.6, 3.7)),
+        "fences", drawn(PARKS, parks, coloured, size=(7.0, 5.6)), label=label,
+        sheet=drawn(PARKS, parks, coloured, size=(4.6, 3.7)),
     )  # fmt: skip
