@@ -292,11 +292,11 @@ def test_the_front_door_opens() -> None:
 
 
 BUDGET = {
-    "__init__": 150, "__main__": 50, "analysis": 3_950, "answers": 8_400, "calibration": 6_400, "catalog": 3_250,
-    "cli": 3_550, "collision": 3_100, "designs": 3_050, "dynamics": 4_500, "equipment": 3_350, "errors": 150,
-    "flight": 3_450, "front_door": 450, "motion": 750, "numerics": 1_850, "papers": 1_050, "plausibility": 800,
-    "player": 4_100, "references": 150, "reports": 12_250, "seasons": 7_600, "tables": 1_050, "uncertainty": 1_600,
-    "units": 800, "validation": 2_100, "web": 8_200,
+    "__init__": 150, "__main__": 50, "analysis": 3_550, "answers": 8_600, "calibration": 5_700, "catalog": 3_300,
+    "cli": 3_400, "collision": 3_350, "designs": 2_750, "dynamics": 4_500, "equipment": 3_350, "errors": 150,
+    "flight": 3_400, "front_door": 450, "motion": 750, "numerics": 1_850, "papers": 800, "plausibility": 800,
+    "player": 3_750, "references": 150, "reports": 12_400, "seasons": 6_750, "tables": 1_000, "uncertainty": 1_600,
+    "units": 800, "validation": 2_050, "web": 8_650,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
 package that shrinks gives its lines back."""
@@ -319,13 +319,14 @@ def test_each_package_keeps_to_its_budget() -> None:
 SEVERAL_MEANINGS: dict[str, int] = {}
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {
-    "answers": 8, "calibration": 5, "catalog": 44, "cli": 3, "designs": 1, "equipment": 8, "flight": 1, "reports": 27,
-    "seasons": 1, "validation": 6, "web": 51,
+    "answers": 1,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""
-RIDDLES = {"answers": 1, "web": 2}
+RIDDLES = {
+    "answers": 1, "web": 1,
+}  # fmt: skip
 """How many variables and parameters of a package may still have a name that does not say what they hold."""
-DIALECT = {"answers": 2, "calibration": 1, "cli": 2, "web": 2}
+DIALECT: dict[str, int] = {}
 """How many words of the house's dialect may still stand in a package's texts."""
 
 

@@ -68,7 +68,7 @@ def test_the_best_of_several_woods_and_lengths(run: Run, tmp_path: Path) -> None
 
 @pytest.mark.usefixtures("short_polish")
 def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
-    answer = run_json("design", "single-wall", "--league", "nobody", *QUICK)
+    answer = run_json("design", "single-wall", "--league", "none", *QUICK)
     assert 0.5 < answer["measures"]["bbcor"] < 0.6
     assert {"wall_1", "end_cap_mass"} <= answer["variables"].keys()
 
@@ -76,8 +76,8 @@ def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
 @pytest.mark.usefixtures("short_polish")
 @pytest.mark.parametrize(
     ("league", "bounded", "undecided"),
-    [("asa", False, True), ("nobody", False, False), ("softball", True, False)],
-    ids=["asa", "nobody", "softball"],
+    [("asa", False, True), ("none", False, False), ("softball", True, False)],
+    ids=["asa", "none", "softball"],
 )
 def test_a_wall_that_no_rule_bounds_is_said_first(
     league: str, bounded: bool, undecided: bool, run_json: RunJson
@@ -115,7 +115,7 @@ def test_other_sports_by_the_same_command(run: Run, tmp_path: Path, name: str) -
     ("arguments", "fault"),
     [
         (
-            ("--mass", "26oz:27oz", "--moi", "12000oz*in^2:", "--keep", "nothing", "--league", "nobody"),
+            ("--mass", "26oz:27oz", "--moi", "12000oz*in^2:", "--keep", "nothing", "--league", "none"),
             "exclude each other: mass from 26.00 oz",
         ),
         (("single-wall", *QUICK), "the nearest has greatest BBCOR, in the test"),

@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from sweetspot.reports.quantities import SI, US, Reader
+from sweetspot.reports.quantities import SI, US, Reader, System
 from sweetspot.reports.quantity_table import ENDINGS, quantity_data
 from sweetspot.web.files import static_files
 from sweetspot.web.views import VIEWS
@@ -27,7 +27,7 @@ from sweetspot.web.views import VIEWS
     ],
 )
 def test_a_stored_number_is_shown_as_readers_have_it(
-    ending: str, stored: float, value: float, scale: str, system: str, reading: Reader
+    ending: str, stored: float, value: float, scale: str, system: System, reading: Reader
 ) -> None:
     row = quantity_data()["endings"][ending][system]
     shown = f"{stored * row['scale'] + row['offset']:.{row['digits']}f}"

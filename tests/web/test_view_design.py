@@ -76,7 +76,7 @@ def test_a_rule_that_is_broken_is_a_red_light(client: httpx.Client, pulled: dict
     thick[9] = 2.75 * INCH
     answer = asked(client, **{**pulled, "design_si": thick, "pulled": 9}, keep_mass=False, keep_moi=False)
     assert next(one for one in answer["rules"] if one["quantity"] == "diameter")["verdict"] == "fail"
-    assert asked(client, **pulled, league="nobody")["rules"] == []
+    assert asked(client, **pulled, league="none")["rules"] == []
 
 
 def test_a_gain_stands_beside_what_wood_differs(client: httpx.Client, pulled: dict[str, Any]) -> None:

@@ -29,7 +29,7 @@ class LimitSetup:
     want : measures to improve, one to three of exit_speed, zone, best, sting, swing_time, durability.
     keep : measures that stay within 1 % of the present bat's.
     woods : names of the materials to try; none: the present bat's.
-    league : whose rules are kept; None: that of the bat's sport, "nobody": no one's.
+    league : whose rules are kept; None: that of the bat's sport, "none": no one's.
     deepest_cup : deepest cupped end that may be turned, m.
     handle : smallest diameter of the grip, m; None: the present one.
     """
@@ -87,7 +87,7 @@ def design(
     from sweetspot.catalog.rules import league, usual_league
 
     conditions, _ = setup.swung(implement.implement)
-    rules = None if limits.league == "nobody" else limits.league or usual_league(implement.implement)
+    rules = None if limits.league == "none" else limits.league or usual_league(implement.implement)
     question = DesignQuestion(
         bat=implement.implement,
         batter=player.of(implement.implement, conditions),

@@ -179,7 +179,7 @@ class Picture:
 
 
 def drawn(figure: str, *answer: Any, **options: Any) -> Callable[[Reader], Figure]:
-    """Return what draws an answer for a reader by a function given as "module:name", loaded when a renderer draws."""
+    """Return a figure that a renderer draws for its reader, by a function named "module:name" that is loaded then."""
     return partial(_draw, figure, answer, options)
 
 

@@ -80,9 +80,7 @@ class LimitOptions:
     ] = None
     league: Annotated[
         str,
-        Parameter(
-            help="Whose rules to keep: a league of the catalogue, or nobody. Default: the sport's, mlb for wood."
-        ),
+        Parameter(help="Whose rules to keep: a league of the catalogue, or none. Default: the sport's, mlb for wood."),
     ] = ""
 
 
@@ -126,7 +124,7 @@ def league_of(bat: Implement, options: LimitOptions) -> League | None:
     """Return the league whose rules are kept, if any."""
     from sweetspot.catalog.rules import league, usual_league
 
-    chosen = None if options.league == "nobody" else options.league or usual_league(bat)
+    chosen = None if options.league == "none" else options.league or usual_league(bat)
     return None if chosen is None else league(chosen)
 
 

@@ -49,7 +49,7 @@ def unfitted_words(terms: Terms, found: CalibrateAnswer | None) -> str:
 
 
 def should_words(found: CalibrateAnswer, suspect: Suspect) -> Sentence:
-    """Return what a measurement that contradicts the others should be."""
+    """Say which value would agree with the others, for a measurement that contradicts them."""
     off, rows = "", {row.name: row for row in found.measurements}
     if suspect.name in found.contradictions:
         off = f"{abs(rows[suspect.name].off_by_sigma):.1f} sigma off. "

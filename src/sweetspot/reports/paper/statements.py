@@ -230,7 +230,7 @@ STATEMENTS: Mapping[str, Wording] = {
 
 
 def statement(row: PaperRow) -> tuple[Sentence, Sentence]:
-    """Return what a row states, and the comment on it."""
+    """Return the statement of a row, and the comment on it."""
     wording, facts = STATEMENTS[row.name], dict(row.facts)
     if "support" in facts:
         facts["support"] = SUPPORTS[str(facts["support"])]

@@ -41,7 +41,7 @@ export interface Asides {
   flight: { map: CarryMap; fences: Fences; sure: ReadDocument; };
   optimum: { swing: ReadDocument; parks: ReadDocument; };
   player: { fit: ReadDocument; table: SwingTable; };
-  own: { tap: HeardTaps; file: BatFile; };
+  own: { tap: HeardTaps; file: WrittenBat; };
   design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
   season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: BatterControls; };
   sports: { face: SportsFace; sentences: SportsWords; };
@@ -142,11 +142,6 @@ export interface BatFacts {
   moi_6in_kg_m2: number;
   hollow: boolean;
   sport: string;
-}
-
-/** The text of a bat's file; None: nothing was measured. */
-export interface BatFile {
-  toml?: string;
 }
 
 /** How much faster than from the first bat the ball leaves, and how probable it is that it does. */
@@ -905,38 +900,19 @@ export interface HandMotion {
   impulse_given: number | null; impulse_given_low?: number; impulse_given_high?: number;
 }
 
-/** A tap of a recording, s from its begin; ``fault`` says why it is not a good one. */
-export interface HeardTap {
-  recording: string;
-  time_s: number; time_low_s?: number; time_high_s?: number;
-  good: boolean;
-  fault: string | null;
-}
-
 /** What is heard in recorded taps; ``measured`` and ``damping`` are controls of the view. */
 export interface HeardTaps {
   refused: RefusedSound[];
-  taps: HeardTap[];
+  taps: TapRow[];
   words: string;
   waveform?: TapWaveform;
-  tones: HeardTone[];
+  tones: ToneRow[];
   spectrum?: TapSpectrum;
   measured: (["bending-1" | "bending-2" | "bending-3" | "bending-4" | "bending-5" | "hoop", number, number])[];
   damping?: [number, number];
   fault: string | null;
   unlike: boolean;
   doubts: string[];
-}
-
-/** A tone of all good taps: its mode, half its 90 % interval, and whether it is the bat's own and not the room's. */
-export interface HeardTone {
-  name: string | null;
-  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
-  half_hz: number; half_low_hz?: number; half_high_hz?: number;
-  damping_ratio: number;
-  expected_hz: number | null;
-  taps: number;
-  from_bat: boolean;
 }
 
 /** Pitch, swing, hands and ball; places from the knob end. See `Conditions`. */
@@ -1702,6 +1678,14 @@ export interface SwungAt {
   collision_efficiency: number; collision_efficiency_low?: number; collision_efficiency_high?: number;
 }
 
+/** A tap of a recording, s from its begin; ``fault`` says why it is not a good one. */
+export interface TapRow {
+  recording: string;
+  time_s: number; time_low_s?: number; time_high_s?: number;
+  good: boolean;
+  fault: string | null;
+}
+
 /** Levels of what rings, dB below the loudest. */
 export interface TapSpectrum {
   frequency_hz: number[];
@@ -1750,6 +1734,17 @@ export interface ToTheGround {
   landing_speed_m_s: number; landing_speed_low_m_s?: number; landing_speed_high_m_s?: number;
   landing_angle_rad: number; landing_angle_low_rad?: number; landing_angle_high_rad?: number;
   landing_direction_rad: number; landing_direction_low_rad?: number; landing_direction_high_rad?: number;
+}
+
+/** A tone of all good taps: its mode, half its 90 % interval, and whether it is the bat's own and not the room's. */
+export interface ToneRow {
+  name: string | null;
+  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
+  half_hz: number; half_low_hz?: number; half_high_hz?: number;
+  damping_ratio: number;
+  expected_hz: number | null;
+  taps: number;
+  from_bat: boolean;
 }
 
 /** Something that one hits a ball with, and in which sport. */
@@ -1841,4 +1836,9 @@ export interface WizardQuestion {
   by: Record<string, Usual>;
   proportion_to: string;
   options: Choice[];
+}
+
+/** The text of a bat's file; None: nothing was measured. */
+export interface WrittenBat {
+  toml?: string;
 }

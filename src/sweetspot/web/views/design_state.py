@@ -34,7 +34,7 @@ from sweetspot.web.jobs import Say
 
 LONGEST_TABLE = 40_000
 """Letters of a table of swings, or of an answer of fit-player."""
-USUAL_LEAGUE, NOBODY = "usual", "nobody"
+USUAL_LEAGUE, NO_LEAGUE = "usual", "none"
 Want = Literal["exit_speed", "zone", "best", "sting", "swing_time", "durability"]
 LOCKS = {
     "keep_mass": "mass",
@@ -68,7 +68,7 @@ class DesignState(SwungState):
     keep_balance: bool = Field(False, description="the balance point stays within 1 %")
     keep_grip: bool = Field(False, description="the smallest diameter of the grip stays")
     deepest_cup_in: float = Field(1.0, ge=0, le=1.25, description="of a wooden bat")
-    league: Name = Field(USUAL_LEAGUE, description="whose rules hold: a league, usual for the bat, or nobody")
+    league: Name = Field(USUAL_LEAGUE, description="whose rules hold: a league, usual for the bat, or none")
     want: Want = Field("exit_speed", description="what is to be better first")
     also_want: Want = Field("zone", description="and what besides; the same: nothing else")
     generations: int = Field(30, ge=1, le=400, description="how long is searched")
@@ -196,7 +196,7 @@ def numbers_of(state: DesignState, request: ShapedBat) -> tuple[Array, bool]:
 
 def league_of(state: DesignState, request: ShapedBat) -> League | None:
     """Return the league whose rules hold; None: no league's."""
-    if state.league == NOBODY:
+    if state.league == NO_LEAGUE:
         return None
     chosen = usual_league(request.bench.space.present) if state.league == USUAL_LEAGUE else state.league
     with about("league"):

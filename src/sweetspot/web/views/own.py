@@ -178,7 +178,7 @@ class OwnAnswer:
 
 
 @dataclass(frozen=True)
-class BatFile:
+class WrittenBat:
     """The text of a bat's file; None: nothing was measured."""
 
     toml: str | None = None
@@ -326,7 +326,7 @@ def _rules(state: OwnState, fitted: Implement, body: RigidBody, found: Calibrate
     return tuple(rule_check(rules, check) for check in check_rules(rules, bat=fitted, findings=findings))
 
 
-def file(state: OwnState) -> BatFile:
+def file(state: OwnState) -> WrittenBat:
     """Return the calibrated bat's file, with the interval of every value and what was measured or assumed."""
     found = answer_of(state)
     if found is None and measurements_of(state):
@@ -335,7 +335,7 @@ def file(state: OwnState) -> BatFile:
         raise FieldError(
             "", "the measurements contradict each other; measure again, or leave one out, before the bat is kept"
         )
-    return BatFile() if found is None else BatFile(found.to_toml())
+    return WrittenBat() if found is None else WrittenBat(found.to_toml())
 
 
 def recipe(state: OwnState) -> dict[str, str]:

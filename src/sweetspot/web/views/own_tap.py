@@ -64,7 +64,7 @@ class RefusedSound:
 
 
 @dataclass(frozen=True)
-class HeardTap:
+class TapRow:
     """A tap of a recording, s from its begin; ``fault`` says why it is not a good one."""
 
     recording: str
@@ -74,7 +74,7 @@ class HeardTap:
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeardTone:
+class ToneRow:
     """A tone of all good taps: its mode, half its 90 % interval, and whether it is the bat's own and not the room's."""
 
     name: str | None
@@ -116,10 +116,10 @@ class HeardTaps:
     """
 
     refused: tuple[RefusedSound, ...]
-    taps: tuple[HeardTap, ...] = ()
+    taps: tuple[TapRow, ...] = ()
     words: str = ""
     waveform: TapWaveform | None = None
-    tones: tuple[HeardTone, ...] = ()
+    tones: tuple[ToneRow, ...] = ()
     spectrum: TapSpectrum | None = None
     measured: tuple[tuple[ToneName, float, float], ...] = ()
     damping: tuple[float, float] | None = None
@@ -194,7 +194,7 @@ def tap(state: OwnState) -> HeardTaps:
     return replace(
         head,
         tones=tuple(
-            HeardTone(
+            ToneRow(
                 name=None if named.name is None else str(named.name),
                 frequency=tone.frequency.value,
                 half=tone.frequency.half_width,
@@ -253,9 +253,9 @@ def _taps(sound: _Sound, band: FrequencyBand, held: float) -> tuple[Tap, ...]:
     return find_taps(sound.recording, band=band, held=held)
 
 
-def _tap_row(found: Tap) -> HeardTap:
+def _tap_row(found: Tap) -> TapRow:
     fault = None if found.fault is None else found.fault.removesuffix(OF_COMMAND)
-    return HeardTap(found.recording, found.start, found.good, fault)
+    return TapRow(found.recording, found.start, found.good, fault)
 
 
 def _wave(sound: _Sound) -> TapWaveform:

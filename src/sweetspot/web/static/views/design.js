@@ -89,7 +89,7 @@ export default class DesignView {
   /** @param {App} app */
   side(app) {
     const wants = Object.entries(WANTS).filter(([name]) => name !== "moi").map(([name, [, words]]) => [name, words]);
-    const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ["nobody", "nobody's"], ...all.map(({ key, name }) => [key, name])]);
+    const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ["none", "none"], ...all.map(({ key, name }) => [key, name])]);
     return make("div", { className: "side" },
       group("What must stay", [
         toggle(app, "keep_mass", { label: "Weight" }), toggle(app, "keep_moi", { label: "Swing weight (MOI)" }),
