@@ -233,7 +233,8 @@ def _reason(tested: CertifyAnswer) -> Sentence:
         for check in tested.checks
         if check.outcome.verdict is Verdict.NOT_APPLICABLE and check.quantity == "bbcor"
     ]
-    left = [check.title for check in tested.checks if check.outcome.verdict is Verdict.NOT_DECIDABLE]
+    undecided = (check.title for check in tested.checks if check.outcome.verdict is Verdict.NOT_DECIDABLE)
+    left = list(dict.fromkeys(undecided))  # two leagues may share a rule
     return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
 
 
