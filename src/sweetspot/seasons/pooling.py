@@ -261,11 +261,11 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
         scatter = Scatter(spread.mean, within, between, spread.groups >= FEWEST_GROUPS)
         error, ends = bounded_intervals(counts, means, centre, scatter, bounds=bounds)
     rank = pl.Series(centre).rank("average")  # groups that nothing tells apart are all in the middle
-    columns = {"spread": error, "reliability": trust}
+    columns = {"pooled": centre, "spread": error}
     columns |= {f"{side}{percent}": ends[percent][end] for percent in ends for end, side in enumerate(("low", "high"))}
+    columns["reliability"] = trust
     pooled = table.select(key, "balls", "mean").with_columns(
         **{name: pl.Series(values, nan_to_null=True) for name, values in columns.items()},
-        pooled=pl.Series(centre),
         percentile=100 * (rank - 0.5) / len(centre),
     )
     return pooled, spread
