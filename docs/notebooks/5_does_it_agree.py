@@ -19,7 +19,7 @@ from sweetspot.validation.verdicts import summary
 
 print(f"{'evidence':34} {'rows':>5} {'hold':>5} {'explained':>10} {'fail':>5}")
 for part in summary(found):
-    print(f"{part['evidence']:34} {part['rows']:5} {part['hold']:5} {part['explained_misses']:10} {part['fail']:5}")
+    print(f"{part.evidence:34} {part.rows:5} {part.hold:5} {part.explained_misses:10} {part.fail:5}")
 
 # %%
 # Predictions about bats, computed over printed. On the line the two agree:
