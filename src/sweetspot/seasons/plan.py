@@ -24,7 +24,7 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
-from sweetspot.numerics.whole_files import file_digest, refusal, sweep, written_whole
+from sweetspot.numerics.whole_files import file_digest, sweep, written_whole
 from sweetspot.seasons.ball_columns import SeasonSetting, answer_columns, answers_of, counted_rows
 from sweetspot.seasons.duplicates import with_duplicates
 from sweetspot.seasons.rows import USED, rows_of
@@ -209,9 +209,8 @@ def _room_for(path: Path) -> Iterator[BinaryIO]:
     try:
         with written_whole(path) as file:
             yield file
-    except (pl.exceptions.PolarsError, OSError) as error:
-        refused = refusal(error)
-        reason = refused[1] if refused else str(error).lower()
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
         raise InputError(f"{path} cannot be written: {reason}; make room, and go on with --resume") from None
 
 
