@@ -29,6 +29,14 @@ def test_places_and_values_come_with_their_source() -> None:
     assert greatest.values == pytest.approx([0.188, 0.240]) and greatest.place == (0.7, 0.7)
 
 
+def test_the_cases_are_read_once_for_a_bat_however_it_is_swung(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another swing has its most efficient place elsewhere; a slider that is dragged must not read every case again."""
+    places = [published(BatState(), length=LENGTH, most_efficient=0.65)]
+    monkeypatch.setattr("sweetspot.web.views.explorer_curves.sources", lambda: pytest.fail("read again"))
+    places.append(published(BatState(), length=LENGTH, most_efficient=0.68))
+    assert [{mark.place for mark in marks if mark.values} for marks in places] == [{(0.65, 0.65)}, {(0.68, 0.68)}]
+
+
 def test_a_changed_bat_is_not_the_one_that_was_measured() -> None:
     assert of_bat(bat="r161-ash", bore_diameter_in=1.0) == ()
     assert of_bat(bat="composite") == ()

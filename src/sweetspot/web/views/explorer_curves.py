@@ -254,17 +254,19 @@ def published(state: BatState, *, length: float, most_efficient: float) -> tuple
     ----------
     length, most_efficient : m; of the bat, and to the place of its greatest collision efficiency, from the knob end.
     """
-    return _of_bat(state.bat, length, most_efficient) if is_catalogued(state) else ()
+    marks = _of_bat(state.bat, length) if is_catalogued(state) else ()
+    return tuple(replace(mark, place=(most_efficient, most_efficient)) if mark.values else mark for mark in marks)
 
 
 @cache
-def _of_bat(name: str, length: float, most_efficient: float) -> tuple[Publication, ...]:
+def _of_bat(name: str, length: float) -> tuple[Publication, ...]:
+    """Return the publications about a bat of the catalogue; a value whose place was not published lies anywhere."""
     rows = [(row, case) for case in sources() for row in case.rows if row.inputs.get("bat") == name]
-    marks = (_mark(row, case.source, name, length, most_efficient) for row, case in rows)
+    marks = (_mark(row, case.source, name, length) for row, case in rows)
     return tuple(mark for mark in marks if mark is not None)
 
 
-def _mark(row: Row, key: str, name: str, length: float, most_efficient: float) -> Publication | None:
+def _mark(row: Row, key: str, name: str, length: float) -> Publication | None:
     low, high = (row.value if end is None else end for end in (row.low, row.high))
     assert low is not None and high is not None
     source = reference(key)
@@ -278,8 +280,7 @@ def _mark(row: Row, key: str, name: str, length: float, most_efficient: float) -
         )
     if row.computation in VALUES:
         words = say("{about}: {value}", about=about, value=_span(*row.allowed, "ratio"))
-        place = (most_efficient, most_efficient)
-        return Publication(VALUES[row.computation], in_either_system(words), cite(key), place, row.allowed)
+        return Publication(VALUES[row.computation], in_either_system(words), cite(key), (0.0, length), row.allowed)
     return None
 
 
