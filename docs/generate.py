@@ -81,6 +81,7 @@ def pages() -> dict[str, Callable[[], str]]:
         "licences": licences.licences_table,
         "validation": tables.validation_page,
         "validation_summary": tables.validation_summary,
+        "error_from": tables.error_from_table,
         **sport_tables.pages(),
     }
 

@@ -20,7 +20,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.papers.chain import paper_rows
 from sweetspot.reports.paper.statements import stated
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
-from sweetspot.validation.cases import EVIDENCE
+from sweetspot.validation.cases import ERROR_FROM, EVIDENCE
 from sweetspot.validation.computations.flight import pitch_flight
 
 MINUS = "\N{MINUS SIGN}"
@@ -220,11 +220,19 @@ def validation_summary() -> str:
             part.hold,
             part.explained_misses,
             part.fail,
+            part.numbers,
+            part.numbers_hold,
+            part.from_source,
         )
         for part in validation.summary(found)
     ]
-    head = ("evidence", "what it is", "rows", "hold", "miss, explained", "fail")
+    head = ("evidence", "what it is", "rows", "hold", "miss, explained", "fail", "numbers", "hold", "error by source")
     return f"**{validation.headline(found)}**\n\n{table(head, rows)}"
+
+
+def error_from_table() -> str:
+    """Return where the allowed range of a published value can come from."""
+    return table(("from", "the allowed range is"), list(ERROR_FROM.items()))
 
 
 def parks_table() -> str:

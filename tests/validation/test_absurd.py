@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -60,6 +61,9 @@ def judged_as(row: validation.Row, computed: float, case: validation.Case) -> va
         ("low = 1.0\n", "", "open at one end"),
         ('evidence = "prediction about bats"', 'evidence = "proof"', "allowed are prediction about bats"),
         ("tolerance = 0.5\n", "tolerance = 0.5\nours = 3.0\n", "without expected_miss"),
+        ("tolerance = 0.5\n", "error = 0.5\n", "an error without error_from"),
+        ("tolerance = 0.5\n", 'error = 0.5\nerror_from = "taste"\n', "allowed are printed, rounding"),
+        ("tolerance = 0.5\n", 'tolerance = 0.5\nerror = 0.5\nerror_from = "printed"\n', "two tolerances"),
         ("tolerance = 0.5\n", 'tolerance = 0.5\nexpected_miss = "why"\n', "give ours and ours_tolerance"),
         (
             "tolerance = 0.5\n",
@@ -97,5 +101,22 @@ def test_the_headline_counts_predictions_about_bats_first() -> None:
     found = [verdicts.judged(row, case) for case in validation.sources() for row in case.rows if row.kind == "identity"]
     parts = {part.evidence: part for part in validation.summary(found)}
     assert parts["prediction about bats"].rows == 0
-    assert validation.headline(found).startswith("0 predictions about bats")
+    assert validation.headline(found).startswith("0 independent published numbers about bats")
     assert sum(part.rows for part in parts.values()) == len(found)
+
+
+def test_rows_that_repeat_one_published_number_count_once() -> None:
+    case = next(case for case in validation.sources() if case.source == "nathan_corknote")
+    row = replace(case.rows[0], evidence="prediction about bats")
+    assert row.value is None and row.low is not None
+    good, bad = row.low * verdicts.UNITS[row.unit], -1.0
+
+    def counted(*found: validation.Result) -> verdicts.EvidenceCount:
+        return validation.summary(found)[0]
+
+    holds = judged_as(row, good, case)
+    assert counted(holds, replace(holds, name="another bat"))[5:8] == (1, 1, 0)
+    assert counted(holds, judged_as(row, bad, case))[5:8] == (1, 0, 1), "one row of a number fails, so it fails"
+    assert counted(holds, replace(holds, number="another"))[5:8] == (2, 2, 0)
+    assert counted(replace(holds, tolerance=0.0, error=0.5, error_from="rounding")).from_source == 1
+    assert counted(holds).from_source == 0

@@ -37,6 +37,17 @@ EVIDENCE: dict[Evidence, str] = {
     "calibrated": "went into our data: shows that it comes out again",
 }
 """What a row is worth. Only the first two can tell whether the model is right."""
+ErrorFrom = Literal["printed", "rounding", "scatter", "reading", "range", "sign", "ours"]
+ERROR_FROM: dict[ErrorFrom, str] = {
+    "printed": "the source gives it with its value (of a standard deviation or error: 1.64 of it)",
+    "rounding": "half a unit of the last printed digit",
+    "scatter": "from the source's own repeated values (of a standard deviation: 1.64 of it)",
+    "reading": "what its figure can be read to",
+    "range": "the ends of the range that it prints",
+    "sign": "it gives a sign or an order",
+    "ours": "our own judgment, or a sum with more than the source's error; the reason says what is in it",
+}
+"""Where the error of a printed value comes from. All but the last can be written down before ours is computed."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +65,12 @@ class Row:
     unit : of printed and computed; empty for ratios.
     value : expected, in ``unit``; None for a band.
     low, high : ends of a band in ``unit``; a band has both, so that no absurd value can lie in it.
-    tolerance, tolerance_percent : allowed difference from ``value``, or beyond the ends of the band; one of the two.
+    error, error_from : half width of the source's own 90 % error in ``unit``, and where it comes from (`ERROR_FROM`).
+        It is what is allowed; write it down before you compute ours.
+    tolerance, tolerance_percent : allowed difference from ``value``, or beyond the ends of the band, where the source's
+        error is not all of it; one of these and ``error``.
+    number : key of the independent published number within its source. Rows with one key count once; without a key,
+        rows of one source with the same printed text and unit do.
     inputs : arguments of the computation, texts with units.
     of : number of a computed thing, as a dotted path of attributes; empty: the computation returns the number.
     expected_miss : why ours differs, where the physics says so; empty otherwise.
@@ -76,6 +92,9 @@ class Row:
     high: float | None = None
     tolerance: float = 0.0
     tolerance_percent: float = 0.0
+    error: float = 0.0
+    error_from: ErrorFrom | Literal[""] = ""
+    number: str = ""
     inputs: Mapping[str, Any] = field(default_factory=dict)
     of: str = ""
     comment: str = ""
@@ -90,17 +109,32 @@ class Row:
         high = self.value if self.high is None else self.high
         assert low is not None
         assert high is not None
-        slack = self.tolerance or self.tolerance_percent / 100 * abs(self.value or 0.0)
+        slack = self.error or self.tolerance or self.tolerance_percent / 100 * abs(self.value or 0.0)
         return low - slack, high + slack
 
     @property
     def allowed_text(self) -> str:
         """The allowed range in words: ``± 0.5 %`` or ``4 to 6, ± 0.5``."""
-        slack = f"± {self.tolerance_percent:g} %" if self.tolerance_percent else f"± {self.tolerance:g}"
+        slack = self.error or self.tolerance
+        text = f"± {self.tolerance_percent:g} %" if self.tolerance_percent else f"± {slack:g}"
         if self.value is not None:
-            return slack
+            return text
         band = f"{self.low:g} to {self.high:g}"
-        return f"{band}, {slack}" if self.tolerance else band
+        return f"{band}, {text}" if slack else band
+
+    @property
+    def allowed_by(self) -> ErrorFrom:
+        """Where the allowed range comes from: as given, else read from what the row allows."""
+        if self.error_from:
+            return self.error_from
+        if self.kind == "trend":
+            return "sign"
+        return "ours" if self.value is not None or self.tolerance or self.tolerance_percent else "range"
+
+    @property
+    def number_key(self) -> str:
+        """What tells this published number from the others of its source."""
+        return self.number or f"{self.printed} {self.unit}"
 
 
 @dataclass(frozen=True)
@@ -206,8 +240,12 @@ def _row(entry: Mapping[str, object], path: Path) -> Row:
         raise InputError(f"{where} has both a value and a band; give one of them")
     elif row.low is None or row.high is None:
         raise InputError(f"{where} has a band that is open at one end: every absurd value would pass; give both ends")
-    if row.tolerance and row.tolerance_percent:
-        raise InputError(f"{where} has two tolerances; give one of them")
+    if sum(map(bool, (row.tolerance, row.tolerance_percent, row.error))) > 1:
+        raise InputError(f"{where} has two tolerances; give one of error, tolerance and tolerance_percent")
+    if row.error_from and row.error_from not in ERROR_FROM:
+        raise InputError(f"{where} has error_from {row.error_from!r}; allowed are {', '.join(ERROR_FROM)}")
+    if row.error and not row.error_from:
+        raise InputError(f"{where} has an error without error_from, where it comes from: {', '.join(ERROR_FROM)}")
     _check_miss(row, where)
     return row
 

@@ -72,7 +72,7 @@ def computed_number(row: Row) -> float:
 Value = str | float | bool | None
 WRITTEN = (
     *("source", "name", "quantity", "printed", "computed", "unit", "tolerance", "reason", "kind", "tag", "ok"),
-    *("comment", "evidence", "expected_miss", "ours", "ours_tolerance", "status", "passed"),
+    *("comment", "evidence", "expected_miss", "ours", "ours_tolerance", "status", "passed", "number_key", "allowed_by"),
 )
 """Fields of a result that its flat row has."""
 
@@ -108,38 +108,59 @@ def short_rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, str]]
 
 
 class EvidenceCount(NamedTuple):
-    """How many rows of one kind of evidence there are, hold, miss as explained, and fail."""
+    """How many rows, and how many independent published numbers, of one kind of evidence hold, miss, and fail.
+
+    A number holds if each of its rows does, and fails if one of them does.
+    """
 
     evidence: Evidence
     rows: int
     hold: int
     explained_misses: int
     fail: int
+    numbers: int
+    numbers_hold: int
+    numbers_fail: int
+    from_source: int
+    """Numbers whose allowed range is the source's own error, range or sign in every row, with nothing of ours in it."""
 
 
 def summary(verdicts: Sequence[Result]) -> list[EvidenceCount]:
     """Return the counts of every kind of evidence."""
-    return [
-        EvidenceCount(
-            evidence,
-            len(group),
-            sum(result.passed and not result.expected_miss for result in group),
-            sum(result.passed and bool(result.expected_miss) for result in group),
-            sum(not result.passed for result in group),
-        )
-        for evidence in EVIDENCE
-        for group in [[result for result in verdicts if result.evidence == evidence]]
-    ]
+    return [_count(evidence, [result for result in verdicts if result.evidence == evidence]) for evidence in EVIDENCE]
+
+
+def _count(evidence: Evidence, group: Sequence[Result]) -> EvidenceCount:
+    numbers: dict[tuple[str, str], list[Result]] = {}
+    for result in group:
+        numbers.setdefault((result.source, result.number_key), []).append(result)
+    return EvidenceCount(
+        evidence,
+        rows=len(group),
+        hold=sum(_holds(result) for result in group),
+        explained_misses=sum(result.passed and bool(result.expected_miss) for result in group),
+        fail=sum(not result.passed for result in group),
+        numbers=len(numbers),
+        numbers_hold=sum(all(map(_holds, rows)) for rows in numbers.values()),
+        numbers_fail=sum(not passed(rows) for rows in numbers.values()),
+        from_source=sum(all(row.allowed_by != "ours" for row in rows) for rows in numbers.values()),
+    )
+
+
+def _holds(result: Result) -> bool:
+    return result.passed and not result.expected_miss
 
 
 def headline(verdicts: Sequence[Result]) -> str:
-    """Return the one sentence that says how well the model predicts bats, and what the other rows are."""
+    """Return the few sentences that say how well the model predicts bats, and what the other rows are."""
     bats, *rest = summary(verdicts)
-    others = ", ".join(f"{part.evidence} {part.rows}" for part in rest)
+    others = ", ".join(f"{part.evidence} {part.numbers} ({part.rows})" for part in rest)
     failed = sum(part.fail for part in (bats, *rest))
+    missed = bats.numbers - bats.numbers_hold - bats.numbers_fail
     return (
-        f"{bats.rows} predictions about bats: {bats.hold} hold, {bats.explained_misses} miss as explained, "
-        f"{bats.fail} fail. Counted apart: {others}. " + (f"{failed} rows fail." if failed else "No row fails.")
+        f"{bats.numbers} independent published numbers about bats, in {bats.rows} rows: {bats.numbers_hold} hold, "
+        f"{missed} miss as explained, {bats.numbers_fail} fail. Counted apart, numbers (rows): {others}. "
+        + (f"{failed} rows fail." if failed else "No row fails.")
     )
 
 
@@ -154,11 +175,11 @@ def markdown(case: Case, verdicts: Sequence[Result]) -> str:
     chosen = [result for result in verdicts if result.source == case.source]
     lines = [f"## {case.title}", "", f"Source: `{case.source}`. {case.measured}", ""]
     lines += [f"Axes and signs: {case.axes}", ""]
-    lines += ["| | case | printed | computed | allowed | kind | read | evidence | verdict |", "|-" * 9 + "|"]
+    lines += ["| | case | printed | computed | allowed | from | kind | read | evidence | verdict |", "|-" * 10 + "|"]
     for number, result in enumerate(chosen, start=1):
         short = short_rows([result])[0]
         cells = [str(number), *(short[key] for key in ("case", "printed", "computed", "allowed"))]
-        cells += [result.kind, TAGS[result.tag], result.evidence, result.status]
+        cells += [result.allowed_by, result.kind, TAGS[result.tag], result.evidence, result.status]
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     lines += ["", "Reasons:", ""]
     lines += [f"- {', '.join(numbers)}: {text}" for text, numbers in _shared_texts(chosen).items()]
