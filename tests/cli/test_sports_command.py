@@ -64,7 +64,7 @@ def test_a_flight_meets_the_court_of_its_ball(run: Run, run_json: Callable[..., 
     assert court["sport"] == "tennis" and all(mark["good"] for mark in court["marks"])
     golf = run("fly", "--ball", "golf", "--exit-speed", "167mph", "--launch-angle", "10.9deg", "--backspin", "2686rpm",
                "--height", "0ft")[1]  # fmt: skip
-    assert "It carries 274.0 yd" in golf  # radar mean 275 yd [trackman_tour]
+    assert "It carries 273.5 yd" in golf  # radar mean 275 yd [trackman_tour]
     assert "court" not in run_json("fly", "--exit-speed", "100mph")
 
 
