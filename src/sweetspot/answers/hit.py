@@ -7,7 +7,7 @@ from typing import Annotated
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import check_conditions, exit_speed_of, hit_at
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
 from sweetspot.analysis.strain import Damage, damage
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
@@ -25,7 +25,7 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts, Outcome
-from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -97,7 +97,8 @@ class Collision(CollisionNumbers):
 
     ``energy``, ``energy_share``: parts of the energy, and as parts of what comes in. ``energy_imbalance``: what the
     parts miss of the whole, an error of the time steps. ``unrecovered_gain``: how much faster a ball leaves that has
-    not recovered when it is touched again; None: it is not.
+    not recovered when it is touched again; None: it is not. ``first_touch_efficiency``: q by the first touch alone;
+    None: the ball is pressed once.
     """
 
     release_time: Time
@@ -106,6 +107,7 @@ class Collision(CollisionNumbers):
     energy_imbalance: float
     history: HitHistory
     unrecovered_gain: Speed | None = None
+    first_touch_efficiency: Ratio | None = None
 
 
 def collision_numbers(impact: Impact) -> CollisionNumbers:
@@ -152,6 +154,7 @@ def collision_of(impact: Impact) -> Collision:
         energy_imbalance=impact.energy.imbalance,
         history=HitHistory(impact.times, impact.force, impact.compression),
         unrecovered_gain=None if impact.unrecovered is None else impact.unrecovered_gain,
+        first_touch_efficiency=impact.first_touch_efficiency,
     )
 
 
@@ -247,6 +250,8 @@ class HitAnswer(Hit, Answer):
     ----------
     bat : what it weighs and how it balances.
     damage : None for what is no bat.
+    exit_speed_in_hands : the same hit with typical hands on the handle, whose mass and flesh are assumed; the other
+        numbers are of an implement that no hands hold. None: hands are part of the question.
     exit_speed_half_by_ball : half of the interval that the ball alone leaves to the exit speed; None: not known, or
         part of the interval that stands there.
     uncertainty : what the intervals come from; None: there are none.
@@ -258,6 +263,7 @@ class HitAnswer(Hit, Answer):
     bat: MassProperties
     ball_mass: Mass
     damage: Strains | None = None
+    exit_speed_in_hands: Speed | None = None
     exit_speed_half_by_ball: Speed | None = None
     uncertainty: Uncertainty | None = None
     swung_with: SwungWith | None = None
@@ -289,6 +295,7 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         body=body,
         bat=mass_properties(implement, body),
         ball_mass=conditions.ball.mass,
+        exit_speed_in_hands=_in_hands(question, reduced),
         damage=strains_of(damage(impact, beam=beam, modes=modes)) if isinstance(implement, Bat) else None,
         exit_speed_half_by_ball=None if error is None else REACH * error,
     )
@@ -302,3 +309,13 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         "ball_mass": draws.ball_mass,
     }
     return with_draws(plain, DrawnAnswer(draws.normal, columns), question.sources, of="exit_speed")
+
+
+def _in_hands(question: HitQuestion, reduced: ReducedBat[Implement]) -> float | None:
+    """Return the exit speed in m/s with typical hands on the handle; None where the question has hands of its own."""
+    conditions = question.conditions
+    if conditions.hands.mass:
+        return None
+    held = reduced.held(conditions.hands.replaced(**TYPICAL_HAND))
+    impact = hit_at(question.position, modes=held.modes, conditions=conditions, lateral=question.lateral)
+    return exit_speed_of(impact, conditions)

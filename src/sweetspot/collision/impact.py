@@ -133,6 +133,19 @@ class Impact(ShownInNotebooks):
         return int(np.count_nonzero(pressed[1:] & ~pressed[:-1]))
 
     @property
+    def first_touch_efficiency(self) -> float | None:
+        """Q of a ball that leaves for good after its first touch; None where it is pressed only once.
+
+        1 + q is in proportion to the impulse, so it is that of the touch over that of the whole hit.
+        """
+        if self.presses < 2:
+            return None
+        pressed = self.force >= CONTACT_FORCE * np.max(self.force)
+        start = int(np.argmax(pressed))
+        end = start + int(np.argmin(pressed[start:]))
+        return float((1 + self.collision_efficiency) * self.impulse[:end].sum() / self.impulse.sum() - 1)
+
+    @property
     def unrecovered_gain(self) -> float:
         """Excess speed, m/s along the line of centres, of a ball that has not recovered; 0 if touched once."""
         if self.unrecovered is None:

@@ -44,6 +44,7 @@ def hit_document(answer: HitAnswer) -> Document:
             hit_table(answer, words, masses, rigid=implement.face is None),
             *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, words)),
             *_doubts(impact, words),
+            *in_hands(answer.exit_speed, answer.exit_speed_in_hands, words),
             *_damage_blocks(answer.damage, words),
             *soft_note(implement.sport, conditions.ball),
             picture,
@@ -179,6 +180,13 @@ AGAIN = (
     "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then has "
     "not been measured: it is taken as new{otherwise}."
 )
+FIRST_TOUCH = "By the first touch alone it would leave {slower:speed} {faster}, {efficiency} {first}."
+IN_HANDS = (
+    "These numbers are for {a} {implement} that no hands hold. Gripped as people do (assumed), it sends the {ball} off "
+    "{change} {faster}: so near the hands the grip decides, and its effect was not measured."
+)
+GRIP_MATTERS = 0.01
+"""Of the exit speed; on the barrel hands change less than that (`docs/theory/collision.md`)."""
 PRESSED_AGAIN = (
     "{where} {implement} catches up with a {ball} that is nearly gone and presses it again. How far a {ball} has "
     "recovered by then has not been measured"
@@ -201,8 +209,22 @@ def touched_again(impact: Impact, words: Terms) -> list[Sentence]:
     """Return the doubt of a hit whose ball is pressed more than once, in one sentence; nothing of any other."""
     if impact.presses < 2 and impact.unrecovered is None:
         return []
+    first = impact.first_touch_efficiency
+    alone = (
+        []
+        if first is None
+        else [
+            in_words(
+                FIRST_TOUCH,
+                words,
+                slower=impact.closing_speed * abs(first - impact.collision_efficiency),
+                faster="slower" if first < impact.collision_efficiency else "faster",
+                first=Slot(first, "ratio"),
+            )
+        ]
+    )
     if impact.unrecovered is None:
-        return [in_words(PRESSED_AGAIN + ": it springs on as it was.", words, where="The")]
+        return [in_words(PRESSED_AGAIN + ": it springs on as it was.", words, where="The"), *alone]
     gain = impact.unrecovered_gain
     otherwise = in_words(
         "; had it not recovered at all, it would leave {gain:speed} {faster}",
@@ -210,7 +232,31 @@ def touched_again(impact: Impact, words: Terms) -> list[Sentence]:
         gain=abs(gain),
         faster="slower" if gain < 0 else "faster",
     )
-    return [in_words(AGAIN, words, where="The", otherwise=otherwise)]
+    return [in_words(AGAIN, words, where="The", otherwise=otherwise), *alone]
+
+
+def in_hands(free: Number, held: Number | None, words: Terms) -> list[Block]:
+    """Return what typical hands would change, where that is more than `GRIP_MATTERS` of the exit speed; else nothing.
+
+    Parameters
+    ----------
+    free, held : exit speed, m/s, of an implement that no hands hold and of one in typical hands; None: not asked.
+    """
+    if held is None or abs(float(held) - float(free)) <= GRIP_MATTERS * abs(float(free)):
+        return []
+    change = float(held) - float(free)
+    return [
+        Paragraph(
+            in_words(
+                IN_HANDS,
+                words,
+                a="an" if words.implement[0] in "aeiou" else "a",
+                change=Slot(abs(change), "speed_change", 1),
+                faster="faster" if change > 0 else "slower",
+            ),
+            "warning",
+        )
+    ]
 
 
 def touched_again_at(
