@@ -114,7 +114,9 @@ def hollow(generator: np.random.Generator, grip: Grip = FREE) -> Ringing:
     outline = drawn_outline(generator, length=length, handle=generator.uniform(0.85, 0.95) * INCH, barrel=barrel)
     wall, thin = generator.uniform(2.0e-3, 3.3e-3), generator.uniform(1.8e-3, 2.6e-3)
     cap, knob = generator.uniform(0.010, 0.035), generator.uniform(0.03, 0.07)
-    beam = Beam.tube(outline, walls=(thin, wall), ends=(knob, cap))
+    (apart,) = generator.spawn(1)
+    depths = apart.uniform(0.012, 0.030), apart.uniform(0.005, 0.020)  # the owner does not know them
+    beam = Beam.tube(outline, walls=(thin, wall), ends=(knob, cap), depths=depths)
     frequency, damping, shifts = held_beam(beam, generator.uniform(0.001, 0.004), generator, grip)
     ring = ring_frequency(barrel, wall, harmonic=2) * generator.uniform(1.0, 1.3)
     hoops = ring * np.array([1.0, generator.uniform(1.25, 1.9), generator.uniform(2.0, 2.9)])

@@ -86,20 +86,25 @@ class Beam:
         return cls._solved(places, heavy * area, heavy * inertia, modulus * inertia, 6 / 7 * shear * area, (knob, 0.0))
 
     @classmethod
-    def tube(cls, outline: Array, *, walls: tuple[float, float], ends: tuple[float, float]) -> Self:
-        """Return a bat of aluminium with walls of handle and barrel in m, knob and end cap in kg."""
+    def tube(
+        cls, outline: Array, *, walls: tuple[float, float], ends: tuple[float, float], depths: tuple[float, float]
+    ) -> Self:
+        """Return a bat of aluminium with walls of handle and barrel in m, knob and end cap in kg and how deep in m."""
         places = np.linspace(0.0, outline[-1, 0], ELEMENTS + 1)
         middle = (places[1:] + places[:-1]) / 2
         length = places[-1]
         outer = np.interp(middle, *outline.T) / 2
         inner = outer - np.interp(middle, [0.38 * length, 0.75 * length], walls)
         area, inertia = np.pi * (outer**2 - inner**2), np.pi * (outer**4 - inner**4) / 4
-        return cls._solved(places, 2800 * area, 2800 * inertia, 71e9 * inertia, 0.53 * 26.7e9 * area, ends)
+        plugs = outer[int(np.argmin(np.abs(middle - depths[0] / 2)))], inner[-1]
+        shear = 0.53 * 26.7e9 * area
+        return cls._solved(places, 2800 * area, 2800 * inertia, 71e9 * inertia, shear, ends, depths, plugs)
 
     @classmethod
     def _solved(
         cls, places: Array, heavy: Array, turning: Array, bending: Array, shearing: Array,
-        ends: tuple[float, float] = (0.0, 0.0),
+        ends: tuple[float, float] = (0.0, 0.0), depths: tuple[float, float] = (0.0, 0.0),
+        plugs: tuple[float, float] = (0.0, 0.0),
     ) -> Self:  # fmt: skip
         size, step = len(places), float(places[1] - places[0])
         stiff, weight = np.zeros((2 * size, 2 * size)), np.zeros(2 * size)  # deflections, then rotations
@@ -111,7 +116,10 @@ class Beam:
                 shearing[index] * np.outer(slope, slope) + bending[index] * np.outer(turn, turn)
             )
             weight[both] += step / 2 * np.array([heavy[index], heavy[index], turning[index], turning[index]])
-        weight[[0, size - 1]] += ends
+        filled = [places <= depths[0], places >= places[-1] - depths[1]]
+        for mass, plug, nodes in zip(ends, plugs, filled, strict=True):
+            weight[:size][nodes] += mass / np.count_nonzero(nodes)
+            weight[size:][nodes] += mass * plug**2 / 4 / np.count_nonzero(nodes)  # of a disc about its diameter
         squares, shapes = scipy.linalg.eigh(stiff, np.diag(weight), subset_by_index=(0, MODES + 1))
         frequency = np.sqrt(np.maximum(squares[2:], 0)) / (2 * np.pi)
         point = weight[:size]

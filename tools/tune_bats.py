@@ -164,7 +164,7 @@ def observed(bat: Bat) -> dict[str, float]:
         "volume": 1e6 * body.mass / (bat.material.density * beam.density_factor),  # of a solid bat without fills
         "density_factor": beam.density_factor,
         "density_gradient": beam.density_gradient,
-        "knob_mass_g": 1e3 * sum(weight.mass for weight in beam.point_masses if weight.position == 0),
+        "knob_mass_g": 1e3 * sum(weight.mass for weight in beam.point_masses if weight.position < 0.1),
         **{f"frequency_{mode}": float(modes.frequency[1 + mode]) for mode in range(1, 5)},
         "node_1": float(nodes[0][0]),
         "node_1_handle": float(nodes[0][1]),

@@ -106,7 +106,8 @@ def test_a_tube_is_exact() -> None:
     body = rigid_body(beam_model(tube))
     wall = 2800 * math.pi * (0.03**2 - 0.027**2) * 0.84
     assert body.mass == pytest.approx(wall + 0.08, rel=1e-12)
-    assert body.balance_point == pytest.approx((wall * 0.42 + 0.03 * 0.84) / (wall + 0.08), rel=1e-12)
+    moment = wall * 0.42 + 0.03 * (0.84 - 0.005) + 0.05 * 0.010  # knob 20 mm deep, cap 10 mm
+    assert body.balance_point == pytest.approx(moment / (wall + 0.08), rel=1e-12)
 
 
 @settings(max_examples=30)

@@ -92,7 +92,9 @@ def implement_deviated(beam: BeamModel, deviations: Mapping[str, float]) -> Beam
 
 UnknownName = (
     Literal["modulus", "shear_modulus", "density", "density_gradient", "knob_mass", "end_mass", "wall", "handle"]
-    | Literal["barrel", "ball_restitution", "mass", "balance_point", "gyration", "first_frequency"]
+    | Literal[
+        "knob_depth", "end_depth", "barrel", "ball_restitution", "mass", "balance_point", "gyration", "first_frequency"
+    ]
 )
 OF_BALL: UnknownName = "ball_restitution"
 """The unknown that is not the bat's."""
@@ -102,6 +104,9 @@ KNOB_EXTRA, KNOB_EXTRA_SPREAD = 0.005, 0.8
 """kg at the knob of a solid bat that no drawing has, and one sigma of its logarithm: mostly 1 to 19 g (assumed)."""
 FITTING_SPREAD = 0.1
 """One sigma of the logarithm of a hollow bat's knob and end cap (assumed)."""
+DEPTH_SPREAD = 0.5
+"""One sigma of the logarithm of a depth of knob or end cap that was not measured: mostly 9 to 46 mm, and 4 to 23 mm
+(assumed)."""
 WALL_SPREAD = 0.08
 """One sigma of the wall's logarithm: makers do not publish walls (assumed)."""
 DIAMETER_SPREAD = 0.003
@@ -160,6 +165,10 @@ def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> 
         unknowns += [Unknown("wall", WALL_SPREAD)]
         unknowns += [Unknown("knob_mass", FITTING_SPREAD)] * bool(bat.shell.knob_mass)
         unknowns += [Unknown("end_mass", FITTING_SPREAD)] * bool(bat.shell.end_cap_mass)
+        unknowns += [Unknown("knob_depth", DEPTH_SPREAD)] * bool(bat.shell.knob_mass and bat.shell.knob_depth is None)
+        unknowns += [Unknown("end_depth", DEPTH_SPREAD)] * bool(
+            bat.shell.end_cap_mass and bat.shell.end_cap_depth is None
+        )
     if bat.profile is not None:
         unknowns += [Unknown("handle", diameter_spread), Unknown("barrel", diameter_spread)]
     return tuple(unknowns)
@@ -203,7 +212,10 @@ def _changed(bat: Bat, by: dict[str, float]) -> Bat:
         thicker = factor.get("wall", 1.0)
         shell = bat.shell.scaled(min(thicker, _thickest(bat)) if thicker > 1 else thicker)
         ends = {"knob_mass": shell.knob_mass * knob, "end_cap_mass": shell.end_cap_mass * factor.get("end_mass", 1.0)}
-        changes["shell"] = shell.unchecked(**ends)
+        usual = dict(zip(("knob_depth", "end_depth"), shell.depths, strict=True))
+        fields = {"knob_depth": "knob_depth", "end_depth": "end_cap_depth"}
+        depths = {fields[name]: usual[name] * factor[name] for name in fields if name in by}
+        changes["shell"] = shell.unchecked(**ends, **depths)
     else:
         *_, piece = bat.lineage()
         tape = piece.point_masses if isinstance(piece, Bat) else ()  # what was put on since was weighed

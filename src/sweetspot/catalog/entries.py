@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Entry, TomlTable, TomlValue, canonical, known_names, read_table, unwrapped_table
+from sweetspot.equipment.shell import USUAL_CAP_DEPTH, USUAL_KNOB_DEPTH
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.references import cite
 
@@ -24,6 +25,9 @@ KINDS: dict[str, Callable[[], Mapping[str, Entry]]] = {
     "swing-law": lambda: read_table("swing_laws.toml"),
 }
 """Parts of the catalogue, in the order of the search for a name."""
+
+USUAL_DEPTHS = {"knob_mass": ("knob_depth", USUAL_KNOB_DEPTH), "end_cap_mass": ("end_cap_depth", USUAL_CAP_DEPTH)}
+"""What the description of a hollow bat's ends leaves to an assumption, behind which line, and the depth in m."""
 
 
 def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> str:
@@ -76,6 +80,9 @@ def _marked(text: str, entry: TomlTable) -> str:
         assumed = isinstance(value, Mapping) and value.get("kind") == "assumed" and " = " in line
         inside ^= line.count('"""') % 2 == 1
         lines.append(f"{line}  # assumed" if assumed and not inside else line)
+        depth, usual = USUAL_DEPTHS.get(line.partition(" = ")[0], ("", 0.0))
+        if depth and not inside and f"\n{depth} = " not in text:
+            lines.append(f'# {depth} = "{1e3 * usual:g} mm"  # not measured: assumed')
     return "\n".join(lines) + "\n"
 
 

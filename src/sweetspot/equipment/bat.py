@@ -30,6 +30,8 @@ USUAL_CUP = 1.4 * INCH
 """m, width of a cup where none is named [our choice]."""
 WIDEST_CUP = 0.95
 """Of the tip's diameter, which a cup of no named width leaves a rim of [our choice]."""
+DEEPEST_PLUG = 0.25
+"""Of the length, the most that a knob or an end cap can fill [our choice]: a rod would be part of the wall."""
 IMPLAUSIBLE = "give it in the file's own unit, for example '2.5 in' or '64 mm'"
 
 
@@ -180,6 +182,12 @@ class Bat(OfMaterial):
                         f"inner wall and gap are {(thickness + sleeve.gap) * 1e3:.3g} mm at {position:.4g} m where the "
                         f"bore of the outer wall is {(radius - wall) * 1e3:.3g} mm in radius; make the sleeve thinner"
                     )
+        for what, depth in zip(("knob", "end cap"), shell.depths, strict=True):
+            if depth > DEEPEST_PLUG * self.length:
+                raise ValueError(
+                    f"the {what} is {format_length(depth)} deep; allowed is up to "
+                    f"{format_length(DEEPEST_PLUG * self.length)}, a quarter of the bat: count from its end"
+                )
         for ring in shell.rings:
             if ring.ends[1] > self.length:
                 raise ValueError(f"the ring at {ring.position:.4g} m reaches beyond the tip at {self.length:.4g} m")
@@ -324,14 +332,19 @@ class Bat(OfMaterial):
         return self.cup.diameter / 2 * np.sqrt(np.maximum(into_cup, 0.0))
 
     def lumps(self) -> tuple[Lump, ...]:
-        """Return the weights the description itself names: added ones, knob, joint and end cap of a shell."""
+        """Return the weights the description itself names: added ones, knob, joint, rings and end cap of a shell."""
         masses = [Lump(weight.position, weight.mass) for weight in self.point_masses]
         shell = self.shell
         if shell is not None:
-            joint = 0.0 if shell.joint is None else shell.joint
-            masses += [Lump(place, mass) for place, mass in ((0.0, shell.knob_mass), (joint, shell.joint_mass)) if mass]
+            knob, cap = shell.depths
+            if shell.knob_mass:
+                radius = float(self.diameter_at(knob / 2)) / 2
+                masses.append(_plug(knob / 2, shell.knob_mass, depth=knob, radius=radius))
+            masses += [Lump(shell.joint, shell.joint_mass)] if shell.joint and shell.joint_mass else []
             masses += [Lump(ring.position, *ring.inertia(self._bore_radius(ring.position))) for ring in shell.rings]
-            masses += [Lump(self.length, shell.end_cap_mass)] if shell.end_cap_mass else []
+            if shell.end_cap_mass:
+                middle = self.length - cap / 2
+                masses.append(_plug(middle, shell.end_cap_mass, depth=cap, radius=self._bore_radius(middle)))
         return tuple(masses)
 
     def _bore_radius(self, position: float) -> float:
@@ -385,6 +398,11 @@ class Bat(OfMaterial):
     def _changed(self, name: str, **changes: object) -> Self:
         """Return a modified bat that remembers the bat its measured values belong to."""
         return self.replaced(**{**UNMEASURED, "fitted": (), "original": self.as_measured(), "name": name, **changes})
+
+
+def _plug(middle: float, mass: float, *, depth: float, radius: float) -> Lump:
+    """Return a solid cylinder along the bat as mass and moments of inertia at its middle (all in SI)."""
+    return Lump(middle, mass, mass * (radius**2 / 4 + depth**2 / 12), mass * radius**2 / 2)
 
 
 def _check_stations(stations: Stations, length: float, what: str) -> None:

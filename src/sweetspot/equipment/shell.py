@@ -128,6 +128,11 @@ class InnerWall(Validated):
         return np.where(here, between(self.wall, position), 0.0)
 
 
+USUAL_KNOB_DEPTH, USUAL_CAP_DEPTH = 0.020, 0.010
+"""m along the bat that a knob and an end cap fill where nobody measured them: the thick part of a knob as the
+catalogue's outlines draw it, and a plug's face with the skirt glued into the barrel (both assumed)."""
+
+
 class Shell(Validated):
     """A hollow bat: wall thickness along the axis, what the walls are made of, and what closes the ends.
 
@@ -140,7 +145,9 @@ class Shell(Validated):
     handle_material : of a two-piece bat, from the knob end to ``joint``; None: one piece.
     joint : m from the knob end, where the handle ends.
     joint_mass : kg of whatever joins the pieces, at ``joint``.
-    end_cap_mass, knob_mass : kg, at the tip and at the knob end.
+    end_cap_mass, knob_mass : kg, of solid cylinders that begin at the tip and at the knob end.
+    end_cap_depth, knob_depth : m along the bat that those fill, from the end inwards; None: not measured, and
+        `USUAL_CAP_DEPTH` and `USUAL_KNOB_DEPTH` are assumed.
     """
 
     wall: Stations
@@ -152,6 +159,8 @@ class Shell(Validated):
     joint_mass: NonNegative = 0.0
     end_cap_mass: NonNegative = 0.0
     knob_mass: NonNegative = 0.0
+    end_cap_depth: NonNegative | None = None
+    knob_depth: NonNegative | None = None
 
     @model_validator(mode="after")
     def _pieces_belong_together(self) -> Shell:
@@ -160,6 +169,12 @@ class Shell(Validated):
         if self.joint_mass and self.joint is None:
             raise ValueError("joint_mass needs a joint; say where the handle ends")
         return self
+
+    @property
+    def depths(self) -> tuple[float, float]:
+        """How much of the bat's length knob and end cap fill, m; the usual depths where they were not measured."""
+        knob, cap = self.knob_depth, self.end_cap_depth
+        return USUAL_KNOB_DEPTH if knob is None else knob, USUAL_CAP_DEPTH if cap is None else cap
 
     @property
     def bonded(self) -> bool:

@@ -44,6 +44,8 @@ SIZES: Mapping[str, PlausibleRange] = {
     "bat turned.barrel": _part(1.6, 3.5, "in"),
     "bat shell.knob_mass": _part(10, 200, "g"),
     "bat shell.end_cap_mass": _part(4, 90, "g"),
+    "bat shell.knob_depth": _part(0, 60, "mm"),
+    "bat shell.end_cap_depth": _part(0, 60, "mm"),
     "bat shell.joint_mass": _part(2, 120, "g"),
     "bat point_mass.mass": _part(0, 250, "g"),
     "racket moi_axis": _part(3, 20, "cm"),

@@ -30,7 +30,7 @@ from sweetspot.numerics.arrays import Array
 
 Surface = Modes | ByPatch
 """What a ball feels besides the beam: hoop modes, or the dent of wood."""
-UNFELT = ("knob_mass", "end_mass", "density_gradient", "balance_point", "gyration")
+UNFELT = ("knob_mass", "end_mass", "knob_depth", "end_depth", "density_gradient", "balance_point", "gyration")
 """Unknowns that change nothing of the surface."""
 
 

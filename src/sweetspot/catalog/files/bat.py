@@ -139,6 +139,12 @@ class ShellTable(FileTable):
     joint_mass: Mass = "0 oz"
     end_cap_mass: Mass = "0 oz"
     knob_mass: Mass = "0 oz"
+    end_cap_depth: Annotated[str | None, LENGTH] = Field(
+        None, description="of the end cap, from the tip inwards; absent: 10 mm assumed"
+    )
+    knob_depth: Annotated[str | None, LENGTH] = Field(
+        None, description="of the knob's weight, from the knob end inwards; absent: 20 mm assumed"
+    )
 
 
 class PointMassTable(FileTable):

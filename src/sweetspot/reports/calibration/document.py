@@ -48,6 +48,8 @@ WORDS = {
     "density_gradient": "density, middle to tip",
     "knob_mass": "mass at the knob",
     "end_mass": "mass of the end cap",
+    "knob_depth": "depth of the knob",
+    "end_depth": "depth of the end cap",
     "ball_restitution": "restitution of the shot balls",
     "handle": "handle diameter",
     "barrel": "barrel diameter",
