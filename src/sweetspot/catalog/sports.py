@@ -18,6 +18,7 @@ from sweetspot.equipment.sport import (
     CourtMark,
     DropRule,
     Fact,
+    KnownMiss,
     RuleLimit,
     Sport,
     Stroke,
@@ -78,6 +79,7 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
         facts=tuple(map(_fact, sport_entry.tables("fact"))),
         terms=tuple(sport_entry.table("terms").items()),
         not_covered=sport_entry.texts("not_covered"),
+        misses=tuple(map(_miss, sport_entry.tables("miss"))),
         pitches=sport_entry.texts("pitches"),
         rules=sport_entry.text("rules", ""),
         fields=sport_entry.texts("fields"),
@@ -175,6 +177,11 @@ def _fact(table: Entry, name: str = "", kind: Kind | None = None) -> Fact:
 def _drop(table: Entry) -> DropRule:
     sizes = {name: table.quantity(name, "length") for name in ("block_thickness", "side", "drop_height")}
     return DropRule(**{**table, **sizes})
+
+
+def _miss(table: Entry) -> KnownMiss:
+    places = {name: table.quantity(name, "length") for name in ("nearest", "farthest")}
+    return KnownMiss(**{**table, **places})
 
 
 def _mark(table: Entry) -> CourtMark:

@@ -93,6 +93,22 @@ class DropRule(Validated):
     source: str
 
 
+class KnownMiss(Validated):
+    """Where what we compute of a sport's implements is known to differ from measurements.
+
+    Parameters
+    ----------
+    nearest, farthest : m from the tip, between which a hit is concerned.
+    text : what was measured, what ours is, and what follows.
+    source : key of the bibliography.
+    """
+
+    nearest: NonNegative
+    farthest: Positive
+    text: str
+    source: str
+
+
 class Terms(Validated):
     """Vocabulary of a sport; the defaults are baseball's.
 
@@ -173,6 +189,7 @@ class Sport(Validated):
     facts : other published numbers.
     terms : (its word, what that is here).
     not_covered : what the model leaves out.
+    misses : where it is known to be wrong.
     pitches : catalogue names of the pitches that are thrown, the usual one first; empty: none are.
     rules : catalogue name of the league whose rules hold for its bats; "": none are known.
     fields : catalogue names of fields with usual distances.
@@ -192,6 +209,7 @@ class Sport(Validated):
     facts: tuple[Fact, ...] = ()
     terms: tuple[tuple[str, str], ...] = ()
     not_covered: tuple[str, ...] = ()
+    misses: tuple[KnownMiss, ...] = ()
     pitches: tuple[str, ...] = ()
     rules: str = ""
     fields: tuple[str, ...] = ()

@@ -23,8 +23,8 @@ UNITS |= {"rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
 _INPUTS: dict[Kind, str] = {
     "speed": "ball_speed bat_speed exit_speed speed other_speed closing_speed wind_speed faster",
     "ratio": "efficiency besr restitution recoil bat_restitution ball_restitution share humidity poisson_ratio",
-    "length": "length pivot axis from_tip distance measured_at bore_diameter bore_depth plug balance_point elevation "
-    "height diameter thinner wall bar_length bar_width bar_thickness inward outward",
+    "length": "length pivot axis from_tip lateral distance measured_at bore_diameter bore_depth plug balance_point "
+    "elevation height diameter thinner wall bar_length bar_width bar_thickness inward outward",
     "mass": "mass ball_mass added_mass bar_mass",
     "moi": "moi other_moi",
     "time": "contact_time time",

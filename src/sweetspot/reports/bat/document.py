@@ -19,6 +19,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
+from sweetspot.reports.bat.provenance import known_misses
 from sweetspot.reports.bat.tables import (
     along_table,
     conditions_table,
@@ -50,6 +51,7 @@ def report_document(report: ReportAnswer) -> Document:
             _cards(report),
             *(Paragraph(words) for words in answer_words(report)),
             *(Paragraph(words) for words in remarks(bat)),
+            *known_misses(bat),
             overview,
             *([] if report.uncertainty is None else [how_sure(report.uncertainty, "best exit speed")]),
         ],

@@ -194,6 +194,21 @@ def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = N
     return say("Assumed, not measured: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
 
 
+def known_misses(implement: Implement, from_tip: float | None = None) -> list[Block]:
+    """Return where an answer on an implement of the catalogue's kind is known to be wrong; nothing elsewhere.
+
+    Parameters
+    ----------
+    from_tip : m, of the hit; None: the whole implement is asked for.
+    """
+    misses = sport(implement.sport).misses
+    return [
+        Paragraph(f"Known to be off: {miss.text}", "warning")
+        for miss in misses
+        if from_tip is None or miss.nearest <= from_tip <= miss.farthest
+    ]
+
+
 def soft_note(sport_name: str, ball: Ball) -> list[Block]:
     """Return the assumed values of a ball as a note of a document, or nothing."""
     words = soft_defaults(sport_name, ball)

@@ -13,7 +13,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
-from sweetspot.reports.bat.provenance import soft_note
+from sweetspot.reports.bat.provenance import known_misses, soft_note
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, drawn, values_table
 from sweetspot.reports.quantities import ENERGY_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, say
@@ -44,6 +44,7 @@ def hit_document(answer: HitAnswer) -> Document:
             hit_table(answer, words, masses, rigid=implement.face is None),
             *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, words)),
             *_doubts(impact, words),
+            *known_misses(implement, implement.length - impact.position),
             *in_hands(answer.exit_speed, answer.exit_speed_in_hands, words),
             *_damage_blocks(answer.damage, words),
             *soft_note(implement.sport, conditions.ball),
@@ -183,7 +184,7 @@ AGAIN = (
 FIRST_TOUCH = "By the first touch alone it would leave {slower:speed} {faster}, {efficiency} {first}."
 IN_HANDS = (
     "These numbers are for {a} {implement} that no hands hold. Gripped as people do (assumed), it sends the {ball} off "
-    "{change} {faster}: so near the hands the grip decides, and its effect was not measured."
+    "{change} {faster}: here the grip counts, and its effect was not measured."
 )
 GRIP_MATTERS = 0.01
 """Of the exit speed; on the barrel hands change less than that (`docs/theory/collision.md`)."""

@@ -18,6 +18,7 @@ from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.block import Block
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion
+from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.implement import Implement
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
@@ -84,11 +85,11 @@ def swing_law_loss(*, moi: float, other_moi: float, speed: float) -> float:
     return speed * (1 - law.speed_ratio(other_moi, reference_moi=moi))
 
 
-def struck(*, implement: str, from_tip: float, closing_speed: float) -> Impact:
+def struck(*, implement: str, from_tip: float, closing_speed: float, lateral: float = 0.0) -> Impact:
     """Return the hit of the usual ball, at rest, at a place of an implement that comes with ``closing_speed``."""
     reduced = _reduced(implement)
-    place = reduced.bat.length - from_tip
-    return hit(reduced.modes, ball=_conditions(implement).ball, position=place, closing_speed=closing_speed)
+    place, ball = reduced.bat.length - from_tip, _conditions(implement).ball
+    return hit(reduced.modes, ball=ball, position=place, lateral=lateral, closing_speed=closing_speed)
 
 
 def first_node_from_tip(*, implement: str) -> float:
@@ -97,10 +98,20 @@ def first_node_from_tip(*, implement: str) -> float:
     return analysis.bat.length - analysis.sweet_spots.node_1
 
 
-def percussion_towards_hands(*, implement: str) -> float:
-    """Return the distance from the node of the first mode to the center of percussion, towards the hands."""
-    spots = _usual(implement).sweet_spots
-    return spots.node_1 - spots.center_of_percussion
+def percussion_towards_hands(*, implement: str, axis: float) -> float:
+    """Return the distance from the node of the first mode to the center of percussion about ``axis``, to the hands."""
+    return _usual(implement).sweet_spots.node_1 - centre_of_percussion(_reduced(implement).body, pivot=axis)
+
+
+def moi_about_end(*, implement: str) -> float:
+    """Return the moment of inertia of an implement about the end that the hands hold."""
+    return _reduced(implement).body.moi(0.0)
+
+
+def swing_time_about_end(*, implement: str) -> float:
+    """Return the period of an implement that swings about the end that the hands hold."""
+    body = _reduced(implement).body
+    return pendulum_period(body.moi(0.0), mass=body.mass, balance_point=body.balance_point, pivot=0.0)
 
 
 def faster_ball(*, implement: str, share: float) -> float:
