@@ -215,8 +215,41 @@ def searched(name: str, search: Search) -> dict[str, float]:
     return dict(zip(search.free, solution.x.tolist(), strict=True))
 
 
+PAIR = {"mass": 32.1 / 31.5, "density": 1 / 1.033, "moi_6in": 1.0}
+"""A torpedo over the ordinary bat of the same player [torpedobatfan]."""
+FATTEST, FADED = 7.0, 20.0
+"""in from the tip: where a torpedo is thickest, and to where it is fuller than its twin (assumed)."""
+
+
+def torpedo_outline() -> None:
+    """Print the catalogue's torpedo: its twin, thinner to the tip and fuller where it is hit, by what `PAIR` says."""
+    twin = catalog.bat("torpedo-twin")
+    before = observed(twin)
+    places, diameters = np.array(twin.profile).T / INCH
+    from_tip = twin.length / INCH - places
+    thin = np.clip(1 - from_tip / FATTEST, 0, 1)
+    full = np.cos(np.pi / 2 * np.clip((from_tip - FATTEST) / (FADED - FATTEST), 0, 1)) ** 2
+
+    def misfit(sizes: NDArray[np.float64]) -> list[float]:
+        profile = tuple(zip((places * INCH).tolist(), (INCH * shaped(sizes)).tolist(), strict=True))
+        found = observed(twin.replaced(profile=profile, mass=twin.mass * PAIR["mass"]))
+        ratios = found["moi_6in"] / before["moi_6in"], found["density_factor"] / before["density_factor"]
+        return [ratios[0] - PAIR["moi_6in"], ratios[1] - PAIR["density"]]
+
+    def shaped(sizes: NDArray[np.float64]) -> NDArray[np.float64]:
+        thinner, fuller = sizes
+        return np.asarray(diameters + fuller * full - thinner * thin**2 * (3 - 2 * thin))
+
+    sizes = least_squares(misfit, [0.3, 0.1]).x
+    print("\ntorpedo\n  thinner at the tip, fuller 7 in from it, in:", sizes.round(3).tolist())
+    print("  diameters, in:", shaped(sizes).round(3).tolist())
+
+
 def main(names: list[str]) -> None:
-    for name in names or SEARCHES:
+    for name in names or ["torpedo", *SEARCHES]:
+        if name == "torpedo":
+            torpedo_outline()
+            continue
         search = SEARCHES[name]
         print(f"\n{name}")
         table = {key: unwrapped(value) for key, value in bat_tables()[name].items()}

@@ -88,16 +88,16 @@ def test_a_corked_bat_fails_by_what_was_done_to_it(run: Run, league: str) -> Non
 
 
 def test_one_piece_of_wood_need_not_meet_bbcor_and_glued_wood_must(run: Run, tmp_path: Path) -> None:
-    """ncaa_bat_rule 1-12a, nfhs_bat_rule: all bats other than one-piece solid wood; the torpedo measures 0.5034."""
-    code, out, _ = run("certify", "torpedo", "--format", "json")
+    """ncaa_bat_rule 1-12a, nfhs_bat_rule: all but one-piece solid wood; the designed torpedo measures 0.5034."""
+    code, out, _ = run("certify", "torpedo-designed", "--format", "json")
     assert code == 0 and checks(json.loads(out))["bbcor"]["verdict"] == "does not apply"
     file = tmp_path / "glued.toml"
-    file.write_text('like = "torpedo"\n[material]\nlike = "maple"\nlaminated = true\n', encoding="utf-8")
+    file.write_text('like = "torpedo-designed"\n[material]\nlike = "maple"\nlaminated = true\n', encoding="utf-8")
     code, out, _ = run("certify", str(file), "--format", "json")
     assert code == 1 and checks(json.loads(out))["bbcor"]["verdict"] == "fail"
     first = " ".join(run("certify", str(file))[1].split("\n\n")[1].split())
     assert "fails as far as is known, but not surely: BBCOR of NCAA and NFHS (0.50" in first
-    file.write_text('like = "torpedo"\nmaterial = "bamboo"\nmass = "31 oz"\n', encoding="utf-8")
+    file.write_text('like = "torpedo-designed"\nmaterial = "bamboo"\nmass = "31 oz"\n', encoding="utf-8")
     assert "bbcor" in {
         key
         for key, one in checks(json.loads(run("certify", str(file), "--format", "json")[1])).items()

@@ -50,7 +50,7 @@ def test_the_first_sentence_is_that_of_draws(name: str) -> None:
 
 
 PAIRS = {
-    "two ashes": ("torpedo-twin", "torpedo"),
+    "two maples": ("torpedo-twin", "torpedo"),
     "wood and alloy": ("r161-ash", "college-alloy"),
     "two lengths": ("r161-ash", "youth-30"),
     "ash and a thin wall": ("r161-ash", "russell-b6"),

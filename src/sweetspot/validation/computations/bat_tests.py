@@ -134,6 +134,12 @@ def torpedo(*, bat: str, thinner: float) -> Torpedo:
     return Torpedo(before.best_position - after.best_position, after.best_bbcor - before.best_bbcor)
 
 
+def torpedo_pair(*, bat: str, other: str) -> Torpedo:
+    """Return the changes from an ordinary bat of the catalogue to another of it."""
+    before, after = (_tested(catalog.bat(name)) for name in (bat, other))
+    return Torpedo(before.best_position - after.best_position, after.best_bbcor - before.best_bbcor)
+
+
 @cache
 def _tested(bat: Bat) -> BatTest:
     beam, ball = beam_model(bat), catalog.ball()
