@@ -197,7 +197,7 @@ def load_case(path: Path) -> Case:
         table = tomllib.load(file)
     if table.get("source") != path.parent.name:
         raise InputError(f"{path} names the source {table.get('source')!r}; it must be its folder's name")
-    rows = tuple(_row(entry, path) for row in table["row"] for entry in _repeated(row, path.parent))
+    rows = tuple(_row(entry, path) for row in table.get("row", ()) for entry in _repeated(row, path.parent))
     return Case(table["source"], table["title"], table["measured"], table["axes"], tuple(table["left_out"]), rows)
 
 

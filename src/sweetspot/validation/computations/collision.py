@@ -119,11 +119,6 @@ def flexible_over_rigid(*, bat: str) -> float:
     return float((scan.exit_speed[barrel] / alone - 1).max())
 
 
-def best_from_tip(*, bat: str) -> float:
-    """Return the distance of the greatest exit speed from the tip."""
-    return shared.length(bat) - shared.standard(bat).sweet_spots.max_exit_speed
-
-
 def best_efficiency_from_tip(*, bat: str) -> float:
     """Return the distance of the greatest q from the tip."""
     return shared.length(bat) - shared.standard(bat).sweet_spots.max_collision_efficiency
@@ -147,17 +142,6 @@ def squared_up_from_tip(*, bat: str, side: str) -> float:
     ceiling = 1.23 * conditions.swing.bat_speed + 0.23 * conditions.pitch.speed
     squared = scan.position[np.nan_to_num(scan.exit_speed) >= 0.8 * ceiling]
     return shared.length(bat) - float(squared.max() if side == "tip" else squared.min())
-
-
-def best_restitution_from_tip(*, bat: str) -> float:
-    """Return the distance from the tip of the greatest e = q (1 + r) + r in the barrel half of the bat."""
-    analysis = shared.standard(bat)
-    places = analysis.scan.position
-    restitution = [
-        _restitution(analysis, place, efficiency) if place > analysis.body.balance_point else 0.0
-        for place, efficiency in zip(places, analysis.scan.collision_efficiency, strict=True)
-    ]
-    return shared.length(bat) - float(places[int(np.argmax(restitution))])
 
 
 def rigid_best_place_from_tip(*, bat: str) -> float:

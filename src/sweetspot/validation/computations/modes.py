@@ -126,21 +126,6 @@ def hoop_place(*, bat: str) -> float:
     return float(places[int(np.argmax(swing))] - analysis.sweet_spots.max_exit_speed)
 
 
-def gain_inside(*, metal: str, wood: str, inward: float) -> float:
-    """Return a metal bat's gain over wood ``inward`` m nearer the hands, less that at the wood's best place.
-
-    Places count from the tip; both bats are swung at the same speed.
-    """
-    best = shared.length(wood) - shared.standard(wood).sweet_spots.max_exit_speed
-    there, at_best = (_exit(metal, place) - _exit(wood, place) for place in (best + inward, best))
-    return there - at_best
-
-
-def _exit(bat: str, from_tip: float) -> float:
-    scan = shared.standard(bat).scan
-    return float(np.interp(shared.length(bat) - from_tip, scan.position, scan.exit_speed))
-
-
 def bbcor_slope_with_hoop(*, bat: str) -> float:
     """Return the least rise of BBCOR per 100 Hz of lower hoop frequency when the wall is thinned step by step."""
     points = _walls(bat)
