@@ -12,6 +12,7 @@ from sweetspot.analysis.comparison import Compared, Comparison, compare
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, uncertainty_of
 from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, certify_answer
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_columns, mass_properties
+from sweetspot.answers.handling import Handling, HitBeside, handling_of, hits_beside
 from sweetspot.answers.records import (
     INTERNAL,
     NESTED,
@@ -113,6 +114,7 @@ class ComparedBat:
     change, swung_faster : exit speed and bat speed against the reference's.
     break_even_bat_speed : with which the ball leaves as fast as from the reference; nan where none would do.
     max_exit_speed : the best place, from the knob end.
+    handling, off_center : of rackets, see `Handling`; hits beside the middle of what has a flat face.
     rules : whether it keeps those of its own sport; None: that was not asked, or it has none.
     """
 
@@ -130,6 +132,8 @@ class ComparedBat:
     zone: Annotated[tuple[float, float] | None, LENGTH]
     scan: ComparedCurves
     rules: RulesKept | None = None
+    handling: Handling | None = None
+    off_center: tuple[HitBeside, ...] = ()
     swung_faster: Annotated[Speed, INTERNAL]
     compared: Annotated[Compared[Implement], INTERNAL]
     certificate: Annotated[CertifyAnswer | None, INTERNAL] = None
@@ -264,6 +268,8 @@ def _compared_bat(bat: Compared[Implement], reference: Compared[Implement]) -> C
         break_even_bat_speed=bat.break_even,
         max_exit_speed=analysis.sweet_spots.max_exit_speed,
         zone=analysis.sweet_spots.zone,
+        handling=handling_of(analysis.bat, analysis.body),
+        off_center=hits_beside(analysis.bat, analysis.body, analysis.modes, analysis.conditions),
         scan=ComparedCurves(scan.position, scan.exit_speed, scan.exit_speed - before),
         swung_faster=bat.bat_speed.value - reference.bat_speed.value,
         compared=bat,

@@ -11,8 +11,10 @@ from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit
 from sweetspot.analysis.strain import Damage, damage
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
+from sweetspot.answers.handling import turns_flat
 from sweetspot.answers.records import (
     INTERNAL,
+    Angle,
     Columns,
     Force,
     Length,
@@ -22,6 +24,7 @@ from sweetspot.answers.records import (
     Time,
 )
 from sweetspot.answers.setups import SwungWith
+from sweetspot.collision.aside import aside_angle
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts, Outcome
@@ -250,6 +253,7 @@ class HitAnswer(Hit, Answer):
     ----------
     bat : what it weighs and how it balances.
     damage : None for what is no bat.
+    aside : to the side of the hit, at which the ball leaves a flat face that it turned; None on its line.
     exit_speed_in_hands : the same hit with typical hands on the handle, whose mass and flesh are assumed; the other
         numbers are of an implement that no hands hold. None: hands are part of the question.
     exit_speed_half_by_ball : half of the interval that the ball alone leaves to the exit speed; None: not known, or
@@ -263,6 +267,7 @@ class HitAnswer(Hit, Answer):
     bat: MassProperties
     ball_mass: Mass
     damage: Strains | None = None
+    aside: Angle | None = None
     exit_speed_in_hands: Speed | None = None
     exit_speed_half_by_ball: Speed | None = None
     uncertainty: Uncertainty | None = None
@@ -295,6 +300,7 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         body=body,
         bat=mass_properties(implement, body),
         ball_mass=conditions.ball.mass,
+        aside=_aside(question, impact, body),
         exit_speed_in_hands=_in_hands(question, reduced),
         damage=strains_of(damage(impact, beam=beam, modes=modes)) if isinstance(implement, Bat) else None,
         exit_speed_half_by_ball=None if error is None else REACH * error,
@@ -309,6 +315,15 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         "ball_mass": draws.ball_mass,
     }
     return with_draws(plain, DrawnAnswer(draws.normal, columns), question.sources, of="exit_speed")
+
+
+def _aside(question: HitQuestion, impact: Impact, body: RigidBody) -> float | None:
+    """Return the angle in rad at which a ball beside the line leaves; None on the line, and where nothing is said."""
+    implement = question.implement
+    if not question.lateral or implement.face is None or not turns_flat(implement):
+        return None
+    leaves = exit_speed_of(impact, question.conditions)
+    return aside_angle(impact, roll_moi=body.roll_moi, face=implement.face, leaves_at=leaves)
 
 
 def _in_hands(question: HitQuestion, reduced: ReducedBat[Implement]) -> float | None:

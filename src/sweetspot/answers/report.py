@@ -13,6 +13,7 @@ from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.analysis.sweet_spot import SweetSpots
 from sweetspot.answers.answer import Answer, Uncertainty, with_draws
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_properties
+from sweetspot.answers.handling import Handling, HitBeside, handling_of, hits_beside
 from sweetspot.answers.hit import Hit, hit_of
 from sweetspot.answers.records import (
     GAPS,
@@ -167,6 +168,8 @@ class ReportAnswer(Answer):
     ----------
     grip_effect : relative change of the best exit speed by typical hands.
     sport, swing_weight, face_map : of what has a face.
+    handling : how a racket handles; None for other implements.
+    off_center : hits beside the middle, of what has a flat face; the ball leaves at an angle.
     misses : what they cost; none on a face too short for one.
     at_the_tip : None where the tip is the best place, or moves no faster.
     uncertainty : of the best exit speed, where draws were made.
@@ -187,6 +190,8 @@ class ReportAnswer(Answer):
     at_the_tip: AtTheTip | None
     sport: str | None = None
     swing_weight: SwingWeightText | None = None
+    handling: Handling | None = None
+    off_center: tuple[HitBeside, ...] = ()
     face_map: HitsOnFace | None = None
     uncertainty: Uncertainty | None = None
     swung_with: SwungWith | None = None
@@ -268,6 +273,8 @@ def _described(analysis: Analysis[Implement]) -> ReportAnswer:
         at_the_tip=_at_the_tip(analysis),
         sport=bat.sport if face else None,
         swing_weight=SwingWeightText(convention.name, convention.text_of(body)) if face else None,
+        handling=handling_of(bat, body),
+        off_center=hits_beside(bat, body, analysis.modes, analysis.conditions),
         face_map=hits_on_face(face_map(analysis.reduced, analysis.conditions)) if face else None,
         analysis=analysis,
         greatest_efficiency=float(np.nanmax(scan.collision_efficiency)),

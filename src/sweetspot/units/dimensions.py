@@ -64,6 +64,7 @@ def _same(ending: str) -> Dimension:
 RATIO = _same("")
 TIME, IMPULSE, ENERGY, FREQUENCY = _same("_s"), _same("_n_s"), _same("_j"), _same("_hz")
 VIBRATION, MODULUS, STIFFNESS = _same("_m_s"), _same("_pa"), _same("_n_m")
+PER_SECOND_SQUARED = _same("_per_s2")
 SPEED = Dimension("_m_s", "_mph", MPH)
 SLOPE_PER_SPEED = Dimension("_s_m", "_per_mph", 1 / MPH)
 LENGTH = Dimension("_m", "_in", INCH)

@@ -10,6 +10,7 @@ import numpy as np
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.answers.conditions import MassProperties
+from sweetspot.answers.handling import Handling, handling_of
 from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.modes import Family
@@ -147,10 +148,28 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
         ("mass", Slot(mass.mass, "mass", 2 if words.weighed_in == "oz" else 1)),
         (f"balance point, from the {words.butt}", Slot(mass.balance_point, "length")),
         *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, swing_weight(bat.sport))]),
+        *handling_rows(handling_of(bat, body)),
         *moments,
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]
     return values_table(rows)
+
+
+def handling_rows(handling: Handling | None) -> list[tuple[Cell, Cell]]:
+    """Return how a racket handles, in the units that its people use in any system; nothing for other implements."""
+    if handling is None:
+        return []
+    return [
+        ("recoil weight", in_kg_cm2(handling.recoil_weight)),
+        ("twist weight", in_kg_cm2(handling.twist_weight)),
+        ("MGR/I", f"{float(handling.mgr_over_i):.2f} 1/s²"),
+        ("polarization, against an even rod", f"{float(handling.polarization):.2f}"),
+    ]
+
+
+def in_kg_cm2(moi: Number) -> str:
+    """Return a moment of inertia as people of rackets write it."""
+    return f"{1e4 * float(moi):.4g} kg cm²"
 
 
 def moment(moi: Number, doubt: float) -> Sentence:

@@ -47,6 +47,7 @@ def answer_words(report: ReportAnswer) -> list[Sentence]:
         _bounce(report, words),
         _why_not_the_end(report, words),
         _miss(report, words),
+        _beside(report, words),
         _hands(report, words),
         _wall(report),
         soft_defaults(analysis.bat.sport, analysis.conditions.ball, analysis.conditions),
@@ -64,6 +65,26 @@ def cost(loss: Number, *, drawn: bool) -> Sentence:
     if drawn or not isinstance(loss, Interval):
         return Sentence((Slot(loss, "speed"),))
     return within(loss, "speed")
+
+
+def _beside(report: ReportAnswer, words: Terms) -> Sentence:
+    """Return what hits beside the middle line do to speed and direction; nothing for what has no flat face."""
+    if not report.off_center:
+        return say("")
+    misses = [
+        say(
+            "{lateral:place, round} beside it {speed:speed}, {aside} to that side",
+            lateral=hit.lateral,
+            speed=hit.exit_speed,
+            aside=Slot(hit.aside, "angle", 1),
+        )
+        for hit in report.off_center
+    ]
+    return in_words(
+        "Beside the middle line the face turns under the {ball}. In the middle of the face: {misses}.",
+        words,
+        misses=joined(misses, "; "),
+    )
 
 
 def _sure(report: ReportAnswer, words: Terms) -> Sentence:

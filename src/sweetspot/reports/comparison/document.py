@@ -54,6 +54,7 @@ PLACES = INCH * np.array([1, 2, 3, 4, 5, 6, 7, 8, 10, 12])
 """m from the tip; hits that are listed one by one."""
 MOST_BY_PLACE = 3
 """Bats beside the first whose columns fit a terminal; the picture draws any number."""
+HANDLING = ("recoil weight kg cm²", "twist weight kg cm²", "MGR/I 1/s²", "polarization")
 OF_MASS = ("mass", "balance_point", "moi_6in", "moi_knob")
 """Mass properties of a bat's row."""
 WITH_RULES, WITHOUT = ", as in the table of the rules", "; `sweetspot certify` computes that one"
@@ -89,7 +90,8 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
         name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
         subtitle=_effort(answer), kind="Comparison",
         blocks=[
-            *map(Paragraph, (*gains, *chances, *corked)), picture, _things(answer), _in_play(answer),
+            *map(Paragraph, (*gains, *chances, *corked)), picture,
+            _things(answer), *_handling(answer), _in_play(answer),
             *([legality_table(bats)] if ruled else []),
             *(Paragraph(note, "note") for note in notes),
             *([] if uncertainty is None else [how_sure(uncertainty, main)]),
@@ -140,6 +142,35 @@ def _things(answer: CompareAnswer) -> Table:
         row += [Slot(_of_draws(answer, each.max_bbcor), "ratio")] if isinstance(bat, Bat) else []
         rows.append(row)
     return Table(f"The {tool}s", columns, rows, name="compared")
+
+
+def _handling(answer: CompareAnswer) -> list[Block]:
+    """Return how rackets handle, and what hits beside the middle line do; nothing for other implements."""
+    if any(each.handling is None for each in answer.bats):
+        return []
+    words = sport(answer.comparison.reference.analysis.bat.sport).words
+    columns = [Column(words.implement), *(Column(name, right=True) for name in HANDLING)]
+    laterals = [hit.lateral for hit in answer.bats[0].off_center]
+    for lateral in laterals:
+        columns += [
+            Column(say("{lateral:place, round} beside", lateral=lateral), "speed"),
+            Column(say("{lateral:place, round} beside: aside", lateral=lateral), "angle"),
+        ]
+    rows: list[list[Cell]] = []
+    for each in answer.bats:
+        assert each.handling is not None  # all have been asked
+        numbers = each.handling
+        row: list[Cell] = [
+            each.label,
+            f"{1e4 * float(numbers.recoil_weight):.4g}",
+            f"{1e4 * float(numbers.twist_weight):.4g}",
+            f"{float(numbers.mgr_over_i):.2f}",
+            f"{float(numbers.polarization):.2f}",
+        ]
+        for hit in each.off_center[: len(laterals)]:
+            row += [Slot(hit.exit_speed, "speed", unit=False), Slot(hit.aside, "angle", 1, unit=False)]
+        rows.append(row)
+    return [Table("How they handle", columns, rows, name="handling")]
 
 
 def _of_draws(answer: CompareAnswer, number: Number) -> Number:

@@ -42,6 +42,7 @@ def hit_document(answer: HitAnswer) -> Document:
         subtitle=place,
         blocks=[
             hit_table(answer, words, masses, rigid=implement.face is None),
+            *_aside(answer, words),
             *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, words)),
             *_doubts(impact, words),
             *known_misses(implement, implement.length - impact.position),
@@ -56,6 +57,15 @@ def hit_document(answer: HitAnswer) -> Document:
         reader=reader_of(implement.sport),
         drawing=picture,
     )
+
+
+def _aside(answer: HitAnswer, words: Terms) -> list[Block]:
+    """Return where a ball goes that met a flat face beside its line; nothing of any other."""
+    if answer.aside is None:
+        return []
+    lateral, aside = Slot(abs(answer.impact.lateral), "place", round=True), Slot(abs(float(answer.aside)), "angle", 1)
+    text = "{lateral} beside the middle line the face turns under the {ball}, which leaves {aside} to that side."
+    return [Paragraph(in_words(text, words, lateral=lateral, aside=aside))]
 
 
 def masses_words(tool: Number, ball: Number, words: Terms) -> Sentence:

@@ -534,6 +534,8 @@ export interface DrawnComparedBat {
   zone_m: [number, number] | null;
   scan: ComparedCurvesInFull;
   rules?: RulesKept;
+  handling?: Handling;
+  off_center: HitBeside[];
   shape: BatShape;
   wall: WallInBestHit | null;
 }
@@ -900,6 +902,16 @@ export interface HandMotion {
   impulse_given: number | null; impulse_given_low?: number; impulse_given_high?: number;
 }
 
+/** How a racket handles; see `handling_of`. */
+export interface Handling {
+  swing_weight_kg_m2: number; swing_weight_low_kg_m2?: number; swing_weight_high_kg_m2?: number;
+  axis_m: number; axis_low_m?: number; axis_high_m?: number;
+  recoil_weight_kg_m2: number; recoil_weight_low_kg_m2?: number; recoil_weight_high_kg_m2?: number;
+  twist_weight_kg_m2: number; twist_weight_low_kg_m2?: number; twist_weight_high_kg_m2?: number;
+  mgr_over_i_per_s2: number; mgr_over_i_low_per_s2?: number; mgr_over_i_high_per_s2?: number;
+  polarization: number; polarization_low?: number; polarization_high?: number;
+}
+
 /** What is heard in recorded taps; ``measured`` and ``damping`` are controls of the view. */
 export interface HeardTaps {
   refused: RefusedSound[];
@@ -913,6 +925,14 @@ export interface HeardTaps {
   fault: string | null;
   unlike: boolean;
   doubts: string[];
+}
+
+/** A hit beside the line: ``lateral`` m to either side; ``aside``: the angle to that side at which the ball goes. */
+export interface HitBeside {
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  lateral_m: number; lateral_low_m?: number; lateral_high_m?: number;
+  exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
+  aside_rad: number; aside_low_rad?: number; aside_high_rad?: number;
 }
 
 /** Pitch, swing, hands and ball; places from the knob end. See `Conditions`. */
