@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from sweetspot.answers.certify import CertifyAnswer
     from sweetspot.answers.compare import CompareAnswer
     from sweetspot.answers.hit import HitAnswer
+    from sweetspot.answers.match import MatchAnswer
     from sweetspot.answers.paper import PaperAnswer
     from sweetspot.answers.report import ReportAnswer, ReportQuestion
     from sweetspot.answers.unhit import UnhitAnswer
@@ -106,6 +107,32 @@ def hit(
     sources = setup.sources(implement, conditions) if uncertainty else None
     answer = hit_answer(HitQuestion(implement.implement, conditions, at, beside, sources))
     return replace(answer, swung_with=swung_with)
+
+
+def match(implement: Loaded, target: Loaded, *, places: tuple[float, ...] = ()) -> MatchAnswer:
+    """Find the lead that gives a racket another's mass, balance point, swing weight and twist weight at once.
+
+    Parameters
+    ----------
+    implement : the racket that lead goes on, its name in the catalogue, or its file.
+    target : the racket that it shall feel like.
+    places : m from the butt end where lead may go; none: anywhere.
+
+    Raises
+    ------
+    InputError
+        for implements of two sports or without a face, and places that are not on it.
+
+    >>> import sweetspot
+    >>> from sweetspot import catalog
+    >>> racket = catalog.implement("tennis-racket")
+    >>> found = sweetspot.match(racket, racket.replaced(name="heavier", mass=0.33, moi=0.0335))
+    >>> found.reached, round(1000 * sum(piece.mass for piece in found.lead), 1)
+    (True, 12.0)
+    """
+    from sweetspot.answers.match import MatchQuestion, match_answer
+
+    return match_answer(MatchQuestion(implement.implement, target.implement, places))
 
 
 def compare(

@@ -110,6 +110,7 @@ MAKERS: Mapping[str, str] = {
     "UnhitAnswer": "sweetspot.reports.bat.document:unhit_document",
     "PaperAnswer": "sweetspot.reports.bench:paper_document",
     "CertifyAnswer": "sweetspot.reports.certification.document:certificate_document",
+    "MatchAnswer": "sweetspot.reports.matching:match_document",
     "CompareAnswer": "sweetspot.reports.comparison.document:compare_document",
     "ParkAnswer": "sweetspot.reports.flight.parks:park_document",
     "ParksAnswer": "sweetspot.reports.flight.parks:parks_document",
