@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from sweetspot.answers.report import ReportAnswer, ReportQuestion
     from sweetspot.answers.unhit import UnhitAnswer
     from sweetspot.answers.what_if import BatCell, WhatIfAnswer, WhatIfQuestion
+    from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing_law import SwingLaw
 
 
@@ -137,6 +138,7 @@ def match(implement: Loaded, target: Loaded, *, places: tuple[float, ...] = ()) 
 
 def compare(
     *implements: Loaded,
+    changes: Sequence[str] = (),
     swing_law: str | None = None,
     setup: HitSetup = AS_USUAL,
     uncertainty: bool = False,
@@ -146,6 +148,9 @@ def compare(
     Parameters
     ----------
     implements : each a bat or another implement, its name in the catalogue, or its file; the first is the reference.
+    changes : of a single implement, each beside it: "lead 6 g @ 52 cm", "knob-weight 2 oz", "end-load 1 oz",
+        "shaved 0.2 mm", "rolled", "broken-in", "moisture 14 %", "cork", "drilled 10 in", "cup 0.9 in", "cut 0.5 in",
+        "handle -0.03 in", "taper 1 in"; several on one after commas.
     swing_law : name of the law by which speed depends on the bat; None: the sport's.
     uncertainty : whether the intervals come from draws, with what they come from.
 
@@ -160,7 +165,17 @@ def compare(
     """
     if not implements:
         raise InputError("no bat was given; name one or more, for example r161-ash and youth-30")
-    return _compared(implements, _law(implements[0], swing_law, setup), setup, drawn=uncertainty)
+    law = _law(implements[0], swing_law, setup)
+    if not changes:
+        return _compared(implements, law, setup, drawn=uncertainty)
+    if len(implements) != 1:
+        raise InputError(f"changes were given with {len(implements)} bats; they are made to one")
+    from sweetspot.answers.changes import changed
+
+    (first,) = implements
+    made = [changed(first.implement, text) for text in changes]
+    every = [first, *(Loaded(each.implement, first.table) for each in made)]
+    return _compared(every, law, setup, drawn=uncertainty, ends=[None, *(each.ends for each in made)])
 
 
 def compare_corked(
@@ -242,6 +257,7 @@ def _compared(
     *,
     drawn: bool,
     labels: Sequence[str] | None = None,
+    ends: Sequence[tuple[Implement, Implement] | None] = (),
 ) -> CompareAnswer:
     from sweetspot.answers.compare import CompareQuestion, compare_answer
 
@@ -255,6 +271,7 @@ def _compared(
         sources=[each.sources(loaded, conditions) for each, loaded in zip(asked, implements, strict=True)],
         drawn=drawn,
         rules=True,
+        ends=ends,
     )
     return compare_answer(question)
 

@@ -210,6 +210,7 @@ class BatFile(FileTable):
         Made(PointMass, PointMassTable),
         Called("point_masses"),
     ] = ()
+    altered: bool = Field(False, description="true where it was changed after it was made, as no rule allows")
     choke: Length = Field("0 in", description="how far the grip is moved up from the knob")
     original: BatFile | None = Field(
         None, description="the bat as it was measured, when this one is that bat changed; like = ... writes it"
