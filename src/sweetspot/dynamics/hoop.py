@@ -244,7 +244,7 @@ def hoop_modes(
     >>> from sweetspot.dynamics.patch import patch_law
     >>> line, ball = beam_model(catalog.bat("single-wall")), catalog.ball()
     >>> round(hoop_modes(line, law=patch_law(ball)).frequency.min())  # Hz
-    1990
+    1989
     """
     start, end = barrel_range(beam)
     grid = np.linspace(start, end, GRID)

@@ -97,6 +97,7 @@ class Bat(OfMaterial):
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
     remark : how the description was made to agree with what was measured; "": it did.
     drawn_shell : the shell as it was drawn, where that remark tells of another; None: as it is.
+    grain_slope : rad between the wood's grain and the bat's axis at the handle, 0 to 0.35; 0: straight.
     altered : whether it was changed after its maker had made it, as no rule allows: shaved, rolled, end-loaded, cut.
 
     Raises
@@ -117,6 +118,7 @@ class Bat(OfMaterial):
     original: Bat | None = None
     remark: str = ""
     drawn_shell: Shell | None = None
+    grain_slope: Annotated[float, Field(ge=0, le=0.35)] = 0.0
     altered: bool = False
 
     @model_validator(mode="after")
