@@ -292,7 +292,7 @@ def certify(
 ) -> CertifyAnswer: ...
 def compare(
     *implements: Tool,
-    changes: Sequence[str] = ...,
+    what_if: str | Sequence[str] = ...,
     swing_law: str | None = None,
     uncertainty: bool = False,
     pitch_speed: Amount | None = None,

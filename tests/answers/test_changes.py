@@ -78,14 +78,14 @@ def test_a_shaved_barrel_loses_what_was_cut() -> None:
 
 @pytest.mark.parametrize(("text", "most"), [("knob-weight 10 g", 0.1), ("moisture 14 %", 0.2), ("cup 0.9 in", 0.2)])
 def test_a_known_change_opens_hardly_anything(text: str, most: float) -> None:
-    answer = sweetspot.compare("r161-ash", changes=[text])
+    answer = sweetspot.compare("r161-ash", what_if=[text])
     assert half(answer.bats[1].change) < most * MPH
     assert half(answer.bats[1].exit_speed) > 3 * MPH
 
 
 def test_moisture_counts_by_its_weight_alone() -> None:
     """Published: no change of performance beyond that of the weight (drane2003)."""
-    moist = sweetspot.compare("r161-ash", changes=["moisture 16 %"], same_speed=True).bats[1]
+    moist = sweetspot.compare("r161-ash", what_if=["moisture 16 %"], same_speed=True).bats[1]
     heavier = sweetspot.compare(
         catalog.bat("r161-ash"), catalog.bat("r161-ash").with_mass(31 * OUNCE * 1.16 / 1.12), same_speed=True
     ).bats[1]
@@ -94,14 +94,14 @@ def test_moisture_counts_by_its_weight_alone() -> None:
 
 def test_how_far_a_rolled_bat_softened_stays_open() -> None:
     """Published: slow-pitch bats gain 3 to 5 mph by 500 hits; the interval holds what the range leaves open."""
-    rolled, known = sweetspot.compare("slow-pitch", changes=["rolled", "rolled 75 %"]).bats[1:]
+    rolled, known = sweetspot.compare("slow-pitch", what_if=["rolled", "rolled 75 %"]).bats[1:]
     ends = interval_of(rolled.change)
     assert ends.low < 3 * MPH < ends.value < ends.high < 5.5 * MPH
     assert half(rolled.change) > half(known.change) + 0.1 * MPH
     assert rolled.rules is not None and not rolled.rules.passed
-    (used,) = sweetspot.compare("slow-pitch", changes=["broken-in"]).bats[1:]
+    (used,) = sweetspot.compare("slow-pitch", what_if=["broken-in"]).bats[1:]
     assert float(used.change) == pytest.approx(float(rolled.change)) and used.rules is not None
-    drawn = sweetspot.compare("slow-pitch", changes=["rolled"], uncertainty=True)
+    drawn = sweetspot.compare("slow-pitch", what_if=["rolled"], uncertainty=True)
     assert drawn.uncertainty is not None
     assert drawn.uncertainty.shares[f"how far {rolled.label} was changed"] > 0.05
 
@@ -130,4 +130,4 @@ def test_what_cannot_be_is_said(bat: str, text: str, why: str) -> None:
 
 def test_changes_are_made_to_one_bat() -> None:
     with pytest.raises(InputError, match="made to one"):
-        sweetspot.compare("r161-ash", "mlb-a", changes=["cup 0.9 in"])
+        sweetspot.compare("r161-ash", "mlb-a", what_if=["cup 0.9 in"])

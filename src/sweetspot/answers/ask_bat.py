@@ -138,7 +138,7 @@ def match(implement: Loaded, target: Loaded, *, places: tuple[float, ...] = ()) 
 
 def compare(
     *implements: Loaded,
-    changes: Sequence[str] = (),
+    what_if: str | Sequence[str] = (),
     swing_law: str | None = None,
     setup: HitSetup = AS_USUAL,
     uncertainty: bool = False,
@@ -148,7 +148,7 @@ def compare(
     Parameters
     ----------
     implements : each a bat or another implement, its name in the catalogue, or its file; the first is the reference.
-    changes : of a single implement, each beside it: "lead 6 g @ 52 cm", "knob-weight 2 oz", "end-load 1 oz",
+    what_if : changes of a single implement, each beside it: "lead 6 g @ 52 cm", "knob-weight 2 oz", "end-load 1 oz",
         "shaved 0.2 mm", "rolled", "broken-in", "moisture 14 %", "cork", "drilled 10 in", "cup 0.9 in", "cut 0.5 in",
         "handle -0.03 in", "taper 1 in"; several on one after commas.
     swing_law : name of the law by which speed depends on the bat; None: the sport's.
@@ -166,14 +166,15 @@ def compare(
     if not implements:
         raise InputError("no bat was given; name one or more, for example r161-ash and youth-30")
     law = _law(implements[0], swing_law, setup)
-    if not changes:
+    texts = [what_if] if isinstance(what_if, str) else list(what_if)
+    if not texts:
         return _compared(implements, law, setup, drawn=uncertainty)
     if len(implements) != 1:
         raise InputError(f"changes were given with {len(implements)} bats; they are made to one")
     from sweetspot.answers.changes import changed
 
     (first,) = implements
-    made = [changed(first.implement, text) for text in changes]
+    made = [changed(first.implement, text) for text in texts]
     every = [first, *(Loaded(each.implement, first.table) for each in made)]
     return _compared(every, law, setup, drawn=uncertainty, ends=[None, *(each.ends for each in made)])
 

@@ -102,7 +102,7 @@ def compare(
             _bat(first)
             answer = compare_corked(loaded[0], corking=hole, swing_law=law, setup=setup, uncertainty=uncertainty)
         else:
-            answer = asked(*loaded, changes=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
+            answer = asked(*loaded, what_if=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
     return present(compare_document(answer, corking=corked), output)
 
 
