@@ -6,7 +6,7 @@ BAT := r161-ash
 OUT := report
 unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
-.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants bench bench-quick format lock fuzz house clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants evidence bench bench-quick format lock fuzz house clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -88,6 +88,9 @@ pins: $(VENV)/.dev  ## whether every promised Python and system can install the 
 
 mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the tests must notice; goes on where it stopped
 	$(BIN)/python tools/mutants.py
+
+evidence: $(VENV)/.dev  ## which published rows notice a constant of the physics that is wrong; goes on where it stopped
+	$(BIN)/python tools/evidence.py
 
 fuzz: $(VENV)/.dev  ## a million generated inputs; goes on where it stopped, keeps what breaks something
 	$(BIN)/python tools/fuzz.py

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import choices
+import evidence
 import licences
 import modules
 import sport_tables
@@ -82,6 +83,9 @@ def pages() -> dict[str, Callable[[], str]]:
         "validation": tables.validation_page,
         "validation_summary": tables.validation_summary,
         "error_from": tables.error_from_table,
+        "evidence_summary": evidence.evidence_summary,
+        "evidence": evidence.evidence_table,
+        "unnoticed": evidence.unnoticed_table,
         **sport_tables.pages(),
     }
 

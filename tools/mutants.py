@@ -24,7 +24,7 @@ import subprocess
 import sys
 import time
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
@@ -144,20 +144,23 @@ def _catalogue_spans(where: str, package: Path) -> Iterator[tuple[Path, str, int
 
 
 class Runner:
-    """A process with the third parties imported, which runs tests against a copy of the package in forks of itself."""
+    """A process with the third parties imported, which works on a copy of the package in forks of itself: runs tests.
 
-    def __init__(self, home: Path) -> None:
+    ``program``: what it runs, with ``--serve LOG``; its `serve` says what the work is.
+    """
+
+    def __init__(self, home: Path, program: str = __file__, *options: str) -> None:
         self.home = home
         shutil.rmtree(home / "src", ignore_errors=True)
         shutil.copytree(ROOT / "src", home / "src")  # with times: what is compiled stays valid
         environment = {**os.environ, "PYTHONPATH": str(home / "src"), "OPENBLAS_NUM_THREADS": "1"}
         self.process = subprocess.Popen(
-            [sys.executable, __file__, "--serve", str(home / "tests.log")],
+            [sys.executable, program, "--serve", str(home / "tests.log"), *options],
             cwd=ROOT, env=environment, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
         )  # fmt: skip
 
     def exit_code(self, arguments: list[str]) -> int | None:
-        """Return how pytest ends; None when it takes longer than `PATIENCE`."""
+        """Return how the work ends; None when it takes longer than `PATIENCE`."""
         assert self.process.stdin is not None and self.process.stdout is not None
         self.process.stdin.write(json.dumps(arguments) + "\n")
         self.process.stdin.flush()
@@ -166,13 +169,19 @@ class Runner:
 
     def close(self) -> None:
         """End the process."""
-        assert self.process.stdin is not None
+        assert self.process.stdin is not None and self.process.stdout is not None
         self.process.stdin.close()
         self.process.wait()
+        self.process.stdout.close()
 
 
-def serve(log: Path) -> None:
-    """Run pytest with the arguments of each line of standard input, in a fork; print the exit codes."""
+def pytest_main(arguments: list[str]) -> int:
+    """Run pytest."""
+    return int(importlib.import_module("pytest").main(arguments))
+
+
+def serve(log: Path, work: Callable[[list[str]], int] = pytest_main) -> None:
+    """Do the work with the arguments of each line of standard input, in a fork; print the exit codes."""
     for module in THIRD_PARTIES:
         importlib.import_module(module)
     for line in sys.stdin:
@@ -182,7 +191,7 @@ def serve(log: Path) -> None:
             with log.open("w") as file:
                 os.dup2(file.fileno(), 1)
                 os.dup2(file.fileno(), 2)
-                code = int(importlib.import_module("pytest").main(json.loads(line)))
+                code = work(json.loads(line))
                 sys.stdout.flush()
             os._exit(code)
         until, ended, status = time.monotonic() + PATIENCE, 0, 0
@@ -233,10 +242,11 @@ def fail(tests: Sequence[str], runner: Runner) -> bool:
     return code != 0
 
 
-def _fingerprint() -> str:
-    """Return a hash of everything a result depends on."""
+def fingerprint_of(*folders: Path) -> str:
+    """Return a hash of everything a result depends on: code and tables in folders, and single files."""
     digest = hashlib.sha256()
-    for path in sorted([*PACKAGE.rglob("*.py"), *PACKAGE.rglob("*.toml"), *TESTS.rglob("*.py")]):
+    paths = [path for folder in folders for end in ("py", "toml", "csv") for path in folder.rglob(f"*.{end}")]
+    for path in sorted([*paths, *(folder for folder in folders if folder.is_file())]):
         digest.update(path.read_bytes())
     return digest.hexdigest()
 
@@ -262,7 +272,7 @@ def main() -> int:
         serve(options.serve)
         return 0
     chosen = [mutation for mutation in mutations() if options.only in str(mutation)]
-    fingerprint = _fingerprint()
+    fingerprint = fingerprint_of(PACKAGE, TESTS)
     known, stale = _known(fingerprint), []
     for mutation in chosen:
         try:

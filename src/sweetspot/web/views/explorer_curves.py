@@ -218,11 +218,7 @@ def _power_map(state: HitState) -> PowerMap:
 
 
 UNITS = {"in": INCH, "cm": 0.01}
-PLACES = {
-    "best_from_tip": "exit_speed_m_s",
-    "best_efficiency_from_tip": "collision_efficiency",
-    "node_from_tip": "sting_m_s",
-}
+PLACES = {"best_efficiency_from_tip": "collision_efficiency", "node_from_tip": "sting_m_s"}
 """Computations of places on a bat, and the curve beside which such a place is drawn."""
 VALUES = {"whole_efficiency": "collision_efficiency"}
 """Computations of a curve's greatest value, whose place was not published."""
