@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 from typing import Annotated
 
 import numpy as np
@@ -36,11 +35,9 @@ from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Curve, Number
 from sweetspot.uncertainty.comparison_draws import (
-    AMOUNT,
     LAW,
     DrawnBat,
     DrawnComparison,
-    Ends,
     drawn_comparison,
     linear_comparison,
     names_of_bats,
@@ -195,7 +192,6 @@ class CompareQuestion:
         up and down.
     rules : whether bats are held against the rules of their own sport.
     draws : a power of two.
-    ends : of each, what it is at both ends of what cannot be known of how it was changed; None: all is known.
     """
 
     implements: Sequence[Implement]
@@ -206,7 +202,6 @@ class CompareQuestion:
     drawn: bool = False
     rules: bool = False
     draws: int = field(default=DRAWS, kw_only=True)
-    ends: Sequence[tuple[Implement, Implement] | None] = field(default=(), kw_only=True)
 
 
 def compare_answer(question: CompareQuestion) -> CompareAnswer:
@@ -218,18 +213,8 @@ def compare_answer(question: CompareQuestion) -> CompareAnswer:
         without one, of different sports, or when one of them or its swing is refused; see `compare`.
     """
     comparison = compare(question.implements, conditions=question.conditions, law=question.law, labels=question.labels)
-    ends = {number: _ends(question, both) for number, both in enumerate(question.ends) if both is not None}
-    answer = compare_of(comparison, question.sources, drawn=question.drawn, draws=question.draws, ends=ends)
+    answer = compare_of(comparison, question.sources, drawn=question.drawn, draws=question.draws)
     return _with_rules(answer) if question.rules else answer
-
-
-def _ends(
-    question: CompareQuestion, both: tuple[Implement, Implement]
-) -> tuple[Compared[Implement], Compared[Implement]]:
-    """Return a changed implement at both ends of how far it may have been changed, beside the first."""
-    found = compare([question.implements[0], *both], conditions=question.conditions, law=question.law)
-    _, low, high = found.compared
-    return low, high
 
 
 def compare_of(
@@ -238,17 +223,16 @@ def compare_of(
     *,
     drawn: bool = False,
     draws: int = DRAWS,
-    ends: Ends = MappingProxyType({}),
 ) -> CompareAnswer:
-    """Return the answer of a comparison; see `CompareQuestion`. ``ends``: see there, by number of the implement."""
+    """Return the answer of a comparison; see `CompareQuestion`."""
     plain = _described(comparison)
     if sources is None:
         return plain
     plain = replace(plain, sources=tuple(sources))
     if not drawn:
-        straight = linear_comparison(comparison, sources, ends)
+        straight = linear_comparison(comparison, sources)
         return with_intervals(replace(plain, interval=LINEAR), _columns(straight), linear_reach)
-    found = drawn_comparison(comparison, sources, count=draws, ends=ends)
+    found = drawn_comparison(comparison, sources, count=draws)
     sure = with_intervals(replace(plain, interval=DRAWN), _columns(found), reach_of_draws)
     return replace(sure, uncertainty=_uncertainty(sure, found))
 
@@ -325,7 +309,6 @@ def _uncertainty(answer: CompareAnswer, found: DrawnComparison) -> ComparisonUnc
     labels = names_of_bats(answer.comparison)
     of_bats = {label: each.bat_where for label, each in zip(labels, answer.sources, strict=True)}
     others = {other.name: other.where for other in answer.sources[0].others}
-    others |= {AMOUNT.format(label=label): "the range of its amount" for label in labels}
     sampled = uncertainty_of(
         DrawnAnswer(found.normal, _columns(found)),
         of=f"bats.{last}.{main}",

@@ -65,12 +65,42 @@ def schema(
     print_json(FILES[kind].model_json_schema())
 
 
-def validate(*, output: OutputOptions = DEFAULT_OUTPUT) -> int:
+def validate(
+    *,
+    sealed: Annotated[
+        Path | None,
+        Parameter(
+            help="CSV or TOML of questions whose answers are withheld: id, kind, implement or exit_speed and "
+            "launch_angle, ...; --out writes our predictions.csv too."
+        ),
+    ] = None,
+    score: Annotated[
+        tuple[Path, Path] | None,
+        Parameter(help="Predictions, and the CSV of what was measured: id, value, error. How the predictions did."),
+    ] = None,
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
     """Compare with every published case: printed against computed, tolerance, worth. Exit 1 on an unexplained miss."""
     from sweetspot import validation
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import patience, present, progress
     from sweetspot.reports.bench import validation_document
+    from sweetspot.validation import sealed_files
 
+    if sealed is not None and score is not None:
+        raise InputError("give --sealed, questions to answer, or --score, answers to judge, not both")
+    if sealed is not None:
+        from sweetspot.answers.sealed import sealed_answer
+
+        questions = sealed_files.read_questions(sealed)
+        with progress("questions") as step, patience():
+            predicted = sealed_answer(questions, sealed, step=step)
+        return present(predicted, output)
+    if score is not None:
+        from sweetspot.answers.sealed import score_answer
+
+        answers, measured = score
+        predictions = sealed_files.read_predictions(answers)
+        return present(score_answer(predictions, sealed_files.read_measured(measured), measured), output)
     with patience():
         results = validation.results()
     return present(validation_document(results), output)
