@@ -21,7 +21,8 @@ from scipy.optimize import brentq
 
 from studies.measured_hang import hang_check
 from sweetspot.flight.air import Air
-from sweetspot.flight.carry_scatter import SPIN_SCATTER, TRACKED, CarryErrors, LaunchErrors, carry_errors
+from sweetspot.flight.batted_spin import backspin_scatter
+from sweetspot.flight.carry_scatter import TRACKED, CarryErrors, LaunchErrors, carry_errors
 from sweetspot.flight.home_runs import USUAL
 from sweetspot.seasons.balls import balls_of, fields_of
 from sweetspot.seasons.flight_columns import GLOVE, FlightSetting, flown_balls
@@ -35,6 +36,8 @@ Array = NDArray[np.float64]
 CAUGHT = ["field_out", "sac_fly", "double_play", "sac_fly_double_play"]
 LINERS = (10.0, 25.0)
 """deg: what the league calls line drives."""
+LINERS_SCATTER = float(backspin_scatter(LINERS[0] * DEGREE))
+"""rad/s; the scatter of backspin in use for most of them."""
 BOOTSTRAPS = 40
 
 
@@ -76,7 +79,7 @@ def spin_scatter(balls: pl.DataFrame, launch: CarryErrors, spin: CarryErrors) ->
         middle = np.sum(long / variance) / np.sum(1 / variance)
         return float(np.mean((long - middle) ** 2 / variance) - 1)
 
-    return float(brentq(pull, 0, 4)) * SPIN_SCATTER if pull(0) > 0 else 0.0
+    return float(brentq(pull, 0, 4)) * LINERS_SCATTER if pull(0) > 0 else 0.0
 
 
 def spins(balls: pl.DataFrame, setting: FlightSetting) -> None:
@@ -84,7 +87,7 @@ def spins(balls: pl.DataFrame, setting: FlightSetting) -> None:
     liners = balls.filter(pl.col("angle").is_between(*LINERS))
     tables = [
         carry_errors(setting.ball, setting.aerodynamics, setting.air, errors=errors, spin_scatter=size)
-        for errors, size in ((TRACKED, 0.0), (LaunchErrors(0.0, 0.0), SPIN_SCATTER))
+        for errors, size in ((TRACKED, 0.0), (LaunchErrors(0.0, 0.0), LINERS_SCATTER))
     ]
     even = pl.col("game").cast(pl.Int64, strict=False) % 2 == 0
     for name, rows in (("all", pl.lit(value=True)), ("games of even number", even), ("of odd number", ~even),
@@ -105,8 +108,8 @@ def spins(balls: pl.DataFrame, setting: FlightSetting) -> None:
             print(f"  {name}:")
             held_out(balls.filter(other), setting, spin_scatter(liners.filter(one), *tables))
     print("  by the scatter in use:")
-    held_out(balls, setting, SPIN_SCATTER)
-    held_out(balls.filter(~even), setting, SPIN_SCATTER)
+    held_out(balls, setting, LINERS_SCATTER)
+    held_out(balls.filter(~even), setting, LINERS_SCATTER)
 
 
 def held_out(balls: pl.DataFrame, setting: FlightSetting, spin: float) -> None:

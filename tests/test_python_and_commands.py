@@ -73,6 +73,10 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
     ("compare r161-ash youth-30 --same-speed", lambda: door.compare(R161, "youth-30", same_speed=True)),
     ("compare r161-ash --what-if cork --bore-depth 8in", lambda: door.compare_corked(R161, bore_depth="8in")),
     (
+        "compare r161-ash --what-if cup0.9in --add 6g@52cm,6g@12cm",
+        lambda: door.compare(R161, what_if=["cup0.9in", "lead 6g@52cm,6g@12cm"]),
+    ),
+    (
         "design mlb-a --contact 8in --population 8 --generations 2 --want exit-speed",
         lambda: door.design("mlb-a", contact="8in", population=8, generations=2, want=["exit_speed"]),
     ),

@@ -1,11 +1,10 @@
-"""Fit the baseball's law of drag and lift to tracked balls: ``python tools/fit_aerodynamics.py ../shared/data``.
+"""Fit what pitches say of drag, and the scatter of home runs: ``python tools/fit_aerodynamics.py ../shared/data``.
 
 How drag changes with active spin and Reynolds's number comes from pitches, compared only within a game, so that weather
 and a park's cameras drop out, and within a kind of pitch, so that its grip on the seams does. Their active spin is read
-from their movement with the lift of the trajectory calculator, which is everybody's lift. The rest comes from balls
-hit in the air: their level of drag, under a roof and in the open, and four numbers of the line of usual spin. Each
-is launched so that it comes down at its bearing; a caught ball's distance ends at the glove. Nothing is written: what
-is printed goes into ``catalog/aerodynamics.toml`` and ``flight/batted_spin.py`` by hand.
+from their movement with the lift of the trajectory calculator, which is everybody's lift. Which balls left their parks
+gives shift and scatter of home runs. Nothing is written: what is printed goes into ``catalog/aerodynamics.toml`` and
+``flight/home_runs.py`` by hand. The law of batted balls is fitted by ``studies/air_law.py``.
 """
 
 from __future__ import annotations
@@ -14,7 +13,6 @@ import argparse
 import csv
 import gzip
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -26,11 +24,10 @@ from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin
+from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.bearing import bearing_of_place, launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import USUAL, CarryScatter, home_run_chances
-from sweetspot.flight.kernel import Flights
 from sweetspot.flight.pitch import PLATE, nine_parameters, spin_from_movement
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
@@ -69,36 +66,6 @@ class Pitches:
     game: NDArray[np.str_]
     kind: NDArray[np.str_]
     roof: NDArray[np.bool_]
-
-
-@dataclass(frozen=True)
-class Level:
-    """What is fitted to hits: drag under the roof and in the open, and four numbers of the line of usual spin.
-
-    Parameters
-    ----------
-    backspin : at 0 deg, rpm.
-    opposite, hook, slice : rpm a degree: backspin with spray, sidespin with spray and with launch angle.
-    """
-
-    law: Aerodynamics
-    roof: float = 0.32
-    open: float = 0.32
-    backspin: float = -1000.0
-    opposite: float = 21.0
-    hook: float = -94.0
-    slice: float = 0.0
-
-    @property
-    def line(self) -> SpinLine:
-        """The line of usual spin."""
-        back = (self.backspin, TRACKED.backspin[1], self.opposite)
-        return SpinLine(backspin=back, sidespin=(TRACKED.sidespin[0], self.hook, self.slice))
-
-    @property
-    def mean(self) -> float:
-        """Drag in the mean park."""
-        return COVERED * self.roof + (1 - COVERED) * self.open
 
 
 @dataclass(frozen=True)
@@ -233,99 +200,18 @@ def fit_shape(pitches: Pitches, law: Aerodynamics, rows: NDArray[np.bool_] | Non
     return found, np.sqrt(np.diag(inverse @ sums.T @ sums @ inverse))
 
 
-def flown(hits: Hits, level: Level) -> tuple[Array, Flights]:
-    """Return the distance in m that a tracker would give each ball, and the flights."""
-    drag = np.where(hits.roof, level.roof, level.open)
-    carry = np.empty(len(drag))
-    parts: list[tuple[NDArray[np.bool_], Flights]] = []
-    for one in np.unique(drag):
-        rows = drag == one
-        part = hits.where(rows)
-        _, result = launched_to(
-            part.bearing,
-            exit_speed=part.exit_speed,
-            launch_angle=part.launch_angle,
-            bats=part.bats,
-            spins=level.line,
-            conditions=FlightConditions(
-                ball=catalog.ball(), aerodynamics=level.law.replaced(drag=float(one)), air=part.density
-            ),
-        )
-        carry[rows] = result.carry - part.height / np.tan(result.landing_angle)
-        parts.append((rows, result))
-    whole = {}
-    for name, first in vars(parts[0][1]).items():
-        values = np.empty((len(drag), *first.shape[1:]), first.dtype)
-        for rows, result in parts:
-            values[rows] = getattr(result, name)
-        whole[name] = values
-    return carry, Flights(**whole)
-
-
-def fit_level(hits: Hits, start: Level, names: Sequence[str] = tuple(STEPS)) -> Level:
-    """Return the drag and the usual backspin that fit the distances best, both halves (roof, open) counting alike."""
-    weight = np.where(hits.roof, 1 / max(hits.roof.sum(), 1), 1 / max((~hits.roof).sum(), 1)) ** 0.5
-    rows = {"roof": hits.roof, "open": ~hits.roof}
-    names = [name for name in names if rows.get(name, hits.roof | True).any()]
-    level = start
-    for _ in range(ROUNDS):
-        now = flown(hits, level)[0]
-        moved = [replace(level, **{name: getattr(level, name) + STEPS[name]}) for name in names]
-        slopes = np.stack(
-            [(flown(hits, one)[0] - now) / STEPS[name] for one, name in zip(moved, names, strict=True)], axis=-1
-        )
-        good = np.isfinite(slopes).all(axis=-1)
-        known, wanted = (weight[:, None] * slopes)[good], (weight * (hits.distance - now))[good]
-        step = np.linalg.lstsq(known, wanted, rcond=None)[0]
-        level = replace(level, **{name: getattr(level, name) + float(by) for name, by in zip(names, step, strict=True)})
-        if all(abs(by) < 1e-3 * STEPS[name] for name, by in zip(names, step, strict=True)):
-            break
-    return level
-
-
-def resampled(hits: Hits, random: np.random.Generator) -> Hits:
-    """Return the hits of as many games, drawn with repetition."""
-    games, place = np.unique(hits.game, return_inverse=True)
-    drawn = random.integers(len(games), size=len(games))
-    return hits.where(np.concatenate([np.flatnonzero(place == game) for game in drawn]))
-
-
-def table(hits: Hits, level: Level) -> None:
-    """Print the bias in ft, as caught and to the ground, over and over: by everything a ball is known by."""
-    seen, result = flown(hits, level)
-    caught, ground = (seen - hits.distance) / FOOT, (result.carry - hits.distance) / FOOT
-    pull = np.where(hits.bats == "right", -1, 1) * hits.bearing / DEGREE
-    sides: Sequence[tuple[str, Array, Sequence[float]]] = (
-        ("launch angle, deg", hits.launch_angle / DEGREE, (15, 20, 25, 30, 35, 40, 45.1)),
-        ("exit speed, mph", hits.exit_speed / MPH, (80, 85, 90, 95, 100, 105, 125)),
-        ("pulled by, deg", pull, (-46, -30, -15, 0, 15, 30, 46)),
-        ("apex, ft", result.apex_height / FOOT, (0, 30, 50, 70, 90, 110, 300)),
-        ("month", hits.month, (4, 5, 6, 7, 8, 9, 11)),
-        ("air, kg/m^3", hits.density, (1.0, 1.15, 1.17, 1.19, 1.3)),
-    )
-    for where, rows in (("roof", hits.roof), ("open", ~hits.roof), ("all", np.ones(len(pull), bool))):
-        print(f"{where:5} n {rows.sum():5}  to the glove {caught[rows].mean():+5.1f} (SD {caught[rows].std():4.1f}), "
-              f"to the ground {ground[rows].mean():+5.1f} (SD {ground[rows].std():4.1f})")  # fmt: skip
-        for name, values, edges in sides:
-            groups = [rows & (values >= low) & (values < high) for low, high in pairwise(edges)]
-            cells = [f"{low:g}: {caught[group].mean():+.1f}, {ground[group].mean():+.1f} ({group.sum()})" for low, group
-                     in zip(edges, groups, strict=False) if group.sum() > 9]  # fmt: skip
-            print(f"      {name:18}", "  ".join(cells))
-
-
-def chances(hits: Hits, level: Level, scatter: CarryScatter) -> Array:
+def chances(hits: Hits, scatter: CarryScatter) -> Array:
     """Return each ball's chance of a home run in its own park."""
-    law = level.law.replaced(drag=level.mean)
+    law = catalog.aerodynamics()
     spray, _ = launched_to(
         hits.bearing,
         exit_speed=hits.exit_speed,
         launch_angle=hits.launch_angle,
         bats=hits.bats,
-        spins=level.line,
         conditions=FlightConditions(ball=catalog.ball(), aerodynamics=law, air=hits.density),
     )
     axes = spin_axes(hits.launch_angle, spray)
-    backspin, sidespin = batted_ball_spin(hits.launch_angle, spray, bats=hits.bats, line=level.line)
+    backspin, sidespin = batted_ball_spin(hits.launch_angle, spray, bats=hits.bats)
     chance = np.zeros(len(spray))
     for team in np.unique(hits.home):
         here = hits.home == team
@@ -342,7 +228,7 @@ def chances(hits: Hits, level: Level, scatter: CarryScatter) -> Array:
     return chance
 
 
-def fit_scatter(hits: Hits, level: Level) -> None:
+def fit_scatter(hits: Hits) -> None:
     """Print which shift and scatter of drag have the least Brier score of home runs: those of `CarryScatter`."""
     even = np.array([int(game) % 2 == 0 for game in hits.game])
     known = np.abs(hits.bearing) < FAIR
@@ -353,7 +239,7 @@ def fit_scatter(hits: Hits, level: Level) -> None:
         for shift in np.arange(-0.04, 0.06, 0.005).tolist():
             for where, rows in sides:
                 scatter = replace(USUAL, **{where: spread, f"{where}_shift": shift})
-                missed = (chances(hits, level, scatter) - hits.home_run) ** 2
+                missed = (chances(hits, scatter) - hits.home_run) ** 2
                 for name, half in halves:
                     best[where, name] = min(best[where, name], (float(missed[rows & half].mean()), spread, shift))
     for (where, name), (score, spread, shift) in best.items():
@@ -363,9 +249,9 @@ def fit_scatter(hits: Hits, level: Level) -> None:
         )
 
 
-def home_runs(hits: Hits, level: Level) -> None:
+def home_runs(hits: Hits) -> None:
     """Print how many home runs the balls should have been in their own parks, and were, by chance."""
-    chance = chances(hits, level, USUAL)
+    chance = chances(hits, USUAL)
     for name, rows in (("roof", hits.roof), ("open", ~hits.roof), ("all", chance >= 0)):
         brier = np.mean((chance - hits.home_run)[rows] ** 2)
         print(
@@ -375,16 +261,6 @@ def home_runs(hits: Hits, level: Level) -> None:
         rows = (chance >= low) & (chance < high)
         print(f"  chance {low:4.2f} up: {rows.sum():4} balls, {chance[rows].mean():.3f} expected, "
               f"{hits.home_run[rows].mean():.3f} hit")  # fmt: skip
-
-
-def report(name: str, level: Level, many: Sequence[Level] = ()) -> None:
-    """Print what was fitted, with standard errors from fits to resampled games."""
-    said = [
-        f"{field} {getattr(level, field):.4f}"
-        + (f" +- {np.std([getattr(one, field) for one in many]):.4f}" if many else "")
-        for field in (*STEPS, "mean")
-    ]
-    print(f"{name}: " + ", ".join(said))
 
 
 def of_pitches(pitches: Pitches, sheet: Aerodynamics, shape: Array) -> None:
@@ -407,25 +283,8 @@ def of_pitches(pitches: Pitches, sheet: Aerodynamics, shape: Array) -> None:
         )
 
 
-def held_out(hits: Hits, start: Level) -> None:
-    """Print how balls left out of the fit are met: every other game, every third park, one half of the year."""
-    even = np.array([int(game) % 2 == 0 for game in hits.game])
-    park = np.unique(hits.home, return_inverse=True)[1]
-    late = hits.month >= 7
-    parts = {"games of even number": even, "games of odd number": ~even, "April to June": ~late, "July on": late}
-    parts |= {f"every third park, {turn}": (park % 3 == turn) & ~hits.roof for turn in range(3)}
-    for name, tested in parts.items():
-        half = fit_level(hits.where(~tested), start)
-        report(f"without {name}", half)
-        rest = hits.where(tested)
-        apart = (flown(rest, half)[0] - rest.distance) / FOOT
-        for where, rows in (("roof", rest.roof), ("open", ~rest.roof)):
-            if rows.any():
-                print(f"  on them, {where}: {apart[rows].mean():+.1f} ft, SD {apart[rows].std():.1f}, n {rows.sum()}")
-
-
 def main() -> None:
-    """Fit, tell how sure, and test on what was left out."""
+    """Fit the drag of pitches and the scatter of home runs, and print how sure."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("folder", type=Path, help="folder of the public tables")
     folder = options.parse_args().folder
@@ -434,26 +293,8 @@ def main() -> None:
     shape, errors = fit_shape(pitches, sheet)
     print(f"all pitches, per krpm {shape[0]:.4f} +- {errors[0]:.4f}, per Re_0 / Re {shape[1]:.4f} +- {errors[1]:.4f}")
     of_pitches(pitches, sheet, shape)
-    start = Level(
-        sheet.replaced(
-            drag_per_spin=0.0, drag_per_active_spin=shape[0] / KRPM, drag_per_inverse_reynolds=float(shape[1])
-        )
-    )
-    level = fit_level(hits, start)
-    random = np.random.default_rng(1)
-    many = [fit_level(resampled(hits, random), level) for _ in range(BOOTSTRAPS)]
-    report("hits", level, many)
-    for where, rows in (("roof", hits.roof), ("open", ~hits.roof)):
-        report(f"{where} alone", fit_level(hits.where(rows), level))
-    for lift in (1.05, 1.19):
-        report(f"with a lift scale of {lift}", fit_level(hits, replace(level, law=level.law.replaced(lift_scale=lift))))
-    held_out(hits, level)
-    print("with a level for the roof and one for the open; to the glove, to the ground")
-    table(hits, level)
-    print("with the one of the mean park")
-    table(hits, replace(level, roof=level.mean, open=level.mean))
-    fit_scatter(hits, level)
-    home_runs(hits, level)
+    fit_scatter(hits)
+    home_runs(hits)
 
 
 if __name__ == "__main__":

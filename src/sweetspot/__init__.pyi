@@ -19,6 +19,7 @@ from .answers.design import DesignAnswer as DesignAnswer
 from .answers.drop import DropAnswer as DropAnswer
 from .answers.fly import FlyAnswer as FlyAnswer
 from .answers.hit import HitAnswer as HitAnswer
+from .answers.match import MatchAnswer as MatchAnswer
 from .answers.optimum import OptimumAnswer as OptimumAnswer
 from .answers.outline import OutlineAnswer as OutlineAnswer
 from .answers.paper import PaperAnswer as PaperAnswer
@@ -98,6 +99,7 @@ __all__ = [
     "Impact",
     "Implement",
     "InputError",
+    "MatchAnswer",
     "Material",
     "Measured",
     "OptimumAnswer",
@@ -144,6 +146,7 @@ __all__ = [
     "hits",
     "hoop_modes",
     "implement",
+    "match",
     "optimum",
     "outline",
     "paper",
@@ -289,6 +292,7 @@ def certify(
 ) -> CertifyAnswer: ...
 def compare(
     *implements: Tool,
+    what_if: str | Sequence[str] = ...,
     swing_law: str | None = None,
     uncertainty: bool = False,
     pitch_speed: Amount | None = None,
@@ -483,6 +487,12 @@ def hoop_modes(
 def implement(
     name: str | Path,
 ) -> Implement: ...
+def match(
+    implement: Tool,
+    target: Tool,
+    *,
+    places: Sequence[Amount] = ...,
+) -> MatchAnswer: ...
 def optimum(
     bat: Tool,
     *,

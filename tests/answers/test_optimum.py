@@ -35,7 +35,7 @@ def test_a_held_launch_carries_as_far_as_one_searched_anew() -> None:
     row = int(np.argmin(np.abs(drag + 0.1)))
     other = law.replaced(drag=law.drag * math.exp(drag[row]))
     anew = best_launch(speed, FlightConditions(ball=catalog.ball(), aerodynamics=other, air=Air()), backspin=spin)
-    assert abs(anew.launch_angle - best.launch_angle) > 1e-3
+    assert abs(anew.launch_angle - best.launch_angle) > 5e-4
     assert carry[row] == pytest.approx(anew.carry, rel=3e-3)
 
 

@@ -82,9 +82,9 @@ def test_a_corked_bat_fails_by_what_was_done_to_it(run: Run, league: str) -> Non
     """An altered bat is forbidden, whatever its number: 0.4998 would keep BBCOR."""
     code, out, _ = run("certify", "corked-r161", "--league", league)
     first = " ".join(out.split("\n\n")[1].split())
-    assert code == 1 and "it is drilled or filled" in first and "Not sure" not in first
+    assert code == 1 and "it is altered" in first and "Not sure" not in first
     compared = " ".join(run("compare", "r161-ash", "corked-r161")[1].split())
-    assert "it is drilled or filled, which no rule allows" in compared
+    assert "it is altered (drilled" in compared
 
 
 def test_one_piece_of_wood_need_not_meet_bbcor_and_glued_wood_must(run: Run, tmp_path: Path) -> None:
@@ -147,7 +147,7 @@ def test_compare_is_no_surer_than_certify(run: Run) -> None:
             if one["league"] == "ncaa"
         )
     words = " ".join(run("compare", "r161-ash", "college-alloy")[1].split())
-    assert "pass, not sure BBCOR of the test 0.4984, allowed at most 0.5000, not sure" in words
+    assert "pass, not sure BBCOR of the test 0.498" in words and "allowed at most 0.5000, not sure" in words
 
 
 def test_where_nothing_can_be_decided_nothing_is_passed(run: Run) -> None:

@@ -49,6 +49,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "fit-player": ("fit-player", "SWINGS", "--bat", "r161-ash", "--out", "OUT"),
     "fly": ("fly", "--exit-speed", "100mph", "--out", "OUT"),
     "hit": ("hit", "r161-ash", "--at", "6in-from-tip", "--out", "OUT"),
+    "match": ("match", "tennis-racket", "tennis-racket", "--out", "OUT"),
     "optimum": ("optimum", "--out", "OUT"),
     "outline": ("outline", "r161-ash", "--out", "OUT.toml", "--out", "OUT.svg"),
     "paper": ("paper", "--out", "OUT"),

@@ -42,8 +42,8 @@ def test_border_contract(run_json: RunJson) -> None:
 def test_usual_spin_is_named(run: Run, run_json: RunJson) -> None:
     _, out, _ = run("fly", "--bats", "left")
     assert "(what such hits usually have)" in " ".join(out.split())
-    assert "987 rpm that bend it left" in " ".join(out.split())
-    assert run_json("fly", "--bats", "left")["launch"]["sidespin_rad_s"] == pytest.approx(987 * math.pi / 30)
+    assert "1004 rpm that bend it left" in " ".join(out.split())
+    assert run_json("fly", "--bats", "left")["launch"]["sidespin_rad_s"] == pytest.approx(1004 * math.pi / 30)
 
 
 def test_a_park_and_all_the_others(run: Run, run_json: RunJson) -> None:

@@ -8,7 +8,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.hoop import barrel_range, hoop_frequency, hoop_modes, wall_pushes
+from sweetspot.dynamics.hoop import barrel_compression, barrel_range, hoop_frequency, hoop_modes, wall_pushes
 from sweetspot.dynamics.local_compliance import round_compliance
 from sweetspot.dynamics.modes import joined
 from sweetspot.dynamics.patch import contact_patch, patch_law, transform
@@ -210,3 +210,26 @@ def test_the_kernel_solves_what_the_elements_are() -> None:
     squares, vectors = lowest(stiffness, inertia, first=0, last=3)
     assert solved.squares[0] == pytest.approx(squares, rel=1e-10)
     assert np.abs(solved.felt[0]) == pytest.approx(np.abs(push @ vectors), rel=1e-8, abs=1e-9)
+
+
+def squeezed(wall: float, diameter: float, length: float) -> float:
+    beam = beam_model(tube(wall, diameter, length=length))
+    return barrel_compression(beam, from_tip=length / 2, patch=0.2 * wall)
+
+
+@pytest.mark.parametrize("factor", [0.5, 2.0])
+def test_a_long_tube_resists_squeezing_with_the_power_5_2_of_its_wall(factor: float) -> None:
+    """Shell theory: k goes with E h^(5/2) / R^(3/2), bent around and stretched along over a length R sqrt(R / h)."""
+    ratio = squeezed(0.0008 * factor, 0.05, 1.2) / squeezed(0.0008, 0.05, 1.2)
+    assert ratio == pytest.approx(factor**2.5, rel=0.05)
+
+
+def test_a_tube_of_half_the_size_is_half_as_stiff() -> None:
+    assert squeezed(0.001, 0.03, 0.6) / squeezed(0.002, 0.06, 1.2) == pytest.approx(0.5, rel=1e-6)
+
+
+def test_a_barrel_pressed_through_a_larger_patch_is_stiffer() -> None:
+    beam = beam_model(catalog.bat("slow-pitch"))
+    small, usual, large = (barrel_compression(beam, from_tip=6 * INCH, patch=a) for a in (0.004, 0.006, 0.009))
+    assert 0.93 < small / usual < 0.97
+    assert 1.05 < large / usual < 1.12

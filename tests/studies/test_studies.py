@@ -12,6 +12,7 @@ from tests.real_data import real_file
 
 ROOT = Path(__file__).parents[2]
 SMALL: dict[str, str] = {
+    "air_law": "--balls 200 --check",
     "calibrated_bats": "--count 1 --kinds hollow",
     "calibration_coverage": "--count 1",
     "held_out": "--balls 400",

@@ -55,6 +55,7 @@ def test_it_is_the_librarys_comparison() -> None:
         {},
         {"bat": "mlb-a", "pitch_speed_mph": 88.0, "bat_speed_mph": 69.0},
         {"what_if": "cork", "same": "speed"},
+        {"what_if": "change", "bat": "slow-pitch", "change": "rolled"},
         {"others": [{"bat": "youth-30"}]},
     ],
 )
@@ -127,6 +128,7 @@ def test_the_same_bat_twice_has_two_names() -> None:
         ({"others": [{"bat": "rosewood"}]}, "others.0.bat", "bat 2: bat 'rosewood' is not in the catalogue"),
         ({"what_if": "wall"}, "what_if", "is solid and has no wall"),
         ({"what_if": "cork", "hole_diameter_in": 2, "hole_depth_in": 20}, "hole_diameter_in", "make it narrower"),
+        ({"what_if": "change", "change": "rolled"}, "change", "solid and has no wall"),
         ({"league": "sandlot"}, "league", "not in the catalogue"),
         ({"swing_law": "cricket"}, "swing_law", "not in the catalogue"),
     ],
@@ -143,6 +145,7 @@ def test_faults_name_their_control(controls: dict[str, Any], field: str, words: 
         {"others": [{"bat": "youth-30", "choke_up_in": 1.0}], "bat_speed_mph": 66.0},
         {"what_if": "cork", "hole_depth_in": 1.5, "same": "speed"},
         {"what_if": "wall", "bat": "russell-b6"},
+        {"what_if": "change", "bat": "composite", "change": "rolled, end-load 1oz"},
     ],
 )
 def test_python_lines_give_the_same_numbers(

@@ -23,10 +23,12 @@ if TYPE_CHECKING:
     from sweetspot.answers.certify import CertifyAnswer
     from sweetspot.answers.compare import CompareAnswer
     from sweetspot.answers.hit import HitAnswer
+    from sweetspot.answers.match import MatchAnswer
     from sweetspot.answers.paper import PaperAnswer
     from sweetspot.answers.report import ReportAnswer, ReportQuestion
     from sweetspot.answers.unhit import UnhitAnswer
     from sweetspot.answers.what_if import BatCell, WhatIfAnswer, WhatIfQuestion
+    from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing_law import SwingLaw
 
 
@@ -108,8 +110,35 @@ def hit(
     return replace(answer, swung_with=swung_with)
 
 
+def match(implement: Loaded, target: Loaded, *, places: tuple[float, ...] = ()) -> MatchAnswer:
+    """Find the lead that gives a racket another's mass, balance point, swing weight and twist weight at once.
+
+    Parameters
+    ----------
+    implement : the racket that lead goes on, its name in the catalogue, or its file.
+    target : the racket that it shall feel like.
+    places : m from the butt end where lead may go; none: anywhere.
+
+    Raises
+    ------
+    InputError
+        for implements of two sports or without a face, and places that are not on it.
+
+    >>> import sweetspot
+    >>> from sweetspot import catalog
+    >>> racket = catalog.implement("tennis-racket")
+    >>> found = sweetspot.match(racket, racket.replaced(name="heavier", mass=0.33, moi=0.0335))
+    >>> found.reached, round(1000 * sum(piece.mass for piece in found.lead), 1)
+    (True, 12.0)
+    """
+    from sweetspot.answers.match import MatchQuestion, match_answer
+
+    return match_answer(MatchQuestion(implement.implement, target.implement, places))
+
+
 def compare(
     *implements: Loaded,
+    what_if: str | Sequence[str] = (),
     swing_law: str | None = None,
     setup: HitSetup = AS_USUAL,
     uncertainty: bool = False,
@@ -119,6 +148,9 @@ def compare(
     Parameters
     ----------
     implements : each a bat or another implement, its name in the catalogue, or its file; the first is the reference.
+    what_if : changes of a single implement, each beside it: "lead 6 g @ 52 cm", "knob-weight 2 oz", "end-load 1 oz",
+        "shaved 0.2 mm", "rolled", "broken-in", "moisture 14 %", "cork", "drilled 10 in", "cup 0.9 in", "cut 0.5 in",
+        "handle -0.03 in", "taper 1 in"; several on one after commas.
     swing_law : name of the law by which speed depends on the bat; None: the sport's.
     uncertainty : whether the intervals come from draws, with what they come from.
 
@@ -133,7 +165,18 @@ def compare(
     """
     if not implements:
         raise InputError("no bat was given; name one or more, for example r161-ash and youth-30")
-    return _compared(implements, _law(implements[0], swing_law, setup), setup, drawn=uncertainty)
+    law = _law(implements[0], swing_law, setup)
+    texts = [what_if] if isinstance(what_if, str) else list(what_if)
+    if not texts:
+        return _compared(implements, law, setup, drawn=uncertainty)
+    if len(implements) != 1:
+        raise InputError(f"changes were given with {len(implements)} bats; they are made to one")
+    from sweetspot.answers.changes import changed
+
+    (first,) = implements
+    made = [changed(first.implement, text) for text in texts]
+    every = [first, *(Loaded(each.implement, first.table) for each in made)]
+    return _compared(every, law, setup, drawn=uncertainty, ends=[None, *(each.ends for each in made)])
 
 
 def compare_corked(
@@ -215,6 +258,7 @@ def _compared(
     *,
     drawn: bool,
     labels: Sequence[str] | None = None,
+    ends: Sequence[tuple[Implement, Implement] | None] = (),
 ) -> CompareAnswer:
     from sweetspot.answers.compare import CompareQuestion, compare_answer
 
@@ -228,6 +272,7 @@ def _compared(
         sources=[each.sources(loaded, conditions) for each, loaded in zip(asked, implements, strict=True)],
         drawn=drawn,
         rules=True,
+        ends=ends,
     )
     return compare_answer(question)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 from typing import Annotated
 
 import numpy as np
@@ -35,9 +36,11 @@ from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Curve, Number
 from sweetspot.uncertainty.comparison_draws import (
+    AMOUNT,
     LAW,
     DrawnBat,
     DrawnComparison,
+    Ends,
     drawn_comparison,
     linear_comparison,
     names_of_bats,
@@ -192,6 +195,7 @@ class CompareQuestion:
         up and down.
     rules : whether bats are held against the rules of their own sport.
     draws : a power of two.
+    ends : of each, what it is at both ends of what cannot be known of how it was changed; None: all is known.
     """
 
     implements: Sequence[Implement]
@@ -202,6 +206,7 @@ class CompareQuestion:
     drawn: bool = False
     rules: bool = False
     draws: int = field(default=DRAWS, kw_only=True)
+    ends: Sequence[tuple[Implement, Implement] | None] = field(default=(), kw_only=True)
 
 
 def compare_answer(question: CompareQuestion) -> CompareAnswer:
@@ -213,8 +218,18 @@ def compare_answer(question: CompareQuestion) -> CompareAnswer:
         without one, of different sports, or when one of them or its swing is refused; see `compare`.
     """
     comparison = compare(question.implements, conditions=question.conditions, law=question.law, labels=question.labels)
-    answer = compare_of(comparison, question.sources, drawn=question.drawn, draws=question.draws)
+    ends = {number: _ends(question, both) for number, both in enumerate(question.ends) if both is not None}
+    answer = compare_of(comparison, question.sources, drawn=question.drawn, draws=question.draws, ends=ends)
     return _with_rules(answer) if question.rules else answer
+
+
+def _ends(
+    question: CompareQuestion, both: tuple[Implement, Implement]
+) -> tuple[Compared[Implement], Compared[Implement]]:
+    """Return a changed implement at both ends of how far it may have been changed, beside the first."""
+    found = compare([question.implements[0], *both], conditions=question.conditions, law=question.law)
+    _, low, high = found.compared
+    return low, high
 
 
 def compare_of(
@@ -223,16 +238,17 @@ def compare_of(
     *,
     drawn: bool = False,
     draws: int = DRAWS,
+    ends: Ends = MappingProxyType({}),
 ) -> CompareAnswer:
-    """Return the answer of a comparison; see `CompareQuestion`."""
+    """Return the answer of a comparison; see `CompareQuestion`. ``ends``: see there, by number of the implement."""
     plain = _described(comparison)
     if sources is None:
         return plain
     plain = replace(plain, sources=tuple(sources))
     if not drawn:
-        straight = linear_comparison(comparison, sources)
+        straight = linear_comparison(comparison, sources, ends)
         return with_intervals(replace(plain, interval=LINEAR), _columns(straight), linear_reach)
-    found = drawn_comparison(comparison, sources, count=draws)
+    found = drawn_comparison(comparison, sources, count=draws, ends=ends)
     sure = with_intervals(replace(plain, interval=DRAWN), _columns(found), reach_of_draws)
     return replace(sure, uncertainty=_uncertainty(sure, found))
 
@@ -309,6 +325,7 @@ def _uncertainty(answer: CompareAnswer, found: DrawnComparison) -> ComparisonUnc
     labels = names_of_bats(answer.comparison)
     of_bats = {label: each.bat_where for label, each in zip(labels, answer.sources, strict=True)}
     others = {other.name: other.where for other in answer.sources[0].others}
+    others |= {AMOUNT.format(label=label): "the range of its amount" for label in labels}
     sampled = uncertainty_of(
         DrawnAnswer(found.normal, _columns(found)),
         of=f"bats.{last}.{main}",

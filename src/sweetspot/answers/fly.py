@@ -23,7 +23,7 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.court_marks import passages
-from sweetspot.flight.home_runs import USUAL, home_run_chances, is_likely
+from sweetspot.flight.home_runs import SPIN_MEASURED, USUAL, home_run_chances, is_likely
 from sweetspot.flight.park import Park
 from sweetspot.flight.sweep import BattedBall, directed
 from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
@@ -152,10 +152,12 @@ def _in_parks(plain: FlyAnswer, park: Park) -> FlyAnswer:
     question, hit, parks = plain.question, plain.hit, catalog.parks()
     # the scatter of chances knows of roofs
     outdoors = FlightConditions(ball=question.ball, aerodynamics=question.aerodynamics, air=hit.air, wind=hit.wind)
-    here, *everywhere = [
-        float(home_run_chances(hit.motion, outdoors, parks=(each,), own_elevation=question.own_elevation).chance[0, 0])
+    elevation, scatter = question.own_elevation, USUAL if hit.backspin is None else SPIN_MEASURED
+    found = (
+        home_run_chances(hit.motion, outdoors, parks=(each,), own_elevation=elevation, scatter=scatter)
         for each in (park, *parks)
-    ]
+    )
+    here, *everywhere = [float(chances.chance[0, 0]) for chances in found]
     return replace(
         plain,
         fence=flight_end(plain.flight, park),

@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
-from sweetspot.analysis.strain import Damage, damage
+from sweetspot.analysis.strain import Damage, breaking_speed, damage
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
 from sweetspot.answers.handling import turns_flat
@@ -28,8 +28,11 @@ from sweetspot.collision.aside import aside_angle
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts, Outcome
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
@@ -206,7 +209,11 @@ def hit_columns(draws: Draws, along: HitsAlong, place: int, impact: Impact) -> C
 
 @dataclass(frozen=True)
 class Strains:
-    """Greatest strains of one hit as ratios; see `Damage`."""
+    """Greatest strains of one hit as ratios; see `Damage`.
+
+    ``least_breaking_speed``, ``most_breaking_speed``: closing speeds between which a hit there breaks the wood of the
+    handle; see `sweetspot.analysis.strain.breaking_speed`.
+    """
 
     handle_strain: Ratio
     handle_position: Length
@@ -214,10 +221,13 @@ class Strains:
     wall_strain: Ratio | None
     wall_strain_limit: float | None
     warnings: tuple[str, ...]
+    least_breaking_speed: Speed | None = None
+    most_breaking_speed: Speed | None = None
 
 
-def strains_of(strains: Damage) -> Strains:
-    """Return the strains of a hit as people ask for them."""
+def strains_of(strains: Damage, breaking: tuple[float, float] | None = None) -> Strains:
+    """Return the strains of a hit, and the speeds at which it would break the bat, as people ask for them."""
+    low, high = breaking or (None, None)
     return Strains(
         handle_strain=strains.handle_strain,
         handle_position=strains.handle_position,
@@ -225,6 +235,8 @@ def strains_of(strains: Damage) -> Strains:
         wall_strain=strains.wall_strain,
         wall_strain_limit=strains.wall_limit,
         warnings=strains.warnings,
+        least_breaking_speed=low,
+        most_breaking_speed=high,
     )
 
 
@@ -274,6 +286,13 @@ class HitAnswer(Hit, Answer):
     swung_with: SwungWith | None = None
 
 
+def _strains(impact: Impact, beam: BeamModel, modes: Modes, ball: Ball) -> Strains | None:
+    if not isinstance(beam.bat, Bat):
+        return None
+    breaking = breaking_speed(impact, beam=beam, modes=modes, ball=ball) if impact.closing_speed > 0 else None
+    return strains_of(damage(impact, beam=beam, modes=modes), breaking)
+
+
 def hit_answer(question: HitQuestion) -> HitAnswer:
     """Return one collision.
 
@@ -302,7 +321,7 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         ball_mass=conditions.ball.mass,
         aside=_aside(question, impact, body),
         exit_speed_in_hands=_in_hands(question, reduced),
-        damage=strains_of(damage(impact, beam=beam, modes=modes)) if isinstance(implement, Bat) else None,
+        damage=_strains(impact, beam, modes, conditions.ball),
         exit_speed_half_by_ball=None if error is None else REACH * error,
     )
     if question.sources is None:

@@ -42,7 +42,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.carry_scatter import carry_spread
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.home_runs import USUAL, home_run_chances
+from sweetspot.flight.home_runs import SPIN_MEASURED, USUAL, home_run_chances
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import FlightOutcome
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
@@ -282,5 +282,5 @@ def _with_ending(plain: PlayAnswer) -> PlayAnswer:
     if park is None:
         return plain
     through = replace(flying, aerodynamics=question.outdoors or flying.aerodynamics)
-    chances = home_run_chances(flight.launch, through, parks=(park,), own_elevation=False).chance
+    chances = home_run_chances(flight.launch, through, parks=(park,), own_elevation=False, scatter=SPIN_MEASURED).chance
     return replace(plain, home_run_chance=float(chances[0, 0]))

@@ -193,6 +193,12 @@ def _efficiencies(beam: BeamModel, shootings: Sequence[Shooting], livelier: floa
 POINTS = re.compile(r"\s*[A-Za-z]\d(?:\.(\d+))?\s*")
 
 
+def plain_swing_weight(text: str) -> str:
+    """Return a racket's swing weight with its unit, which its people leave out: numbers alone are kg cm^2."""
+    parts = SEPARATOR.split(text.strip(), maxsplit=1)
+    return " ± ".join(f"{part} kg*cm^2" if re.fullmatch(r"\d+(\.\d+)?", part) else part for part in parts)
+
+
 def of_swing_weight(text: str, sport: str, *, mass: Measured | None, what: str = "swing weight") -> Measurement:
     """Return the moment of inertia that a swing weight is, or the balance point that a first moment tells of a weight.
 
@@ -205,10 +211,13 @@ def of_swing_weight(text: str, sport: str, *, mass: Measured | None, what: str =
     ('balance point', 0.8597, 0.0041)
     >>> of_swing_weight("316kg*cm^2±1kg*cm^2", "tennis", mass=None).axis
     0.1
+    >>> of_swing_weight("316±1", "tennis", mass=None).value  # a racket's has no unit
+    Measured(value=0.0316, error=0.0001)
     """
     convention = swing_weight(sport)
     if convention.order == 2:
-        return Measurement("moi", parse_measured(text, "moi", what), axis=convention.axis)
+        written = plain_swing_weight(text) if convention.name == "swing weight" else text
+        return Measurement("moi", parse_measured(written, "moi", what), axis=convention.axis)
     if convention.zero is None or convention.step is None:
         moment = parse_measured(text, MOMENTS[1], what)
     else:

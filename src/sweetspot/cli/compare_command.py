@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -30,25 +30,32 @@ class EffortOptions:
 
 @Parameter(name="*")
 @dataclass(frozen=True)
-class CorkingOptions:
-    """One bat, drilled and filled."""
+class ChangeOptions:
+    """One bat, beside itself changed."""
 
     what_if: Annotated[
-        Literal["cork"] | None,
-        Parameter(help="For one bat: compare it drilled, corked, and filled with rubber or foam."),
-    ] = None
-    bore_diameter: Annotated[str, Parameter(help="Width of the hole of --what-if.")] = "1in"
-    bore_depth: Annotated[str, Parameter(help="Depth of the hole of --what-if.")] = "10in"
+        tuple[str, ...],
+        Parameter(
+            help='A change of one bat, any number of times: "shaved 0.2mm", rolled, broken-in, "moisture 14%", '
+            '"knob-weight 2oz", "end-load 1oz", "lead 6g@52cm", "cut 0.5in", "drilled 10in", "cup 0.9in", '
+            '"handle -0.03in", "taper 1in"; several at once after commas. cork: drilled, and filled in three ways.'
+        ),
+    ] = ()
+    add: Annotated[
+        tuple[str, ...], Parameter(help="Weights on one bat or racket, with their places: 6g@52cm,6g@12cm.")
+    ] = ()
+    bore_diameter: Annotated[str, Parameter(help="Width of the hole of --what-if cork.")] = "1in"
+    bore_depth: Annotated[str, Parameter(help="Depth of the hole of --what-if cork.")] = "10in"
     plug: Annotated[str, Parameter(help="Length of wood that closes a filled hole.")] = "1in"
 
 
-DEFAULT_EFFORT, DEFAULT_CORKING, DEFAULT_TABLE = EffortOptions(), CorkingOptions(), TableOptions()
+DEFAULT_EFFORT, DEFAULT_CHANGES, DEFAULT_TABLE = EffortOptions(), ChangeOptions(), TableOptions()
 
 
 def compare(
     *bats: Annotated[str, Parameter(help="Names in the catalogue or TOML files; the first is the reference.")],
     effort: EffortOptions = DEFAULT_EFFORT,
-    corking: CorkingOptions = DEFAULT_CORKING,
+    changes: ChangeOptions = DEFAULT_CHANGES,
     table: TableOptions = DEFAULT_TABLE,
     uncertainty: Annotated[
         bool, Parameter(negative="", help="Say how probable each gain is and what its interval comes from, by draws.")
@@ -59,6 +66,7 @@ def compare(
     """Put bats side by side for one player's swing: what each gains or loses, and how surely."""
     from sweetspot.answers.ask_bat import compare as asked
     from sweetspot.answers.ask_bat import compare_corked, what_if_question
+    from sweetspot.answers.changes import weight_texts
     from sweetspot.answers.setups import CorkSetup
     from sweetspot.answers.what_if import what_if_answer
     from sweetspot.catalog.implements import loaded_implement
@@ -67,12 +75,14 @@ def compare(
 
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
-    if corking.what_if is None:
-        refuse_unused(given(corking, "bore_diameter", "bore_depth", "plug"), "a corked bat", "add --what-if cork")
-    loaded, corked = [loaded_implement(name) for name in bats], corking.what_if is not None
+    texts = [*changes.what_if, *weight_texts(changes.add)]
+    corked = texts == ["cork"]
+    if not corked:
+        refuse_unused(given(changes, "bore_diameter", "bore_depth", "plug"), "a corked bat", "add --what-if cork")
+    loaded = [loaded_implement(name) for name in bats]
     first, law = loaded[0].implement, effort.swing_law
     if table.rows is not None or table.columns is not None:
-        if len(bats) != 1 or corked or table.rows is None:
+        if len(bats) != 1 or texts or table.rows is None:
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
         if uncertainty:
             raise InputError("--uncertainty applies to bats side by side; leave it out, or leave out --rows")
@@ -83,16 +93,16 @@ def compare(
         with patience(), progress("cells") as report:
             return present(what_if_answer(question, progress=report), output)
     refuse_unused(given(table, "cell"), "a what-if table", "add --rows, for example --rows mass=29oz:33oz:5")
-    if corked and len(bats) != 1:
-        raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")
+    if texts and len(bats) != 1:
+        raise InputError(f"--what-if or --add was given with {len(bats)} bats; it takes one")
     setup = swing.setup(first)
     with patience():
         if corked:
-            hole = read(CorkSetup, corking)
+            hole = read(CorkSetup, changes)
             _bat(first)
             answer = compare_corked(loaded[0], corking=hole, swing_law=law, setup=setup, uncertainty=uncertainty)
         else:
-            answer = asked(*loaded, swing_law=law, setup=setup, uncertainty=uncertainty)
+            answer = asked(*loaded, what_if=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
     return present(compare_document(answer, corking=corked), output)
 
 

@@ -11,7 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.analysis.strain import AFTER, HANDLE_PART, PUBLISHED_FAILURE_STRAIN, linear_limit, wall_curving
+from sweetspot.analysis.strain import (
+    AFTER,
+    HANDLE_PART,
+    PUBLISHED_FAILURE_STRAIN,
+    grain_factor,
+    linear_limit,
+    wall_curving,
+)
 from sweetspot.collision.impact import Impacts
 from sweetspot.designs.batter import Batter, usual_places
 from sweetspot.dynamics.batch.beams import BeamRow, Beams
@@ -65,7 +72,8 @@ def strain_limits_of(bat: Bat, batter: Batter) -> StrainLimits:
             f"how much {unknown[-1]} bears is not known, so that nothing can be said of the durability of {bat.name}; "
             "leave durability out"
         )
-    borne = np.array([strain_at_failure(material) for material in materials], float)
+    grain = grain_factor(bat.grain_slope) if bat.material.family == "wood" else 1.0
+    borne = grain * np.array([strain_at_failure(material) for material in materials], float)
     return StrainLimits(
         usual_places(batter),
         position,

@@ -111,7 +111,7 @@ def weighing(bat: Bat, mass: float) -> Bat:
 
     >>> from sweetspot import catalog
     >>> weighing(catalog.bat("single-wall"), 0.88).remark
-    'Its weight, 0.88 kg (31.04 oz), is that with an end cap of 0.03933 kg (1.387 oz).'
+    'Its weight, 0.88 kg (31.04 oz), is that with an end cap of 0.03972 kg (1.401 oz).'
     """
     if bat.shell is None:
         raise InputError(f"{bat.name} is solid: other wood makes it lighter or heavier, not a cap")

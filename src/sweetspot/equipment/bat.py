@@ -97,6 +97,8 @@ class Bat(OfMaterial):
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
     remark : how the description was made to agree with what was measured; "": it did.
     drawn_shell : the shell as it was drawn, where that remark tells of another; None: as it is.
+    grain_slope : rad between the wood's grain and the bat's axis at the handle, 0 to 0.35; 0: straight.
+    altered : whether it was changed after its maker had made it, as no rule allows: shaved, rolled, end-loaded, cut.
 
     Raises
     ------
@@ -116,6 +118,8 @@ class Bat(OfMaterial):
     original: Bat | None = None
     remark: str = ""
     drawn_shell: Shell | None = None
+    grain_slope: Annotated[float, Field(ge=0, le=0.35)] = 0.0
+    altered: bool = False
 
     @model_validator(mode="after")
     def _holds_together(self) -> Bat:
@@ -353,32 +357,32 @@ class Bat(OfMaterial):
 
     def drilled(self, *, diameter: float, depth: float) -> Self:
         """Return the bat with an empty hole drilled from the barrel end (m)."""
-        return self._changed(f"{self.name}, drilled", bores=(*self.bores, Bore(diameter=diameter, depth=depth)))
+        return self.changed(f"{self.name}, drilled", bores=(*self.bores, Bore(diameter=diameter, depth=depth)))
 
     def corked(self, *, diameter: float, depth: float, fill: Material, plug: float = 0.0) -> Self:
         """Return the bat with a hole from the barrel end, filled and plugged (m)."""
         bore = Bore(diameter=diameter, depth=depth, fill=fill, plug=plug)
-        return self._changed(f"{self.name}, filled with {fill.name}", bores=(*self.bores, bore))
+        return self.changed(f"{self.name}, filled with {fill.name}", bores=(*self.bores, bore))
 
     def cupped(self, *, diameter: float, depth: float) -> Self:
         """Return the bat with a cupped end (m)."""
-        return self._changed(f"{self.name}, cupped", cup=Cup(diameter=diameter, depth=depth))
+        return self.changed(f"{self.name}, cupped", cup=Cup(diameter=diameter, depth=depth))
 
     def uncupped(self) -> Self:
         """Return the bat with its end left full."""
-        return self._changed(f"{self.name}, full end", cup=None)
+        return self.changed(f"{self.name}, full end", cup=None)
 
     def weighted(self, *, position: float, mass: float) -> Self:
         """Return the bat with a small weight (kg) fixed at a position (m)."""
         weights = (*self.point_masses, PointMass(position=position, mass=mass))
-        return self._changed(f"{self.name}, weighted", point_masses=weights)
+        return self.changed(f"{self.name}, weighted", point_masses=weights)
 
     def reshaped(self, profile: Stations) -> Self:
         """Return the bat turned to another outline from the same wood: (position, diameter) stations in m.
 
         The last station sets the new length.
         """
-        return self._changed(f"{self.name}, reshaped", profile=profile, linear_density=None, length=profile[-1][0])
+        return self.changed(f"{self.name}, reshaped", profile=profile, linear_density=None, length=profile[-1][0])
 
     def choked_up(self, distance: float) -> Self:
         """Return the bat held further up the handle by ``distance`` (m)."""
@@ -395,7 +399,7 @@ class Bat(OfMaterial):
         """Return the same outline in another material; what was measured on the old one is dropped."""
         return self.replaced(**UNMEASURED, material=material, density_gradient=0.0, original=None)
 
-    def _changed(self, name: str, **changes: object) -> Self:
+    def changed(self, name: str, **changes: object) -> Self:
         """Return a modified bat that remembers the bat its measured values belong to."""
         return self.replaced(**{**UNMEASURED, "fitted": (), "original": self.as_measured(), "name": name, **changes})
 

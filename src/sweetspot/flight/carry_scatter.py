@@ -16,22 +16,17 @@ from numpy.typing import NDArray
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.flight.batted_spin import USUAL_ANGLES, batted_ball_spin
+from sweetspot.flight.batted_spin import USUAL_ANGLES, backspin_scatter, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import USUAL
 from sweetspot.flight.kernel import flights
 from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import DEGREE, MPH, RPM
+from sweetspot.units import DEGREE, MPH
 
 SPEEDS: Array = np.arange(30.0, 131.0, 10.0) * MPH
 ANGLES: Array = np.arange(-30.0, 76.0, 2.5) * DEGREE
 """Nodes of the table; beyond them the nearest counts."""
-SPIN_SCATTER = 400 * RPM
-"""rad/s that backspin scatters by about the usual line: what tracked distances of line drives, 10 to 25 deg, of games
-of even number scatter by beyond drag and the stated errors of the launch, 419 +- 50 rpm, to the nearest fifty. Games of
-odd number, held out, say 358, and 92 % of theirs lie within the intervals of 90 %; all games together say 390 +- 32
-[savant_2022rays]. `studies/tracked_flights.py` repeats it."""
 HOME_RUN = (103.8 * MPH, 28.1 * DEGREE)
 """Mean exit speed and launch angle of home runs [savant_2019homeruns]: the ball whose scatter of drag was given, with
 everything else in it."""
@@ -97,11 +92,12 @@ def drag_alone(by_drag: Array, *, per_drag: Array, home_run: float) -> Array:
 
 
 def carry_errors(
-    ball: Ball, aerodynamics: Aerodynamics, air: Air, *, errors: LaunchErrors, spin_scatter: float = SPIN_SCATTER
+    ball: Ball, aerodynamics: Aerodynamics, air: Air, *, errors: LaunchErrors, spin_scatter: float | None = None
 ) -> CarryErrors:
     """Return the scatter of carries in given air.
 
-    ``errors``: of the measurements. ``spin_scatter``: standard deviation of backspin about the usual line, rad/s.
+    ``errors``: of the measurements. ``spin_scatter``: standard deviation of backspin about the usual line, rad/s; None:
+    the usual one of each launch angle.
     """
     through = FlightConditions(ball=ball, aerodynamics=aerodynamics, air=air)
     speeds, angles = np.meshgrid(SPEEDS, ANGLES, indexing="ij")
@@ -118,23 +114,40 @@ def home_run_share(conditions: FlightConditions) -> float:
     law = braked(conditions.aerodynamics)
     more = _carried(fast, far, replace(conditions, aerodynamics=law)) - _carried(fast, far, conditions)
     per_drag = more / np.log1p(MORE_DRAG)
-    return float((_variances(fast, far, conditions, TRACKED, SPIN_SCATTER) / np.square(per_drag))[0])
+    return float((_variances(fast, far, conditions, TRACKED, None) / np.square(per_drag))[0])
 
 
-def _carried(speed: Array, angle: Array, conditions: FlightConditions, spin: float = 0.0) -> Array:
+def _carried(speed: Array, angle: Array, conditions: FlightConditions, spin: float | Array = 0.0) -> Array:
     launch = usual_launch(speed, angle, np.zeros(len(speed)), left=np.zeros(len(speed), bool), more_spin=spin)
     return flights(launch, conditions).carry
 
 
-def _variances(speed: Array, angle: Array, conditions: FlightConditions, errors: LaunchErrors, spin: float) -> Array:
-    """Return the variance of carries from launch errors and spin, m^2."""
+def _variances(
+    speed: Array, angle: Array, conditions: FlightConditions, errors: LaunchErrors, spin: float | None
+) -> Array:
+    """Return the variance of carries from launch errors and spin, m^2.
+
+    The scatter of spin is no small step for a liner: its part is by Gauss's and Hermite's rule of three nodes, exact
+    where the carry is a parabola in the spin.
+    """
     fast, steep = errors
     steps = (
         _carried(speed + fast, angle, conditions) - _carried(speed - fast, angle, conditions),
         _carried(speed, angle + steep, conditions) - _carried(speed, angle - steep, conditions),
-        _carried(speed, angle, conditions, spin) - _carried(speed, angle, conditions, -spin),
     )
-    return np.asarray(sum(np.square(step / 2) for step in steps))
+    more = math.sqrt(3) * (backspin_scatter(angle) if spin is None else spin)
+    low, middle, high = (_carried(speed, angle, conditions, sign * more) for sign in (-1, 0, 1))
+    return np.asarray(sum(np.square(step / 2) for step in steps) + _spread_squared(low, middle, high))
+
+
+def _spread_squared(low: Array | float, middle: Array | float, high: Array | float) -> Array:
+    """Return the variance of a function of a normal variable from its values at -sqrt 3, 0 and sqrt 3 deviations.
+
+    >>> float(_spread_squared(-np.sqrt(3.0), 0.0, np.sqrt(3.0)).round(12))
+    1.0
+    """
+    slope, bend = (high - low) / 2, (high + low) / 2 - middle
+    return np.asarray(np.square(slope) / 3 + np.square(bend) * 2 / 9)
 
 
 def usual_launch(
@@ -162,7 +175,7 @@ def carry_spread(
     conditions: FlightConditions,
     *,
     drag_scatter: float = USUAL.open,
-    spin_scatter: float = SPIN_SCATTER,
+    spin_scatter: float | None = None,
 ) -> float:
     """Compute the standard deviation of the carry of baseballs hit alike, m.
 
@@ -174,19 +187,21 @@ def carry_spread(
     motion : as the ball leaves the bat.
     conditions : what it flies through.
     drag_scatter : part of the drag coefficient that home runs scatter by, with all in it, 0 to less than 1.
-    spin_scatter : standard deviation of backspin, rad/s; 0 where the spin was measured.
+    spin_scatter : standard deviation of backspin, rad/s; 0 where the spin was measured; None: the usual one.
     """
     less, more = (
         _carries(motion, replace(conditions, aerodynamics=conditions.aerodynamics.with_drag(1 + sign * drag_scatter)))
         for sign in (-1, 1)
     )
     right, out, up = (float(part) for part in motion.velocity)
-    backwards = np.asarray(spin_axes(math.atan2(up, math.hypot(right, out)), math.atan2(right, out))[0])
-    low, high = (_carries(motion, conditions, spin=sign * spin_scatter * backwards) for sign in (-1, 1))
+    angle = math.atan2(up, math.hypot(right, out))
+    deviation = math.sqrt(3) * (backspin_scatter(angle) if spin_scatter is None else spin_scatter)
+    added = deviation * np.asarray(spin_axes(angle, math.atan2(right, out))[0])
+    carries = (np.array(_carries(motion, conditions, spin=sign * added)) for sign in (-1, 0, 1))
     by_drag = np.array((less - more) / 2)
     per_drag = by_drag / drag_scatter if drag_scatter else by_drag
     drag = drag_alone(by_drag, per_drag=per_drag, home_run=home_run_share(conditions))
-    return float(np.sqrt(drag + ((high - low) / 2) ** 2))
+    return float(np.sqrt(drag + _spread_squared(*carries)))
 
 
 def _carries(motion: BallMotion, conditions: FlightConditions, *, spin: Array | float = 0.0) -> float:

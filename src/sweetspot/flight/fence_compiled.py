@@ -2,7 +2,8 @@
 
 Parks differ in their air by little, so a ball is flown at three densities and every park's path lies on the parabola
 through them, moment by moment; that is right to a few millimetres at 130 m. One more flight, with more drag, says how
-the height at a fence changes with drag. Flights advance side by side in lanes, as in `compiled`; nothing is kept of a
+the height at a fence changes with drag, which goes with the root of the air's density, as flights
+in one air alone say to two hundredths. Flights advance side by side in lanes, as in `compiled`; nothing is kept of a
 ball but its chances.
 """
 
@@ -122,6 +123,10 @@ def chances(
             for park in range(len(weights)):
                 height, fall, hint = _over(seen, lost, begin, end, step, weights, fences, park, hint)
                 margin[ball, park] = height
+                thick = 0.0
+                for air in range(AIRS):
+                    thick += weights[park, air] * densities[air, ball]
+                fall *= math.sqrt(thick / densities[MIDDLE, ball])
                 height -= fall * drags[park] / MORE_DRAG
                 spread = max(abs(fall) * scatters[park] / MORE_DRAG, 1e-9)
                 off = height / spread

@@ -43,7 +43,7 @@ def trajectory(
     >>> from sweetspot import trajectory, batted_ball, standard_flight
     >>> flight = trajectory(batted_ball(speed=46.0, launch_angle=radians(28), backspin=240.0), standard_flight())
     >>> round(flight.carry), round(flight.hang_time, 1)  # m, s
-    (122, 5.4)
+    (122, 5.3)
     """
     if isinstance(motion, BallMotions):
         return flights(motion, conditions, step=STEP_OF_MANY if step is None else step)

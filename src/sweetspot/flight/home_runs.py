@@ -10,19 +10,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
 from sweetspot.flight.air import PRESSURE_FALL, Air, Airs, air_density
+from sweetspot.flight.batted_spin import backspin_scatter
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, ParkTables, chances
 from sweetspot.flight.kernel import STEP, flight_method, flight_rows
 from sweetspot.flight.park import Park, fence_at, nearest_fence
-from sweetspot.motion.ball_motion import BallMotion, BallMotions
-from sweetspot.numerics.arrays import Array
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, spin_axes
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.threads import in_parts
+from sweetspot.units import DEGREE
 
 CHUNK = 2048
 """Balls per task handed to a thread."""
@@ -30,6 +32,8 @@ THIN = 800.0
 """m of elevation above which a park's air is too thin to be treated with that of the others; only Denver's is."""
 ALIKE = 1e-4
 """Part of the pressure by which the airs that a ball is flown in differ at least."""
+LINERS = 26 * DEGREE
+"""Launch angle below which the scatter of backspin moves a carry by more than 2 ft (`batted_spin.backspin_scatter`)."""
 LIKELY = 0.5
 """Chance above which a home run is likelier than not."""
 DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
@@ -41,14 +45,17 @@ class CarryScatter:
 
     ``roof``, ``open``: standard deviation under a roof that never opens and in the open. ``roof_shift``,
     ``open_shift``: what balls near the fence have more of there than the law says; see docs/theory/flight.md.
-    ``closed``: how much of a fixed roof is a closed one that moves; see docs/theory/parks.md.
+    ``closed``: how much of a fixed roof is a closed one that moves; see docs/theory/parks.md. ``spin``: how much of the
+    usual scatter of backspin balls launched below `LINERS` have; 0 where it was measured. That of higher balls does
+    little and is in the scatter of drag.
     """
 
     roof: float = 0.055
     open: float = 0.065
-    roof_shift: float = -0.020
-    open_shift: float = 0.030
+    roof_shift: float = -0.040
+    open_shift: float = 0.015
     closed: float = 0.5
+    spin: float = 1.0
 
     def of(self, park: Park) -> tuple[float, float]:
         """Return shift and standard deviation in a park."""
@@ -64,9 +71,11 @@ class CarryScatter:
 
 
 USUAL = CarryScatter()
-"""Fitted to which of the balls of 2022 left their parks [savant_2022rays]. Distances alone would have shifts of -0.030
-and +0.006: the fence asks 3 ft more of a ball than its carry says."""
-NONE = CarryScatter(roof=0.0, open=0.0, roof_shift=0.0, open_shift=0.0)
+"""Fitted to which of the balls of 2022 left their parks [savant_2022rays]. Distances alone would have shifts of -0.037
+and 0: in the open the fence asks 2.5 ft more of a ball than its carry says."""
+SPIN_MEASURED = replace(USUAL, spin=0.0)
+"""The same of balls whose spin is no other than it is."""
+NONE = CarryScatter(roof=0.0, open=0.0, roof_shift=0.0, open_shift=0.0, spin=0.0)
 """Every ball flies by the law: chances are 0 or 1."""
 
 
@@ -125,6 +134,8 @@ def home_run_chances(
     start, method = flight_rows(motions, conditions), flight_method(conditions, step)
     densities = np.empty((len(levels), start.shape[1]))
     densities[:] = _densities(air, levels, own_elevation=own_elevation)
+    count, (start, rows) = start.shape[1], _with_other_spins(start, scatter.spin)
+    densities = densities[:, rows]
     chance = np.empty((start.shape[1], len(everywhere)))
     clearance = np.empty_like(chance)
 
@@ -133,7 +144,31 @@ def home_run_chances(
         chances(own_start, own_air, tables, method, (chance[part], clearance[part]))
 
     in_parts(work, len(chance), size=CHUNK, threads=threads)
-    return HomeRuns(chance, clearance)
+    liners = rows[count : count + (len(rows) - count) // 2]
+    if len(liners):
+        less, more = chance[count:].reshape(2, len(liners), -1)
+        chance[liners] += (less - 2 * chance[liners] + more) / 6
+    return HomeRuns(chance[:count], clearance[:count])
+
+
+def _with_other_spins(start: Array, scatter: float) -> tuple[Array, IntArray]:
+    """Return balls, then liners with less backspin, then with more, and which ball each is.
+
+    Their backspins are the nodes of Gauss's and Hermite's rule, the square root of 3 standard deviations off, with
+    weights of 1/6, 2/3 and 1/6.
+
+    ``scatter``: of backspin, as a part of the usual one.
+    """
+    right, out, up = start[3:6]
+    angle = np.arctan2(up, np.hypot(right, out))
+    liners = np.flatnonzero((angle < LINERS) & (scatter > 0))
+    rows = np.concatenate([np.arange(start.shape[1]), liners, liners])
+    balls = start[:, rows]
+    if len(liners):
+        size = math.sqrt(3) * scatter * backspin_scatter(angle[liners])
+        added = size[:, None] * spin_axes(angle[liners], np.arctan2(right, out)[liners])[0]
+        balls[6:9, start.shape[1] :] += np.concatenate([-added, added]).T
+    return balls, rows
 
 
 @lru_cache(maxsize=64)

@@ -112,6 +112,7 @@ MAKERS: Mapping[str, str] = {
     "ScoreAnswer": "sweetspot.reports.sealed:score_document",
     "PaperAnswer": "sweetspot.reports.bench:paper_document",
     "CertifyAnswer": "sweetspot.reports.certification.document:certificate_document",
+    "MatchAnswer": "sweetspot.reports.matching:match_document",
     "CompareAnswer": "sweetspot.reports.comparison.document:compare_document",
     "ParkAnswer": "sweetspot.reports.flight.parks:park_document",
     "ParksAnswer": "sweetspot.reports.flight.parks:parks_document",

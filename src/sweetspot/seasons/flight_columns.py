@@ -19,7 +19,6 @@ from sweetspot.flight.air import USUAL_AIR, Air, Airs
 from sweetspot.flight.carry_scatter import (
     MORE_DRAG,
     SPEEDS,
-    SPIN_SCATTER,
     CarryErrors,
     LaunchErrors,
     braked,
@@ -166,7 +165,7 @@ class FlightSetting:
 
     ``aerodynamics``: its law in the open; under a roof that never opens `aerodynamics_in` holds. ``air``: of balls
     whose table gives no weather; its elevation where neither the park's nor the table's is known. ``parks``: whether
-    chances of home runs are wanted. ``spin_scatter``: standard deviation of backspin about the usual line, rad/s.
+    chances of home runs are wanted.
     ``threads``: workers; None: one per core.
     """
 
@@ -175,7 +174,6 @@ class FlightSetting:
     air: Air
     parks: bool = True
     errors: Errors = USUAL_ERRORS
-    spin_scatter: float = SPIN_SCATTER
     threads: int | None = None
 
 
@@ -234,7 +232,7 @@ def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Air
     per_drag = _per_drag(balls, solved, density, flown, expected, there)
     spread = np.array([*(USUAL.drag(park) for park in fields.parks), USUAL.open])[fields.index]
     errors = LaunchErrors(setting.errors.exit_speed, setting.errors.launch_angle)
-    doubt = _carry_errors(setting.ball, law, errors, setting.spin_scatter)
+    doubt = _carry_errors(setting.ball, law, errors)
     carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
     reach = THINNER * flown.carry - SURE * USUAL.open * per_drag
     reach = np.where(directed, reach, 0.0)
@@ -254,8 +252,8 @@ def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Air
 
 
 @lru_cache(maxsize=8)
-def _carry_errors(ball: Ball, law: Aerodynamics, errors: LaunchErrors, spin_scatter: float) -> CarryErrors:
-    return carry_errors(ball, law, USUAL_AIR, errors=errors, spin_scatter=spin_scatter)
+def _carry_errors(ball: Ball, law: Aerodynamics, errors: LaunchErrors) -> CarryErrors:
+    return carry_errors(ball, law, USUAL_AIR, errors=errors)
 
 
 def _launched(

@@ -6,10 +6,12 @@ doubt, but bats that were made from one piece share what is not known of it. The
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.equipment.implement import Implement
@@ -23,6 +25,11 @@ PLACES = 41
 NEARER, SHOWN_FROM = 6, 0.6
 """Places nearer the hands, from this part of the length on, that are hit for the curves alone."""
 LAW = "swing law"
+AMOUNT = "how far {label} was changed"
+EVEN = 3**-0.5
+"""Standard deviation of what is spread evenly from -1 to 1."""
+Ends = Mapping[int, tuple[Compared[Implement], Compared[Implement]]]
+"""By number of a bat: the same at both ends of what cannot be known of how it was changed."""
 LEAST_APART = 0.05
 """m/s of bat speed from which on two exit speeds tell how one goes with the other."""
 
@@ -66,20 +73,27 @@ class DrawnComparison:
 
 
 def drawn_comparison(
-    comparison: Comparison[Implement], sources: Sequence[Sources], *, count: int = DRAWS, normal: Array | None = None
+    comparison: Comparison[Implement],
+    sources: Sequence[Sources],
+    *,
+    count: int = DRAWS,
+    normal: Array | None = None,
+    ends: Ends = MappingProxyType({}),
 ) -> DrawnComparison:
     """Return the answers of draws to a comparison.
 
     ``sources``: of every bat; those that are not a bat's are taken from the first. ``normal``: standard normal numbers
-    to draw by, shape (count, n) with a column for each of `drawn_names`; None: Sobol's sequence.
+    to draw by, shape (count, n) with a column for each of `drawn_names`; None: Sobol's sequence. ``ends``: see `Ends`;
+    between them the amount of a change is spread evenly.
     """
     first, law = sources[0], comparison.law
     behind = {number: column for column, number in enumerate(_behind(comparison, sources))}
-    names = drawn_names(comparison, sources)
+    names = drawn_names(comparison, sources, ends)
     if normal is None:
         normal = even_normal(count, len(names))  # of one sequence: two of them go together, whatever their seeds
     count = len(normal)
-    of_bats, shared = np.split(normal, [len(behind)], axis=1)
+    of_bats, shared, amounts = np.split(normal, [len(behind), len(names) - len(ends)], axis=1)
+    part = np.vstack([np.zeros((1, len(ends))), np.clip(EVEN * amounts, -1.0, 1.0)])
     power = np.zeros(count + 1)
     if law is not None:
         power[1:] = law.exponent_spread * shared[:, -1]
@@ -95,6 +109,8 @@ def drawn_comparison(
             reference = bats[0].draws
             draws = draws.swung(reference.bat_speed / reference.bat_speed[0] * _ratios(law, draws, reference, power))
         bats.append(_drawn_bat(compared, draws, comparison.reference, bats[0] if bats else None))
+    for column, (number, both) in enumerate(ends.items()):
+        bats[number] = _changed_as_far(bats[number], comparison.compared[number], both, part[:, column])
     return DrawnComparison(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, tuple(bats))
 
 
@@ -129,11 +145,41 @@ def _drawn_bat(
     )
 
 
-def drawn_names(comparison: Comparison[Implement], sources: Sequence[Sources]) -> tuple[str, ...]:
-    """Return the name of the source of every column of a draw: of the bats, then of what they share."""
+def _changed_as_far(
+    bat: DrawnBat, middle: Compared[Implement], both: tuple[Compared[Implement], Compared[Implement]], part: Array
+) -> DrawnBat:
+    """Return a bat's answers where its change went as far as drawn: -1 to the low end, 1 to the high one."""
+    places = middle.analysis.scan.position
+
+    def moved(values: Array, answer: Callable[[Compared[Implement]], ArrayLike]) -> Array:
+        low, here, high = (np.asarray(answer(each), float) for each in (both[0], middle, both[1]))
+        size = part.reshape(-1, *(1,) * here.ndim)
+        return np.asarray(values + size * (high - low) / 2 + size**2 * ((high + low) / 2 - here))
+
+    def along(each: Compared[Implement]) -> Array:
+        return np.asarray(np.interp(places, each.analysis.scan.position, each.analysis.scan.exit_speed))
+
+    return replace(
+        bat,
+        bat_speed=moved(bat.bat_speed, lambda each: each.bat_speed.value),
+        exit_speed=moved(bat.exit_speed, lambda each: each.exit_speed.value),
+        swung_faster=moved(bat.swung_faster, lambda each: each.bat_speed.value),
+        change=moved(bat.change, lambda each: each.change.value),
+        max_collision_efficiency=moved(bat.max_collision_efficiency, lambda each: each.collision_efficiency),
+        max_bbcor=moved(bat.max_bbcor, lambda each: each.bbcor),
+        exit_speed_along=moved(bat.exit_speed_along, along),
+        change_along=moved(bat.change_along, along),
+    )
+
+
+def drawn_names(
+    comparison: Comparison[Implement], sources: Sequence[Sources], ends: Ends = MappingProxyType({})
+) -> tuple[str, ...]:
+    """Return the name of the source of every column of a draw: of the bats, of what they share, of their changes."""
     names_behind, law = _behind(comparison, sources).values(), comparison.law
     of_law = () if law is None else (Source(LAW, law.exponent_spread, f"spread of the exponent of {law.name}"),)
-    return (*names_behind, *(source.name for source in (*sources[0].others, *of_law)))
+    of_changes = (AMOUNT.format(label=comparison.compared[number].label) for number in ends)
+    return (*names_behind, *(source.name for source in (*sources[0].others, *of_law)), *of_changes)
 
 
 def _behind(comparison: Comparison[Implement], sources: Sequence[Sources]) -> dict[Hashable, str]:
@@ -179,6 +225,9 @@ def _peaks(curves: Array) -> Array:
     return np.array([peak(curve) for curve in curves])
 
 
-def linear_comparison(comparison: Comparison[Implement], sources: Sequence[Sources]) -> DrawnComparison:
+def linear_comparison(
+    comparison: Comparison[Implement], sources: Sequence[Sources], ends: Ends = MappingProxyType({})
+) -> DrawnComparison:
     """Return the answers to a comparison with one source off at a time; `linear_reach` makes intervals of them."""
-    return drawn_comparison(comparison, sources, normal=one_by_one(len(drawn_names(comparison, sources))))
+    count = len(drawn_names(comparison, sources, ends))
+    return drawn_comparison(comparison, sources, normal=one_by_one(count), ends=ends)

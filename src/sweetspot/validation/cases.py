@@ -1,6 +1,7 @@
 """The case files: one folder per source, ``case.toml`` and, where rows repeat, a ``.csv`` table beside it.
 
 A row with ``table`` stands for one row per line of that table; ``{column}`` in its texts is replaced by the cell.
+Where a number belongs, such a text becomes one.
 """
 
 from __future__ import annotations
@@ -208,7 +209,11 @@ def _repeated(row: Mapping[str, object], folder: Path) -> Iterator[Mapping[str, 
         return
     with (folder / str(row["table"])).open(encoding="utf-8", newline="") as file:
         for line in csv.DictReader(file):
-            yield {key: _filled(value, line) for key, value in row.items() if key != "table"}
+            filled = {key: _filled(value, line) for key, value in row.items() if key != "table"}
+            yield {key: float(str(value)) if key in NUMBERS else value for key, value in filled.items()}
+
+
+NUMBERS = ("value", "low", "high", "error", "tolerance", "tolerance_percent", "ours", "ours_tolerance")
 
 
 def _filled(value: object, cells: Mapping[str, str]) -> object:

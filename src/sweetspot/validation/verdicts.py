@@ -10,14 +10,22 @@ from typing import NamedTuple
 
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
-from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM, Kind
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM, Kind
 from sweetspot.validation.cases import CASES, EVIDENCE, TAGS, Case, Evidence, Result, Row, sources
 from sweetspot.validation.computations.registry import COMPUTATIONS
 
 UNITS = dict.fromkeys(("", "m", "kg", "kg m^2", "m/s", "s", "rad/s", "Hz", "kg/m^3", "mph per mph"), 1.0)
 UNITS |= {"%": 0.01, "cm": 0.01, "in": INCH, "ft": FOOT, "yd": 3 * FOOT, "cm^3": 1e-6, "ft/s^2": FOOT, "mph": MPH}
-UNITS |= {"oz": OUNCE, "kg cm^2": 1e-4, "oz in^2": OUNCE_INCH_SQUARED, "ms": 1e-3, "kN": 1e3, "GPa": 1e9}
-UNITS |= {"rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
+UNITS |= {
+    "oz": OUNCE,
+    "kg cm^2": 1e-4,
+    "oz in^2": OUNCE_INCH_SQUARED,
+    "ms": 1e-3,
+    "kN": 1e3,
+    "lbf": POUND_FORCE,
+    "GPa": 1e9,
+}
+UNITS |= {"lbf": POUND_FORCE, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
 """Units of printed values, each in SI."""
 
 _INPUTS: dict[Kind, str] = {

@@ -251,7 +251,7 @@ def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
         "drop": Finding(bat.length / INCH - body.mass / OUNCE),
         "moi": Finding(moi, interval=(moi - doubt, moi + doubt) if doubt else None),
         "solid_wood": _solid_wood(bat),
-        "unaltered": Finding(0.0 if bat.bores else 1.0),
+        "unaltered": Finding(0.0 if bat.bores or bat.altered else 1.0),
         "grip_length": Finding(None, "a bat file does not say how far the grip reaches"),
     }
     if bat.cup is None:

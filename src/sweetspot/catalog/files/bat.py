@@ -210,6 +210,10 @@ class BatFile(FileTable):
         Made(PointMass, PointMassTable),
         Called("point_masses"),
     ] = ()
+    grain_slope: Annotated[str, ANGLE] = Field(
+        "0 deg", description="between the grain of the wood and the axis, at the handle, 0 to 20 deg"
+    )
+    altered: bool = Field(False, description="true where it was changed after it was made, as no rule allows")
     choke: Length = Field("0 in", description="how far the grip is moved up from the knob")
     original: BatFile | None = Field(
         None, description="the bat as it was measured, when this one is that bat changed; like = ... writes it"

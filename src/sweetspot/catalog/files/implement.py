@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal, TypeVar
 from pydantic import Field
 
 from sweetspot.catalog.files.bat import BatFile, MaterialName, Plies, bat_of_table, with_fitted
+from sweetspot.catalog.files.racket_words import in_file_names
 from sweetspot.catalog.files.tables import (
     FORCE,
     FREQUENCY,
@@ -97,6 +98,7 @@ class StringsTable(FileTable):
     tension: Annotated[str, FORCE] = Field(description="in each string, for example '230 N', '52 lb' or '24 kg'")
     mains: int
     crosses: int
+    pattern: str | None = Field(None, description="in place of mains and crosses: 16x19")
     linear_density: Annotated[str, LINEAR_DENSITY] = Field(description="of one string, for example '1.4 g/m'")
     restitution: float = Field(description="of a hard ball on the bed of a clamped head")
     patch: Length = Field(description="radius of the round patch through which the ball pushes")
@@ -114,6 +116,10 @@ class RacketFile(CommonTable):
     handle_length: Length
     relative_stiffness: Parts = Field(None, description="pairs of position and stiffness; only ratios count")
     twist_moi: Annotated[str | None, MOI] = Field(None, description="measured, about the long axis")
+    swing_weight: float | str | None = Field(
+        None, description="in place of moi, about the axis of the sport; a number is in kg cm^2"
+    )
+    twist_weight: float | str | None = Field(None, description="in place of twist_moi; a number is in kg cm^2")
     greatest_tension: Annotated[str | None, FORCE] = Field(None, description="per string that the frame is made for")
     frame: str = "carbon-fibre frame"
 
@@ -208,6 +214,7 @@ def implement_of_table(table: TomlTable, where: str) -> Implement:
         raise InputError(f"{where}: kind {repr(kind)[:60]} is not known. {names}")
     made_from, make = KINDS[kind]
     try:
+        table = in_file_names(table, str(unwrapped(table.get("sport", "")))) if kind == "racket" else table
         check_sport(str(unwrapped(table.get("sport", ""))), kind=kind)
         with insisting(insisted() or "calibration" in table):  # what was fitted to a checked drawing need not be usual
             return make(made_from(**unwrapped_table(with_fitted(table))))

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from sweetspot.catalog.files.bat import MEASURED, read_toml, with_fitted
 from sweetspot.catalog.files.implement import AddedTable, implement_of_table
+from sweetspot.catalog.files.racket_words import in_file_names
 from sweetspot.catalog.files.tables import made
 from sweetspot.catalog.files.write import implement_table
 from sweetspot.catalog.records import FOLDER, TomlTable, TomlValue, canonical, entry, unwrapped_table
@@ -61,10 +62,13 @@ def resolved(table: TomlTable, where: str, folder: Path | None = None, before: t
     """
     name = table.get("like")
     if not isinstance(name, str):
-        return table
+        return in_file_names(table, str(table.get("sport", ""))) if table.get("kind") == "racket" else table
     changes = unwrapped_table(with_fitted({field: value for field, value in table.items() if field != "like"}))
     try:
-        return _changed(_parent(name, folder, before), changes)
+        parent = _parent(name, folder, before)
+        if parent.get("kind") != "racket":
+            return _changed(parent, changes)
+        return _changed(parent, in_file_names(changes, str(changes.get("sport", parent.get("sport", "")))))
     except InputError as error:
         raise InputError(f"{where}: {error}") from None
 

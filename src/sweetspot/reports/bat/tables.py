@@ -18,6 +18,7 @@ from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.dynamics.swing_weight import SwingWeight
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -27,7 +28,7 @@ from sweetspot.reports.document import Cell, Column, Marked, Table, table_head, 
 from sweetspot.reports.sentences import Sentence, Slot, UnitName, joined, say, with_doubt
 from sweetspot.reports.sport_words import in_words, weight, words_of
 from sweetspot.reports.sweet_spots import SPOTS
-from sweetspot.units import INCH, MPH
+from sweetspot.units import INCH, MPH, POUND_FORCE
 
 MOST_STATIONS = 18
 """Places shown along an implement."""
@@ -149,6 +150,7 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
         (f"balance point, from the {words.butt}", Slot(mass.balance_point, "length")),
         *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, swing_weight(bat.sport))]),
         *handling_rows(handling_of(bat, body)),
+        *string_rows(bat),
         *moments,
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]
@@ -164,6 +166,19 @@ def handling_rows(handling: Handling | None) -> list[tuple[Cell, Cell]]:
         ("twist weight", in_kg_cm2(handling.twist_weight)),
         ("MGR/I", f"{float(handling.mgr_over_i):.2f} 1/s²"),
         ("polarization, against an even rod", f"{float(handling.polarization):.2f}"),
+    ]
+
+
+def string_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
+    """Return pattern, tension and stiffness of a racket's strings; nothing for other implements."""
+    if not isinstance(bat, Racket) or bat.face.stiffness is None:
+        return []
+    bed, stiffness = bat.bed, bat.face.stiffness
+    in_pounds = stiffness * INCH / POUND_FORCE
+    return [
+        ("strings, mains × crosses", f"{bed.mains} × {bed.crosses}"),
+        ("tension now", f"{bed.tension:.0f} N, {bed.tension / POUND_FORCE:.0f} lb"),
+        ("stiffness of the string bed in its middle", f"{stiffness / 1e3:.1f} kN/m, {in_pounds:.0f} lb/in"),
     ]
 
 

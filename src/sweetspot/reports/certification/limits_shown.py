@@ -24,7 +24,7 @@ def marked_verdict(check: Check) -> Marked:
 
 BROKEN = {
     "solid_wood": "it is not one piece of solid wood",
-    "unaltered": "it is drilled or filled, which no rule allows",
+    "unaltered": "it is altered (drilled, filled, shaved, rolled or loaded), which no rule allows",
 }
 """What is wrong with a bat whose value says nothing beside the rule's name."""
 

@@ -180,6 +180,12 @@ def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:
         text += say(
             ". In a slow test its wood reaches its strength at {limit:strain}; in a blow it bears two or three times "
             "as much", limit=limit)  # fmt: skip
+    if strains.least_breaking_speed is not None:
+        text += say(
+            ". A hit at this place breaks the handle between {low:speed, 0} and {high:speed, 0} of closing speed",
+            low=strains.least_breaking_speed,
+            high=strains.most_breaking_speed,
+        )
     return [Paragraph(text + "."), *(Paragraph(f"Warning: {words}", "warning") for words in strains.warnings)]
 
 

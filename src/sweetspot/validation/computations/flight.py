@@ -13,13 +13,13 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import exit_speed_of, hit_at
 from sweetspot.analysis.optimum import BestSwing, best_launch, best_swing
-from sweetspot.catalog.aerodynamic_laws import STILL_AIR, aerodynamics, usual_spin_line
+from sweetspot.catalog.aerodynamic_laws import aerodynamics, usual_spin_line
 from sweetspot.catalog.deliveries import usual_height
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION, Friction
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.aerodynamics import drag_and_lift
-from sweetspot.flight.air import CALM, MEAN_BREEZE, Air
+from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch import MIDDLE, PitchFlight, aimed
 from sweetspot.flight.sweep import BattedBall
@@ -158,18 +158,13 @@ DAY_DRAG = 0.2905
 
 
 @cache
-def pitch_flight(pitch: str, law: str = "") -> PitchFlight:
-    """Return the flight of a catalogue pitch to its usual place over the plate, by the day's drag or by a law.
-
-    The law of still air gets the breeze of the mean park.
-    """
-    coefficients = aerodynamics(law) if law else aerodynamics("pitched-baseball").replaced(drag=DAY_DRAG)
+def pitch_flight(pitch: str) -> PitchFlight:
+    """Return the flight of a catalogue pitch to its usual place over the plate, by the day's drag."""
     return aimed(
         catalog.delivery(pitch),
         ball=catalog.ball(),
-        aerodynamics=coefficients,
+        aerodynamics=aerodynamics("pitched-baseball").replaced(drag=DAY_DRAG),
         air=DAY,
-        wind=MEAN_BREEZE if law == STILL_AIR else CALM,
         target=(MIDDLE[0], usual_height(pitch)),
     )
 

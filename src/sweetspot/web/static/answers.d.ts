@@ -321,10 +321,11 @@ export interface CompareState {
   ball_temperature_degf: number | null;
   others: BatState[];
   swing_law: string | null;
-  what_if: "none" | "cork" | "wall";
+  what_if: "none" | "cork" | "wall" | "change";
   hole_diameter_in: number;
   hole_depth_in: number;
   wall_times: number;
+  change: string;
   league: string | null;
 }
 

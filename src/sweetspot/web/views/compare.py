@@ -14,7 +14,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.certification.rules import League, Verdict
 from sweetspot.analysis.certification.simulated_test import Certification, certify
-from sweetspot.analysis.comparison import Comparison, compare_reduced
+from sweetspot.analysis.comparison import Comparison, compare, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.answers.certify import CertifyQuestion, RuleCheck, certificate_of
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, ComparedCurves, SpeedWithEnds, compare_of
@@ -41,6 +41,7 @@ from sweetspot.reports.comparison.words import (
 )
 from sweetspot.reports.quantities import SYSTEMS
 from sweetspot.reports.sentences import Sentence, say
+from sweetspot.uncertainty.comparison_draws import Ends
 from sweetspot.uncertainty.sources import Sources
 from sweetspot.units.dimensions import SPEED, System
 from sweetspot.web.bat_bounds import Range, bounds
@@ -55,6 +56,7 @@ from sweetspot.web.view import View
 from sweetspot.web.views.compare_state import (
     CompareState,
     bats_of,
+    change_of,
     controls_of,
     leagues_of,
     others_of,
@@ -227,7 +229,7 @@ def intervals(state: CompareState) -> SureComparison:
     """Return the intervals of all that is not known, and the verdict and what it assumes, as the command has them."""
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
-    sure = compare_of(comparison, _sources(state, comparison))
+    sure = compare_of(comparison, _sources(state, comparison), ends=_ends(state, comparison))
     words = (verdict(sure) or [ALONE]) + (cork_verdict(sure) if state.what_if == "cork" else [])
     return SureComparison(
         tuple(map(_sure_bat, sure.bats)),
@@ -251,6 +253,16 @@ def _sources(state: CompareState, comparison: Comparison[Bat]) -> list[Sources]:
     return [sources_for(each, entry.bat, entry.conditions) for each, entry in zip(controls, analyses, strict=True)]
 
 
+def _ends(state: CompareState, comparison: Comparison[Bat]) -> Ends:
+    """Return the changed bat at both ends of what cannot be known of its change, where that was asked."""
+    first = comparison.reference.analysis
+    both = change_of(state, first.bat).ends if state.what_if == "change" else None
+    if both is None:
+        return {}
+    found = compare([first.bat, *both], conditions=first.conditions, law=comparison.law)
+    return {1: (found.compared[1], found.compared[2])}
+
+
 def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], Comparison[Bat]]:
     """Return the bats and their comparison."""
     reductions, labels = bats_of(state, ball)
@@ -266,7 +278,9 @@ def sure(state: CompareState) -> ReadDocument:
 
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
-    answer = compare_of(comparison, _sources(state, comparison), drawn=True, draws=PAGE_DRAWS)
+    answer = compare_of(
+        comparison, _sources(state, comparison), drawn=True, draws=PAGE_DRAWS, ends=_ends(state, comparison)
+    )
     return page_document(compare_document(answer, corking=state.what_if == "cork"))
 
 
@@ -352,6 +366,8 @@ def recipe(state: CompareState) -> dict[str, str]:
             files[names[-1]] = bat_text(bat)
     options = swing_options(state, beside=True) | {"same_speed": state.same == "speed", "swing_law": state.swing_law}
     ask = Ask("compare", tuple(names), options)
+    if state.what_if == "change":
+        ask = replace(ask, options=options | {"what_if": state.change})
     if state.what_if == "cork":
         hole = options_of(state, bore_diameter="hole_diameter_in", bore_depth="hole_depth_in")
         hole["plug"] = number(min(1.0, state.hole_depth_in / 2), "in")

@@ -7,9 +7,10 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sweetspot.analysis.certification.rules import League
+from sweetspot.answers.changes import Changed, changed
 from sweetspot.catalog.bats import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
-from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.web.bats import reduced
@@ -30,12 +31,15 @@ class CompareState(SwungState):
     swing_law: Name | None = Field(
         None, description="how bat speed depends on the bat; empty: as in the first bat's sport"
     )
-    what_if: Literal["none", "cork", "wall"] = Field(
+    what_if: Literal["none", "cork", "wall", "change"] = Field(
         "none", description="of the first bat alone: other bats made of it"
     )
     hole_diameter_in: HoleDiameter = Field(1.0, description="hole of what_if cork")
     hole_depth_in: HoleDepth = 10.0
     wall_times: WallFactor = Field(0.85, description="wall of what_if wall, times the bat's own")
+    change: Annotated[str, Field(min_length=1, max_length=120)] = Field(
+        "knob-weight 2oz", description="of what_if change: as the option --what-if has it, several after commas"
+    )
     league: Name | None = Field(
         None, description="whose rules the bats are held against, or 'all'; empty: those of the first bat's sport"
     )
@@ -53,8 +57,18 @@ def bats_of(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str
         thickness = state.wall_factor * state.wall_times
         other = _made(part_of(state, BatState, wall_factor=thickness), ball, "wall_times")
         return [first, other], ["wall as it is", f"wall × {state.wall_times:.3g}"]
+    if state.what_if == "change":
+        after = change_of(state, first.bat).implement
+        assert isinstance(after, Bat)  # as the first
+        return [first, reduced_bat(after, ball=ball)], [first.bat.name, after.name]
     bats = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
     return bats, _distinct([reduction.bat.name for reduction in bats])
+
+
+def change_of(state: CompareState, first: Bat) -> Changed:
+    """Return the first bat changed as it was asked, and what stays open of that."""
+    with about("change"):
+        return changed(first, state.change)
 
 
 def controls_of(state: CompareState, count: int) -> list[BatState]:

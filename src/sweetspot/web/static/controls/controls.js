@@ -182,6 +182,19 @@ export function toggle(app, field, { label, note = "" }) {
   return box;
 }
 
+// A text that is taken when it is finished.
+/** @param {Desk} app @param {Field} field @param {{ label: Words, note?: string }} look */
+export function words(app, field, { label, note = "" }) {
+  const { box, fault, id } = frame(field, label, note);
+  const line = input("text", id);
+  line.setAttribute("aria-describedby", `${id}-fault`);
+  partOf(box, ".entry", HTMLElement).append(line);
+  line.addEventListener("change", () => app.setState(changed(field, line.value)));
+  const control = { field, sync: (/** @type {State} */ state) => (line.value = String(state[field] ?? "")), fault: faultSetter(fault, [line]) };
+  app.control(control);
+  return box;
+}
+
 /** @param {string} title @param {(Node | string)[]} controls @param {{ open?: boolean }} look */
 export function group(title, controls, { open = true } = {}) {
   const details = document.createElement("details");

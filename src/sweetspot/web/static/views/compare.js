@@ -2,7 +2,7 @@
 
 import { Chart } from "../charts/chart.js";
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
-import { choice, group, slider } from "../controls/controls.js";
+import { choice, group, slider, words } from "../controls/controls.js";
 import { HowSure } from "../controls/howsure.js";
 import { make, paragraphs, section, tableOf, tell, withDoubt } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
@@ -20,7 +20,7 @@ const VERDICT = 110; // pixels that a column of verdicts needs
 export default class CompareView {
   /** @type {Guide} */
   static guide = [
-    ["Which bat hits harder", "Up to four bats in the same player's hands, or one bat against itself with a hole or another wall. " +
+    ["Which bat hits harder", "Up to four bats in the same player's hands, or one bat against itself after a change. " +
       "The verdict says what changes and how sure that is."],
     ["Read the curves", "One curve for each bat, tips aligned: how fast the ball leaves from each place. The table below " +
       "gives weight, swing weight, speeds, and the swing that would make up for the difference."],
@@ -45,15 +45,19 @@ export default class CompareView {
       slider(app, "hole_diameter_in", { label: "Hole, width", step: 0.05 }),
       slider(app, "hole_depth_in", { label: "Hole, depth from the tip", step: 0.25 }));
     const wall = slider(app, "wall_times", { label: "Wall, times bat 1's own", step: 0.01 });
+    const change = words(app, "change", { label: "Change",
+      note: "lead 6g@27in, knob-weight 2oz, end-load 1oz, shaved 0.2mm, rolled, broken-in, moisture 14%, cork, drilled 10in, cup 0.9in, cut 0.5in, handle -0.03in or taper 1in; several after commas." });
     app.control({ field: "parts of what_if", sync: ({ what_if: asked }) => {
       hole.hidden = asked !== "cork";
       wall.hidden = asked !== "wall";
+      change.hidden = asked !== "change";
     } });
     const side = make("div", { className: "side" },
       group("Question", [
         choice(app, "what_if", { label: "Compare", options: [
-          ["none", "these bats"], ["cork", "bat 1 drilled and corked"], ["wall", "bat 1 with another wall"]] }),
-        hole, wall,
+          ["none", "these bats"], ["cork", "bat 1 drilled and corked"], ["wall", "bat 1 with another wall"],
+          ["change", "bat 1 after a change"]] }),
+        hole, wall, change,
         choice(app, "same", { label: "Swung with", options: [["effort", "the same effort"], ["speed", "the same bat speed"]] }),
         usualChoice(app, "swing_law", { label: "Players", options: [["baseball", "baseball"], ["slow-pitch", "slow-pitch softball"]] }),
       ]),
