@@ -64,13 +64,13 @@ def test_the_present_cricket_bat_is_its_own_start(willow: Bench) -> None:
         assert start.values[name][0] == pytest.approx(now.values[name][0], rel=1e-12)
 
 
-def test_a_blade_that_swells_lower_is_met_lower(willow: Bench) -> None:
+def test_a_blade_that_swells_lower_hits_harder_low_and_picks_up_heavier(willow: Bench) -> None:
     rows = np.tile(willow.space.start, (2, 1))
     rows[1, 0] -= 0.08  # m, towards the toe
     values = willow.measured(rows).values
-    assert values["best_from_tip"][1] < values["best_from_tip"][0] - 0.002
+    assert values["exit_speed"][1] > values["exit_speed"][0] + 0.1 and values["moi"][1] > values["moi"][0]
     made = willow.space.made(rows[1], "low")
-    assert isinstance(made, CricketBat) and made.spine[2][0] == pytest.approx(0.76)
+    assert isinstance(made, CricketBat) and made.spine[2][0] == pytest.approx(0.70)
 
 
 def test_a_weighed_cricket_bat_keeps_its_willow(willow: Bench) -> None:
