@@ -55,4 +55,6 @@ def test_a_report_and_a_comparison_have_them(tmp_path: Path) -> None:
     assert all(
         after.exit_speed > before.exit_speed for before, after in zip(plain.off_center, leaded.off_center, strict=True)
     )
-    assert sweetspot.report("r161-ash").off_center == () and sweetspot.report("golf-driver").off_center == ()
+    assert sweetspot.report("r161-ash").off_center == ()
+    toe, edge = sweetspot.report("golf-driver").off_center
+    assert toe.gear_spin is not None and edge.gear_spin is not None and edge.gear_spin > toe.gear_spin > 0

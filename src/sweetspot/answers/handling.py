@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 from sweetspot.analysis.bat_analysis import exit_speed_of, hit_at
-from sweetspot.answers.records import Angle, Length, MomentOfInertia, Ratio, Speed
+from sweetspot.answers.records import Angle, Length, MomentOfInertia, Ratio, Speed, Spin
+from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_laws import swing_weight
-from sweetspot.collision.aside import aside_angle
+from sweetspot.collision.aside import aside_angle, mean_tilt
+from sweetspot.collision.gear_effect import side_shot
+from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.golf_club import GolfClub
@@ -16,10 +19,11 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.numerics.interval import Number
+from sweetspot.units import INCH
 from sweetspot.units.dimensions import PER_SECOND_SQUARED
 
-BESIDE = (0.03, 0.05)
-"""m beside the line at which a hit off center is answered [our choice]."""
+BESIDE = {"cm": (0.03, 0.05), "in": (0.5 * INCH, INCH)}
+"""m beside the line at which a hit off center is answered, by the unit of places of a sport [our choice]."""
 
 
 @dataclass(frozen=True)
@@ -42,12 +46,16 @@ class Handling:
 
 @dataclass(frozen=True)
 class HitBeside:
-    """A hit beside the line: ``lateral`` m to either side; ``aside``: the angle to that side at which the ball goes."""
+    """A hit beside the line: ``lateral`` m to either side; ``aside``: the angle to that side at which the ball goes.
+
+    ``gear_spin``: of a golf ball about the vertical, above zero where it curves back; None: of other balls.
+    """
 
     position: Length
     lateral: Length
     exit_speed: Speed
     aside: Angle
+    gear_spin: Spin | None = None
 
 
 def handling_of(implement: Implement, body: RigidBody) -> Handling | None:
@@ -74,20 +82,42 @@ def handling_of(implement: Implement, body: RigidBody) -> Handling | None:
     )
 
 
-def turns_flat(implement: Implement) -> bool:
-    """Return whether a hit beside the line turns a flat face about an axis in it; a driver's lies far behind its."""
-    return implement.face is not None and not isinstance(implement, GolfClub)
+class Direction(NamedTuple):
+    """Where a ball goes that met a face beside its line; see `HitBeside`."""
+
+    aside: float
+    gear_spin: float | None
+
+
+def direction(implement: Implement, body: RigidBody, impact: Impact, conditions: Conditions) -> Direction | None:
+    """Return where the ball of a hit goes; None on the line, and for what is round.
+
+    A club head is free and turns about a point far behind its face, which is bulged: see `side_shot`. Other faces turn
+    about their own line: see `aside_angle`.
+    """
+    if not impact.lateral or implement.face is None:
+        return None
+    leaves = exit_speed_of(impact, conditions)
+    if isinstance(implement, GolfClub):
+        push = conditions.ball.mass * impact.closing_speed * (1 + impact.collision_efficiency)
+        tilt = mean_tilt(impact, roll_moi=implement.head.roll_moi)
+        speed = impact.closing_speed
+        shot = side_shot(
+            implement.head, ball=conditions.ball, lateral=impact.lateral, normal_impulse=push, speed=speed, tilt=tilt
+        )
+        return Direction(*shot)
+    return Direction(aside_angle(impact, roll_moi=body.roll_moi, face=implement.face, leaves_at=leaves), None)
 
 
 def hits_beside(implement: Implement, body: RigidBody, modes: Modes, conditions: Conditions) -> tuple[HitBeside, ...]:
     """Return hits at `BESIDE` beside the middle of a face, as far as they are on it; none for a round bat."""
-    if implement.outline is None or implement.face is None or not turns_flat(implement):
+    if implement.outline is None or implement.face is None:
         return ()
     position, found = implement.outline.middle, []
-    for lateral in BESIDE:
+    for lateral in BESIDE[sport(implement.sport).words.place_unit]:
         if implement.outline.holds(position, lateral):
             impact = hit_at(position, modes=modes, conditions=conditions, lateral=lateral)
-            leaves = exit_speed_of(impact, conditions)
-            aside = aside_angle(impact, roll_moi=body.roll_moi, face=implement.face, leaves_at=leaves)
-            found.append(HitBeside(position, lateral, leaves, aside))
+            way = direction(implement, body, impact, conditions)
+            assert way is not None, "it is beside the line"
+            found.append(HitBeside(position, lateral, exit_speed_of(impact, conditions), *way))
     return tuple(found)

@@ -11,7 +11,7 @@ from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit
 from sweetspot.analysis.strain import Damage, breaking_speed, damage
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.conditions import MassProperties, mass_columns, mass_properties
-from sweetspot.answers.handling import turns_flat
+from sweetspot.answers.handling import direction
 from sweetspot.answers.records import (
     INTERNAL,
     Angle,
@@ -21,10 +21,10 @@ from sweetspot.answers.records import (
     Mass,
     Ratio,
     Speed,
+    Spin,
     Time,
 )
 from sweetspot.answers.setups import SwungWith
-from sweetspot.collision.aside import aside_angle
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impact, Impacts, Outcome
@@ -265,7 +265,7 @@ class HitAnswer(Hit, Answer):
     ----------
     bat : what it weighs and how it balances.
     damage : None for what is no bat.
-    aside : to the side of the hit, at which the ball leaves a flat face that it turned; None on its line.
+    aside, gear_spin : of a hit beside the line of a face, see `HitBeside`; None on the line.
     exit_speed_in_hands : the same hit with typical hands on the handle, whose mass and flesh are assumed; the other
         numbers are of an implement that no hands hold. None: hands are part of the question.
     exit_speed_half_by_ball : half of the interval that the ball alone leaves to the exit speed; None: not known, or
@@ -280,6 +280,7 @@ class HitAnswer(Hit, Answer):
     ball_mass: Mass
     damage: Strains | None = None
     aside: Angle | None = None
+    gear_spin: Spin | None = None
     exit_speed_in_hands: Speed | None = None
     exit_speed_half_by_ball: Speed | None = None
     uncertainty: Uncertainty | None = None
@@ -309,6 +310,7 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
     check_conditions(reduced, conditions)
     beam, body, modes = reduced.beam, reduced.body, reduced.modes
     impact = hit_at(position, modes=modes, conditions=conditions, lateral=question.lateral)
+    way = direction(implement, body, impact, conditions)
     error = None
     if question.sources is None:  # which have the ball among them
         error = error_by_ball(reduced, conditions, position)
@@ -319,7 +321,8 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         body=body,
         bat=mass_properties(implement, body),
         ball_mass=conditions.ball.mass,
-        aside=_aside(question, impact, body),
+        aside=None if way is None else way.aside,
+        gear_spin=None if way is None else way.gear_spin,
         exit_speed_in_hands=_in_hands(question, reduced),
         damage=_strains(impact, beam, modes, conditions.ball),
         exit_speed_half_by_ball=None if error is None else REACH * error,
@@ -334,15 +337,6 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         "ball_mass": draws.ball_mass,
     }
     return with_draws(plain, DrawnAnswer(draws.normal, columns), question.sources, of="exit_speed")
-
-
-def _aside(question: HitQuestion, impact: Impact, body: RigidBody) -> float | None:
-    """Return the angle in rad at which a ball beside the line leaves; None on the line, and where nothing is said."""
-    implement = question.implement
-    if not question.lateral or implement.face is None or not turns_flat(implement):
-        return None
-    leaves = exit_speed_of(impact, question.conditions)
-    return aside_angle(impact, roll_moi=body.roll_moi, face=implement.face, leaves_at=leaves)
 
 
 def _in_hands(question: HitQuestion, reduced: ReducedBat[Implement]) -> float | None:

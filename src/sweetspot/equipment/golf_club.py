@@ -35,6 +35,8 @@ class ClubHead(Validated):
     height, face_width : m, of the face along the shaft's line and across it.
     moi : kg m^2 about the axis from heel to toe, for hits above and below the middle.
     roll_moi : kg m^2 about the shaft's direction, for hits towards heel and toe.
+    depth : m from the face back to the center of gravity.
+    bulge : m, radius of the face from heel to toe; None: flat.
     face : its give under the ball.
     """
 
@@ -43,6 +45,8 @@ class ClubHead(Validated):
     face_width: Positive
     moi: Positive
     roll_moi: Positive
+    depth: NonNegative = 0.0
+    bulge: Positive | None = None
     face: Face
 
 

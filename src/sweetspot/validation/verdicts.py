@@ -31,12 +31,12 @@ UNITS |= {"lbf": POUND_FORCE, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE
 _INPUTS: dict[Kind, str] = {
     "speed": "ball_speed bat_speed exit_speed speed other_speed closing_speed wind_speed faster",
     "ratio": "efficiency besr restitution recoil bat_restitution ball_restitution share humidity poisson_ratio",
-    "length": "length pivot axis from_tip lateral distance measured_at bore_diameter bore_depth plug balance_point "
-    "elevation height diameter thinner wall bar_length bar_width bar_thickness inward outward",
+    "length": "length pivot axis from_tip lateral depth distance measured_at bore_diameter bore_depth plug "
+    "balance_point elevation height diameter thinner wall bar_length bar_width bar_thickness inward outward",
     "mass": "mass ball_mass added_mass bar_mass",
     "moi": "moi other_moi",
     "time": "contact_time time",
-    "angle": "launch_angle deflection other_deflection spray wind_direction",
+    "angle": "angle launch_angle deflection other_deflection spray wind_direction",
     "angular speed": "backspin sidespin",
     "temperature": "temperature",
     "pressure": "modulus",

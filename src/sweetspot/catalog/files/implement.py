@@ -164,6 +164,8 @@ class ClubHeadTable(FileTable):
     face_width: Length
     moi: Annotated[str, MOI] = Field(description="about the axis from heel to toe")
     roll_moi: Annotated[str, MOI] = Field(description="about the shaft's direction")
+    depth: Length = Field("0 cm", description="from the face back to the center of gravity")
+    bulge: Annotated[str | None, LENGTH] = Field(None, description="radius of the face from heel to toe; absent: flat")
     face_stiffness: Annotated[str | None, STIFFNESS, Called("stiffness")] = Field(
         None, description="of the plate under the ball"
     )
@@ -171,6 +173,7 @@ class ClubHeadTable(FileTable):
     face_restitution: Annotated[float, Called("restitution")] = Field(
         1.0, description="of a hard ball on the face held fast"
     )
+    tangential_restitution: float | None = Field(None, description="e_x of the ball on the face; 0 is rolling")
 
 
 class GolfClubFile(CommonTable):

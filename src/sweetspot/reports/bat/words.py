@@ -16,7 +16,7 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Interval, Number
 from sweetspot.reports.bat.provenance import soft_defaults
-from sweetspot.reports.hit.document import best_in_doubt
+from sweetspot.reports.hit.document import best_in_doubt, curve
 from sweetspot.reports.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.reports.sport_words import arriving, in_words, weight, words_of
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt
@@ -73,10 +73,11 @@ def _beside(report: ReportAnswer, words: Terms) -> Sentence:
         return say("")
     misses = [
         say(
-            "{lateral:place, round} beside it {speed:speed}, {aside} to that side",
+            "{lateral:place, round} beside it {speed:speed}, {aside} to that side{curve}",
             lateral=hit.lateral,
             speed=hit.exit_speed,
             aside=Slot(hit.aside, "angle", 1),
+            curve=curve(hit.gear_spin),
         )
         for hit in report.off_center
     ]

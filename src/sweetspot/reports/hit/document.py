@@ -64,8 +64,16 @@ def _aside(answer: HitAnswer, words: Terms) -> list[Block]:
     if answer.aside is None:
         return []
     lateral, aside = Slot(abs(answer.impact.lateral), "place", round=True), Slot(abs(float(answer.aside)), "angle", 1)
-    text = "{lateral} beside the middle line the face turns under the {ball}, which leaves {aside} to that side."
-    return [Paragraph(in_words(text, words, lateral=lateral, aside=aside))]
+    text = "{lateral} beside the middle line the face turns under the {ball}, which leaves {aside} to that side{curve}."
+    return [Paragraph(in_words(text, words, lateral=lateral, aside=aside, curve=curve(answer.gear_spin)))]
+
+
+def curve(spin: Number | None) -> Sentence:
+    """Return how side spin curves a golf ball; nothing for other balls."""
+    if spin is None:
+        return say("")
+    back = "back" if float(spin) > 0 else "further out"
+    return say(", with {spin:spin} that curves it {back}", spin=abs(float(spin)), back=back)
 
 
 def masses_words(tool: Number, ball: Number, words: Terms) -> Sentence:

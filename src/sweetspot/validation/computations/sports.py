@@ -14,11 +14,13 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.closed_form import collision_efficiency
 from sweetspot.collision.coupled import hit
+from sweetspot.collision.gear_effect import SideShot, side_shot
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.block import Block
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion
 from sweetspot.dynamics.swing_weight import pendulum_period
+from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
@@ -90,6 +92,33 @@ def struck(*, implement: str, from_tip: float, closing_speed: float, lateral: fl
     reduced = _reduced(implement)
     place, ball = reduced.bat.length - from_tip, _conditions(implement).ball
     return hit(reduced.modes, ball=ball, position=place, lateral=lateral, closing_speed=closing_speed)
+
+
+def _golf_shot(lateral: float, ball_speed: float, **head: float | None) -> SideShot:
+    """Return how the usual ball leaves the usual driver's head, some of its numbers changed, at ``ball_speed``."""
+    club, ball = catalog.implement("golf-driver"), catalog.ball("golf")
+    assert isinstance(club, GolfClub)
+    impulse, struck_head = ball.mass * ball_speed, club.head.replaced(**head)
+    speed = ball_speed / usual_smash_factor(implement="golf-driver")
+    return side_shot(struck_head, ball=ball, lateral=lateral, normal_impulse=impulse, speed=speed)
+
+
+def share_of_full_gearing(*, moi: float, depth: float, lateral: float, ball_speed: float) -> float:
+    """Return the spin from a head that turns, with a flat face, over that of a ball geared to it: J x C / (I R)."""
+    ball = catalog.ball("golf")
+    shot = _golf_shot(lateral, ball_speed, roll_moi=moi, depth=depth, bulge=None)
+    return shot.spin * moi * ball.radius / (ball.mass * ball_speed * lateral * depth)
+
+
+def spin_from_bulge(*, lateral: float, angle: float, ball_speed: float) -> float:
+    """Return the spin that only the slant of the face gives, where it points aside by ``angle``."""
+    bulged = _golf_shot(lateral, ball_speed, bulge=lateral / angle).spin
+    return _golf_shot(lateral, ball_speed, bulge=None).spin - bulged
+
+
+def bulged_direction(*, lateral: float, angle: float, ball_speed: float) -> float:
+    """Return the direction of a ball from a face that points aside by ``angle`` there."""
+    return _golf_shot(lateral, ball_speed, bulge=lateral / angle).aside
 
 
 def first_node_from_tip(*, implement: str) -> float:

@@ -934,6 +934,7 @@ export interface HitBeside {
   lateral_m: number; lateral_low_m?: number; lateral_high_m?: number;
   exit_speed_m_s: number; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
   aside_rad: number; aside_low_rad?: number; aside_high_rad?: number;
+  gear_spin_rad_s?: number; gear_spin_low_rad_s?: number; gear_spin_high_rad_s?: number;
 }
 
 /** Pitch, swing, hands and ball; places from the knob end. See `Conditions`. */
