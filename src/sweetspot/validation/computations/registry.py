@@ -10,7 +10,18 @@ from typing import Any
 
 from sweetspot.collision.closed_form import collision_efficiency
 from sweetspot.papers.formulas import energy_returned
-from sweetspot.validation.computations import bat_tests, collision, flight, hollow, modes, rigid, shared, space, sports
+from sweetspot.validation.computations import (
+    bat_tests,
+    collision,
+    field_tests,
+    flight,
+    hollow,
+    modes,
+    rigid,
+    shared,
+    space,
+    sports,
+)
 
 
 def _is_computation(function: Any) -> bool:
@@ -31,7 +42,7 @@ _OTHERS: dict[str, Callable[..., Any]] = {
 
 COMPUTATIONS = _OTHERS | {
     name: function
-    for module in (rigid, modes, collision, bat_tests, hollow, space, sports, flight)
+    for module in (rigid, modes, collision, bat_tests, hollow, field_tests, space, sports, flight)
     for name, function in vars(module).items()
     if name[0] != "_" and getattr(function, "__module__", "") == module.__name__ and _is_computation(function)
 }

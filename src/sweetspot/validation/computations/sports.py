@@ -7,21 +7,29 @@ from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 
+import numpy as np
+
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced, dead_spot, exit_speed_of
 from sweetspot.analysis.drop_test import Rebound, fire
+from sweetspot.catalog.scaled_implements import Measures, scaled_to
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.closed_form import collision_efficiency
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.gear_effect import SideShot, side_shot
 from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.block import Block
-from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
-from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion
+from sweetspot.dynamics.reduction import ReducedBat, all_modes, bending_modes, reduced_bat
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, rigid_body
 from sweetspot.dynamics.swing_weight import pendulum_period
+from sweetspot.equipment.ball import restitution_at
+from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import Flight, fly
@@ -220,3 +228,171 @@ def _reduced(implement: str) -> ReducedBat[Implement]:
 @cache
 def _usual(implement: str) -> Analysis[Implement]:
     return analyse_reduced(_reduced(implement), _conditions(implement))
+
+
+def golf_gain(
+    *,
+    speed: float,
+    launch_angle: float,
+    backspin: float,
+    share: float = 0.0,
+    elevation: float = 0.0,
+    warmer: float = 0.0,
+) -> float:
+    """Return the relative gain of a golf ball's carry by a share of speed, elevation, or warmer air and ball (K).
+
+    A warmer ball leaves faster by the change of 1 + e.
+    """
+    ball, law = catalog.ball("golf"), catalog.aerodynamics("golf")
+    warm = ball.conditioned(temperature=ball.reference_temperature + warmer)
+    livelier = (1 + warm.restitution.reference) / (1 + ball.restitution.reference)
+    carries = []
+    for factor, there in (
+        (1.0, SHEET_AIR),
+        ((1 + share) * livelier, Air(temperature=SHEET_AIR.temperature + warmer, elevation=elevation)),
+    ):
+        start = batted_ball(speed=speed * factor, launch_angle=launch_angle, backspin=backspin)
+        carries.append(fly(start, FlightConditions(ball=ball, aerodynamics=law, air=there)).carry)
+    return carries[1] / carries[0] - 1
+
+
+def golf_spin_left(*, speed: float, launch_angle: float, backspin: float, time: float) -> float:
+    """Return the part of its spin that a golf ball has left after a time."""
+    flight = sport_flight(ball="golf", air="golf", speed=speed, launch_angle=launch_angle, backspin=backspin)
+    return float(np.linalg.norm(flight.at(time).spin)) / backspin
+
+
+def wall_restitution_of(*, ball: str, speed: float) -> float:
+    """Return the restitution of a ball on a rigid wall."""
+    return restitution_at(catalog.ball(ball).restitution, speed)
+
+
+def squared_restitution(*, ball: str, speed: float) -> float:
+    """Return rebound over fall of a ball that meets a rigid wall at a speed, without air."""
+    return wall_restitution_of(ball=ball, speed=speed) ** 2
+
+
+def plates_approach(*, ball: str, force: float) -> float:
+    """Return how far two plates approach that press a ball with a slow force: twice the compression on a wall."""
+    thing = catalog.ball(ball)
+    return float(2 * (force / thing.stiffness) ** (1 / thing.exponent))
+
+
+def best_above_middle(*, implement: str) -> float:
+    """Return how much nearer the tip than the middle of the face the fastest ball leaves."""
+    analysis = _usual(implement)
+    assert analysis.bat.outline is not None, "only rackets are asked"
+    return analysis.sweet_spots.max_exit_speed - analysis.bat.outline.middle
+
+
+def grip_share(*, implement: str) -> float:
+    """Return the relative change of the best hit's exit speed by typical hands."""
+    return _usual(implement).grip_effect
+
+
+def scaled_moi(*, implement: str, **measures: float) -> float:
+    """Return the moment of inertia about the butt end of an implement with given length, mass and balance point."""
+    tool, _ = scaled_to(catalog.implement(implement), Measures(**measures))
+    return rigid_body(beam_model(tool)).moi(0.0)
+
+
+def shape_spread(*, implement: str) -> float:
+    """Return how much a cricket bat's moment about its end varies with its blade's shape, weight and balance alike."""
+    bat = catalog.implement(implement)
+    assert isinstance(bat, CricketBat)
+    body = rigid_body(beam_model(bat))
+    bat = bat.replaced(mass=body.mass, balance_point=body.balance_point)
+    found = []
+    for shift in (-0.06, -0.03, 0.0, 0.03, 0.06):
+        for concavity in (1.0, 1.4, 2.0):
+            spine = tuple(
+                (place + (shift if 0 < index < len(bat.spine) - 1 else 0.0), size)
+                for index, (place, size) in enumerate(bat.spine)
+            )
+            found.append(rigid_body(beam_model(bat.replaced(spine=spine, concavity=concavity))).moi(0.0))
+    return max(found) / min(found) - 1
+
+
+def _racket_with(implement: str, **changes: float) -> Racket:
+    racket = catalog.implement(implement)
+    assert isinstance(racket, Racket)
+    return racket.replaced(**changes)
+
+
+def node_shift_by_swing_weight(*, implement: str, moi: float, other_moi: float) -> float:
+    """Return how far the head's node of mode 1 moves toward the tip when the swing weight grows from ``moi``."""
+    nodes = []
+    for weight in (moi, other_moi):
+        beam = beam_model(_racket_with(implement, moi=weight))
+        modes = all_modes(beam, _conditions(implement).ball)
+        nodes.append(modes.nodes(modes.of_family("bending")[0])[-1])
+    return float(nodes[1] - nodes[0])
+
+
+def exit_change_by_swing_weight(*, implement: str, moi: float, other_moi: float, slower: float) -> float:
+    """Return the change of the best exit speed when the swing weight grows and the head is ``slower``."""
+    conditions, speeds = _conditions(implement), []
+    for weight, lost in ((moi, 0.0), (other_moi, slower)):
+        racket = _racket_with(implement, moi=weight)
+        swung = conditions.replaced(swing=conditions.swing.replaced(bat_speed=conditions.swing.bat_speed - lost))
+        speeds.append(exit_speed_of(analyse_reduced(reduced_bat(racket, ball=conditions.ball), swung).best, swung))
+    return speeds[1] - speeds[0]
+
+
+def efficiency_change_by_tension(*, implement: str, from_tip: float, closing_speed: float, tension: float) -> float:
+    """Return the change of q at a place when strings are drawn tighter by ``tension`` newtons each."""
+    racket = catalog.implement(implement)
+    assert isinstance(racket, Racket) and racket.strings is not None
+    tighter = racket.replaced(strings=racket.strings.replaced(tension=racket.strings.tension + tension))
+    ball, found = _conditions(implement).ball, []
+    for tool in (racket, tighter):
+        modes = reduced_bat(tool, ball=ball).modes
+        place = tool.length - from_tip
+        found.append(hit(modes, ball=ball, position=place, closing_speed=closing_speed).collision_efficiency)
+    return float(found[1] - found[0])
+
+
+def skirt_drag(*, area: float) -> float:
+    """Return the drag coefficient of a shuttle on the area of its skirt."""
+    radius = catalog.ball("shuttle").radius
+    return catalog.aerodynamics("shuttle").drag * math.pi * radius**2 / area
+
+
+def steeper_fall(*, ball: str, air: str, speed: float, launch_angle: float) -> float:
+    """Return how much steeper a ball lands than it started."""
+    return (
+        sport_flight(ball=ball, air=air, speed=speed, launch_angle=launch_angle, backspin=0.0).landing_angle
+        - launch_angle
+    )
+
+
+def lift_of(*, air: str, spin_factor: float) -> float:
+    """Return the lift coefficient of a ball at a spin factor."""
+    return catalog.aerodynamics(air).lift_coefficient(spin_factor)
+
+
+def rubber_tone_change(*, implement: str, mode: int) -> float:
+    """Return the relative change of a bending tone of a blade by gluing both rubbers on."""
+    racket = catalog.implement(implement)
+    assert isinstance(racket, TableTennisRacket) and racket.front is not None
+    tones = []
+    for tool in (racket.replaced(front=racket.front.replaced(areal_density=1e-6), back=None), racket):
+        modes = bending_modes(beam_model(tool), count=max(mode, 2))
+        tones.append(float(modes.frequency[modes.of_family("bending")[mode - 1]]))
+    return tones[1] / tones[0] - 1
+
+
+def gain_by_stiffness(*, implement: str, from_tip: float, closing_speed: float, factor: float) -> float:
+    """Return the gain of q at a place, first touch, when the material of a stick is stiffer by ``factor``."""
+    stick = catalog.implement(implement)
+    material = stick.materials[0]
+    stiff = material.replaced(
+        longitudinal_modulus=factor * material.longitudinal_modulus, shear_modulus=factor * material.shear
+    )
+    ball, found = _conditions(implement).ball, []
+    for tool in (stick, stick.replaced(material=stiff)):
+        modes = reduced_bat(tool, ball=ball).modes
+        found.append(
+            hit(modes, ball=ball, position=tool.length - from_tip, closing_speed=closing_speed).collision_efficiency
+        )
+    return found[1] - found[0]
