@@ -444,6 +444,12 @@ def summary(every: Sequence[Constant], done: dict[str, Any]) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def as_text(found: dict[str, Any]) -> str:
+    """Return what is saved as JSON with a line for each constant."""
+    lines = ",\n".join(f"  {json.dumps(constant, ensure_ascii=False)}" for constant in found["constants"])
+    return f'{{\n "measured": {json.dumps(found["measured"])},\n "constants": [\n{lines}\n ]\n}}\n'
+
+
 def _counted(found: dict[str, Any]) -> dict[str, Any]:
     """Return findings with the rows as numbers of their sources: published and fitted, each number once."""
     rows, numbers = _rows(), {}
@@ -492,7 +498,7 @@ def main(words: Sequence[str] | None = None) -> int:
         print("not all are tried yet; the same command goes on")
         return 1
     if not options.only:
-        options.out.write_text(json.dumps(found, indent=1) + "\n", "utf-8")
+        options.out.write_text(as_text(found), "utf-8")
         print(f"wrote {options.out}: {len(found['constants'])} constants")
     return 0
 

@@ -157,13 +157,19 @@ def _drop(analysis: Analysis, choices: Choices) -> Iterator[PaperRow]:
         "sprung_share": sprung_share,
         "sprung_height": sprung_height,
     }
-    for name, key in (("wood", "white-ash"), ("metal", "aluminium-7xxx")):
-        material, claim = catalog.material(key), "metal higher" if name == "metal" else None
-        limit = paper.drop_test(ball, height=height, material=material)
-        block = Block(material=material, thickness=thickness, support=choices.block_support)
-        rebound, share = bounce(block, ball=ball, height=height)
+    blocks = {
+        name: Block(material=catalog.material(key), thickness=thickness, support=choices.block_support)
+        for name, key in (("wood", "white-ash"), ("metal", "aluminium-7xxx"))
+    }
+    found = {name: bounce(block, ball=ball, height=height) for name, block in blocks.items()}
+    ahead = found["metal"][0] - found["wood"][0]
+    for name, block in blocks.items():
+        claim = "metal higher" if name == "metal" else None
+        limit = paper.drop_test(ball, height=height, material=block.material)
+        rebound, share = found[name]
         of_block = {"lost": limit.lost_energy, "share": share, "block": name, name: True}
-        both = {"wood": False, "metal": False} | facts | of_block
+        verdict = {"right": name == "metal" and ahead > 0, "wrong": name == "metal" and ahead <= 0, "behind": -ahead}
+        both = {"wood": False, "metal": False} | facts | verdict | of_block
         yield PaperRow("Fig. 6", "rebound", "m", claim, limit.rebound, rebound, both)
 
 
