@@ -9,7 +9,9 @@ from typing import Annotated
 
 import numpy as np
 
+from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Compared, Comparison, compare
+from sweetspot.analysis.strain import breaking_speed
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, uncertainty_of
 from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, certify_answer
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_columns, mass_properties
@@ -28,6 +30,7 @@ from sweetspot.answers.records import (
 from sweetspot.catalog.balls import ball
 from sweetspot.catalog.rules import DEFAULT_LEAGUE, WOODEN_LEAGUE, league
 from sweetspot.catalog.sports import sport
+from sweetspot.collision.coupled import hit
 from sweetspot.dynamics.modes import Family
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -47,12 +50,17 @@ from sweetspot.uncertainty.comparison_draws import (
 )
 from sweetspot.uncertainty.intervals import linear_reach, reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources
+from sweetspot.units import INCH, MPH
 from sweetspot.units.dimensions import LENGTH, SPEED
 
 ALIKE = "none: everything is just as described"
 LINEAR = "90 %, by straight lines, of all that is not known: bats, ball, swing, swing law"
 DRAWN = "90 % of draws of all that is not known: bats, ball, swing, swing law"
 """What intervals hold where no sources are given, without draws (`linear_comparison`), and with them."""
+
+JAMMED, USUAL_CLOSING = 12 * INCH, 150 * MPH
+"""m from the tip, of a hit that breaks bats [our choice], and the closing speed in m/s from which its breaking speed is
+sought, whatever it is."""
 
 SpeedWithEnds = Annotated[Number, SPEED, NESTED]
 
@@ -118,6 +126,8 @@ class ComparedBat:
     break_even_bat_speed : with which the ball leaves as fast as from the reference; nan where none would do.
     max_exit_speed : the best place, from the knob end.
     handling, off_center : of rackets, see `Handling`; hits beside the middle of what has a flat face.
+    breaking_speed : closing speed from which on a hit 12 in from the tip breaks the handle of a wooden bat; nan: not of
+        wood, or not known. See `sweetspot.analysis.strain.breaking_speed`.
     rules : whether it keeps those of its own sport; None: that was not asked, or it has none.
     """
 
@@ -134,6 +144,7 @@ class ComparedBat:
     max_exit_speed: Length
     zone: Annotated[tuple[float, float] | None, LENGTH]
     scan: ComparedCurves
+    breaking_speed: Speed
     rules: RulesKept | None = None
     handling: Handling | None = None
     off_center: tuple[HitBeside, ...] = ()
@@ -287,9 +298,20 @@ def _compared_bat(bat: Compared[Implement], reference: Compared[Implement]) -> C
         handling=handling_of(analysis.bat, analysis.body),
         off_center=hits_beside(analysis.bat, analysis.body, analysis.modes, analysis.conditions),
         scan=ComparedCurves(scan.position, scan.exit_speed, scan.exit_speed - before),
+        breaking_speed=_breaking_speed(analysis),
         swung_faster=bat.bat_speed.value - reference.bat_speed.value,
         compared=bat,
     )
+
+
+def _breaking_speed(analysis: Analysis[Implement]) -> float:
+    """Return the closing speed in m/s from which on a jammed hit breaks a wooden bat; nan where it is not known."""
+    bat, ball = analysis.bat, analysis.conditions.ball
+    if not isinstance(bat, Bat) or bat.shell is not None or bat.length <= JAMMED:
+        return float("nan")
+    impact = hit(analysis.modes, ball=ball, position=bat.length - JAMMED, closing_speed=USUAL_CLOSING)
+    found = breaking_speed(impact, beam=analysis.beam, modes=analysis.modes, ball=ball)
+    return float("nan") if found is None else found[0]
 
 
 def _lowest(bat: Compared[Implement], family: Family) -> float:

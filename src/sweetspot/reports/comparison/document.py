@@ -21,7 +21,7 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Number, interval_of
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.certification.limits_shown import MARKS, broken_words, limit_shown, value_shown
-from sweetspot.reports.comparison.words import assumed, cork_verdict, gain_words, verdict
+from sweetspot.reports.comparison.words import assumed, breaking_words, cork_verdict, gain_words, verdict
 from sweetspot.reports.document import (
     Block,
     Bullets,
@@ -90,7 +90,7 @@ def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Documen
         name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
         subtitle=_effort(answer), kind="Comparison",
         blocks=[
-            *map(Paragraph, (*gains, *chances, *corked)), picture,
+            *map(Paragraph, (*gains, *chances, *corked, *breaking_words(answer))), picture,
             _things(answer), *_handling(answer), _in_play(answer),
             *([legality_table(bats)] if ruled else []),
             *(Paragraph(note, "note") for note in notes),

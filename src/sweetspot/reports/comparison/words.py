@@ -6,7 +6,7 @@ import math
 
 from sweetspot.analysis.comparison import Comparison
 from sweetspot.analysis.trampoline import wall_point_of
-from sweetspot.answers.compare import BatGain, CompareAnswer, ComparedBat
+from sweetspot.answers.compare import JAMMED, BatGain, CompareAnswer, ComparedBat
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.interval import ENDS, NO_SPEED, interval_of, sure_sign
@@ -39,6 +39,13 @@ VERDICT = (
     Line("."),
 )
 """One bat against the first, without and with how sure it is."""
+BREAKING = (
+    Line("{label} breaks sooner: ", "sooner"),
+    Line("{label} breaks later: ", "later"),
+    Line("jammed {place:place} from the tip from a closing speed of {now:speed, 0} on, instead of {before:speed, 0}."),
+)
+NOTICED = 1 * MPH
+"""m/s of a breaking speed below which a difference is not worth a sentence [our choice]."""
 PROBABLE = (
     Line("Hit by the same ball, {gain.label} is faster than {reference} with a probability of {chance}: "),
     Line("surely a difference.", "sure"),
@@ -110,6 +117,22 @@ def verdict(answer: CompareAnswer) -> list[Sentence]:
         taken = [answer.bats[which].label for which in (0, index) if not answer.sources[which].unknowns]
         given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
         sentences.append(tell(VERDICT, given=given, **_facts(answer, bat)))
+    return sentences
+
+
+def breaking_words(answer: CompareAnswer) -> list[Sentence]:
+    """Return how much sooner or later a wooden bat breaks after what was done to it, for every changed one.
+
+    What water does to the strain at which wood breaks is not known here, so nothing is said of another moisture.
+    """
+    first, sentences = answer.bats[0], []
+    before, piece = float(first.breaking_speed), first.compared.analysis.bat
+    for bat in answer.bats[1:]:
+        implement, now = bat.compared.analysis.bat, float(bat.breaking_speed)
+        same = piece in implement.lineage() and implement.materials == piece.materials
+        if same and abs(now - before) >= NOTICED:
+            facts = {"now": now, "before": before, "place": JAMMED}
+            sentences.append(tell(BREAKING, label=bat.label, sooner=now < before, later=now > before, **facts))
     return sentences
 
 

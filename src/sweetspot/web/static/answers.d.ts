@@ -534,6 +534,7 @@ export interface DrawnComparedBat {
   max_exit_speed_m: number; max_exit_speed_low_m?: number; max_exit_speed_high_m?: number;
   zone_m: [number, number] | null;
   scan: ComparedCurvesInFull;
+  breaking_speed_m_s: number; breaking_speed_low_m_s?: number; breaking_speed_high_m_s?: number;
   rules?: RulesKept;
   handling?: Handling;
   off_center: HitBeside[];
