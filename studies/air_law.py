@@ -105,7 +105,7 @@ class Balls:
         return np.where(self.side > 0, "right", "left")
 
 
-def read_college(path: Path) -> Balls:
+def college_rows(path: Path) -> pl.DataFrame:
     """Return the college hits whose launch and landing are surely tracked; raises `OSError` for a missing file."""
     table = pl.read_csv(path, infer_schema_length=None)
     sides = table.filter(pl.col("BatterSide").is_in(["Right", "Left"])).group_by("Batter").agg(
@@ -113,13 +113,17 @@ def read_college(path: Path) -> Balls:
     )  # fmt: skip
     named = pl.when(pl.col("BatterSide").is_in(["Right", "Left"])).then(pl.col("BatterSide")).otherwise(pl.col("usual"))
     table = table.join(sides, on="Batter", how="left", maintain_order="left").with_columns(hand=named)
-    table = table.filter(
+    return table.filter(
         (pl.col("HitLaunchConfidence") == "High")
         & pl.col("HitLandingConfidence").is_in(["High", "Medium"])
         & pl.col("hand").is_not_null()
         & (pl.col("Angle") * DEGREE).is_between(*ANGLES)
         & (pl.col("ExitSpeed") * MPH >= SLOWEST)
     )
+
+
+def college_balls(table: pl.DataFrame) -> Balls:
+    """Return the rows of `college_rows` as balls."""
 
     def column(name: str, unit: float = 1.0) -> Array:
         return table[name].cast(pl.Float64).fill_null(np.nan).to_numpy() * unit
@@ -483,10 +487,11 @@ def lines_by_rates(balls: Balls) -> tuple[tuple[Array, Array], tuple[Array, Arra
         (mine.sidespin, 880.0, (mine.side, mine.side * above, spray, one)),
     ):
         known, wanted = np.stack(columns, axis=-1) / scale, spin / RPM / scale
-        answer = np.zeros(known.shape[1])
+        answer: Array = np.zeros(known.shape[1])
         for _ in range(ROUNDS):  # least squares with Huber's weights
             weight = np.minimum(1, HUBER / np.maximum(np.abs(known @ answer - wanted), 1e-9))[:, None]
-            answer = np.linalg.lstsq(known * np.sqrt(weight), wanted * np.sqrt(weight[:, 0]), rcond=None)[0]
+            root = np.sqrt(weight)
+            answer = np.asarray(np.linalg.lstsq(known * root, wanted * root[:, 0], rcond=None)[0], float)
         left = known @ answer - wanted
         bread = np.linalg.inv((known * (np.abs(left) < HUBER)[:, None]).T @ known)
         sums = np.stack([np.bincount(group, np.clip(left, -HUBER, HUBER) * side) for side in known.T], axis=-1)
@@ -671,7 +676,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if given.folder is None:
         balls = made_up(in_use(), np.random.default_rng(3), given.balls)
     else:
-        balls = together(read_college(given.folder / COLLEGE), read_league(given.folder / LEAGUE))
+        balls = together(college_balls(college_rows(given.folder / COLLEGE)), read_league(given.folder / LEAGUE))
     if not given.check:
         fit = joint(balls)
         show("joint", fit)

@@ -18,6 +18,7 @@ SMALL: dict[str, str] = {
     "held_out": "--balls 400",
     "league_coverage": "--players 5 --swings 20 --simulator own",
     "measured_bats": "--count 2",
+    "measured_spin": "--count 3000",
     "other_sounds": "--count 1 --only scrape",
     "park_ranking": "--flies 20",
     "photographs": "--count 1 --only transparent --pixel 2",

@@ -11,7 +11,7 @@ from sweetspot import catalog
 from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.hit_in_space import Contact, strike, strikes
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.oblique_contact import SPHERE
+from sweetspot.collision.oblique_contact import SPHERE, USUAL_FRICTION, Friction
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.ball_motion import BallMotion, BallMotions, launch_angles
@@ -206,7 +206,14 @@ def _mean_spin(bat: str) -> Array:
 
 
 @cache
-def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int = 2026) -> LeagueHits:
+def _league(
+    bat: str,
+    left_handed: float = 0.4,
+    count: int = 60_000,
+    seed: int = 2026,
+    friction: Friction = USUAL_FRICTION,
+    mean_tilt: float = 31.9 * DEGREE,
+) -> LeagueHits:
     """Return the fair hits of a simulated league.
 
     Bat speed, attack angle and tilt have the printed means and spreads [sure2026]. The rest is assumed: pitches of
@@ -217,7 +224,7 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     model, draw = _model(bat), np.random.default_rng(seed)
     speed = draw.normal(71.5, 5.3, count).clip(50, 95) * MPH
     attack = draw.normal(8.6, 8.4, count) * DEGREE
-    tilt = draw.normal(31.9, 6.7, count).clip(0, 80) * DEGREE
+    tilt = (mean_tilt / DEGREE + draw.normal(0, 6.7, count)).clip(0, 80) * DEGREE
     direction = draw.normal(0, 12, count) * DEGREE
     axes = path_axes(attack, direction, tilt=steep_enough(tilt, attack), left=draw.random(count) < left_handed)
     pitch, fall = draw.normal(82, 5, count) * MPH, draw.normal(6.6, 1.8, count) * DEGREE
@@ -231,6 +238,7 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
             spin=np.stack([draw.normal(-1000, 1200, count), 0 * pitch, draw.normal(0, 900, count)], axis=-1) * RPM,
         ),
         contact=Contact(place, draw.normal(0.2, 0.9, count) * INCH),
+        friction=friction,
     )
     launch, spray, (back, side, _) = launch_angles(batted.velocity, batted.spin)
     seen = batted.exit_speed + draw.normal(0, 0.5, count) * MPH
