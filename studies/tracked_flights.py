@@ -139,14 +139,15 @@ def angles(balls: pl.DataFrame) -> None:
                 print(f"  {low:2} to {high} deg, {name}: {long.mean():+5.1f} ft, SD {long.std():4.1f}, n {len(long)}")
 
 
-def main(arguments: Sequence[str] | None = None) -> None:
-    """Read, fly, compare."""
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Read, fly, compare; return 1 where a table with hang times misses a bar."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("files", type=Path, nargs="+", help="tables of tracked balls")
     options.add_argument("--temperature", type=float, default=72.0, help="degF, of balls that a table has none of")
     given = options.parse_args(arguments)
     air = Air(temperature=(given.temperature - 32) * 5 / 9)
     setting = replace(season_setting(contact=False, air=air).flight, parks=False)
+    missed = 0
     for path in given.files:
         rows = table_of(path)
         balls, caught = compared(rows, setting)
@@ -164,7 +165,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
             + " ".join(f"{value / FOOT:+.1f}" for value in check.sixths)
         )
         print(f"  bars missed: {', '.join(check.missed) or 'none'}")
+        missed += len(check.missed)
+    return int(missed > 0)
 
 
 if __name__ == "__main__":
-    main()
+    raise SystemExit(main())
