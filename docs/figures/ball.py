@@ -7,23 +7,35 @@ from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREEN, RED, new_figure
 from sweetspot import catalog
-from sweetspot.collision.contact_law import Hysteretic, equivalent_wall_speed
+from sweetspot.collision.contact_law import unloading_exponent
+from sweetspot.equipment.ball import Ball, damped_part, peak_compression
 from sweetspot.units import MPH
+
+
+def _on_a_wall(ball: Ball, turn: float, speed: float, power: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return compression, mm, and force, kN, between the turn (m) and the speed (m/s) that a ball comes or leaves with.
+
+    At the rate v what is stored is (A(c speed) - A(c v)) m / c^2, in proportion to u^(power+1); see `damped_part`.
+    """
+    ends = ball.damping * speed
+    rates = ends * (1 - np.linspace(0.0, 1.0, 200) ** (power + 1))
+    stored = np.array([1 - damped_part(float(rate)) / damped_part(ends) for rate in rates])
+    part = np.maximum(stored, 0.0) ** (1 / (power + 1))
+    force = ball.stiffness * turn**ball.exponent * part**power * (1 + rates)
+    return 1e3 * turn * part, force / 1e3
 
 
 def force_figure() -> Figure:
     """Return loading and unloading at three speeds on a rigid wall."""
     ball = catalog.ball()
-    law = Hysteretic(ball)
     figure, (plot,) = new_figure(7.0, 4.0)
     for speed, color in ((60 * MPH, BLUE), (95 * MPH, GREEN), (150 * MPH, RED)):
-        peak = (speed / equivalent_wall_speed(ball, 1.0)) ** (2 / (ball.exponent + 1))
-        path = np.linspace(1e-6, peak, 200)
-        up = [law.force_and_slope(u, 1.0, None)[0] / 1e3 for u in path]
-        down = [law.force_and_slope(u, -1.0, peak)[0] / 1e3 for u in path[:-1]]
         restitution = ball.restitution.at(speed)
-        plot.plot(1e3 * path, up, color=color, label=f"{speed / MPH:.0f} mph: gives back e² = {restitution**2:.2f}")
-        plot.plot(1e3 * path[:-1], down, color=color, linestyle="--")
+        turn = peak_compression(ball, speed)
+        up = _on_a_wall(ball, turn, speed, ball.exponent)
+        down = _on_a_wall(ball, turn, -restitution * speed, unloading_exponent(ball, turn))
+        plot.plot(*up, color=color, label=f"{speed / MPH:.0f} mph: gives back e² = {restitution**2:.2f}")
+        plot.plot(*down, color=color, linestyle="--")
     plot.set(xlabel="compression (mm)", ylabel="force (kN)", xlim=(0, None), ylim=(0, None))
     plot.legend(frameon=False, title="speed on a rigid wall (dashed: coming back)")
     plot.grid(alpha=0.3)

@@ -32,7 +32,9 @@ from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import INCH, MPH
 
-ELASTIC = catalog.ball().replaced(restitution=RestitutionLaw(reference=1.0, reference_speed=25.0, slope=0.0))
+ELASTIC = catalog.ball().replaced(
+    restitution=RestitutionLaw(reference=1.0, reference_speed=25.0, slope=0.0), damping=0.0
+)
 PATH = SwingPath(attack_angle=0.15, attack_direction=-0.1, tilt=0.55)
 Vector = tuple[float, float, float]
 SHARP = 2e-3

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 from sweetspot import catalog
 from sweetspot.collision import coupled, kernel
-from sweetspot.collision.contact_law import Hysteretic, pressed_in_series
+from sweetspot.collision.contact_law import ContactLaw, pressed_in_series
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
@@ -65,8 +65,8 @@ def test_exit_speed_converges_at_third_order() -> None:
     converged = exit_speed(MODES, places=places, closing=closing, step=0.05e-6)
     steps = np.array([20.0, 16.0, 8.0, 4.0, 2.0]) * 1e-6
     errors = [rms(exit_speed(MODES, places=places, closing=closing, step=step) / converged - 1) for step in steps]
-    assert 2.9 < order(steps, errors) < 4.5
-    assert errors[0] < 6e-6
+    assert 2.4 < order(steps, errors) < 4.5  # what is left of the damper is of second order, and small
+    assert errors[0] < 1.6e-5
 
 
 @pytest.mark.parametrize("exponent", [1.0, 1.2, 1.5, 2.0, 2.5, 3.0])
@@ -86,8 +86,8 @@ def test_the_turn_scatters_little_with_its_place_between_kicks() -> None:
     places = np.full_like(closing, 0.82)
     converged = exit_speed(MODES, places=places, closing=closing, step=1e-6)
     errors = exit_speed(MODES, places=places, closing=closing, step=20e-6) / converged - 1
-    assert np.std(errors) < 6e-6
-    assert abs(np.mean(errors)) < 1.4e-5
+    assert np.std(errors) < 1.4e-5
+    assert abs(np.mean(errors)) < 4e-5
 
 
 @pytest.mark.parametrize(("step", "allowed"), [(coupled.STEP, 1e-5), (kernel.STEP, 1e-4)])
@@ -131,7 +131,8 @@ def test_few_modes_and_what_gives_way_at_once_are_two_hundred_modes(
     # wherever the ball is touched once: what a second touch does is not known to a hundredth (the docs, "Release").
     # Without the static correction the same twelve miss 0.0003 (strings) to 0.007 (the stick). A golf ball is off the
     # club's face so soon that a second dozen is taken (`excited_frequency`).
-    beam, thrown = beam_model(catalog.implement(name)), catalog.ball(ball)
+    # Without the damper, which is taken across ball and surface (`pressed_in_series`): with it some miss 0.0006.
+    beam, thrown = beam_model(catalog.implement(name)), catalog.ball(ball).replaced(damping=0.0)
     few = all_modes(beam, thrown)
     length, outline = beam.bat.length, beam.bat.outline
     edges = (0.5 * length, 0.998 * length) if outline is None else (outline.start, outline.end)
@@ -169,14 +170,14 @@ def test_a_surface_that_gives_way_at_once_keeps_the_ledger_closed(give: float, c
     impact = hit(soft, ball=BALL, position=place, closing_speed=closing)
     assert abs(impact.energy.imbalance) < 1e-4
     assert hits(soft, ball=BALL, position=place, closing_speed=closing, step=4e-6).collision_efficiency[0] == (
-        pytest.approx(impact.collision_efficiency, abs=1e-7)
+        pytest.approx(impact.collision_efficiency, abs=3e-7)
     )
 
 
 def test_a_soft_surface_before_a_lossless_one_is_two_springs_in_a_row() -> None:
     # exact: a linear ball without loss on a heavy bat touches for pi sqrt(m (1/k + C)) and keeps all its speed
     law = RestitutionLaw(reference=1.0, reference_speed=20.0)
-    ball = BALL.replaced(restitution=law, stiffness=2e6, exponent=1.0)
+    ball = BALL.replaced(restitution=law, stiffness=2e6, exponent=1.0, damping=0.0)
     heavy = replace(MODES.selected([0]), shapes=Piecewise(np.full((1, 1, 1), 1e-4), np.array([0.0, 1.0])))
     soft = replace(heavy, compliances=(Piecewise(np.full((1, 1), 3e-7), np.array([0.0, 1.0])),))
     impact = hit(soft, ball=ball, position=0.7, closing_speed=30.0)
@@ -187,7 +188,7 @@ def test_a_soft_surface_before_a_lossless_one_is_two_springs_in_a_row() -> None:
 
 def _integrated_until_gone(modes: Modes, place: float, closing: float, *, until: float) -> float:
     """Return -v_ball / v_closing at a time: ball and modes by scipy's DOP853, phase by phase, without the solver."""
-    shape, give, law = modes.shape_at(place), float(modes.compliance_at(place)), Hysteretic(BALL)
+    shape, give, law = modes.shape_at(place), float(modes.compliance_at(place)), ContactLaw(BALL)
     rate, stiffness, size = modes.damping_rate, modes.angular_frequency**2, len(modes)
 
     def approach(state: Array) -> float:
@@ -204,7 +205,8 @@ def _integrated_until_gone(modes: Modes, place: float, closing: float, *, until:
             together = approach(state)
             if phase == "free" or together <= 0:
                 return 0.0
-            return pressed_in_series(law, approach=together, compliance=give, rate=0.0, turned_at=turned)[1]
+            _, elastic, slope = pressed_in_series(law, approach=together, compliance=give, turned_at=turned)
+            return max(0.0, elastic * (1 + BALL.damping / (1 + give * slope) * closing_in(state)))
 
         def motion(_: float, state: Array) -> Array:
             force, q, speed = push(state), state[2 : 2 + size], state[2 + size :]
@@ -217,7 +219,7 @@ def _integrated_until_gone(modes: Modes, place: float, closing: float, *, until:
         done = solve_ivp(motion, (now, until), state, method="DOP853", rtol=1e-8, atol=1e-10, events=turns)
         state, now = done.y[:, -1], float(done.t[-1])
         if phase == "load":
-            peak, *_ = pressed_in_series(law, approach=approach(state), compliance=give, rate=0.0, turned_at=None)
+            peak, *_ = pressed_in_series(law, approach=approach(state), compliance=give, turned_at=None)
         phase = {"load": "unload", "unload": "free", "free": "load"}[phase]
     return -float(state[1]) / closing
 
@@ -246,7 +248,7 @@ def test_a_bat_that_overtakes_the_ball_hits_it_again(hands: Hands) -> None:
     assert unrecovered.collision_efficiency > once
     assert abs(unrecovered.collision_efficiency - impact.collision_efficiency) > 0.02  # softer, and without loss
     many = hits_with_motion(modes, ball=BALL, position=place, closing_speed=closing, step=4e-6)
-    assert many.collision_efficiency[0] == pytest.approx(impact.collision_efficiency, abs=1e-9)
+    assert many.collision_efficiency[0] == pytest.approx(impact.collision_efficiency, abs=1e-8)
     assert many.touches.tolist() == [2]
     three = hits(modes, ball=BALL, position=[0.7, place, 0.7], closing_speed=[closing, closing, -1.0])
     assert three.touches.tolist() == [1, 2, 0]

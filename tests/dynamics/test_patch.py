@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.collision.contact_law import Hysteretic, pressed_in_series
+from sweetspot.collision.contact_law import ContactLaw, damped_impulse, pressed_in_series
 from sweetspot.collision.free_motion import modal_propagator_of
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
@@ -83,7 +83,7 @@ def _grown(modes: Modes, place: float) -> _Grown:
 
 def growing_efficiency(modes: Modes, ball: Ball, *, place: float, speed: float, step: float = 4e-6) -> float:
     """Return q where the patch is a = sqrt(R u) of the present compression u at every moment."""
-    law, grown, drift = Hysteretic(ball), _grown(modes, place), modal_propagator_of(modes, step)
+    law, grown, drift = ContactLaw(ball), _grown(modes, place), modal_propagator_of(modes, step)
     displacement, velocity = np.zeros(len(modes)), np.zeros(len(modes))
     position, ball_speed, compression, peak = speed * step / 2, speed, 1e-6, 0.0
     turned: float | None = None
@@ -93,14 +93,13 @@ def growing_efficiency(modes: Modes, ball: Ball, *, place: float, speed: float, 
             approach = position - float(shape @ displacement)
             if approach <= 0:
                 return -ball_speed / speed
-            compression, force, _ = pressed_in_series(
-                law, approach=approach, compliance=give, rate=0.0, turned_at=turned
-            )
+            compression, force, slope = pressed_in_series(law, approach=approach, compliance=give, turned_at=turned)
         if approach >= peak:
             peak = approach
         elif turned is None:
             turned = compression
-        impulse = force * step
+        rate, lightness = ball_speed - float(shape @ velocity), 1 / ball.mass + float(shape @ shape)
+        impulse, _ = damped_impulse(step * force, ball.damping / (1 + give * slope), rate, lightness, rate, 0.0, step)
         ball_speed -= impulse / ball.mass
         velocity = velocity + shape * impulse
         displacement, velocity = (

@@ -1,10 +1,6 @@
 """One bat, one swing, every answer: the whole chain from description to sweet spots.
 
-What a miss costs, and how sure that is: by our law of the ball, and by one that loses its energy in another way.
-
-Two balls that bounce alike from a wall need not do so from a bat that bends away beneath them. `Hysteretic` loses by
-how far the ball is pressed, `HuntCrossley` by how fast. What is known speaks for the first (see the page of the ball),
-but no measurement along a bat has settled it, so the second stands for what could be different.
+What a miss costs, and how sure that is: with the ball's law, and with the ends of what is known of it.
 """
 
 from __future__ import annotations
@@ -18,14 +14,14 @@ import numpy as np
 from sweetspot.analysis.position_scan import Scan, scan
 from sweetspot.analysis.sweet_spot import SweetSpots, miss_cost, sweet_spots
 from sweetspot.collision.closed_form import exit_speed
-from sweetspot.collision.contact_law import ContactLaw, HuntCrossley
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
+from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import Given, ReducedBat, Tool_co, reduced_bat
-from sweetspot.dynamics.rigid import RigidBody, effective_mass
+from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -130,13 +126,10 @@ def analyse_reduced(reduced: ReducedBat[Given], conditions: Conditions) -> Analy
     return Analysis(reduced.bat, conditions, reduced.beam, reduced.body, held.modes, reduced.modes, along, spots)
 
 
-def hit_at(
-    position: float, *, modes: Modes, conditions: Conditions, lateral: float = 0.0, law: ContactLaw | None = None
-) -> Impact:
+def hit_at(position: float, *, modes: Modes, conditions: Conditions, lateral: float = 0.0) -> Impact:
     """Return the hit at one place under these conditions.
 
     ``position``: m from the knob end. ``modes``: those of an `Analysis`. ``lateral``: m across the face from the line.
-    ``law``: another contact law than the ball's own.
 
     >>> from sweetspot import standard_analysis
     >>> from sweetspot.analysis.bat_analysis import exit_speed_of, hit_at
@@ -146,7 +139,7 @@ def hit_at(
     46.4
     """
     closing = conditions.pitch.speed + conditions.swing.speed_at(position)
-    return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing, law=law)
+    return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing)
 
 
 def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
@@ -217,18 +210,11 @@ BEYOND = 0.06
 
 
 class Loss(NamedTuple):
-    """Exit speed lost, m/s: by our law, and the ends of the interval that both laws span; nan where nothing is hit."""
+    """Exit speed lost, m/s, and the ends of the interval that the ball's law leaves open; nan where nothing is hit."""
 
     value: float
     low: float
     high: float
-
-
-class ViscousScan(NamedTuple):
-    """Hits with `HuntCrossley` around the best place: m from the knob end and m/s, shape (places,)."""
-
-    position: Array
-    exit_speed: Array
 
 
 def miss_costs(analysis: Analysis[Implement], distances: tuple[float, ...]) -> list[tuple[Loss, Loss]]:
@@ -236,36 +222,56 @@ def miss_costs(analysis: Analysis[Implement], distances: tuple[float, ...]) -> l
 
     Each law's cost counts from its own best place.
     """
-    other = viscous_scan(analysis, reach=max(distances))
-    index, shift, best = top(other.exit_speed)
-    place = float(other.position[index] + shift * (other.position[1] - other.position[0]))
+    others = law_scans(analysis, reach=max(distances))
     costs = []
     for distance in distances:
-        ours = miss_cost(analysis.scan, distance)
-        theirs = [best - float(np.interp(place + way * distance, *other, left=np.nan, right=np.nan)) for way in (-1, 1)]
-        inside, outside = (Loss(cost, *_span(cost, viscous)) for cost, viscous in zip(ours, theirs, strict=True))
+        nominal = miss_cost(analysis.scan, distance)
+        sides = zip(nominal, *(_cost(other, distance) for other in others), strict=True)
+        inside, outside = (Loss(cost, *_span(cost, *rest)) for cost, *rest in sides)
         costs.append((inside, outside))
     return costs
 
 
-def _span(cost: float, viscous: float) -> tuple[float, float]:
-    """Return the lower and the higher of two costs; where the second law's place is off the bat, the first alone."""
-    return (cost, cost) if np.isnan(viscous) else (min(cost, viscous), max(cost, viscous))
+def _cost(places: LawScan, distance: float) -> tuple[float, float]:
+    """Return what a miss costs on the hands' and on the tip's side of the best place of a scan, m/s."""
+    index, shift, best = top(places.exit_speed)
+    place = float(places.position[index] + shift * (places.position[1] - places.position[0]))
+    inside, outside = (
+        best - float(np.interp(place + way * distance, *places, left=np.nan, right=np.nan)) for way in (-1, 1)
+    )
+    return inside, outside
 
 
-def viscous_scan(analysis: Analysis[Implement], *, reach: float) -> ViscousScan:
-    """Return hits under the same conditions with a ball that loses by speed, as lively on a wall as ours.
+def _span(cost: float, *others: float) -> tuple[float, float]:
+    """Return the lowest and the highest cost; where another law's place is off the bat, without it."""
+    return float(np.fmin.reduce([cost, *others])), float(np.fmax.reduce([cost, *others]))
 
-    Its damper is chosen for the speed on a wall at which as much energy would be stored, v / sqrt(1 + r).
+
+class LawScan(NamedTuple):
+    """Hits with another law of the ball around the best place: m from the knob end and m/s, shape (places,)."""
+
+    position: Array
+    exit_speed: Array
+
+
+def law_scans(analysis: Analysis[Implement], *, reach: float) -> list[LawScan]:
+    """Return hits under the same conditions with the ball at both ends of what is known of its law (`Ball.with_law`).
+
+    Empty for a ball whose law was not asked. ``reach``: m to either side of our best place, beyond which another
+    `BEYOND` is tried.
     """
     best, given = analysis.sweet_spots.max_exit_speed, analysis.conditions
+    if given.ball.law_ends is None:
+        return []
     low = max(float(analysis.scan.position[0]), best - reach - BEYOND)
     high = min(float(analysis.scan.position[-1]), best + reach + BEYOND)
     places = np.linspace(low, high, max(4, round((high - low) / SPACING) + 1))
-    speeds = []
-    for place in places:
-        recoil = given.ball.mass / effective_mass(analysis.body, float(place))
-        closing = given.pitch.speed + given.swing.speed_at(float(place))
-        law = HuntCrossley.for_speed(given.ball, closing / (1 + recoil) ** 0.5)
-        speeds.append(exit_speed_of(hit_at(float(place), modes=analysis.modes, conditions=given, law=law), given))
-    return ViscousScan(places, np.array(speeds))
+    speeds = given.swing.angular_speed * (places - given.swing.pivot)
+    found = []
+    for end in (-1.0, 1.0):
+        ball = given.ball.with_law(end)
+        efficiency = hits(
+            analysis.modes, ball=ball, position=places, closing_speed=given.pitch.speed + speeds
+        ).collision_efficiency
+        found.append(LawScan(places, exit_speed(efficiency, ball_speed=given.pitch.speed, bat_speed=speeds)))
+    return found

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import cache
 
 from sweetspot.catalog.records import Entry, canonical, entry, read_table
 from sweetspot.equipment.ball import (
     Ball,
+    LossLaw,
     RestitutionLaw,
+    damping_from_share,
     stiffness_from_contact_time,
     stiffness_from_load,
     stiffness_from_peak_force,
 )
+from sweetspot.numerics.interval import REACH
 from sweetspot.units import Kind
 
 FILE = "balls.toml"
@@ -53,27 +57,47 @@ def ball(name: str = DEFAULT_BALL) -> Ball:
     _, record = entry(read_table(FILE), name, "ball")
     mass, exponent = record.quantity("mass", "mass"), record.quantity("force_exponent", "ratio")
     diameter = record.quantity_or_none("diameter", "length")
-    law = RestitutionLaw(
-        reference=record.quantity("cor_reference", "ratio"),
-        reference_speed=record.quantity("cor_reference_speed", "speed"),
-        slope=record.quantity("cor_slope", "slope per speed"),
-    )
+    law, loss = _law(record, mass=mass, exponent=exponent)
+    ends = [
+        _law(Entry(record.key, {**record, **record.table(end).fields}), mass=mass, exponent=exponent)[1]
+        for end in ("law_low", "law_high")
+        if end in record
+    ]
     return Ball(
         name=record.name,
         mass=mass,
         radius=(record.quantity("circumference", "length") / math.pi if diameter is None else diameter) / 2,
         restitution=law,
-        stiffness=_stiffness(record, mass=mass, exponent=exponent, law=law),
+        stiffness=loss.stiffness,
         exponent=exponent,
+        damping=loss.damping,
+        law_ends=(ends[0], ends[1]) if ends else None,
         **record.quantities(OF_WEATHER),
     )
 
 
-def _stiffness(record: Entry, *, mass: float, exponent: float, law: RestitutionLaw) -> float:
+def _law(record: Entry, *, mass: float, exponent: float) -> tuple[RestitutionLaw, LossLaw]:
+    """Return how lively a ball is, and how it pushes, from the one kind of test that its entry describes."""
+    law = RestitutionLaw(
+        reference=record.quantity("cor_reference", "ratio")
+        + (record.quantity_or_none("cor_reference_change", "ratio") or 0.0),
+        reference_speed=record.quantity("cor_reference_speed", "speed"),
+        slope=record.quantity("cor_slope", "slope per speed")
+        + (record.quantity_or_none("cor_slope_change", "slope per speed") or 0.0),
+    )
+    damping = 0.0
+    if "rate_share" in record:
+        speed = record.quantity("rate_share_speed", "speed")
+        damping = damping_from_share(record.quantity("rate_share", "ratio"), speed=speed, restitution=law.at(speed))
+    stiffness = _stiffness(record, mass=mass, exponent=exponent, law=law, damping=damping)
+    return law, LossLaw(damping=damping, stiffness=stiffness, reference=law.reference, slope=law.slope)
+
+
+def _stiffness(record: Entry, *, mass: float, exponent: float, law: RestitutionLaw, damping: float) -> float:
     """Return k from the one kind of test that the entry describes."""
     if "peak_force" in record:
         force, speed = record.quantity("peak_force", "force"), record.quantity("peak_force_speed", "speed")
-        return stiffness_from_peak_force(force, speed=speed, mass=mass, exponent=exponent)
+        return stiffness_from_peak_force(force, speed=speed, mass=mass, exponent=exponent, damping=damping)
     if "load" in record:
         pressed = record.quantity("load_compression", "length")
         return stiffness_from_load(record.quantity("load", "force"), compression=pressed, exponent=exponent)
@@ -81,34 +105,82 @@ def _stiffness(record: Entry, *, mass: float, exponent: float, law: RestitutionL
     return stiffness_from_contact_time(time, speed=speed, mass=mass, exponent=exponent, restitution=law.at(speed))
 
 
-def ball_spreads(ball: Ball) -> dict[str, float]:
-    """Return the half widths of what is plausible of a ball of the catalogue, whatever was changed on it.
+THIS_BALL, MEAN_BALL, BALL_LAW = "this ball", "the mean ball", "the law of the ball"
+"""The parts of what is not known of a ball: by how much one differs from the others; how lively and hard all of a kind
+are on average, in a league, a year, a humidity; and how force and restitution go with depth, rate and speed."""
+WHERE = {
+    THIS_BALL: "how one ball of its kind differs from the next, in the catalogue",
+    MEAN_BALL: "how lively balls of its kind are on average, in the catalogue",
+    BALL_LAW: "how force and restitution go with compression and speed, in the catalogue",
+}
+"""What each of them rests on."""
 
-    Returns
-    -------
-    dict
-        "restitution" and "restitution_slope" (s/m) as they are, "mass" and "stiffness" as parts of themselves; without
-        those that the catalogue does not know, and empty for a ball that it does not have.
 
-    >>> round(ball_spreads(ball("baseball"))["restitution"], 3)
-    0.032
+@dataclass(frozen=True)
+class BallDoubt:
+    """One thing that is not known of a ball, independent of the others.
+
+    Parameters
+    ----------
+    part : of the ball: `THIS_BALL`, `MEAN_BALL` or `BALL_LAW`.
+    deviation : what one standard deviation of it does to a ball, as `Ball.deviated` takes it.
+    where : what that rests on.
     """
-    record = next((each for each in read_table(FILE).values() if each.name == ball.name), None)
+
+    part: str
+    deviation: tuple[tuple[str, float], ...]
+    where: str
+
+
+def ball_doubts(ball: Ball) -> tuple[BallDoubt, ...]:
+    """Return the unknowns of a ball of the catalogue, whatever was changed on it; empty for one it does not have.
+
+    The catalogue's spreads are half widths of 90 % intervals. The restitution of a baseball is anchored at the speed of
+    the test by which wood bats are known: where its slope is another, its line turns about that speed.
+
+    >>> sorted({doubt.part for doubt in ball_doubts(ball("baseball"))})
+    ['the law of the ball', 'the mean ball', 'this ball']
+    """
+    record = _record(ball)
     if record is None:
-        return {}
+        return ()
+    slope, anchor = slope_doubt(ball)
+    scatter = record.quantity_or_none("cor_scatter", "ratio")
+    halves = (
+        (THIS_BALL, "restitution", scatter),
+        (THIS_BALL, "mass", _part(record, "mass", "mass")),
+        (MEAN_BALL, "restitution", record.spread("cor_reference", "ratio")),
+        (BALL_LAW, "stiffness", _stiffness_part(record, ball.exponent)),
+        (BALL_LAW, "law", None if ball.law_ends is None else 1.0),
+    )
+    doubts = [BallDoubt(part, ((name, half / REACH),), WHERE[part]) for part, name, half in halves if half]
+    if slope:
+        level = -slope * (ball.restitution.reference_speed - anchor)
+        doubts.append(BallDoubt(BALL_LAW, (("restitution", level), ("restitution_slope", slope)), WHERE[BALL_LAW]))
+    return tuple(doubts)
 
-    def part(field: str, kind: Kind) -> float | None:
-        size = record.spread(field, kind)
-        return None if size is None else size / record.quantity(field, kind)
 
-    forces = {"peak_force": part("peak_force", "force"), "contact_time": part("contact_time", "time")}
-    steep = next((size for size in forces.values() if size is not None), None)
-    slow = part("load", "force")
-    spreads = {
-        "restitution": record.spread("cor_reference", "ratio"),
-        "restitution_slope": record.spread("cor_slope", "slope per speed"),
-        "mass": part("mass", "mass"),
-        # k goes as the (n + 1)th power of a peak force or of one over the time of contact
-        "stiffness": (ball.exponent + 1) * steep if steep is not None else slow,
-    }
-    return {name: size for name, size in spreads.items() if size}
+def slope_doubt(ball: Ball) -> tuple[float, float]:
+    """Return one standard deviation of a restitution's slope, s/m, and the speed in m/s about which its line turns."""
+    record, law = _record(ball), ball.restitution
+    if record is None:
+        return 0.0, law.reference_speed
+    anchor = record.quantity_or_none("cor_anchor_speed", "speed")
+    size = record.spread("cor_slope", "slope per speed") or 0.0
+    return size / REACH, law.reference_speed if anchor is None else anchor
+
+
+def _record(ball: Ball) -> Entry | None:
+    return next((each for each in read_table(FILE).values() if each.name == ball.name), None)
+
+
+def _part(record: Entry, field: str, kind: Kind) -> float | None:
+    """Return the spread of a quantity as a part of it; None where the catalogue does not know it."""
+    size = record.spread(field, kind)
+    return None if size is None else size / record.quantity(field, kind)
+
+
+def _stiffness_part(record: Entry, exponent: float) -> float | None:
+    """Return the spread of k as a part of it: k goes as a peak force or one over a time of contact to the n + 1."""
+    steep = _part(record, "peak_force", "force") or _part(record, "contact_time", "time")
+    return (exponent + 1) * steep if steep else _part(record, "load", "force")

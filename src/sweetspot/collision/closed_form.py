@@ -6,9 +6,15 @@ v_f = q v_ball + (1 + q) v_bat.
 
 from __future__ import annotations
 
+from typing import cast
+
+import numpy as np
+
+from sweetspot.collision.contact_law import FREELY, LEAST_DAMPING
 from sweetspot.dynamics.rigid import RigidBody, effective_mass
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.base import Real
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 
 
@@ -56,14 +62,59 @@ def rigid_efficiency(
 ) -> Real:
     """Return q of a rigid bat, free or turning about a fixed ``pivot``.
 
-    The ball stores the energy mu v^2 / 2, mu = m / (1 + r), as on a wall at v / sqrt(1 + r): its restitution is
-    taken there. This is the exact limit of the coupled collision without vibrations.
+    This is the exact limit of the coupled collision without vibrations.
 
     Parameters
     ----------
     closing_speed : m/s, ball speed plus bat speed at the point of impact, > 0.
     """
     recoil = ball.mass / effective_mass(body, position, pivot=pivot)
-    wall_speed: Real = closing_speed / (1 + recoil) ** 0.5  # a power, not np.sqrt: plain numbers stay plain
-    restitution = ball.restitution.at(wall_speed)
-    return collision_efficiency(restitution, recoil=recoil)
+    return collision_efficiency(free_restitution(ball, closing_speed=closing_speed, recoil=recoil), recoil=recoil)
+
+
+def free_restitution(ball: Ball, *, closing_speed: Real, recoil: Real) -> Real:
+    """Return e of a ball and a rigid body that is free to recoil.
+
+    Without a damper the ball stores the energy mu v^2 / 2, mu = m / (1 + r), as on a wall at v / sqrt(1 + r): its
+    restitution is taken there. With one it stores E = mu A(c v) / c^2 (`damped_part`), springs back as from the wall
+    that stores as much, with (n + 1) E / (p + 1) = E A(-e_w c v_w) / A(c v_w), and leaves with e v, where that equals
+    mu A(-c e v) / c^2.
+
+    Parameters
+    ----------
+    closing_speed : v in m/s, > 0.
+    recoil : r, the ball's mass over the effective mass of the body.
+
+    >>> from sweetspot import catalog
+    >>> ball = catalog.ball()
+    >>> round(free_restitution(ball, closing_speed=60.0, recoil=0.0) / ball.restitution.at(60.0), 9)  # a wall
+    1.0
+    """
+    c = ball.damping
+    if c < LEAST_DAMPING:
+        on_wall: Real = closing_speed / (1 + recoil) ** 0.5  # a power, not np.sqrt: plain numbers stay plain
+        return ball.restitution.at(on_wall)
+    number = c * np.maximum(np.asarray(closing_speed, float), 1e-9)
+    stored = (number - np.log1p(number)) / (1 + np.asarray(recoil, float))  # times m / c^2
+    wall = _pressed_number(stored)
+    back = np.minimum(ball.restitution.at(wall / c) * wall, FREELY)
+    returned = (-back - np.log1p(-back)) * (1 + recoil)
+    freed = _freed_number(np.asarray(returned))
+    found = freed / number
+    return cast("Real", float(found) if found.ndim == 0 else found)
+
+
+def _pressed_number(energy: Array) -> Array:
+    """Return d with d - ln(1 + d) = X, by Newton's method."""
+    number = np.sqrt(2 * energy) + 2 * energy / 3
+    for _ in range(6):
+        number = number - (number - np.log1p(number) - energy) * (1 + number) / number
+    return np.asarray(number)
+
+
+def _freed_number(energy: Array) -> Array:
+    """Return x with -x - ln(1 - x) = Y, by Newton's method from an upper bound, whence it never overshoots."""
+    number = np.minimum(np.sqrt(2 * energy), -np.expm1(-1 - energy))
+    for _ in range(12):
+        number = number - (-number - np.log1p(-number) - energy) * (1 - number) / number
+    return np.asarray(number)

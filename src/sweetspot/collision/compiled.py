@@ -30,7 +30,7 @@ from sweetspot.collision.kernel_arrays import (
     Steps,
 )
 from sweetspot.collision.time_step import impulse_of_the_turn
-from sweetspot.equipment.ball import restitution_at
+from sweetspot.equipment.ball import damped_part, restitution_at
 from sweetspot.numerics import interpolants
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled, inner
@@ -51,7 +51,8 @@ SEPARATED, STILL_IN_CONTACT, NO_CONTACT, _ = map(int, Outcome)
 CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
 PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, EVENT, FORCE, CONTACT = range(7, 17)
 GIVE, FORMER, PUSHED, DEEPEST, HARDEST, UNTIL, MISSING = range(17, 24)
-STATE_ROWS = 24
+RATE, MIDDLE, BY_STEPS, SURFACE_GIVE, LIGHTNESS, DAMPED, TOTAL, FORMER_TOTAL = range(24, 32)
+STATE_ROWS = 32
 
 
 class Lanes(NamedTuple):
@@ -72,7 +73,10 @@ _crossing = register_jitable(interpolants.crossing)
 _vertex = register_jitable(interpolants.vertex)
 _impulse_of_the_turn = register_jitable(impulse_of_the_turn)
 _unloading_power = register_jitable(contact_law.unloading_power)
-register_jitable(restitution_at)
+_top_of = register_jitable(contact_law.top_of)
+_damped_impulse = register_jitable(contact_law.damped_impulse)
+for readable in (restitution_at, damped_part, contact_law.wall_speed):
+    register_jitable(readable)
 
 
 _inlined = inner(forceinline=True, _nrt=False, error_model="numpy", fastmath={"contract", "nsz"})
@@ -87,10 +91,11 @@ def solve(
     Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another. The parts
     of a step are functions that are compiled into this one; with the kick as one of them it is a tenth slower.
 
-    The force at approach w solves u + C F(u) = w. The forces of the last two kicks foretell u to about (h / T)^2; from
-    there one step of Chebyshev's method along the curve leaves 1e-8 of the force, for one power per kick. Where C F is
-    large beside u, under a soft surface, the forecast may be no use: lanes that it leaves further than `ROUGH` from the
-    root are solved to the end (`pressed`).
+    The elastic force G at approach w solves u + C G(u) = w. The forces of the last two kicks foretell u to about
+    (h / T)^2; from there one step of Chebyshev's method along the curve leaves 1e-8 of the force, for one power per
+    kick. Where C G is large beside u, under a soft surface, the forecast may be no use: lanes that it leaves further
+    than `ROUGH` from the root are solved to the end (`pressed`). What the ball's damper adds is
+    `contact_law.damped_impulse`.
     """
     size = bat.shapes.shape[1]
     # rows as long as the most lanes, whose distances the compiler then knows: it need not ask whether they overlap
@@ -106,10 +111,13 @@ def solve(
     for lane in range(lane_count):
         following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
         busy += lanes.hit_of[lane] >= 0
-    state[APPROACH][:] = 0.0  # before first touch
+    state[APPROACH][:] = state[RATE][:] = 0.0  # before first touch
     ball_position, ball_speed, force, former = state[BALL_POSITION], state[BALL_SPEED], state[FORCE], state[FORMER]
     kicks, contact, pushed, largest = state[KICKS], state[CONTACT], state[PUSHED], state[LARGEST]
-    event, impulse, left_out = state[EVENT], state[IMPULSE], state[MISSING]
+    event, impulse, left_out, hardest = state[EVENT], state[IMPULSE], state[MISSING], state[HARDEST]
+    closing, middle, by_steps, lightness = state[RATE], state[MIDDLE], state[BY_STEPS], state[LIGHTNESS]
+    damped, total, former_total, rising = state[DAMPED], state[TOTAL], state[FORMER_TOTAL], state[RISING]
+    per_step = 1.0 / step
     drift, dashpots, half_dash, rate, stray = bat.drift, bat.dashpots, bat.half_dash, np.zeros(LANES), np.zeros(LANES)
     while busy > 0:
         if _look(lane_count, steps.limit, state):
@@ -118,16 +126,24 @@ def solve(
                     following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
                     kicks[lane] += 1.0
                     busy -= lanes.hit_of[lane] < 0
-        _push(lane_count, stray, state)
+        _push(lane_count, ball.damping, stray, state)
         for lane in range(lane_count):
-            largest[lane] = max(largest[lane], pushed[lane])
+            kick, middle[lane] = _damped_impulse(
+                pushed[lane] * step, damped[lane], closing[lane], lightness[lane], middle[lane], by_steps[lane], step
+            )
+            latest = kick * per_step
+            largest[lane] = max(largest[lane], latest)
             threshold = CONTACT_FORCE * largest[lane]
-            ebbing = (force[lane] >= threshold) & (pushed[lane] < threshold)
-            part = (force[lane] - threshold) / (force[lane] - pushed[lane])
+            ebbing = (total[lane] >= threshold) & (latest < threshold)
+            part = (total[lane] - threshold) / (total[lane] - latest)
             contact[lane] = kicks[lane] + part if ebbing else contact[lane]
+            top = _top_of(former_total[lane], total[lane], latest)
+            topped = (total[lane] >= former_total[lane]) & (total[lane] > latest) & (rising[lane] > 0.0)
+            hardest[lane] = max(hardest[lane], top) if topped else hardest[lane]
+            former_total[lane], total[lane] = total[lane], latest
             former[lane] = force[lane]
             force[lane] = pushed[lane]
-            impulse[lane] = pushed[lane] * step + left_out[lane]
+            impulse[lane] = kick + left_out[lane]
             left_out[lane] = 0.0
             ball_speed[lane] -= impulse[lane] / mass
             ball_position[lane] += ball_speed[lane] * step
@@ -140,6 +156,10 @@ def solve(
         _drift(lane_count, drift, lanes)
         if len(half_dash) > 0:
             _dash(lanes.velocity, dashpots, half_dash, rate)
+            closing[:] = 0.0
+            for i in range(size):
+                for lane in range(lane_count):
+                    closing[lane] += lanes.shape[i, lane] * lanes.velocity[i, lane]
 
 
 @_inlined
@@ -151,6 +171,7 @@ def _look(lane_count: int, limit: float, state: Array) -> bool:
         state[BEFORE, lane] = state[APPROACH, lane]
         state[APPROACH, lane] = state[BALL_POSITION, lane] - state[SURFACE, lane]
         state[SURFACE, lane] = 0.0
+        state[RATE, lane] = state[BALL_SPEED, lane] - state[RATE, lane]
         state[KICKS, lane] += 1.0
         level = 0.0 if state[EARLIER, lane] > 0.0 else -np.inf  # before the third kick there is no parabola
         falling = 3.0 * state[APPROACH, lane] - 4.0 * state[BEFORE, lane] + state[EARLIER, lane] < level
@@ -186,8 +207,8 @@ def _follow(lane: int, bat: BatNumbers, ball: BallNumbers, steps: Steps, lanes: 
 
 
 @_inlined
-def _push(lane_count: int, stray: Array, state: Array) -> None:
-    """Solve for the force of every lane, at its approach."""
+def _push(lane_count: int, damping: float, stray: Array, state: Array) -> None:
+    """Solve for the elastic force of every lane, at its approach; ``damping`` is the ball's, s/m."""
     rough = 0
     for lane in range(lane_count):
         guess = max(
@@ -205,27 +226,33 @@ def _push(lane_count: int, stray: Array, state: Array) -> None:
         rough |= stray[lane] > ROUGH
         missing *= 1.0 - state[GIVE, lane] * bend * missing * softened
         state[PUSHED, lane] = pushing + missing * (steepness + bend * missing)
+        state[DAMPED, lane] = damping / (1.0 + state[SURFACE_GIVE, lane] * (steepness + 2.0 * bend * missing))
     if rough:
         for lane in range(lane_count):
             if stray[lane] > ROUGH:
                 foretold = 2.0 * state[FORCE, lane] - state[FORMER, lane]
-                _, state[PUSHED, lane] = pressed(
+                compression, state[PUSHED, lane] = pressed(
                     state[APPROACH, lane], state[GIVE, lane], foretold, state[OFFSET, lane], state[POWER, lane]
                 )
+                steepness = state[POWER, lane] * state[PUSHED, lane] / compression
+                state[DAMPED, lane] = damping / (1.0 + state[SURFACE_GIVE, lane] * steepness)
 
 
 @_inlined
 def _drift(lane_count: int, drift: Array, lanes: Lanes) -> None:
-    """Kick every mode of every lane and let it move for a step; add up where the surface is."""
+    """Kick every mode of every lane and let it move for a step; add up where the surface is, and how fast it moves."""
     shapes, places, speeds = lanes.shape, lanes.displacement, lanes.velocity
+    lanes.state[RATE, :lane_count] = 0.0
     for i in range(len(drift)):
         a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
         for lane in range(lane_count):
             place, start = places[i, lane], speeds[i, lane] + shapes[i, lane] * lanes.state[IMPULSE, lane]
             moved = a * place + b * start
-            speeds[i, lane] = c * place + d * start
+            speed = c * place + d * start
+            speeds[i, lane] = speed
             places[i, lane] = moved
             lanes.state[SURFACE, lane] += shapes[i, lane] * moved
+            lanes.state[RATE, lane] += shapes[i, lane] * speed
 
 
 @inner(_nrt=False)
@@ -265,18 +292,21 @@ def _start(
         output.results[TOUCHES, following] = 0.0
     lanes.hit_of[lane] = -1 if idle else following
     speed = 0.0 if idle else closing_speed[following]
-    give = steps.step**2 / 12 / ball.mass + (0.0 if idle else bat.give[following])
+    by_steps, lightness = steps.step**2 / 12 / ball.mass, 1 / ball.mass
     for i in range(size):
         lanes.shape[i, lane] = 0.0 if idle else bat.shapes[following, i]
-        give += lanes.shape[i, lane] ** 2 * bat.step_give[i]
+        by_steps += lanes.shape[i, lane] ** 2 * bat.step_give[i]
+        lightness += lanes.shape[i, lane] ** 2
         lanes.displacement[i, lane] = 0.0
         lanes.velocity[i, lane] = 0.0
     state = lanes.state
     state[:, lane] = 0.0
     state[CLOSING, lane] = speed
-    state[BALL_SPEED, lane] = speed
+    state[BALL_SPEED, lane] = state[RATE, lane] = speed
     state[BALL_POSITION, lane] = 1.0 if idle else speed * steps.first_kick * steps.step
-    state[GIVE, lane] = give
+    surface_give = 0.0 if idle else bat.give[following]
+    state[GIVE, lane], state[SURFACE_GIVE, lane] = by_steps + surface_give, surface_give
+    state[BY_STEPS, lane], state[LIGHTNESS, lane] = by_steps, lightness
     state[APPROACH, lane] = state[BALL_POSITION, lane]
     _touch(lane, ball, state)
     if idle:  # never turns, ends or pushes
@@ -292,6 +322,8 @@ def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
     state[RISING, lane] = 1.0
     state[OFFSET, lane], state[POWER, lane] = log(ball.stiffness), ball.exponent
     state[FORCE, lane] = state[FORMER, lane] = state[UNTIL, lane] = 0.0
+    state[TOTAL, lane] = state[FORMER_TOTAL, lane] = 0.0
+    state[MIDDLE, lane] = state[RATE, lane]
 
 
 @inner(_nrt=False)
@@ -387,8 +419,8 @@ def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Hi
     results[GREATEST_COMPRESSION, row] = state[DEEPEST, lane]
     if separated:
         threshold = CONTACT_FORCE * state[LARGEST, lane]
-        if state[FORCE, lane] >= threshold:
-            state[CONTACT, lane] = state[KICKS, lane] + 1 - threshold / state[FORCE, lane]
+        if state[TOTAL, lane] >= threshold:
+            state[CONTACT, lane] = state[KICKS, lane] + 1 - threshold / state[TOTAL, lane]
         crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])
         results[EFFICIENCY, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
         results[CONTACT_TIME, row] = (state[CONTACT, lane] - 2 + steps.first_kick) * steps.step

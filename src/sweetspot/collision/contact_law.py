@@ -7,22 +7,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
-from sweetspot.equipment.ball import Ball, RestitutionLine, restitution_at
+from sweetspot.equipment.ball import Ball, RestitutionLine, damped_part, restitution_at
 
+LEAST_DAMPING = 1e-7
+"""s/m; below it a damper takes less than 1e-5 of what is lost, and its formulas lose their digits."""
 NEWTON_STEPS = 60
+FREELY = 0.999
+"""Largest c e v on the way back: beyond 1 no elastic force could drive a ball so quickly against its damper."""
 NEARLY = 3e-8
 """Relative change after which Newton's method is left: what then remains is about its square."""
-
-
-class ContactLaw(Protocol):
-    """Force law of a ball as a function of its compression, all that collisions need of it.
-
-    ``compression`` is the present one in m, ``rate`` its speed in m/s, negative when the ball springs back, and
-    ``turned_at`` the compression from which it springs back, None while it is pressed further than ever before.
-    They return the force in N and its derivative by compression in N/m.
-    """
-
-    def force_and_slope(self, compression: float, rate: float, turned_at: float | None) -> tuple[float, float]: ...
 
 
 def loading_force(ball: Ball, compression: float) -> float:
@@ -35,11 +28,6 @@ def stored_energy(ball: Ball, peak: float) -> float:
     return float(ball.stiffness * peak ** (ball.exponent + 1) / (ball.exponent + 1))
 
 
-def equivalent_wall_speed(ball: Ball, peak: float) -> float:
-    """Return the speed in m/s at which the ball would store the same energy on a rigid wall: sqrt(2 E / m)."""
-    return math.sqrt(2 * stored_energy(ball, peak) / ball.mass)
-
-
 class LossyBall(Protocol):
     """Properties of a ball that unloading needs; the compiled collision has it in a record of its own."""
 
@@ -47,6 +35,8 @@ class LossyBall(Protocol):
     def mass(self) -> float: ...
     @property
     def exponent(self) -> float: ...
+    @property
+    def damping(self) -> float: ...
     @property
     def restitution(self) -> RestitutionLine: ...
 
@@ -56,11 +46,31 @@ def unloading_exponent(ball: Ball, peak: float) -> float:
     return unloading_power(ball, peak, loading_force(ball, peak))
 
 
-def unloading_power(ball: LossyBall, peak: float, force: float) -> float:
-    """Return p of the unloading curve F = F_peak (u/U)^p that gives back the part e^2 of the stored energy.
+def wall_speed(ball: LossyBall, energy: float) -> float:
+    """Return the speed v in m/s at which a rigid wall makes the ball store an energy in J: m A(c v) / c^2 = E.
 
-    E_back / E_in = (n + 1) / (p + 1) = e(v)^2, with e taken at the wall speed that stores the same energy,
-    F_peak U / (n + 1). So a ball on a rigid wall returns exactly its restitution law at every speed.
+    A is `damped_part`; without a damper v = sqrt(2 E / m). By Newton's method in d = c v from sqrt(2 X) + 2 X / 3,
+    X = c^2 E / m. Plain arithmetic, which the kernel compiles.
+    """
+    if ball.damping < LEAST_DAMPING:
+        return math.sqrt(2 * energy / ball.mass)
+    goal = ball.damping**2 * energy / ball.mass
+    number = math.sqrt(2 * goal) + 2 * goal / 3
+    for _ in range(NEWTON_STEPS):
+        change = (damped_part(number) - goal) * (1 + number) / number
+        number -= change
+        if abs(change) <= 1e-12 * number:
+            break
+    return number / ball.damping
+
+
+def unloading_power(ball: LossyBall, peak: float, force: float) -> float:
+    """Return p of the unloading curve F = F_peak (u/U)^p (1 + c u') that gives back what the restitution law says.
+
+    At the turn the ball holds E = F_peak U / (n + 1). On a rigid wall that is so for a ball that came with v
+    (`wall_speed`) and leaves with e(v) v, for which the way back needs m A(-c e v) / c^2 = F_peak U / (p + 1); so
+    p + 1 = (n + 1) A(c v) / A(-c e v), without a damper (n + 1) / e^2. Every ball thus returns exactly its restitution
+    law from a rigid wall, at every speed.
 
     Plain arithmetic, which the kernel compiles.
 
@@ -68,9 +78,13 @@ def unloading_power(ball: LossyBall, peak: float, force: float) -> float:
     ----------
     peak, force : U in m and F_peak in N, where the ball begins to spring back.
     """
-    wall_speed = math.sqrt(2 * force * peak / (ball.exponent + 1) / ball.mass)
-    restitution = restitution_at(ball.restitution, wall_speed)
-    return (ball.exponent + 1) / restitution**2 - 1
+    speed = wall_speed(ball, force * peak / (ball.exponent + 1))
+    restitution = restitution_at(ball.restitution, speed)
+    if ball.damping < LEAST_DAMPING:
+        return (ball.exponent + 1) / restitution**2 - 1
+    number = ball.damping * speed
+    back = min(restitution * number, FREELY)
+    return (ball.exponent + 1) * damped_part(number) / damped_part(-back) - 1
 
 
 def pressed_in_series(
@@ -78,39 +92,74 @@ def pressed_in_series(
     *,
     approach: float,
     compliance: float,
-    rate: float,
     turned_at: float | None,
     force: float = 0.0,
 ) -> tuple[float, float, float]:
-    """Return the compression of a ball by an approach w shared with the surface, u + C F(u) = w, by Newton's method.
+    """Return the compression of a ball by an approach w shared with the surface, u + C G(u) = w, by Newton's method.
 
-    The surface under the ball deflects by C F without delay: a massless spring in series with the ball, without loss.
+    The surface under the ball deflects by C G without delay: a massless spring in series with the ball, without loss.
+    The ball's damper is taken across both; where the surface feels the damper's force too, q is 6e-4 higher at most.
 
     Parameters
     ----------
     approach : w in m, > 0.
     compliance : C in m/N, >= 0.
-    rate : of the approach, m/s.
     force : about the one expected, N, from which Newton's method starts.
 
     Returns
     -------
     tuple
-        the ball's compression u in m, its force F in N and dF/du in N/m.
+        the ball's compression u in m, its elastic force G in N and dG/du in N/m.
     """
     compression = max(approach - compliance * force, approach / 4)
     for _ in range(NEWTON_STEPS if compliance else 0):
-        force, slope = law.force_and_slope(compression, rate, turned_at)
+        force, slope = law.force_and_slope(compression, turned_at)
         change = (approach - compression - compliance * force) / (1 + compliance * slope)
         compression = max(compression + change, compression / 4)
         if abs(change) < NEARLY * compression:
             break
-    return compression, *law.force_and_slope(compression, rate, turned_at)
+    return compression, *law.force_and_slope(compression, turned_at)
+
+
+def damped_impulse(
+    push: float, damping: float, rate: float, lightness: float, former: float, by_steps: float, step: float
+) -> tuple[float, float]:
+    """Return the impulse in N s of a kick by the ball's elastic force G and its damper, and the rate amid the kick.
+
+    With w' the rate of approach amid the kick, that before it less half of what the kick takes, J = h G (1 + c' w'),
+    solved for J so that the damper never gives energy: J = h G (1 + c' w'_before) / (1 + h G c' / (2 M)). Never a pull.
+
+    Kicks see the approach less g F and its rate less g F', g the give of steps (`give_of_steps`). G takes only g G into
+    account; what c' (G g F' - g F G') leaves of that is c'^2 G^2 g w'', w'' by the rates amid this kick and the last.
+
+    Plain arithmetic, which the kernel compiles.
+
+    Parameters
+    ----------
+    push : h G in N s.
+    damping : c' in s/m; see `Struck.damping`.
+    rate, former : w' before this kick and amid the last one, m/s.
+    lightness : 1/M in 1/kg, of ball and struck place together.
+    by_steps, step : g in m/N and h in s.
+    """
+    impulse = push * (1 + damping * rate) / (1 + push * damping * lightness / 2)
+    middle = rate - impulse * lightness / 2
+    impulse *= 1 + damping * damping * by_steps * push * (middle - former) / (step * step)
+    return max(0.0, impulse), middle
+
+
+def top_of(before: float, middle: float, after: float) -> float:
+    """Return the top of a parabola through three forces in N, the second of them the greatest.
+
+    >>> round(top_of(0.96, 1.0, 1.0), 3)
+    1.005
+    """
+    return middle + 0.125 * (after - before) ** 2 / (2 * middle - before - after)
 
 
 @dataclass(frozen=True)
-class Hysteretic:
-    """The default law: up along k u^n, down along a steeper power that returns e^2 of the energy.
+class ContactLaw:
+    """The elastic part G of a ball's force: up along k u^n, down along the power that returns what the ball gives back.
 
     Pressed again before it is free, the ball goes up along the way it came down, then on along k u^n.
 
@@ -127,8 +176,13 @@ class Hysteretic:
     def _turns(self) -> dict[float, tuple[float, float]]:
         return {}
 
-    def force_and_slope(self, compression: float, rate: float, turned_at: float | None) -> tuple[float, float]:  # noqa: ARG002 - the law ignores rate
-        """Return force and slope; see `ContactLaw`."""
+    def force_and_slope(self, compression: float, turned_at: float | None) -> tuple[float, float]:
+        """Return G in N and dG/du in N/m at a compression u in m.
+
+        Parameters
+        ----------
+        turned_at : the compression from which the ball springs back, None while it is pressed further than ever before.
+        """
         if turned_at is None:
             force, power = loading_force(self.ball, compression), self.ball.exponent
         else:
@@ -142,44 +196,3 @@ class Hysteretic:
             force = loading_force(self.ball, turned_at)
             self._turns[turned_at] = force, unloading_power(self.ball, turned_at, force)
         return self._turns[turned_at]
-
-
-@dataclass(frozen=True)
-class HuntCrossley:
-    """Spring and damper F = k u^n (1 + lambda u'), lambda chosen once for the speed of approach.
-
-    Exact on a rigid wall: with d = lambda v, d - ln(1 + d) = -e d - ln(1 - e d) gives d from e(v). On a bat that
-    recoils it still uses the approach speed, where `Hysteretic` uses the energy. On a bat that bends the two differ
-    by much more: the docs of the ball say by how much, and what speaks for which.
-    """
-
-    ball: Ball
-    damping: float
-
-    @classmethod
-    def for_speed(cls, ball: Ball, speed: float) -> HuntCrossley:
-        """Return the law whose ball leaves a rigid wall with e(speed) times ``speed`` (m/s, > 0)."""
-        restitution = ball.restitution.at(speed)
-        return cls(ball, 0.0 if restitution >= 1 else _wall_damping(restitution) / speed)
-
-    def force_and_slope(self, compression: float, rate: float, turned_at: float | None) -> tuple[float, float]:  # noqa: ARG002 - no memory of the peak
-        """Return force, never a pull, and slope at constant rate; see `ContactLaw`."""
-        force = max(0.0, loading_force(self.ball, compression) * (1 + self.damping * rate))
-        return force, self.ball.exponent * force / compression
-
-
-def _wall_damping(restitution: float) -> float:
-    """Return d > 0 with d - ln(1 + d) = -e d - ln(1 - e d) for 0 < e < 1: see `HuntCrossley`.
-
-    By Newton's method for s = ln(1 - e d) < 0: the imbalance rises with s up to the root, ever less steeply.
-    """
-    log_rest = -(1 + restitution) / restitution  # the imbalance is below zero there, whatever e
-    for _ in range(NEWTON_STEPS):
-        damping = -math.expm1(log_rest) / restitution
-        imbalance = (1 + restitution) * damping - math.log1p(damping) + log_rest
-        steepness = 1 - math.exp(log_rest) / restitution * (restitution + damping / (1 + damping))
-        change = imbalance / steepness
-        log_rest -= change
-        if abs(change) < NEARLY * abs(log_rest):
-            break
-    return -math.expm1(log_rest) / restitution

@@ -34,7 +34,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sweetspot.collision.contact_law import ContactLaw, Hysteretic
+from sweetspot.collision.contact_law import ContactLaw, damped_impulse, top_of
 from sweetspot.collision.free_motion import Flow, Motion, Struck, moved, struck_place
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.time_step import (
@@ -63,21 +63,18 @@ def hit(
     closing_speed: float,
     lateral: float = 0.0,
     step: float | None = None,
-    law: ContactLaw | None = None,
 ) -> Impact:
     """Return one collision of a ball with a bat given by its modes.
 
-    m y'' = -F(u), q_i'' + c_i q_i' + omega_i^2 q_i = s_i(x) F(u), u + C(x) F(u) = y - sum_i s_i(x) q_i.
+    m y'' = -F, q_i'' + c_i q_i' + omega_i^2 q_i = s_i(x) F, F = G(u) (1 + c u'), u + C(x) G(u) = y - sum_i s_i(x) q_i.
 
     Parameters
     ----------
     modes : every motion of the bat, free or gripped.
-    ball : its mass counts, and its force law unless ``law`` is given.
     position : m from the knob end.
     closing_speed : m/s, ball plus bat; at zero and below they do not meet, which is an outcome and no error.
     lateral : m across the face from the bat's line.
     step : s, > 0; the error falls with its cube. None: `STEP`, or less where a light face needs it (`contact_step`).
-    law : another contact law than the ball's own `Hysteretic` one.
 
     Returns
     -------
@@ -103,8 +100,6 @@ def hit(
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
     place = (position, lateral, closing_speed)
-    if law is not None:
-        return _collision(modes, ball, place, step, law, _kicks)
     return collisions_of(modes, ball, place, step, _kicks)
 
 
@@ -115,10 +110,10 @@ def collisions_of(modes: Modes, ball: Ball, place: tuple[float, float, float], s
     ----------
     place : position and lateral place, m, and closing speed, m/s, > 0.
     """
-    impact = _collision(modes, ball, place, step, Hysteretic(ball), kicks)
+    impact = _collision(modes, ball, place, step, ContactLaw(ball), kicks)
     if impact.touches < 2:
         return impact
-    return replace(impact, unrecovered=_collision(modes, ball, place, step, Hysteretic(ball, recovers=False), kicks))
+    return replace(impact, unrecovered=_collision(modes, ball, place, step, ContactLaw(ball, recovers=False), kicks))
 
 
 def _collision(
@@ -139,12 +134,12 @@ def _collision(
         collision_efficiency=-ending.ball_speed / closing_speed if separated else math.nan,
         contact_time=_contact_time(ending.forces, first_kick) * step if separated else math.nan,
         release_time=ending.release,
-        peak_force=max(ending.hardest, *ending.forces),
+        peak_force=ending.hardest,
         peak_compression=ending.peak,
         energy=EnergyLedger(
             incoming=ball.mass * closing_speed**2 / 2,
             ball=ball.mass * ending.ball_speed**2 / 2,
-            heat=float(np.trapezoid([*ending.forces, 0.0], [*ending.compressions, 0.0])),
+            heat=float(np.trapezoid([*ending.forces, 0.0], [*ending.path, 0.0])),
             translation=translation,
             rotation=rotation,
             bending=bending,
@@ -158,6 +153,7 @@ def _collision(
         force=np.array(ending.forces),
         compression=np.array(ending.compressions),
         impulse=np.array(ending.impulses),
+        approach=np.array(ending.path),
         lateral=lateral,
     )
 
@@ -176,6 +172,7 @@ class _Contact:
     hardest: float
     damping: float
     forces: list[float]
+    path: list[float]
     compressions: list[float]
     impulses: list[float]
 
@@ -192,6 +189,7 @@ class Course:
     turned_at : the compression in m from which the ball springs back; None while it is pressed on.
     greatest, hardest : the greatest compression, m, and force, N, where the ball turned.
     missing : N s that the kicks have left out, for the next one.
+    rate : of the approach amid the last kick of this contact, m/s; None before the first.
     """
 
     approaches: list[float] = field(default_factory=lambda: [0.0])
@@ -203,6 +201,7 @@ class Course:
     greatest: float = 0.0
     hardest: float = 0.0
     missing: float = 0.0
+    rate: float | None = None
 
 
 Kicks = Callable[["Course", "Motion", "Struck", "Flow", ContactLaw, int], tuple[float, "Motion"]]
@@ -217,9 +216,10 @@ def _integrated(
     struck = struck.in_steps(modes, ball, step)
     flow, course = Flow(modes, step, ball.mass), Course()
     motion = Motion(closing_speed * step * first_kick, closing_speed, np.zeros(2 * len(modes)))
-    outcome, release, late = Outcome.STILL_IN_CONTACT, math.nan, 0.0
+    outcome, release, late, path = Outcome.STILL_IN_CONTACT, math.nan, 0.0, [0.0]
     while len(course.forces) <= limit:
         approach, motion = kicks(course, motion, struck, flow, law, limit)
+        path.extend(course.approaches[1:])
         if approach > 0:
             break
         outcome, approaches = Outcome.SEPARATED, course.approaches
@@ -231,25 +231,26 @@ def _integrated(
             break
         apart, motion = again
         outcome, late = Outcome.STILL_IN_CONTACT, 0.0
-        if not isinstance(law, Hysteretic) or law.recovers:
+        if law.recovers:
             course.peak, course.turned_at = 0.0, None
-        for history in (course.compressions, course.forces, course.impulses):
+        for history in (course.compressions, course.forces, course.impulses, path):
             history.extend([0.0] * apart)
-        course.approaches = [0.0]
+        course.approaches, course.rate = [0.0], None
     displacement, velocity = motion.bat.reshape(2, -1)
     return _Contact(
-        outcome,
-        release,
-        late,
-        motion.ball_speed,
-        displacement,
-        velocity,
-        course.greatest or max(course.compressions),
-        course.hardest,
-        motion.work - flow.energy(motion),
-        course.forces,
-        course.compressions,
-        course.impulses,
+        outcome=outcome,
+        release=release,
+        late=late,
+        ball_speed=motion.ball_speed,
+        displacement=displacement,
+        velocity=velocity,
+        peak=course.greatest or max(course.compressions),
+        hardest=max(course.hardest, *course.forces),
+        damping=motion.work - flow.energy(motion),
+        forces=course.forces,
+        path=path,
+        compressions=course.compressions,
+        impulses=course.impulses,
     )
 
 
@@ -274,16 +275,22 @@ def _kicks(
         if course.turned_at is None and _past_the_top(approaches, approach):
             shift, height, bend = _top(approaches, approach)
             course.peak = max(course.peak, approach, height)
-            course.turned_at, force, before = struck.pressed(law, course.peak, 0.0, None)
-            after = law.force_and_slope(course.turned_at, 0.0, course.turned_at)[1]
+            course.turned_at, force, before = struck.pressed(law, course.peak, None)
+            after = law.force_and_slope(course.turned_at, course.turned_at)[1]
             stiffening = struck.softened(after) - struck.softened(before)
             course.missing = impulse_of_the_turn(shift, bend, stiffening, step)
             course.greatest, course.hardest = max(course.greatest, course.turned_at), max(course.hardest, force)
         elif approach >= course.peak:
             course.peak, course.turned_at = approach, None
         expected = 2 * forces[-1] - forces[-2] if len(forces) > 1 else 0.0
-        compression, force, _ = struck.pressed(law, approach, rate, course.turned_at, expected)
-        impulse, course.missing = force * step + course.missing, 0.0
+        compression, elastic, slope = struck.pressed(law, approach, course.turned_at, expected)
+        damping, lightness = struck.damping(law.ball, slope), struck.lightness + 1 / flow.ball_mass
+        former = rate if course.rate is None else course.rate
+        impulse, course.rate = damped_impulse(elastic * step, damping, rate, lightness, former, struck.by_steps, step)
+        force = impulse / step
+        if course.turned_at is None and len(forces) > 1 and forces[-2] <= forces[-1] > force:
+            course.hardest = max(course.hardest, top_of(forces[-2], forces[-1], force))
+        impulse, course.missing = impulse + course.missing, 0.0
         approaches.append(approach)
         course.compressions.append(compression)
         forces.append(force)
@@ -339,8 +346,9 @@ def _no_contact(modes: Modes, position: float, closing_speed: float) -> Impact:
         ledger,
         still,
         still,
-        nothing,
-        nothing,
-        nothing,
-        nothing,
+        times=nothing,
+        force=nothing,
+        compression=nothing,
+        impulse=nothing,
+        approach=nothing,
     )

@@ -129,27 +129,34 @@ class Struck(NamedTuple):
     kick : (2 modes,); what an impulse of 1 N s here changes of the bat's motion.
     lightness : 1/kg, sum of the squared shapes.
     compliance : instantaneous compliance, m/N.
+    by_steps : the part of the compliance that only steps put there, m/N.
     """
 
     seen: Array
     kick: Array
     lightness: float
     compliance: float
+    by_steps: float = 0.0
 
     def pressed(
-        self, law: ContactLaw, approach: float, rate: float, turned_at: float | None, force: float = 0.0
+        self, law: ContactLaw, approach: float, turned_at: float | None, force: float = 0.0
     ) -> tuple[float, float, float]:
-        """Return compression, force and slope under an approach shared with the surface; see `pressed_in_series`."""
-        return pressed_in_series(
-            law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at, force=force
-        )
+        """Return compression, elastic force and slope under an approach shared with the surface."""
+        return pressed_in_series(law, approach=approach, compliance=self.compliance, turned_at=turned_at, force=force)
+
+    def damping(self, ball: Ball, slope: float) -> float:
+        """Return c' in s/m, by the approach that ball and surface share, of a ball whose elastic force has a slope.
+
+        The damper acts on the ball's compression u, and u' = w' / (1 + C dG/du) for the surface's own compliance C.
+        """
+        return ball.damping / (1 + (self.compliance - self.by_steps) * slope)
 
     def in_steps(self, modes: Modes, ball: Ball, step: float) -> Struck:
         """Return the place as kicks see it, a step in s apart."""
         omega = modes.angular_frequency
         shape, give = with_quick_modes_as_springs(self.kick[len(modes) :], np.asarray(self.compliance), omega, step)
         by_steps = step**2 / 12 / ball.mass + float(shape**2 @ give_of_steps(omega, step))
-        return _place(shape, float(give) + by_steps)
+        return _place(shape, float(give) + by_steps, by_steps)
 
     def softened(self, slope: float) -> float:
         """Return dF/dw in N/m, by the approach that ball and surface share, for dF/du by the ball's compression."""
@@ -162,10 +169,10 @@ def struck_place(modes: Modes, position: float, lateral: float, closing_speed: f
     return _place(shape, float(modes.compliance_at(position, closing_speed=closing_speed)))
 
 
-def _place(shape: Array, compliance: float) -> Struck:
+def _place(shape: Array, compliance: float, by_steps: float = 0.0) -> Struck:
     still = np.zeros(len(shape))
     seen = np.array([[*shape, *still], [*still, *shape]])
-    return Struck(seen, np.concatenate([still, shape]), float(shape @ shape), compliance)
+    return Struck(seen, np.concatenate([still, shape]), float(shape @ shape), compliance, by_steps)
 
 
 class Flow:

@@ -94,9 +94,10 @@ class Impact(ShownInNotebooks):
     displacement, velocity : of every mode at release, shape (n,), sqrt(kg) m and sqrt(kg) m/s.
     times, force, compression, impulse : history during contact, s, N, m, N s, shape (steps,); ``impulse`` is what each
         kick gave, the force times the step but for the step's correction.
+    approach : what ball and surface together are pressed in, m, as the kicks see it, shape (steps,).
     lateral : m across the face from the bat's line.
-    unrecovered : the same hit by a ball that is not as new when it is touched again (`Hysteretic`); None: it is touched
-        once, or another contact law was asked for.
+    unrecovered : the same hit by a ball that is not as new when it is touched again (`ContactLaw`); None: it is touched
+        once.
     """
 
     outcome: Outcome
@@ -114,6 +115,7 @@ class Impact(ShownInNotebooks):
     force: Array
     compression: Array
     impulse: Array
+    approach: Array
     lateral: float = 0.0
     unrecovered: Impact | None = None
 

@@ -164,7 +164,7 @@ def numbers_of(ball: Ball) -> BallNumbers:
     """Return the kernel's constants of a ball."""
     law = ball.restitution
     line = RestitutionNumbers(law.reference, law.slope, law.reference_speed)
-    return BallNumbers(ball.mass, ball.stiffness, ball.exponent, line)
+    return BallNumbers(ball.mass, ball.stiffness, ball.exponent, ball.damping, line)
 
 
 def contiguous(values: Array) -> Array:

@@ -22,11 +22,12 @@ class RestitutionNumbers(NamedTuple):
 
 
 class BallNumbers(NamedTuple):
-    """The kernel's constants of a ball: mass in kg, k and n of its force, and its law of restitution."""
+    """The kernel's constants of a ball: mass in kg, k, n and c of its force, and its law of restitution."""
 
     mass: float
     stiffness: float
     exponent: float
+    damping: float
     restitution: RestitutionNumbers
 
 

@@ -9,7 +9,14 @@ import math
 
 import numpy as np
 
-from sweetspot.collision.contact_law import NEARLY, NEWTON_STEPS, ContactLaw, Hysteretic, unloading_power
+from sweetspot.collision.contact_law import (
+    NEARLY,
+    NEWTON_STEPS,
+    ContactLaw,
+    damped_impulse,
+    top_of,
+    unloading_power,
+)
 from sweetspot.collision.coupled import STEP, Course, collisions_of, hit
 from sweetspot.collision.free_motion import Flow, Motion, Struck
 from sweetspot.collision.impact import Impact
@@ -20,7 +27,7 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import vertex
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.plausibility import check_place
 
 # numbers that change from kick to kick; the compression from which the ball springs back is nan while it is pressed on
@@ -28,8 +35,9 @@ BALL_POSITION, BALL_SPEED, WORK, PEAK, TURNED_AT, GREATEST, HARDEST, MISSING, BE
 # rows of the history, kick by kick
 APPROACHES, COMPRESSIONS, FORCES, IMPULSES = range(4)
 
-# the readable functions that the loop calls (vertex, impulse_of_the_turn, unloading_power) are compiled in `compiled`,
-# which `kernel` brings
+_damped_impulse, _top_of = inner(damped_impulse), inner(top_of)
+# the other readable functions that the loop calls (vertex, impulse_of_the_turn, unloading_power) are compiled in
+# `compiled`, which `kernel` brings
 
 
 def quick_hit(modes: Modes, *, ball: Ball, position: float, closing_speed: float) -> Impact:
@@ -51,7 +59,6 @@ def _kicks(
     course: Course, motion: Motion, struck: Struck, flow: Flow, law: ContactLaw, limit: int
 ) -> tuple[float, Motion]:
     """Follow one contact; see `coupled.Kicks`."""
-    assert isinstance(law, Hysteretic)
     before = len(course.forces)
     history = np.zeros((4, limit + 1))
     history[FORCES, :before] = course.forces
@@ -61,7 +68,7 @@ def _kicks(
     state[TURNED_AT] = math.nan if course.turned_at is None else course.turned_at
     bat = motion.bat.copy()
     shape = struck.kick[len(flow.modes) :].copy()
-    place = (struck.lightness, struck.compliance)
+    place = (struck.lightness, struck.compliance, struck.by_steps)
     count = _followed(bat, flow.matrix, shape, place, numbers_of(law.ball), flow.step, state, history, before)
     for row, values in (
         (APPROACHES, course.approaches),
@@ -82,7 +89,7 @@ def _followed(
     bat: Array,
     matrix: Array,
     shape: Array,
-    place: tuple[float, float],
+    place: tuple[float, float, float],
     ball: BallNumbers,
     step: float,
     state: Array,
@@ -94,9 +101,10 @@ def _followed(
     As `coupled._kicks`: what changes is in ``bat``, ``state`` and ``history``.
     """
     modes = len(shape)
-    lightness, compliance = place
+    lightness, compliance, by_steps = place
+    together = lightness + 1 / ball.mass
     drifted = np.empty(2 * modes)
-    first = kick
+    first, middle = kick, 0.0
     while kick < history.shape[1]:
         surface, speed = 0.0, 0.0
         for i in range(modes):
@@ -114,8 +122,7 @@ def _followed(
                 shift, height = vertex(earlier, before, approach)
                 bend = earlier - 2 * before + approach
             peak = max(state[PEAK], approach, height)
-            turned_at, force = _pressed(ball, peak, compliance, math.nan, 0.0)
-            loading = ball.exponent * force / turned_at
+            turned_at, force, loading = _pressed(ball, peak, compliance, math.nan, 0.0)
             unloading = unloading_power(ball, turned_at, force) * force / turned_at
             stiffening = unloading / (1 + compliance * unloading) - loading / (1 + compliance * loading)
             state[PEAK], state[TURNED_AT] = peak, turned_at
@@ -124,8 +131,16 @@ def _followed(
         elif approach >= state[PEAK]:
             state[PEAK], state[TURNED_AT] = approach, math.nan
         expected = 2 * history[FORCES, kick - 1] - history[FORCES, kick - 2] if kick > 1 else 0.0
-        compression, force = _pressed(ball, approach, compliance, state[TURNED_AT], expected)
-        impulse = force * step + state[MISSING]
+        compression, elastic, slope = _pressed(ball, approach, compliance, state[TURNED_AT], expected)
+        softened, rate = ball.damping / (1 + (compliance - by_steps) * slope), state[BALL_SPEED] - speed
+        former = rate if kick == first else middle
+        impulse, middle = _damped_impulse(elastic * step, softened, rate, together, former, by_steps, step)
+        force = impulse / step
+        if math.isnan(state[TURNED_AT]) and kick > 1:
+            earlier_force, former_force = history[FORCES, kick - 2], history[FORCES, kick - 1]
+            if earlier_force <= former_force > force:
+                state[HARDEST] = max(state[HARDEST], _top_of(earlier_force, former_force, force))
+        impulse += state[MISSING]
         state[MISSING], state[EARLIER], state[BEFORE] = 0.0, before, approach
         history[APPROACHES, kick], history[COMPRESSIONS, kick] = approach, compression
         history[FORCES, kick], history[IMPULSES, kick] = force, impulse
@@ -147,8 +162,8 @@ def _followed(
 @compiled(error_model="numpy")
 def _pressed(
     ball: BallNumbers, approach: float, compliance: float, turned_at: float, force: float
-) -> tuple[float, float]:
-    """Return compression and force; see `contact_law.pressed_in_series` and `Hysteretic`."""
+) -> tuple[float, float, float]:
+    """Return compression, elastic force and its slope; see `contact_law.pressed_in_series` and `ContactLaw`."""
     largest, reference, power = ball.stiffness, 1.0, ball.exponent
     if not math.isnan(turned_at):
         largest, reference = ball.stiffness * turned_at**ball.exponent, turned_at
@@ -161,4 +176,5 @@ def _pressed(
         compression = max(compression + change, compression / 4)
         if abs(change) < NEARLY * compression:
             break
-    return compression, largest * (compression / reference) ** power
+    force = largest * (compression / reference) ** power
+    return compression, force, power * force / compression

@@ -36,7 +36,7 @@ class EnergyHistory(NamedTuple):
     stored : elastic energy in the ball: what it would give back if it sprang back from here.
     heat : lost in the ball: the rest of the work done on it.
     translation, rotation, bending, hoop, damping, face : of the bat, as in `EnergyLedger`.
-    dent : stored in the instantaneous compliance of the surface under the ball, C F^2 / 2.
+    dent : stored in the instantaneous compliance of the surface under the ball, C G^2 / 2.
     """
 
     ball: Array
@@ -88,7 +88,8 @@ def history_of(
 
     During contact they are kicks of the collision's own time steps, so nothing is interpolated; afterwards the modes
     ring on exactly and the ball flies on. The force law says what the ball gives back from any compression,
-    F u / (p + 1) with p its unloading exponent; what has been put in beyond that is heat.
+    G u / (p + 1) with G the elastic part of its force and p its unloading exponent, less what its damper will take;
+    what has been put in beyond that is heat.
 
     Parameters
     ----------
@@ -109,14 +110,17 @@ def history_of(
     bat, later = _ringing_on(contact, chosen, modes, duration=duration, frames=free_frames)
     force, compression = np.append(impact.force, 0.0), np.append(impact.compression, 0.0)
     speed, travel = _ball_motion(impact, ball, contact.times)
-    stored, heat = _inside_ball(ball, force, compression)
+    give = float(modes.compliance_at(impact.position, closing_speed=impact.closing_speed))
+    elastic, stored = _inside_ball(ball, compression)
+    dent = give * elastic**2 / 2
+    pressed = np.append(impact.approach, 0.0)
+    heat = np.concatenate([[0.0], np.cumsum(np.diff(pressed) * (force[1:] + force[:-1]) / 2)]) - stored - dent
 
     def whole(during: Array, after: Array | float) -> Array:
         """Join the chosen moments of contact to what comes after."""
         return np.concatenate([during[chosen], np.broadcast_to(after, len(later))])
 
     translation, rotation, bending, hoop, face = bat_energy(modes, bat.displacement, bat.velocity)
-    give = float(modes.compliance_at(impact.position, closing_speed=impact.closing_speed))
     return TimeHistory(
         impact=impact,
         times=bat.times,
@@ -135,7 +139,7 @@ def history_of(
             hoop=hoop,
             damping=bat.damping,
             face=face,
-            dent=whole(give * force**2 / 2, 0.0),
+            dent=whole(dent, 0.0),
         ),
     )
 
@@ -191,14 +195,14 @@ def _ball_motion(impact: Impact, ball: Ball, times: Array) -> tuple[Array, Array
     return np.append((before + after) / 2, after[-1]), travel
 
 
-def _inside_ball(ball: Ball, force: Array, compression: Array) -> tuple[Array, Array]:
-    """Return the energies stored and lost in the ball at the kicks and at the end, J."""
-    work = np.concatenate([[0.0], np.cumsum(np.diff(compression) * (force[1:] + force[:-1]) / 2)])
+def _inside_ball(ball: Ball, compression: Array) -> tuple[Array, Array]:
+    """Return the elastic part of the ball's force, N, and the energy stored in it, J, at the kicks and at the end."""
     deepest = _deepest_yet(compression)
     peaks, place = np.unique(deepest, return_inverse=True)
     powers = np.array([unloading_exponent(ball, float(peak)) if peak > 0 else ball.exponent for peak in peaks])
-    stored = force * compression / (powers[place] + 1)
-    return stored, work - stored
+    depth = np.divide(compression, deepest, out=np.zeros_like(compression), where=deepest > 0)
+    elastic = ball.stiffness * deepest**ball.exponent * depth ** powers[place]
+    return elastic, elastic * compression / (powers[place] + 1)
 
 
 def _deepest_yet(compression: Array) -> Array:

@@ -57,8 +57,28 @@ def restitution_at(law: RestitutionLine, speed: float) -> float:
     return min(1.0, max(COR_FLOOR, law.reference - law.slope * (speed - law.reference_speed)))
 
 
+class LossLaw(Validated):
+    """What a ball would be if the rate of compression took another part of what it loses.
+
+    Its tests stay what they are, so stiffness and restitution change with the damper; see `Ball.with_law`.
+
+    Parameters
+    ----------
+    damping, stiffness : c in s/m and k in N/m^n.
+    reference, slope : of the restitution law, at the same reference speed.
+    """
+
+    damping: Annotated[float, Field(ge=0)]
+    stiffness: Positive
+    reference: Annotated[float, Field(gt=0, le=1)]
+    slope: Annotated[float, Field(ge=0)]
+
+
 class Ball(Validated):
-    """A ball that is loaded along F = k u^n and gives back what its restitution law says.
+    """A ball that is loaded along F = k u^n (1 + c u') and gives back what its restitution law says.
+
+    u is its compression and u' the rate of that. What it loses, it loses in two ways: by how fast it is pressed and
+    springs back (c), and by how far (the way back is steeper than the way in). With c = 0 only the second is left.
 
     Parameters
     ----------
@@ -68,6 +88,9 @@ class Ball(Validated):
     restitution : the law e(v) against a rigid wall.
     stiffness : k of F = k u^n, N/m^n, > 0.
     exponent : n of F = k u^n, between 1 (linear spring) and 3.
+    damping : c, s/m, >= 0.
+    law_ends : the same ball with as little and with as much loss by the rate as the evidence allows (90 %); None: not
+        asked.
     cor_humidity_slope : change of e per unit of relative humidity (0 to 1) of storage.
     cor_temperature_slope : change of e per kelvin.
     reference_humidity : relative humidity at which the law holds, 0 to 1.
@@ -80,6 +103,8 @@ class Ball(Validated):
     restitution: RestitutionLaw
     stiffness: Positive
     exponent: Annotated[float, Field(ge=1, le=3)]
+    damping: Annotated[float, Field(ge=0)] = 0.0
+    law_ends: tuple[LossLaw, LossLaw] | None = None
     cor_humidity_slope: float = 0.0
     cor_temperature_slope: float = 0.0
     reference_humidity: Fraction = 0.5
@@ -87,25 +112,52 @@ class Ball(Validated):
 
     def with_restitution(self, reference: float) -> Self:
         """Return the same ball with another e at the reference speed of its law."""
-        return self.replaced(restitution=self.restitution.replaced(reference=reference))
+        change, ends = reference - self.restitution.reference, self.law_ends
+        return self.replaced(
+            restitution=self.restitution.replaced(reference=reference),
+            law_ends=ends and tuple(end.replaced(reference=min(1.0, end.reference + change)) for end in ends),
+        )
+
+    def with_law(self, deviation: float) -> Self:
+        """Return the same ball with more or less of its loss by the rate, as fast and as hard in the tests it passed.
+
+        Parameters
+        ----------
+        deviation : -1 and 1 are the two ends of the evidence; in between and beyond, a parabola through them and 0.
+        """
+        if self.law_ends is None or deviation == 0:
+            return self
+        law = self.restitution
+        here = (self.damping, math.log(self.stiffness), law.reference, law.slope)
+        less, more = ((end.damping, math.log(end.stiffness), end.reference, end.slope) for end in self.law_ends)
+        damping, stiffness, reference, slope = (
+            middle + deviation * (high - low) / 2 + deviation**2 * ((high + low) / 2 - middle)
+            for low, middle, high in zip(less, here, more, strict=True)
+        )
+        return self.replaced(
+            damping=max(damping, 0.0),
+            stiffness=math.exp(stiffness),
+            restitution=law.replaced(reference=min(reference, 1.0), slope=max(slope, 0.0)),
+        )
 
     def deviated(self, deviations: Mapping[str, float]) -> Self:
         """Return the ball with deviations, by name; those that are not named are none.
 
         Parameters
         ----------
-        deviations : "restitution" and "restitution_slope" (s/m), added to its law's; "mass" and "stiffness", added to
-            their logarithms.
+        deviations : "law", as `with_law` takes it; "restitution" and "restitution_slope" (s/m), added to its
+            restitution law's; "mass" and "stiffness", added to their logarithms.
         """
-        law = self.restitution
+        ball = self.with_law(deviations.get("law", 0.0))
+        law = ball.restitution
         law = law.replaced(
             reference=min(law.reference + deviations.get("restitution", 0.0), 1.0),
             slope=max(law.slope + deviations.get("restitution_slope", 0.0), 0.0),
         )
-        return self.replaced(
+        return ball.replaced(
             restitution=law,
-            mass=self.mass * math.exp(deviations.get("mass", 0.0)),
-            stiffness=self.stiffness * math.exp(deviations.get("stiffness", 0.0)),
+            mass=ball.mass * math.exp(deviations.get("mass", 0.0)),
+            stiffness=ball.stiffness * math.exp(deviations.get("stiffness", 0.0)),
         )
 
     def conditioned(self, *, humidity: float | None = None, temperature: float | None = None) -> Self:
@@ -126,31 +178,119 @@ class Ball(Validated):
         return warmer.replaced(reference_humidity=humidity, reference_temperature=temperature)
 
 
+def damped_part(number: float) -> float:
+    """Return A(x) = x - ln(1 + x), x > -1: a damper's share in an energy.
+
+    A ball that is pressed from the speed v to rest along F = G(u) (1 + c u') stores m A(c v) / c^2; one that springs
+    back freely to the speed v needs m A(-c v) / c^2, for the integral of x dx / (1 + x) is A. Both are m v^2 / 2
+    where c v is small. Plain arithmetic, which the kernel compiles.
+
+    >>> round(damped_part(1.0), 6), round(damped_part(1e-4) / 1e-4**2, 6)
+    (0.306853, 0.499967)
+    """
+    if abs(number) < 1e-3:
+        return number * number * (0.5 - number * (1 / 3 - number * (0.25 - number / 5)))
+    return number - math.log1p(number)
+
+
+def stored_at(ball: Ball, speed: float) -> float:
+    """Return the energy in J that a ball stores on a rigid wall that it meets at ``speed`` (m/s)."""
+    if ball.damping == 0 or speed == 0:
+        return ball.mass * speed**2 / 2
+    return ball.mass * damped_part(ball.damping * speed) / ball.damping**2
+
+
+def rate_share(damping: float, *, speed: float, restitution: float) -> float:
+    """Return the part of what a ball loses on a rigid wall that it loses by the rate of compression.
+
+    Of m v^2 / 2 (1 - e^2), all but what is stored is lost on the way in, and what springs back less m (e v)^2 / 2 on
+    the way out: with d = c v, s = (1 - e^2 - 2 A(d) / d^2 + 2 A(-e d) / d^2) / (1 - e^2).
+
+    Parameters
+    ----------
+    damping : c in s/m.
+    speed, restitution : v in m/s, and e there.
+
+    >>> round(rate_share(0.0063, speed=60.8, restitution=0.478), 2)
+    0.3
+    """
+    d = damping * speed
+    if d == 0:
+        return 0.0
+    stored, back = 2 * damped_part(d) / d**2, 2 * damped_part(-restitution * d) / d**2
+    return (1 - restitution**2 - stored + back) / (1 - restitution**2)
+
+
+def damping_from_share(share: float, *, speed: float, restitution: float) -> float:
+    """Return c in s/m of a ball that loses so large a part by the rate; see `rate_share`.
+
+    Parameters
+    ----------
+    share : from 0, all by how far it is pressed, to 1, all by how fast (Hunt and Crossley's law at this speed).
+
+    >>> round(damping_from_share(0.3, speed=60.8, restitution=0.478), 4)
+    0.0063
+    """
+    from scipy.optimize import brentq
+
+    if share == 0:
+        return 0.0
+    least, most = 1e-5 / speed, (1 - 1e-12) / (restitution * speed)
+
+    def excess(damping: float) -> float:
+        return rate_share(damping, speed=speed, restitution=restitution) - share
+
+    return float(brentq(excess, least, most, xtol=1e-14)) if excess(least) < 0 else 0.0
+
+
 def peak_compression(ball: Ball, speed: float) -> float:
     """Return the depth U in m to which a rigid wall presses one side of a ball that meets it at ``speed`` (m/s).
 
-    The kinetic energy is stored there: k U^(n+1) / (n+1) = m v^2 / 2.
+    What is stored there is k U^(n+1) / (n+1) = m v^2 / 2, less what a damper takes (`stored_at`).
 
     >>> law = RestitutionLaw(reference=0.5, reference_speed=25.0)
     >>> ball = Ball(name="spring", mass=0.1, radius=0.04, restitution=law, stiffness=1e5, exponent=1.0)
     >>> round(peak_compression(ball, 10.0), 6)  # v sqrt(m / k)
     0.01
     """
-    energy = ball.mass * speed**2 / 2
-    return float(((ball.exponent + 1) * energy / ball.stiffness) ** (1 / (ball.exponent + 1)))
+    return float(((ball.exponent + 1) * stored_at(ball, speed) / ball.stiffness) ** (1 / (ball.exponent + 1)))
 
 
-def stiffness_from_peak_force(peak_force: float, *, speed: float, mass: float, exponent: float) -> float:
-    """Return k of F = k u^n from the peak force (N) of a ball of ``mass`` on a rigid wall.
+def peak_over_turn(number: float, exponent: float) -> float:
+    """Return the greatest force of a ball on a rigid wall over that at its greatest compression, where nothing moves.
 
-    The kinetic energy is stored at the peak: m v^2 / 2 = k U^(n+1) / (n+1) and F = k U^n, so
-    U = (n+1) m v^2 / (2 F).
+    At the rate x / c on the way in u^(n+1) = U^(n+1) (1 - A(x) / A(d)), d = c v, and F = k u^n (1 + x); the greatest is
+    searched on a grid of rates. 1 without a damper.
+
+    Parameters
+    ----------
+    number : d = c v.
+
+    >>> peak_over_turn(0.0, 1.5), round(peak_over_turn(0.4, 1.5), 3)
+    (1.0, 1.076)
+    """
+    if number == 0:
+        return 1.0
+    rates = np.linspace(0.0, number, 2001)
+    pressed = 1 - (rates - np.log1p(rates)) / damped_part(number)
+    return float(np.max(np.maximum(pressed, 0.0) ** (exponent / (exponent + 1)) * (1 + rates)))
+
+
+def stiffness_from_peak_force(
+    peak_force: float, *, speed: float, mass: float, exponent: float, damping: float = 0.0
+) -> float:
+    """Return k of F = k u^n (1 + c u') from the peak force (N) of a ball of ``mass`` on a rigid wall.
+
+    Where the ball turns, E = k U^(n+1) / (n+1) is stored and F = k U^n, so U = (n+1) E / F; E is m v^2 / 2, or
+    m A(c v) / c^2 with a damper (`damped_part`), which also lets the force peak before (`peak_over_turn`).
 
     >>> round(stiffness_from_peak_force(100.0, speed=10.0, mass=0.1, exponent=1.0), 6)
     1000.0
     """
-    compression = (exponent + 1) * mass * speed**2 / (2 * peak_force)
-    return float(peak_force / compression**exponent)
+    energy = mass * damped_part(damping * speed) / damping**2 if damping else mass * speed**2 / 2
+    force = peak_force / peak_over_turn(damping * speed, exponent)
+    compression = (exponent + 1) * energy / force
+    return float(force / compression**exponent)
 
 
 def stiffness_from_load(load: float, *, compression: float, exponent: float) -> float:

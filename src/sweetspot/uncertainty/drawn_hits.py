@@ -10,7 +10,12 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.position_scan import stings
-from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
+from sweetspot.collision.closed_form import (
+    collision_efficiency,
+    exit_speed,
+    free_restitution,
+    restitution_from_efficiency,
+)
 from sweetspot.collision.impact import Impact, Impacts
 from sweetspot.collision.kernel import STEP, struck
 from sweetspot.collision.time_step import contact_step
@@ -24,7 +29,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.plausibility.table import MAX_SPEED
 from sweetspot.uncertainty.bat_draws import DrawnBats, drawn_bats
-from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING, Sources, one_by_one
+from sweetspot.uncertainty.sources import PATCH, PITCH, SWING, Sources, one_by_one
 
 SLOWEST = 0.1
 """m/s that a drawn bat is swung at least."""
@@ -97,13 +102,8 @@ def draws_of(
     off = sources.deviations(normal)
     off[0] = 0.0
     bats = len(sources.unknowns)
-    columns = {name: sources.of(name, off).tolist() for name in sources.names if name.startswith(OF_BALL)}
-    of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): column for name, column in columns.items()}
     ball = conditions.ball
-    balls = tuple(
-        ball.deviated({name: values[row] for name, values in of_ball.items()}) if of_ball else ball
-        for row in range(len(off))
-    )
+    balls = sources.balls(ball, off)
     swung, thrown = conditions.swing.bat_speed + sources.of(SWING, off), conditions.pitch.speed + sources.of(PITCH, off)
     drawn_ones = drawn_bats(
         beam, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.doubt.covariance)), ball=ball
@@ -174,8 +174,12 @@ def _rigid(draws: Draws, places: Array, closing: Array) -> Array:
     body = draws.bats.bending
     inverse_mass = 1 / body.mass[:, None] + (places - body.balance_point[:, None]) ** 2 / body.moi_cm[:, None]
     recoil = draws.ball_mass[:, None] * inverse_mass
-    on_wall = closing / (1 + recoil) ** 0.5
-    restitution = np.array([ball.restitution.at(speed) for ball, speed in zip(draws.balls, on_wall, strict=True)])
+    restitution = np.array(
+        [
+            free_restitution(ball, closing_speed=speed, recoil=row)
+            for ball, speed, row in zip(draws.balls, np.maximum(closing, 1e-9), recoil, strict=True)
+        ]
+    )
     return np.asarray(np.where(closing > 0, collision_efficiency(restitution, recoil=recoil), np.nan))
 
 
