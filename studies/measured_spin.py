@@ -23,7 +23,7 @@ from sweetspot import catalog
 from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION, Friction
 from sweetspot.motion.ball_motion import spin_axes
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
-from sweetspot.validation.computations.space import _league
+from sweetspot.validation.computations.space import simulated_league
 
 ROUNDS = 20
 BAT = "r161-ash"
@@ -117,7 +117,7 @@ def touched(table: pl.DataFrame, balls: Balls) -> tuple[Touch, np.ndarray]:
 
 def lines_of(friction: Friction, tilt: float, count: int) -> tuple[Array, Array]:
     """Return the lines of spin of a made-up league of right-handers, as `lines_by_rates` writes them."""
-    hits = _league(BAT, left_handed=0.0, count=count, friction=friction, mean_tilt=tilt * DEGREE)
+    hits = simulated_league(BAT, left_handed=0.0, count=count, friction=friction, mean_tilt=tilt * DEGREE)
     rows = (hits.launch_angle > 10 * DEGREE) & (hits.launch_angle < 45 * DEGREE) & (hits.exit_speed > 75 * MPH)
     known = np.stack([np.ones_like(hits.spray), hits.launch_angle / DEGREE - 27, hits.spray / DEGREE], axis=-1)[rows]
     back, side = (

@@ -27,6 +27,7 @@ from sweetspot.answers.report import ReportAnswer, report_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import Interval
+from sweetspot.plausibility import insisting
 from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, MPH
 
@@ -119,7 +120,8 @@ def interval(value: Value) -> tuple[float, float, float]:
             ),
         )  # fmt: skip
         question = HitQuestion(analysis.bat, still, place, sources=sources_of(analysis.bat, still))
-        found = hit_answer(question)
+        with insisting(True):  # on the shaft, which is no face
+            found = hit_answer(question)
     for step in value.answer.removeprefix("tip/").split("/"):
         found = found[int(step)] if step.isdigit() else getattr(found, step)
     sure: Interval = analysis.bat.length - found if value.answer.startswith("tip/") else found

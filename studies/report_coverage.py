@@ -31,7 +31,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH, Interval, Number
 from sweetspot.uncertainty.drawn_hits import speed_doubt
-from sweetspot.uncertainty.sources import OF_BALL, PATCH, Sources, sources_of
+from sweetspot.uncertainty.sources import PATCH, Sources, sources_of
 
 NAMES = (
     "r161-ash", "russell-b1", "youth-30", "college-alloy", "single-wall", "youth-alloy", "composite", "slow-pitch",
@@ -55,10 +55,9 @@ def truths(analysis: Analysis[Implement], sources: Sources, count: int, seed: in
     of_bat, rows = len(sources.unknowns), []
     for row in off:
         bat = deviated(own, sources.unknowns, row[:of_bat]) if of_bat else beam
-        by = dict(zip(sources.names[of_bat:], row[of_bat:].tolist(), strict=True))
-        of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): value for name, value in by.items() if OF_BALL in name}
-        ball = conditions.ball.deviated(of_ball)
-        reduced = ReducedBat.of_beam(bat, ball, patch_factor=float(np.exp(by.get(PATCH, 0.0))))
+        (ball,) = sources.balls(conditions.ball, row[None])
+        patch = float(np.exp(sources.of(PATCH, row[None])[0]))
+        reduced = ReducedBat.of_beam(bat, ball, patch_factor=patch)
         hit = scan(reduced, conditions.replaced(ball=ball), place)
         rows.append((hit.exit_speed[0], hit.collision_efficiency[0], hit.bbcor[0], reduced.body.moi(STANDARD_AXIS)))
     return dict(zip(TOLD, np.array(rows).T, strict=True))

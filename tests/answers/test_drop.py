@@ -11,10 +11,10 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.drop_test import Rebound, fire
 from sweetspot.answers.drop import drawn_drop, drop_sources
+from sweetspot.catalog.balls import BALL_LAW, MEAN_BALL
 from sweetspot.dynamics.block import Block
 from sweetspot.equipment.ball import Ball
 from sweetspot.uncertainty.intervals import interval_ends, variance_shares
-from sweetspot.uncertainty.sources import OF_BALL
 
 SPEED = 8.0
 
@@ -31,18 +31,17 @@ def test_draws_are_tests_done_anew() -> None:
     off = sources.deviations(drawn.normal)
     restitution = np.asarray(drawn.columns["restitution"])
     assert restitution[0] == pytest.approx(rebound.restitution)
-    column = sources.names.index(f"{OF_BALL}restitution")
-    law = rebound.ball.restitution
+    column = sources.names.index(MEAN_BALL)
+    law, (restitution_size,) = rebound.ball.restitution, [size for _, size in sources.others[column].ball]
     row = int(np.argmax(np.abs(drawn.normal[:, column])))
-    alone = np.zeros_like(off[row])
-    alone[column] = off[row, column]
-    other = rebound.ball.replaced(restitution=law.replaced(reference=law.reference + alone[column]))
+    change = restitution_size * off[row, column]
+    other = rebound.ball.replaced(restitution=law.replaced(reference=law.reference + change))
     done = fired(block, other, 0.0).restitution
     shares = variance_shares(drawn.normal[1:], sources.names, restitution[1:])
     low, high = interval_ends(restitution[1:])
-    assert max(shares, key=lambda name: shares[name]).startswith(OF_BALL)
+    assert max(shares, key=lambda name: shares[name]) == BALL_LAW  # far below its anchor
     assert low < rebound.restitution < high
-    assert abs(done - rebound.restitution) == pytest.approx(abs(alone[column]), rel=0.2)  # e is the ball's on a block
+    assert abs(done - rebound.restitution) == pytest.approx(abs(change), rel=0.2)  # e is the ball's on a block
 
 
 def test_the_command(run_json: Callable[..., Any], run: Callable[..., tuple[int, str, str]]) -> None:

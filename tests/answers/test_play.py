@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
+from scipy.special import ndtri
 
 from sweetspot import catalog
 from sweetspot.answers.play import PlayQuestion, play_answer, play_sources
@@ -14,11 +16,12 @@ from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.motion.ball_motion import batted_ball
+from sweetspot.flight.home_runs import home_run_chances
+from sweetspot.motion.ball_motion import BallMotions, batted_ball
 from sweetspot.motion.swing_path import SwingPath
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.uncertainty.sources import sources_of
-from sweetspot.units import DEGREE
+from sweetspot.units import DEGREE, MPH
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +47,34 @@ def test_a_play_goes_from_the_pitch_to_the_fence(asked: PlayQuestion) -> None:
     data = answer.to_dict()
     assert data["flight"]["carry_m"] == float(answer.flight.carry) and data["fence"]["park"] == "Fenway Park"
     assert 0 <= data["home_run_chance"] <= 1 and data["carry_half_m"] > data["carry_spread_m"]
+
+
+def test_a_home_run_chance_holds_single_balls_and_the_mean_ball(asked: PlayQuestion) -> None:
+    """The chance against many balls that are drawn and flown one by one; its ends against all of them moved."""
+    swung = asked.conditions.replaced(swing=asked.conditions.swing.replaced(bat_speed=74 * MPH))
+    question = replace(asked, conditions=swung)
+    answer = play_answer(question)
+    chance, flight = answer.home_run_chance, answer.play.flight
+    park = question.park
+    assert isinstance(chance, Interval) and flight is not None and park is not None
+    scatter, common = (
+        float(half) for half in (answer.exit_speed_half_by_ball or 0.0, answer.exit_speed_half_by_kind or 0.0)
+    )
+    normal = ndtri((np.arange(400) + 0.5) / 400)
+
+    def mean_chance(shift: float) -> float:
+        faster = 1 + (shift + scatter / REACH * normal) / flight.launch.speed
+        balls = BallMotions(
+            velocity=faster[:, None] * np.asarray(flight.launch.velocity),
+            spin=np.asarray(flight.launch.spin),
+            position=np.asarray(flight.launch.position),
+        )
+        chances = home_run_chances(balls, question.flying, parks=(park,), own_elevation=False).chance
+        return float(chances.mean())
+
+    assert chance.value == pytest.approx(mean_chance(0.0), abs=0.005)
+    assert (chance.low, chance.high) == pytest.approx((mean_chance(-common), mean_chance(common)), abs=0.005)
+    assert 0.02 < chance.low < chance.value - 0.02 < chance.high - 0.04
 
 
 def test_intervals_hold_their_numbers(asked: PlayQuestion) -> None:

@@ -19,8 +19,7 @@ from sweetspot.calibration.measurements import (
 )
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import OF_BALL, described, deviated, unknowns_of
-from sweetspot.catalog.balls import ball_spreads
-from sweetspot.numerics.interval import REACH
+from sweetspot.catalog.balls import slope_doubt
 from sweetspot.units import INCH, MPH
 
 BALL = catalog.ball("baseball")
@@ -54,7 +53,7 @@ def test_measured_balls_leave_less_doubt() -> None:
     law = one.shooting.ball.restitution
     assert law.at(COR_SPEED) == pytest.approx(lively)
     assert law.at(SPEED) == pytest.approx(BALL.restitution.at(SPEED) + 0.02)
-    slope = ball_spreads(BALL)["restitution_slope"] / REACH * (SPEED - COR_SPEED) / law.reference
+    slope = slope_doubt(BALL)[0] * (SPEED - COR_SPEED) / law.reference
     known, unknown = (shot_ball_unknown([shot(0.7, 0.2, cor)], BALL).spread for cor in (lively, None))
     assert known == pytest.approx(np.hypot(MEASURED_BALLS, slope), rel=0.05)
     assert unknown > 1.3 * known

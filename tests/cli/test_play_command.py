@@ -23,7 +23,7 @@ from sweetspot.motion.ball_motion import batted_ball
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.numerics.interval import REACH
-from sweetspot.uncertainty.sources import error_by_ball
+from sweetspot.uncertainty.sources import errors_by_ball
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 Run = Callable[..., tuple[int, str, str]]
@@ -66,7 +66,10 @@ def test_a_park_judges_the_flight(run: Run) -> None:
 
 
 def test_a_play_is_as_sure_of_its_end_as_the_flight_alone(run_json: Callable[..., Any], run: Run) -> None:
-    """A ball that just clears the fence is no sure home run; `fly` with the same launch says the same chance."""
+    """A ball that just clears the fence is no sure home run; `fly` with the same launch says nearly the same chance.
+
+    Balls that are hit alike do not leave alike; the fence is passed by so little that some more fall short of it.
+    """
     asked = ("--park", "fenway", "--bat-speed", "73mph")
     played = run_json("play", *asked)
     options = {
@@ -76,12 +79,16 @@ def test_a_play_is_as_sure_of_its_end_as_the_flight_alone(run_json: Callable[...
     } | {spin: f"{played[f'{spin}_rad_s']}rad/s" for spin in ("backspin", "sidespin", "gyrospin")}
     given = (f"--{name}={text}" for name, text in options.items())
     flown = run_json("fly", "--park", "fenway", *given)
-    assert played["fence"]["outcome"] == "home run" and 0 < played["fence"]["clearance_m"] < 1.5
-    assert played["home_run_chance"] == pytest.approx(flown["home_run_chance"], abs=0.01)  # of thirty airs together
+    assert played["fence"]["outcome"] == "home run" and 0 < played["fence"]["clearance_m"] < 2
+    assert played["home_run_chance"] == pytest.approx(flown["home_run_chance"], abs=0.03)
     assert 0.1 < played["home_run_chance"] < 0.9
     assert played["carry_spread_m"] == pytest.approx(flown["carry_spread_m"], rel=1e-6)
-    chance = round(100 * played["home_run_chance"])
-    assert f"Of a hundred like it {chance} are home runs." in " ".join(run("play", *asked)[1].split())
+    assert played["home_run_chance_low"] < played["home_run_chance"] < played["home_run_chance_high"]
+    chances = [round(100 * played[f"home_run_chance{end}"]) for end in ("", "_low", "_high")]
+    printed = " ".join(run("play", *asked)[1].split())
+    assert re.search(r"a hundred hit like it (\d+) are home runs: (\d+) if .*, (\d+) if", printed).groups() == tuple(  # type: ignore[union-attr]
+        map(str, chances)
+    )
     softball = run_json("play", "slow-pitch", "--park", "slow-pitch")  # nobody measured how those scatter
     assert softball["fence"] and "home_run_chance" not in softball and "carry_spread_m" not in softball
 
@@ -93,7 +100,7 @@ def test_the_roof_counts_in_the_chance(run_json: Callable[..., Any]) -> None:
     options = [f"--{name}={roofed[f'{name}_rad_s']}rad/s" for name in ("backspin", "sidespin", "gyrospin")]
     options += [f"--exit-speed={roofed['exit_speed_m_s']}m/s", f"--launch-angle={roofed['launch_angle_rad']}rad"]
     flown = fly("fly", "--park", "tropicana", f"--spray={roofed['spray_rad']}rad", *options)
-    assert roofed["home_run_chance"] == pytest.approx(flown["home_run_chance"], abs=0.01)  # of thirty airs together
+    assert roofed["home_run_chance"] == pytest.approx(flown["home_run_chance"], abs=0.03)
 
 
 def test_a_named_pitch_is_thrown(run_json: Callable[..., Any], run: Run) -> None:
@@ -160,14 +167,15 @@ def test_a_softball_flies_by_a_softballs_drag(run_json: Callable[..., Any]) -> N
 def test_hit_and_play_are_as_sure_of_the_ball_as_the_report(run: Run, analysis: Analysis[Bat]) -> None:
     """What balls of a kind differ by is in both; the report adds the bat, and draws have it in their intervals."""
     place = analysis.sweet_spots.max_exit_speed
-    quick = error_by_ball(analysis.reduced, conditions=analysis.conditions, position=place)
+    quick = errors_by_ball(analysis.reduced, conditions=analysis.conditions, position=place)
     assert quick is not None
     for words in (
         ("hit", "r161-ash", "--at", "5.8in-from-tip"),
         ("play", "r161-ash", "--at", "5.8in-from-tip", "--offset", "0in"),
     ):
         printed = " ".join(run(*words)[1].split())
-        found = re.search(r"may be (\d\.\d) mph more or less", printed)
+        found = re.search(r"come off within (\d\.\d) mph of that.* known to (\d\.\d) mph", printed)
         assert found, printed
-        assert float(found[1]) * MPH == pytest.approx(REACH * quick, abs=0.1 * MPH)
-    assert "By the ball alone" not in run("hit", "r161-ash", "--at", "5.8in-from-tip", "--uncertainty")[1]
+        assert float(found[1]) * MPH == pytest.approx(REACH * quick.scatter, abs=0.1 * MPH)
+        assert float(found[2]) * MPH == pytest.approx(REACH * quick.common, abs=0.1 * MPH)
+    assert "No two balls" not in run("hit", "r161-ash", "--at", "5.8in-from-tip", "--uncertainty")[1]

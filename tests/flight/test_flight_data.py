@@ -26,7 +26,7 @@ from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.units import DEGREE, FOOT, INCH_OF_MERCURY, MPH, RPM
-from sweetspot.validation.computations.space import _league
+from sweetspot.validation.computations.space import simulated_league
 from tests.real_data import real_file
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")
@@ -179,7 +179,7 @@ def test_the_usual_spin_is_the_collision_s_in_kind() -> None:
     Sidespin within twice the flights' standard errors. Backspin with spray has the collision's sign, and is a quarter
     of the flights'; the measured one, 15 +- 3, lies between.
     """
-    hits = _league("r161-ash", left_handed=0.0)
+    hits = simulated_league("r161-ash", left_handed=0.0)
     high = (hits.launch_angle > 15 * DEGREE) & (hits.launch_angle < 45 * DEGREE) & (hits.exit_speed > 80 * MPH)
     known = np.stack([np.ones_like(hits.spray), hits.launch_angle / DEGREE, hits.spray / DEGREE], axis=-1)[high]
     (_, _, opposite), (_, slices, hooks) = (

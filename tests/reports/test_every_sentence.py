@@ -84,7 +84,7 @@ def check_fence(text: str, fence: Mapping[str, Any] | None) -> None:
         return
     over = fence["clearance_m"] > 0
     said = fence["outcome"]
-    if chance := re.search(r"Of a hundred like it (\d+) are home runs", text):  # the words follow it
+    if chance := re.search(r"Of a hundred (?:hit )?like it (\d+) are home runs", text):  # the words follow it
         likely = int(chance[1]) > 50
         said = said if over == likely else f"such balls {'go out' if likely else 'stay in'} more often than not"
     assert f"{'over' if over else 'below'} its top: {said}" in text

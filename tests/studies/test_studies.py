@@ -13,6 +13,7 @@ from tests.real_data import real_file
 ROOT = Path(__file__).parents[2]
 SMALL: dict[str, str] = {
     "air_law": "--balls 200 --check",
+    "ball_scatter": "{data}",
     "calibrated_bats": "--count 1 --kinds hollow",
     "calibration_coverage": "--count 1",
     "held_out": "--balls 400",
@@ -36,6 +37,7 @@ SMALL: dict[str, str] = {
 }
 """What each is asked for."""
 READS = {
+    "ball_scatter": ["cmu36sure2026_battedballs_battracking.csv.gz"],
     "held_out": ["cmu36sure2026_battedballs_battracking.csv.gz"],
     "park_ranking": [
         "savant_2022_contact_sample.csv.gz",

@@ -12,13 +12,14 @@ from sweetspot.analysis.bat_analysis import hit_at
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.unknowns import Unknown, deviated, unknowns_of
 from sweetspot.calibration.unknowns import described as described_beam
+from sweetspot.catalog.balls import THIS_BALL
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
 from sweetspot.reports.quantities import ENERGY_NAMES
 from sweetspot.uncertainty.drawn_hits import drawn_ledger, draws_of, hits_along
-from sweetspot.uncertainty.sources import NOTHING, OF_BALL, PATCH, sources_of
+from sweetspot.uncertainty.sources import NOTHING, PATCH, sources_of
 from sweetspot.units import MPH
 
 CALIBRATED = {"mass": 0.005, "balance_point": 0.01, "gyration": 0.01, "first_frequency": 0.02}
@@ -102,8 +103,8 @@ def test_deviations_have_the_distributions_that_are_named() -> None:
 def test_sources_can_be_left_out_and_put_in() -> None:
     bat = catalog.bat()
     sources = sources_of(bat, standard_conditions(bat))
-    assert f"{OF_BALL}restitution" in sources.names
-    assert f"{OF_BALL}restitution" not in sources.without(f"{OF_BALL}restitution").names
+    assert THIS_BALL in sources.names
+    assert THIS_BALL not in sources.without(THIS_BALL).names
     assert NOTHING.of("swing", np.zeros((3, 0))).tolist() == [0.0, 0.0, 0.0]
 
 

@@ -18,7 +18,6 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import Interval
 from sweetspot.uncertainty.drawn_hits import draws_of
 from sweetspot.uncertainty.drawn_spots import best_positions, costs_of_misses, drawn_nodes, sweet_zones
 from sweetspot.uncertainty.sources import sources_of
@@ -63,18 +62,6 @@ def test_misses_cost_what_they_cost_every_bat_alone(analysis: Analysis[Bat], cur
         alone = miss_cost(replace(analysis.scan, exit_speed=one), 0.05)
         assert (near["inside"][row], near["outside"][row]) == pytest.approx(alone)
     assert np.isnan(far["outside"]).all()
-
-
-def test_another_law_of_the_ball_widens_what_misses_cost(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
-    """Draws reach evenly from our law to the other one, which may cost more or less; the first draw is ours."""
-    speed, position = np.repeat(curves[0][:1], 65, axis=0), analysis.scan.position
-    value = miss_cost(analysis.scan, 0.05)[0]
-    inside, outside = Interval(value, value, value + 2.0), Interval(value, value - 2.0, value)
-    (found,) = costs_of_misses(position, speed, [Miss(0.05, inside, outside)])
-    more = found["inside"] - value
-    assert more[0] == pytest.approx(0.0)
-    assert (more[1:].min(), more[1:].mean(), more[1:].max()) == pytest.approx((0.0, 1.0, 2.0), abs=0.05)
-    assert found["outside"][np.argmax(more)] < found["outside"][0] - 1.9
 
 
 @pytest.mark.parametrize("name", ["r161-ash", "college-alloy", "tennis-racket", "golf-driver"])

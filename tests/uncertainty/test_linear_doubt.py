@@ -93,11 +93,11 @@ def test_a_speed_that_was_written_with_an_error_counts(analysis: Analysis[Bat]) 
 @pytest.mark.parametrize(
     ("shares", "told"),
     [
-        ({"ball restitution": 0.7, "patch of the ball": 0.3}, "give or take 3.7 mph by the ball alone"),
-        ({"ball restitution": 0.7, "bat": 0.3}, "give or take 3.7 mph, mostly by the ball"),
-        ({"ball mass": 0.45, "bat": 0.55}, "give or take 3.7 mph, by the bat and the ball"),
+        ({"the mean ball": 0.7, "patch of the ball": 0.3}, "give or take 3.7 mph by the ball alone"),
+        ({"the mean ball": 0.7, "bat": 0.3}, "give or take 3.7 mph, mostly by the ball"),
+        ({"this ball": 0.45, "bat": 0.55}, "give or take 3.7 mph, by the bat and the ball"),
         (
-            {"ball mass": 0.3, "bat": 0.25, "swing": 0.4, "pitch": 0.05},
+            {"this ball": 0.3, "bat": 0.25, "swing": 0.4, "pitch": 0.05},
             "give or take 3.7 mph, by the speeds as they were written, the ball and the bat",
         ),
     ],

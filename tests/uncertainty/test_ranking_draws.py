@@ -14,7 +14,7 @@ from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
-from sweetspot.catalog.balls import ball_spreads
+from sweetspot.catalog.balls import MEAN_BALL, ball_doubts
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.reduction import ReducedBat
@@ -44,10 +44,11 @@ def test_restitution_against_the_closed_form(response: EfficiencyResponse, beam:
     """Where the bat hardly vibrates q = (e - r) / (1 + r): de is worth 1 / (1 + r) [nathan2003]."""
     body, place = rigid_body(beam), PLACES[AT]
     ratio = baseball.mass * (1 / body.mass + (place - body.balance_point) ** 2 / body.moi_cm)
-    restitution = (
-        len(response.spreads) - len(ball_spreads(baseball)) + list(ball_spreads(baseball)).index("restitution")
-    )
-    assert response.slopes[restitution, AT] == pytest.approx(1 / (1 + ratio), rel=0.12)
+    doubts = ball_doubts(baseball)
+    (index,) = [index for index, doubt in enumerate(doubts) if doubt.part == MEAN_BALL]
+    size = dict(doubts[index].deviation)["restitution"]
+    slope = response.slopes[len(response.spreads) - len(doubts) + index, AT]
+    assert slope == pytest.approx(size / (1 + ratio), rel=0.12)
 
 
 def test_the_sum_against_recomputed_bats(response: EfficiencyResponse, beam: BeamModel, r161: Bat) -> None:

@@ -52,8 +52,8 @@ class SimulatedTest:
     Parameters
     ----------
     pivot : the clamp's axis, from the knob end.
-    spread, spread_by_moi, spread_by_wall : what the ball's patch, the moment of inertia and the wall leave open; None
-        where it was measured.
+    spread, spread_by_law, spread_by_moi, spread_by_wall : what the ball's patch, the law of the ball, the moment of
+        inertia and the wall leave open; None where it was measured, or is not known.
     fast, slow : the scans at the game's closing speed and at 60 mph.
     swung : the swing and the pitch that the fast test stands for.
     """
@@ -65,6 +65,7 @@ class SimulatedTest:
     bpf: Ratio
     batted_ball_speed: Speed
     spread: MeasureSpreads
+    spread_by_law: MeasureSpreads | None = None
     spread_by_moi: MeasureSpreads | None = None
     spread_by_wall: MeasureSpreads | None = None
     best_position: Length
@@ -83,6 +84,7 @@ def simulated_test(certification: Certification) -> SimulatedTest:
         bpf=certification.bpf,
         batted_ball_speed=certification.batted_ball_speed,
         spread=MeasureSpreads(**certification.spreads),
+        spread_by_law=MeasureSpreads(**certification.law_spreads) if certification.law_spreads else None,
         spread_by_moi=MeasureSpreads(**certification.moi_spreads) if certification.moi_spreads else None,
         spread_by_wall=MeasureSpreads(**certification.wall_spreads) if certification.wall_spreads else None,
         best_position=certification.fast.best_position,

@@ -19,7 +19,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT
-from sweetspot.uncertainty.sources import DRAWS, OF_BALL, Source, Sources, sources_of_ball
+from sweetspot.uncertainty.sources import DRAWS, Source, Sources, sources_of_ball
 from sweetspot.units.dimensions import ENERGY
 
 
@@ -160,7 +160,7 @@ def drawn_drop(
     moved: list[tuple[Array, Rebound, Rebound]] = []
     for column, source in enumerate(sources.others):
         assert isinstance(source.spread, float)  # none is even between limits
-        up, down = (fired(*_moved(rebound, source.name, sign * source.spread)) for sign in (1.0, -1.0))
+        up, down = (fired(*_moved(rebound, source, sign * source.spread)) for sign in (1.0, -1.0))
         moved.append((off[:, column] / source.spread, up, down))
 
     def followed(numbers: Callable[[Rebound], Mapping[str, float]]) -> dict[str, Array]:
@@ -179,13 +179,13 @@ def drawn_drop(
     return DrawnAnswer(normal, {**followed(rebound_numbers), "energy": energies})
 
 
-def _moved(rebound: Rebound, name: str, off: float) -> tuple[Block, Ball, float]:
+def _moved(rebound: Rebound, source: Source, off: float) -> tuple[Block, Ball, float]:
     """Return block, ball and more speed, with one deviation."""
-    block, ball = rebound.block, rebound.ball
+    block, ball, name = rebound.block, rebound.ball, source.name
     if name == ARRIVAL:
         return block, ball, off
-    if name.startswith(OF_BALL):
-        return block, ball.deviated({name.removeprefix(OF_BALL).replace(" ", "_"): off}), 0.0
+    if source.ball:
+        return block, source.deviated(ball, off), 0.0
     made_of, factor = block.material, float(np.exp(off))
     fields = (
         ("density",)

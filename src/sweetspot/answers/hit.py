@@ -39,7 +39,7 @@ from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Number
 from sweetspot.uncertainty.drawn_hits import Draws, HitsAlong, drawn_ledger, draws_of, hits_along
-from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
+from sweetspot.uncertainty.sources import DRAWS, Sources, errors_by_ball
 from sweetspot.units.dimensions import ENERGY, FORCE, LENGTH, TIME
 
 OF_DRAWS = (
@@ -268,8 +268,9 @@ class HitAnswer(Hit, Answer):
     aside, gear_spin : of a hit beside the line of a face, see `HitBeside`; None on the line.
     exit_speed_in_hands : the same hit with typical hands on the handle, whose mass and flesh are assumed; the other
         numbers are of an implement that no hands hold. None: hands are part of the question.
-    exit_speed_half_by_ball : half of the interval that the ball alone leaves to the exit speed; None: not known, or
-        part of the interval that stands there.
+    exit_speed_half_by_ball : half of the interval in which the exit speeds of single balls of a kind scatter; None: not
+        known, or part of the interval that stands there.
+    exit_speed_half_by_kind : the same for what is not known of all of them alike, their mean and their law.
     uncertainty : what the intervals come from; None: there are none.
     """
 
@@ -283,6 +284,7 @@ class HitAnswer(Hit, Answer):
     gear_spin: Spin | None = None
     exit_speed_in_hands: Speed | None = None
     exit_speed_half_by_ball: Speed | None = None
+    exit_speed_half_by_kind: Speed | None = None
     uncertainty: Uncertainty | None = None
     swung_with: SwungWith | None = None
 
@@ -311,9 +313,9 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
     beam, body, modes = reduced.beam, reduced.body, reduced.modes
     impact = hit_at(position, modes=modes, conditions=conditions, lateral=question.lateral)
     way = direction(implement, body, impact, conditions)
-    error = None
+    errors = None
     if question.sources is None:  # which have the ball among them
-        error = error_by_ball(reduced, conditions, position)
+        errors = errors_by_ball(reduced, conditions, position)
     plain = HitAnswer(
         **vars(hit_of(impact, body=body, conditions=conditions)),
         question=question,
@@ -325,7 +327,8 @@ def hit_answer(question: HitQuestion) -> HitAnswer:
         gear_spin=None if way is None else way.gear_spin,
         exit_speed_in_hands=_in_hands(question, reduced),
         damage=_strains(impact, beam, modes, conditions.ball),
-        exit_speed_half_by_ball=None if error is None else REACH * error,
+        exit_speed_half_by_ball=None if errors is None else REACH * errors.scatter,
+        exit_speed_half_by_kind=None if errors is None else REACH * errors.common,
     )
     if question.sources is None:
         return plain

@@ -48,9 +48,9 @@ from sweetspot.flight.trajectory import FlightOutcome
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
-from sweetspot.numerics.interval import REACH
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.uncertainty.drawn_hits import draws_of
-from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
+from sweetspot.uncertainty.sources import DRAWS, BallErrors, Sources, errors_by_ball
 
 
 @dataclass(frozen=True)
@@ -158,9 +158,11 @@ class PlayAnswer(Answer):
     fence : where the flight ends in the park; None: no park was named.
     unrecovered_gain : see `Collision`.
     carry_spread, carry_half : standard deviation of the carry of balls that leave alike, and half of its interval.
-    exit_speed_half_by_ball : half of the interval that the ball alone leaves to the exit speed; None: not known, or
-        part of the interval that stands there.
-    home_run_chance : in the park, with the scatter of balls and weather.
+    exit_speed_half_by_ball : half of the interval in which the exit speeds of single balls of a kind scatter; None: not
+        known, or part of the interval that stands there.
+    exit_speed_half_by_kind : the same for what is not known of all of them alike, their mean and their law.
+    home_run_chance : in the park, with the scatter of balls and weather; its interval by what is not known of all balls
+        alike.
     uncertainty : what the intervals come from; None: there are none.
     """
 
@@ -191,7 +193,8 @@ class PlayAnswer(Answer):
     carry_spread: Distance | None = None
     carry_half: Distance | None = None
     exit_speed_half_by_ball: Speed | None = None
-    home_run_chance: float | None = None
+    exit_speed_half_by_kind: Speed | None = None
+    home_run_chance: Ratio | None = None
     uncertainty: Uncertainty | None = None
     swung_with: SwungWith | None = None
 
@@ -229,12 +232,17 @@ def play_answer(question: PlayQuestion) -> PlayAnswer:
     plain = _described(question, played)
     if played.flight is None:
         return plain
-    plain = _with_ending(plain)
+    errors = errors_by_ball(question.reduced, conditions, float(plain.position))
+    plain = _with_ending(plain, errors)
     if sources is None:  # which have the ball among them
-        error = error_by_ball(question.reduced, conditions, float(plain.position))
-        return plain if error is None else replace(plain, exit_speed_half_by_ball=REACH * error)
+        return plain if errors is None else _with_halves(plain, errors)
     drawn = drawn_play(question, sources)
     return with_draws(plain, drawn, sources, of="flight.carry")
+
+
+def _with_halves(plain: PlayAnswer, errors: BallErrors) -> PlayAnswer:
+    """Return a play with what the ball alone leaves to its exit speed."""
+    return replace(plain, exit_speed_half_by_ball=REACH * errors.scatter, exit_speed_half_by_kind=REACH * errors.common)
 
 
 def _described(question: PlayQuestion, played: Play) -> PlayAnswer:
@@ -269,7 +277,7 @@ def _described(question: PlayQuestion, played: Play) -> PlayAnswer:
     )
 
 
-def _with_ending(plain: PlayAnswer) -> PlayAnswer:
+def _with_ending(plain: PlayAnswer, errors: BallErrors | None) -> PlayAnswer:
     """Return a play with how far apart balls that leave alike come down, and the chance of a home run in its park."""
     question, flight = plain.question, plain.play.flight
     if flight is None or flight.outcome is not FlightOutcome.LANDED or question.reduced.bat.sport != "baseball":
@@ -282,5 +290,32 @@ def _with_ending(plain: PlayAnswer) -> PlayAnswer:
     if park is None:
         return plain
     through = replace(flying, aerodynamics=question.outdoors or flying.aerodynamics)
-    chances = home_run_chances(flight.launch, through, parks=(park,), own_elevation=False, scatter=SPIN_MEASURED).chance
-    return replace(plain, home_run_chance=float(chances[0, 0]))
+    return replace(plain, home_run_chance=_home_run_chance(flight.launch, through, park, errors))
+
+
+BALLS = 7
+"""Nodes of the quadrature over the exit speeds of single balls."""
+
+
+def _home_run_chance(launch: BallMotion, through: FlightConditions, park: Park, errors: BallErrors | None) -> Ratio:
+    """Return the chance of a home run in a park of balls that are hit alike, each with its own exit speed.
+
+    Its interval is that chance with all balls at either end of what is not known of their kind (90 %).
+    """
+    if errors is None:
+        return float(
+            home_run_chances(launch, through, parks=(park,), own_elevation=False, scatter=SPIN_MEASURED).chance[0, 0]
+        )
+    nodes, weights = np.polynomial.hermite_e.hermegauss(BALLS)
+    common = REACH * errors.common * np.array([0.0, -1.0, 1.0])
+    faster = 1 + (common[:, None] + errors.scatter * nodes) / launch.speed
+    balls = BallMotions(
+        velocity=faster.reshape(-1, 1) * np.asarray(launch.velocity),
+        spin=np.asarray(launch.spin),
+        position=np.asarray(launch.position),
+    )
+    chances = home_run_chances(
+        balls, through, parks=(park,), own_elevation=False, scatter=SPIN_MEASURED
+    ).chance.reshape(faster.shape)
+    value, *ends = (chances @ weights / weights.sum()).tolist()
+    return Interval(value, min(value, *ends), max(value, *ends))

@@ -39,7 +39,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH, Curve, Interval
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt, speed_doubt
-from sweetspot.uncertainty.sources import DRAWS, Sources, error_by_ball
+from sweetspot.uncertainty.sources import DRAWS, Sources, errors_by_ball
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import IMPULSE, LENGTH, SPEED
 
@@ -102,8 +102,8 @@ class CurvesAlong:
 class Miss:
     """Exit speed lost by hitting beside the best place, towards the hands and towards the tip.
 
-    ``inside``, ``outside``: with the interval that two laws of the ball span, or that of draws; nan where nothing is
-    hit.
+    ``inside``, ``outside``: with the interval that the law of the ball leaves open, or that of draws; nan where nothing
+    is hit.
     """
 
     distance: Length
@@ -236,8 +236,8 @@ def report_of(
     plain = _described(analysis)
     best, place = plain.best_hit, analysis.sweet_spots.max_exit_speed
     if sources is None:
-        error = error_by_ball(analysis.held, analysis.conditions, place)
-        return replace(plain, half_by_ball=None if error is None else REACH * error)
+        errors = errors_by_ball(analysis.held, analysis.conditions, place)
+        return replace(plain, half_by_ball=None if errors is None else REACH * errors.whole)
     if not drawn:
         doubt = speed_doubt(analysis, sources)
         half = None if doubt is None else REACH * doubt.error
@@ -320,7 +320,7 @@ def misses_of(analysis: Analysis[Implement]) -> tuple[Miss, ...]:
     distances = fitting[0] if len(fitting[0]) > 1 else fitting[1]  # half as far on a short face
     costs: Sequence[tuple[Loss, Loss]] = miss_costs(analysis, distances) if distances else []
     return tuple(
-        Miss(distance, *(Interval(*loss) if np.isfinite(loss.value) else loss.value for loss in both))
+        Miss(distance, *(Interval(*loss) if loss.low < loss.high else loss.value for loss in both))
         for distance, both in zip(distances, costs, strict=True)
     )
 

@@ -22,7 +22,7 @@ from sweetspot.analysis.certification.shots import Shot, by_place
 from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName, NamedTone
 from sweetspot.calibration.unknowns import OF_BALL, Unknown
-from sweetspot.catalog.balls import ball_spreads
+from sweetspot.catalog.balls import slope_doubt
 from sweetspot.catalog.swing_laws import MOMENTS, swing_weight
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
@@ -34,7 +34,6 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.interval import REACH
 from sweetspot.plausibility import parse
 from sweetspot.units import INCH
 
@@ -242,6 +241,9 @@ ONE_SHOT = 0.01
 """One sigma of q of a single shot at least (assumed): each speed to half a per cent."""
 MEASURED_BALLS = 0.01
 """One sigma of the restitution's logarithm at 60 mph where every ball was measured (assumed)."""
+UNMEASURED_LOT = 0.037
+"""The same of a lot that was not measured: a rule allows 0.546 +- 0.032, and nine of ten lots keep it [kagan2004]
+(assumed)."""
 
 
 def of_shots(shots: Sequence[Shot], ball: Ball) -> list[Measurement]:
@@ -275,11 +277,12 @@ def _as_measured(ball: Ball, group: Sequence[Shot]) -> Ball:
 
 
 def shot_ball_unknown(shots: Sequence[Shot], ball: Ball) -> Unknown:
-    """Return the unknown of the shot balls' restitution: its logarithm over that of their law."""
-    spreads, law = ball_spreads(ball), ball.restitution
+    """Return the unknown of the shot balls' restitution: its logarithm over that of their law.
+
+    What balls are at 60 mph and what they are at the anchor of their law is known apart, and not the slope between.
+    """
+    slope, anchor = slope_doubt(ball)
     measured = all(shot.ball_cor is not None for shot in shots)
-    known_at = COR_SPEED if measured else law.reference_speed
-    spread = MEASURED_BALLS if measured else spreads.get("restitution", 0.05) / REACH / law.reference
-    faster = float(np.mean([shot.closing_speed for shot in shots])) - known_at
-    by_slope = spreads.get("restitution_slope", 0.0) / REACH * faster / law.reference
-    return Unknown(OF_BALL, math.hypot(spread, by_slope))
+    faster = float(np.mean([shot.closing_speed for shot in shots])) - (COR_SPEED if measured else anchor)
+    lot = MEASURED_BALLS if measured else UNMEASURED_LOT
+    return Unknown(OF_BALL, math.hypot(lot, slope * faster / ball.restitution.reference))

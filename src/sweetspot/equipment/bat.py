@@ -93,6 +93,7 @@ class Bat(OfMaterial):
     material : of the body.
     profile : (position, diameter) stations in m from 0 to ``length``, positions increasing.
     linear_density : coefficients c0, c1, c2, ... of c0 + c1 x + c2 x^2 + ... in kg/m, x from the knob end.
+    outline_assumed : whether the outline is not its own but assumed, as that of others of its kind.
     density_gradient : relative change of density from the middle of the bat to its tip, -0.25 to 0.25.
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
     remark : how the description was made to agree with what was measured; "": it did.
@@ -110,6 +111,7 @@ class Bat(OfMaterial):
     material: Material
     profile: Stations | None = None
     linear_density: tuple[float, ...] | None = None
+    outline_assumed: bool = False
     density_gradient: Annotated[float, Field(ge=-0.25, le=0.25)] = 0.0
     bores: tuple[Bore, ...] = ()
     cup: Cup | None = None

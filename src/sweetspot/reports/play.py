@@ -7,6 +7,7 @@ from sweetspot.answers.flight import flight_of
 from sweetspot.answers.play import PlayAnswer
 from sweetspot.catalog.sports import sport
 from sweetspot.collision.hit_in_space import Strike
+from sweetspot.numerics.interval import Interval, Number
 from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.document import Document, Paragraph, Picture, drawn
 from sweetspot.reports.flight.document import alike_words, fence_words, flight_document, flight_words, launch_words
@@ -63,7 +64,7 @@ def play_words(answer: PlayAnswer) -> Sentence:
     sentences = [
         say("The bat meets the ball {met}, at {speed:speed}.", met=contact, speed=answer.bat_speed),
         say("The ball leaves {launch}.", launch=launch_words(launch)),
-        *by_ball(answer.exit_speed_half_by_ball, words),
+        *by_ball(answer.exit_speed_half_by_ball, answer.exit_speed_half_by_kind, words),
         *([] if struck.impact is None else touched_again(struck.impact, words)),
         "" if answer.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
         flight_words(answer.flight),
@@ -72,10 +73,26 @@ def play_words(answer: PlayAnswer) -> Sentence:
         sentences.append(alike_words(answer.carry_half, spin_known=True))
     chance = answer.home_run_chance
     if answer.fence is not None:
-        sentences.append(fence_words(answer.fence, chance=chance))
+        sentences.append(fence_words(answer.fence, chance=None if chance is None else float(chance)))
     if chance is not None:
-        sentences.append(say("Of a hundred like it {chance} are home runs.", chance=round(100 * chance)))
+        sentences.append(home_runs_words(chance))
     return joined(sentences)
+
+
+def home_runs_words(chance: Number) -> Sentence:
+    """Return how many balls that are hit alike are home runs."""
+    count = round(100 * float(chance))
+    ends = (chance.low, chance.high) if isinstance(chance, Interval) else (chance, chance)
+    low, high = (round(100 * float(end)) for end in ends)
+    if low == high:
+        return say("Of a hundred hit like it {count} are home runs.", count=count)
+    return say(
+        "Of a hundred hit like it {count} are home runs: {low} if balls are on average as dead as they may be, "
+        "{high} if as lively.",
+        count=count,
+        low=low,
+        high=high,
+    )
 
 
 def bare_play_document(play: Play | Plays) -> Document:

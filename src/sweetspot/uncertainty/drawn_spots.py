@@ -15,7 +15,7 @@ from sweetspot.dynamics.batch.bending import bending_batch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import tops
-from sweetspot.numerics.interval import Interval, Number
+from sweetspot.numerics.interval import Number
 from sweetspot.uncertainty.bat_draws import DrawnBats
 from sweetspot.uncertainty.drawn_hits import Draws
 
@@ -68,35 +68,23 @@ def _crossing(values: Array, inside: int, outside: int) -> float:
 
 
 class MissCost(Protocol):
-    """What a miss by ``distance`` (m) costs the described bat, m/s, towards the hands and towards the tip."""
+    """A miss by ``distance`` (m) towards the hands or towards the tip."""
 
     @property
     def distance(self) -> Number: ...
-    @property
-    def inside(self) -> Number: ...
-    @property
-    def outside(self) -> Number: ...
 
 
 def costs_of_misses(position: Array, speed: Array, misses: Sequence[MissCost]) -> list[dict[str, Array]]:
-    """Return the cost of each miss for every draw, m/s, shape (draws,): "inside", towards the hands, and "outside".
-
-    Which law the ball loses its energy by is not known either: a draw stands anywhere between ours and the other one's
-    cost, evenly and whatever else is drawn.
-    """
+    """Return the cost of each miss for every draw, m/s, shape (draws,): "inside", towards the hands, and "outside"."""
     step = float(position[1] - position[0])
     held = without_spikes(speed, step=step)
     place, _ = tops(held)
     top = _at(held, place)
-    between = np.random.default_rng(1).permutation((np.arange(len(speed)) + 0.5) / len(speed))
     costs = []
     for miss in misses:
         sides = {}
-        for way, name, loss in ((-1, "inside", miss.inside), (1, "outside", miss.outside)):
-            lost = top - _at(held, place + way * float(miss.distance) / step)
-            if isinstance(loss, Interval):
-                lost[1:] += between[1:] * (loss.low + loss.high - 2 * loss.value)  # the other law's cost less ours
-            sides[name] = lost
+        for way, name in ((-1, "inside"), (1, "outside")):
+            sides[name] = top - _at(held, place + way * float(miss.distance) / step)
         costs.append(sides)
     return costs
 

@@ -1,7 +1,7 @@
 """The simulated bat test with sampled bats: the uncertainty of BBCOR, BPF and the other measures.
 
-A laboratory normalises its shots to one ball, so how lively and how heavy the ball is does not count here. How hard it
-is, and through how large a patch it presses, does.
+A laboratory normalises its shots to one ball, so how lively and how heavy the ball is does not count here. By which law
+it takes and returns energy, how hard it is, and through how large a patch it presses, does.
 """
 
 from __future__ import annotations
@@ -21,20 +21,21 @@ from sweetspot.analysis.certification.simulated_test import (
     besr,
     bpf,
 )
+from sweetspot.catalog.balls import MEAN_BALL, THIS_BALL
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import top
 from sweetspot.uncertainty.drawn_hits import Draws, draws_of
-from sweetspot.uncertainty.sources import DRAWS, OF_BALL, PITCH, SWING, Sources
+from sweetspot.uncertainty.sources import DRAWS, PITCH, SWING, Sources
 
-NORMALISED = (f"{OF_BALL}restitution", f"{OF_BALL}restitution slope", f"{OF_BALL}mass")
+NORMALISED = (THIS_BALL, MEAN_BALL)
 """What a test normalises to one ball."""
 
 
 def sources_of_test(sources: Sources) -> Sources:
-    """Return the unknowns of a bat test: without those of swing, pitch and the ball's liveliness."""
+    """Return the unknowns of a bat test: without those of swing, pitch and how lively balls are."""
     return sources.without(*NORMALISED, SWING, PITCH)
 
 
@@ -70,12 +71,13 @@ def drawn_test(
     drawn, best, place = _fired(draws, tested.swung.closing_speed)
     _, slow, slow_place = _fired(draws, BPF_SPEED)
     efficiency = tested.fast.best_efficiency + drawn - drawn[0]
-    restitution = conditions.ball.restitution.at(BPF_SPEED)
+    of_ball = np.array([ball.restitution.at(BPF_SPEED) for ball in draws.balls])
+    factors = bpf(slow, ball_restitution=of_ball)
     return DrawnTest(
         draws,
         bbcor=tested.bbcor + best - best[0],
         besr=besr(efficiency),
-        bpf=tested.bpf + bpf(1.0, ball_restitution=restitution) * (slow - slow[0]),
+        bpf=tested.bpf + factors - factors[0],
         collision_efficiency=efficiency,
         batted_ball_speed=tested.swung.batted_ball_speed(efficiency),
         best_position=place,

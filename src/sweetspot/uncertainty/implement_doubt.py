@@ -22,7 +22,7 @@ from sweetspot.calibration.unknowns import Unknown, as_described, described, dev
 from sweetspot.catalog.bats import other_files
 from sweetspot.catalog.implements import implement
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.rigid import OF_CENTRE, moi_doubt, rigid_body
+from sweetspot.dynamics.rigid import moi_doubt, outline_doubts, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -111,10 +111,11 @@ def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array
     """
     if not isinstance(bat, Bat) or bat.is_measured("moi") or not unknowns:
         return tuple(unknowns), covariance
-    more = [Unknown("gyration", OF_CENTRE / 2)]
+    of_centre, _ = outline_doubts(bat)
+    more = [Unknown("gyration", of_centre / 2)]
     if not bat.is_measured("balance_point"):
         body = rigid_body(beam_model(bat))
-        rest = moi_doubt(bat, body, STANDARD_AXIS) ** 2 - (OF_CENTRE * body.moi_cm) ** 2
+        rest = moi_doubt(bat, body, STANDARD_AXIS) ** 2 - (of_centre * body.moi_cm) ** 2
         moved = max(rest, 0.0) ** 0.5 / (2 * body.mass * (body.balance_point - STANDARD_AXIS))  # I_cm + M (x - axis)^2
         more.append(Unknown("balance_point", moved / body.balance_point))
     spreads = [unknown.spread for unknown in more]

@@ -17,13 +17,13 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.posterior import BatPosterior
 from sweetspot.calibration.unknowns import Unknown, deviated
-from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import REACH
+from sweetspot.uncertainty.implement_doubt import NO_DOUBT
+from sweetspot.uncertainty.sources import Sources, sources_of_ball
 
 
 @dataclass(frozen=True)
@@ -54,12 +54,12 @@ def response_of_efficiency(
 ) -> EfficiencyResponse:
     """Return the quantities along a bat on which q depends (``positions``: m from the knob end, shape (m,))."""
     count = len(unknowns)
-    ball = {name: size / REACH for name, size in ball_spreads(conditions.ball).items()}
-    spreads = np.array([*(unknown.spread for unknown in unknowns), *ball.values()])
+    of_ball = Sources(NO_DOUBT, sources_of_ball(conditions.ball))
+    spreads = np.array([*(unknown.spread for unknown in unknowns), *(1.0 for _ in of_ball.others)])
 
     def efficiency(deviations: Array) -> Array:
         other = deviated(beam, unknowns, deviations[:count]) if count else beam
-        with_ball = conditions.ball.deviated(dict(zip(ball, deviations[count:].tolist(), strict=True)))
+        (with_ball,) = of_ball.balls(conditions.ball, deviations[None, count:])
         given = conditions.replaced(ball=with_ball)
         return scan(ReducedBat.of_beam(other, with_ball), given, positions).collision_efficiency
 

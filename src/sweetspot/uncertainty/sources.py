@@ -10,7 +10,7 @@ import numpy as np
 
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.unknowns import Unknown
-from sweetspot.catalog.balls import ball_spreads
+from sweetspot.catalog.balls import BALL_LAW, MEAN_BALL, THIS_BALL, ball_doubts
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.patch import PATCH_SPREAD
 from sweetspot.dynamics.reduction import ReducedBat
@@ -19,13 +19,12 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import REACH
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT, ImplementDoubt, doubt_of
 
 BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
 """Names of the sources that are no property of the ball."""
-OF_BALL = "ball "
-"""What the names of the ball's properties begin with."""
+BALL_SOURCES = (THIS_BALL, MEAN_BALL, BALL_LAW)
+"""Names of the sources that are properties of the ball."""
 DRAWS = 1024
 """A power of two, as Sobol's sequence wants."""
 
@@ -35,12 +34,18 @@ class Source:
     """One thing that is not known exactly.
 
     ``name``: of what; all unknowns of a bat are together "bat", those of a racket "racket". ``spread``: one standard
-    deviation; of an even distribution, between which its values lie.
+    deviation; of an even distribution, between which its values lie. ``ball``: what a unit of it does to the ball, as
+    `Ball.deviated` takes it; empty: nothing.
     """
 
     name: str
     spread: float | tuple[float, float]
     where: str
+    ball: tuple[tuple[str, float], ...] = ()
+
+    def deviated(self, ball: Ball, deviation: float) -> Ball:
+        """Return the ball with a deviation of this source."""
+        return ball.deviated({name: deviation * size for name, size in self.ball}) if self.ball else ball
 
 
 @dataclass(frozen=True)
@@ -99,6 +104,15 @@ class Sources:
                 others[:, column] = source.spread * rest[:, column]
         return np.hstack([of_bat @ self.doubt.factor.T, others])
 
+    def balls(self, ball: Ball, deviations: Array) -> tuple[Ball, ...]:
+        """Return the ball of every draw, its parts deviating together, from deviations of shape (draws, m)."""
+        properties = sorted({name for source in self.others for name, _ in source.ball})
+        if not properties:
+            return (ball,) * len(deviations)
+        sizes = np.array([[dict(source.ball).get(name, 0.0) for name in properties] for source in self.others])
+        moved = deviations[:, len(self.unknowns) :] @ sizes
+        return tuple(ball.deviated(dict(zip(properties, row, strict=True))) for row in moved.tolist())
+
     def of(self, name: str, deviations: Array) -> Array:
         """Return the deviations of one source that is not the bat's, shape (count,); 0 where it is no source."""
         names = [other.name for other in self.others]
@@ -151,10 +165,8 @@ def sources_of(
 
 
 def sources_of_ball(ball: Ball) -> tuple[Source, ...]:
-    """Return the unknowns of a ball: the catalogue's spreads are half widths of 90 % intervals."""
-    where = f"spread of {ball.name} in the catalogue"
-    spreads = ball_spreads(ball)
-    return tuple(Source(f"{OF_BALL}{name}".replace("_", " "), size / REACH, where) for name, size in spreads.items())
+    """Return the unknowns of a ball: of this one, of the mean of its kind, and of the law it follows."""
+    return tuple(Source(doubt.part, 1.0, doubt.where, doubt.deviation) for doubt in ball_doubts(ball))
 
 
 def _speeds(bat: float, pitch: float) -> list[Source]:
@@ -162,21 +174,37 @@ def _speeds(bat: float, pitch: float) -> list[Source]:
     return [Source(name, error, where) for name, error in ((SWING, bat), (PITCH, pitch)) if error > 0]
 
 
-def error_by_ball(reduced: ReducedBat[Implement], conditions: Conditions, position: float) -> float | None:
-    """Return the standard deviation in m/s that the ball alone leaves to an exit speed; None: no spread is known.
+@dataclass(frozen=True)
+class BallErrors:
+    """Standard deviations that the ball alone leaves to an exit speed, m/s.
 
-    Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
+    ``scatter``: from ball to ball. ``common``: of all balls of the kind alike: their mean and their law.
     """
-    place, spreads = np.array([position]), ball_spreads(conditions.ball)
-    if not spreads:
+
+    scatter: float
+    common: float
+
+    @property
+    def whole(self) -> float:
+        """Of one ball, with all that is not known of it."""
+        return math.hypot(self.scatter, self.common)
+
+
+def errors_by_ball(reduced: ReducedBat[Implement], conditions: Conditions, position: float) -> BallErrors | None:
+    """Return the errors that the ball alone leaves to an exit speed, the bat as described; None: no spread is known."""
+    place, sources = np.array([position]), sources_of_ball(conditions.ball)
+    if not sources:
         return None
 
-    def speed(name: str, off: float) -> float:
-        with_ball = conditions.replaced(ball=conditions.ball.deviated({name: off}))
+    def speed(source: Source, off: float) -> float:
+        with_ball = conditions.replaced(ball=source.deviated(conditions.ball, off))
         return float(scan(reduced, with_ball, place).exit_speed[0])
 
-    halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
-    return float(np.linalg.norm(halves))
+    halves = [((speed(source, 1.0) - speed(source, -1.0)) / 2, source.name == THIS_BALL) for source in sources]
+    scatter, common = (
+        float(np.linalg.norm([half for half, scatters in halves if scatters == which])) for which in (True, False)
+    )
+    return BallErrors(scatter, common)
 
 
 def one_by_one(count: int) -> Array:

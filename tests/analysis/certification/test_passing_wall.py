@@ -44,7 +44,7 @@ def test_the_patch_leaves_an_interval_about_every_measure(baseball: Ball) -> Non
     assert by_moi["besr"][0] < done.besr < by_moi["besr"][1]
     found = done.findings()["bbcor"]
     assert found.interval is not None and "moment of inertia" in found.interval_is
-    assert found.interval[0] < low < high < found.interval[1] and found.interval[1] - found.interval[0] < 0.03
+    assert found.interval[0] < low < high < found.interval[1] and found.interval[1] - found.interval[0] < 0.05
     measured = certify(catalog.bat("russell-b1"), ball=baseball)
     assert measured.moi_spreads == {} and measured.findings()["besr"].interval == measured.spreads["besr"]
 

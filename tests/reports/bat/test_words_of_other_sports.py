@@ -17,7 +17,7 @@ def test_a_shuttle_is_no_ball_and_only_a_zone_is_shaded(name: str, zone: str) ->
     racket = catalog.implement(name)
     document = report_document(reported(analyse(racket, standard_conditions(racket))))
     text = " ".join(read(one.words, SI) for one in document.blocks if isinstance(one, Paragraph))
-    assert ("a shuttle that loses its energy" in text) == (name == "badminton-racket")
-    assert ("a ball that loses its energy" in text) == (name == "tennis-racket")
+    assert ("a shuttle at" in text) == (name == "badminton-racket")
+    assert "loses its energy" not in text  # by what law was asked of baseballs and softballs alone
     (picture,) = (one for one in document.blocks if isinstance(one, Picture) and one.name == "overview")
     assert read(picture.caption, SI).endswith(zone or "what a hit there does.")

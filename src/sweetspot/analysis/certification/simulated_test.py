@@ -106,6 +106,8 @@ class Certification(ShownInNotebooks):
     fast : the test at its closing speed: a baseball's 136 mph, for BBCOR and the older BESR.
     slow : the test at 60 mph, for BPF.
     other_patches : both tests again with the smallest and the largest patch that a ball can press (`PATCH_SPREAD`).
+    other_laws : both tests again with as little and as much of the ball's loss by the rate as the evidence allows
+        (`Ball.with_law`); none where its law was not asked.
     other_mois : both tests again with the ends of the 90 % interval of the moment of inertia; none where it was
         measured.
     other_walls : both tests again with a thinner and a thicker wall of the barrel; none where it was measured.
@@ -118,6 +120,7 @@ class Certification(ShownInNotebooks):
     fast: BatTest
     slow: BatTest
     other_patches: tuple[tuple[BatTest, BatTest], ...] = ()
+    other_laws: tuple[tuple[BatTest, BatTest], ...] = ()
     other_mois: tuple[tuple[BatTest, BatTest], ...] = ()
     other_walls: tuple[tuple[BatTest, BatTest], ...] = ()
 
@@ -151,6 +154,11 @@ class Certification(ShownInNotebooks):
         return self._spreads(((self.fast, self.slow), *self.other_patches))
 
     @property
+    def law_spreads(self) -> dict[str, tuple[float, float]]:
+        """The same for what the law of the ball leaves open, by which it loses its energy (90 %); {}: nothing."""
+        return self._spreads(((self.fast, self.slow), *self.other_laws)) if self.other_laws else {}
+
+    @property
     def moi_spreads(self) -> dict[str, tuple[float, float]]:
         """The same for what a moment of inertia leaves open that follows from the outline (90 %); {}: it was measured.
 
@@ -168,6 +176,7 @@ class Certification(ShownInNotebooks):
         """Return the measures in the form that rules take; a best place at an end of the scan is inconclusive."""
         doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond" if self.fast.at_edge else ""
         unknown = ["the size of the ball's patch"]
+        unknown += ["the law of the ball"] if self.other_laws else []
         unknown += ["a moment of inertia that was not measured"] if self.other_mois else []
         unknown += ["a wall that was not measured"] if self.other_walls else []
         listed = " and ".join(part for part in (", ".join(unknown[:-1]), unknown[-1]) if part)
@@ -178,8 +187,9 @@ class Certification(ShownInNotebooks):
         }
 
     def _together(self, name: str, value: float) -> tuple[float, float] | None:
-        """Return between which a measure lies by patch, moment of inertia and wall together, independent doubts."""
-        ranges = [spreads[name] for spreads in (self.spreads, self.moi_spreads, self.wall_spreads) if spreads]
+        """Return between which a measure lies by patch, law, moment of inertia and wall together, as independent."""
+        every = (self.spreads, self.law_spreads, self.moi_spreads, self.wall_spreads)
+        ranges = [spreads[name] for spreads in every if spreads]
         if not self.other_patches:
             return None
         below, above = (hypot(*(value - each[end] for each in ranges)) for end in (0, 1))
@@ -205,7 +215,7 @@ def besr(efficiency: Real) -> Real:
     return efficiency + 0.5
 
 
-def bpf(restitution: float, *, ball_restitution: float) -> float:
+def bpf(restitution: Real, *, ball_restitution: Real) -> Real:
     """Return the bat performance factor: ball-bat restitution over the ball's own at the same speed [astm_f2219].
 
     >>> round(bpf(0.506, ball_restitution=0.44), 2)
@@ -240,7 +250,7 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     Returns
     -------
     Certification
-        ``bbcor``, ``besr``, ``bpf`` and ``batted_ball_speed`` (m/s), with what the ball's patch leaves open.
+        ``bbcor``, ``besr``, ``bpf`` and ``batted_ball_speed`` (m/s), with what the ball's patch and law leave open.
 
     >>> from sweetspot import catalog
     >>> from sweetspot.analysis.certification.simulated_test import certify
@@ -250,7 +260,7 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     beam, swung = beam_model(bat), swung_test(bat, ball)
     body = rigid_body(beam)
 
-    def both(modes: Modes, body: RigidBody) -> tuple[BatTest, BatTest]:
+    def both(modes: Modes, body: RigidBody, ball: Ball = ball) -> tuple[BatTest, BatTest]:
         fast, slow = (
             bat_test(beam, body=body, modes=modes, ball=ball, closing_speed=speed)
             for speed in (swung.closing_speed, BPF_SPEED)
@@ -263,9 +273,11 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     walls = [beam_model(with_barrel_wall(bat, 1 + change)) for change in changes]
     turning = [turning_as(beam, moi + change, axis=CLAMP) for change in (-doubt, doubt) if doubt]
     patches = tuple(both(modes, body) for modes in others)
+    ends = [ball.with_law(end) for end in (-1.0, 1.0)] if ball.law_ends is not None else []
+    laws = tuple(both(all_modes(beam, end), body, end) for end in ends)
     mois = tuple(both(_bending_as(usual, turned), rigid_body(turned)) for turned in turning)
     thicknesses = tuple(both(all_modes(wall, ball), rigid_body(wall)) for wall in walls)
-    return Certification(bat, ball, body, swung, *both(usual, body), patches, mois, thicknesses)
+    return Certification(bat, ball, body, swung, *both(usual, body), patches, laws, mois, thicknesses)
 
 
 def _bending_as(modes: Modes, beam: BeamModel) -> Modes:

@@ -47,6 +47,8 @@ from sweetspot.units import INCH, format_length
 
 MAX_BYTES = 250_000
 """Of a bat's file: ten times what the longest outline takes, and read in a tenth of a second."""
+OUTLINES = ("profile", "turned", "linear_density")
+"""Ways to give an outline, of which a file has one."""
 MEASURED = ("mass", "balance_point", "moi")
 """Values that count as measured where a file has them, unless it says that they were fitted."""
 DEEPEST_KEY = 40
@@ -200,6 +202,9 @@ class BatFile(FileTable):
     balance_point: Annotated[str | None, LENGTH] = Field(None, description="measured, from the knob end")
     moi: Annotated[str | None, MOI] = Field(None, description="measured moment of inertia about moi_axis")
     moi_axis: Length = Field("6 in", description="axis of moi, from the knob end")
+    outline_assumed: bool = Field(
+        False, description="whether the outline is not this bat's own but assumed, as that of others of its kind"
+    )
     fitted: tuple[str, ...] = Field((), description="which of mass, balance_point and moi were not measured but fitted")
     bore: Annotated[tuple[BoreTable, ...], BeforeValidator(_listed), Made(Bore, BoreTable), Called("bores")] = ()
     cup: Annotated[CupTable | None, Made(Cup, CupTable)] = None
@@ -264,12 +269,19 @@ def bat_of_table(table: TomlTable, where: str) -> Bat:
         raise InputError(f"{where}: {message}") from None
 
 
+OWN_OUTLINE = ("measured", "specified")
+"""Kinds of records whose outline is the bat's own."""
+
+
 def with_fitted(table: TomlTable) -> TomlTable:
-    """Return a file's table that says under ``fitted`` what its records say was fitted, also of the original bat."""
+    """Return a file's table that says what its records say was fitted or assumed, also of the original bat."""
     original = table.get("original")
     changed = {**table, "original": with_fitted(original)} if isinstance(original, Mapping) else table
     records = {name: record for name in MEASURED if isinstance(record := table.get(name), Mapping)}
     by_record = [name for name, record in records.items() if record.get("kind") == "fitted"]
+    outlines = [record for name in OUTLINES if isinstance(record := table.get(name), Mapping)]
+    if any(record.get("kind", "measured") not in OWN_OUTLINE for record in outlines):
+        changed = {**changed, "outline_assumed": True}
     return {**changed, "fitted": by_record} if by_record else changed
 
 
@@ -299,7 +311,7 @@ def checked_drawing(bat: Bat) -> Bat:
 def _bat(file: BatFile) -> Bat:
     body = _material(file.material, measured=file.calibration is not None)
     length = in_si(file.length, "length", "length", "bat")
-    outlines = [name for name in ("profile", "turned", "linear_density") if getattr(file, name) is not None]
+    outlines = [name for name in OUTLINES if getattr(file, name) is not None]
     if len(outlines) != 1:
         among = " and ".join(outlines) or "none of them"
         raise InputError(f"the outline is given as {among}; give exactly one of profile, turned, linear_density")
@@ -309,7 +321,9 @@ def _bat(file: BatFile) -> Bat:
         shell = shell.model_copy(update={"wall": (("0 in", shell.wall), (file.length, shell.wall))})
         file = file.model_copy(update={"shell": shell})
     turned = {} if file.turned is None else {"profile": _turned(file.turned, length)}
-    given = {"material": body, "original": original, "calibrated": file.calibration is not None, **turned}
+    assumed = file.outline_assumed or file.turned is not None  # a few sizes are no outline
+    flags = {"outline_assumed": assumed, "calibrated": file.calibration is not None}
+    given = {"material": body, "original": original, **flags, **turned}
     bat = made(Bat, file, implement="bat", body=body, given=given)
     if shell is None or bat.shell is None:
         return bat

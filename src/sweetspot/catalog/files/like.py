@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from sweetspot.catalog.files.bat import MEASURED, read_toml, with_fitted
+from sweetspot.catalog.files.bat import MEASURED, OUTLINES, read_toml, with_fitted
 from sweetspot.catalog.files.implement import AddedTable, implement_of_table
 from sweetspot.catalog.files.racket_words import in_file_names
 from sweetspot.catalog.files.tables import made
@@ -26,8 +26,6 @@ from sweetspot.plausibility import parse
 from sweetspot.units import Kind
 
 FOLDERS = ("bats", "implements")
-OUTLINES = frozenset({"profile", "turned", "linear_density"})
-"""Of these a bat has one: another in the file takes the place of the parent's."""
 ADDED_TO = ("point_mass", "bore", "ring")
 """Lists that a file adds to; an empty one takes away what the parent has."""
 OF_THE_PARENT = ("note", "original", "fitted")
@@ -100,7 +98,8 @@ def _parent(name: str, folder: Path | None, before: tuple[Path, ...]) -> TomlTab
     whole = resolved(table, str(path), path.parent, (*before, path))
     if names_file(name):
         implement_of_table(whole, str(path))  # it says itself what is wrong in it
-    return whole
+        return whole
+    return whole if "kind" in whole else {**whole, "outline_assumed": True}
 
 
 def _changed(parent: TomlTable, changes: TomlTable) -> TomlTable:
@@ -110,8 +109,8 @@ def _changed(parent: TomlTable, changes: TomlTable) -> TomlTable:
     before, after = parent.get("material"), changes.get("material")
     changes = {**changes, **_whole_material(before, after)}
     base: TomlTable = {**_base(_without(parent, *OF_THE_PARENT), changes), "name": _name(str(parent.get("name", "")))}
-    if OUTLINES & changes.keys():
-        base = _without(base, *OUTLINES)
+    if changes.keys() & OUTLINES:  # another one takes the place of the parent's
+        base = _without(base, *OUTLINES, "outline_assumed")
     if {"ra", "first_frequency"} & changes.keys():  # one of them is enough
         base = _without(base, "ra", "first_frequency")
     if parent.get("kind") in KNOWN_BY_MEASURES:
@@ -130,7 +129,7 @@ def _base(parent: TomlTable, changes: TomlTable) -> TomlTable:
         length = None
     if parent.get("kind") in KNOWN_BY_MEASURES and (length is not None or set(MEASURED) & changes.keys()):
         return _scaled_to(parent, changes, length)
-    if length is None or (OUTLINES & changes.keys() and "shell" not in parent):  # a new outline has its own length
+    if length is None or (changes.keys() & OUTLINES and "shell" not in parent):  # a new outline has its own length
         return parent
     longer = implement_table(stretched(implement_of_table(parent, "its parent"), length))
     return {**_kept(parent), **_without(longer, "original")}

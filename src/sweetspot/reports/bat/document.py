@@ -30,7 +30,7 @@ from sweetspot.reports.bat.tables import (
     spots_table,
     stations,
 )
-from sweetspot.reports.bat.words import answer_words, from_tip, why_intervals
+from sweetspot.reports.bat.words import answer_words, from_tip, why_in_brackets
 from sweetspot.reports.document import Block, Cards, Document, Paragraph, Picture, Section, SourceList, drawn, one_row
 from sweetspot.reports.hit.document import hit_picture, hit_table, masses_words, touched_again_between
 from sweetspot.reports.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
@@ -190,13 +190,14 @@ def _appendix(report: ReportAnswer) -> list[Block]:
     from sweetspot.reports.bat.appendix import assumptions_section, chosen, constants_section, published_section
     from sweetspot.reports.bat.provenance import sources_of, used_records
 
-    analysis, drawn_by_chance = report.analysis, report.uncertainty is not None
+    analysis = report.analysis
     face, results = analysis.bat.face, chosen(analysis.bat.sport)
     keys = sources_of(used_records(analysis)) + [result.source for result in results]
     sections = [] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]
     if report.misses:
-        why = Paragraph(why_intervals(words_of(analysis.bat.sport), drawn=drawn_by_chance))
-        sections.append(Section("misses", "What a miss costs", [misses_table(report), why]))
+        why = why_in_brackets(report, words_of(analysis.bat.sport))
+        explained = [Paragraph(why)] if why.parts else []
+        sections.append(Section("misses", "What a miss costs", [misses_table(report), *explained]))
     sources = Section("sources", "Sources", [SourceList(sorted(set(keys)))])
     published = published_section(results)
     return [*sections, assumptions_section(analysis), *published, constants_section(analysis), sources]

@@ -20,17 +20,13 @@ from sweetspot.reports.hit.document import best_in_doubt, curve
 from sweetspot.reports.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.reports.sport_words import arriving, in_words, weight, words_of
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt
-from sweetspot.uncertainty.sources import OF_BALL, PATCH, PITCH, SWING
+from sweetspot.uncertainty.sources import BALL_SOURCES, PATCH, PITCH, SWING
 
 LEAST_SHARE = 5e-4
 """Part of the energy below which one decimal of a per cent would say none."""
-WHY_BOTH = (
-    "These intervals reach from a {ball} that loses its energy by how far it is pressed to one that loses it by how "
-    "fast; no measurement has settled which."
-)
-WHY_TWO = (
-    "In brackets: what a {ball} that loses its energy by how fast it is pressed, not by how far, allows as well; no "
-    "measurement has settled that."
+WHY_IN_BRACKETS = (
+    "In brackets: what is left open by how a {ball} loses its energy (90 %), partly by how far it is pressed and "
+    "partly by how fast."
 )
 SMALL = 1e-3
 """Relative change of a speed below which it is reported as less than this."""
@@ -212,12 +208,14 @@ def _miss(report: ReportAnswer, words: Terms) -> Sentence:
         costs.append(in_words(template, words, miss=miss, **sides))
     if not costs:
         return Sentence(())
-    return joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), why_intervals(words, drawn=drawn)])
+    sentences = [say("What a miss costs: {costs}.", costs=joined(costs, "; "))]
+    return joined([*sentences, why_in_brackets(report, words)])
 
 
-def why_intervals(words: Terms, *, drawn: bool) -> Sentence:
-    """Return the explanation of the intervals of a miss."""
-    return in_words(WHY_BOTH if drawn else WHY_TWO, words)
+def why_in_brackets(report: ReportAnswer, words: Terms) -> Sentence:
+    """Return the explanation of the intervals of misses where no draws were made; empty where there are none."""
+    ends = any(isinstance(cost, Interval) for miss in report.misses for cost in (miss.inside, miss.outside))
+    return in_words(WHY_IN_BRACKETS, words) if ends and report.uncertainty is None else say("")
 
 
 def _hands(report: ReportAnswer, words: Terms) -> Sentence:
@@ -271,7 +269,7 @@ def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:
     """Return the parts of the variance due to the ball, the implement and the given speeds."""
     parts: dict[str, float] = {}
     for name, share in doubt.shares.items():
-        if name.startswith(OF_BALL) or name == PATCH:
+        if name in BALL_SOURCES or name == PATCH:
             thing = f"the {words.ball}"
         elif name in (SWING, PITCH):
             thing = "the speeds as they were written"

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import fields
+from math import hypot
 
 from sweetspot.analysis.certification.rules import Verdict, title
 from sweetspot.analysis.certification.shot_statistics import Estimate
 from sweetspot.analysis.certification.simulated_test import BASEBALL_TEST, CLAMP, Certification, SwungTest
-from sweetspot.answers.bat_test import MeasuredShots, ScanAtRest, SimulatedTest, SpeedEstimate
+from sweetspot.answers.bat_test import MeasuredShots, MeasureSpreads, ScanAtRest, SimulatedTest, SpeedEstimate
 from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, RuleCheck, WallThatPasses, certificate_of
 from sweetspot.catalog.balls import ball
 from sweetspot.catalog.bats import WALL_DOUBT, wall_pattern
@@ -39,9 +41,12 @@ from sweetspot.reports.document import (
 from sweetspot.reports.sentences import Line, Sentence, Slot, Span, Words, joined, say, tell
 from sweetspot.reports.uncertainty import chance_words, how_sure
 
-PATCH_NOTE = (
-    "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "
-    "the test. The ball is the catalogue's; a test normalises to one."
+NORMALISED_NOTE = " The ball is the catalogue's; a test normalises to one."
+PATCH_NOTE = "By the ball: with the smallest and the largest patch through which it can push." + NORMALISED_NOTE
+BALL_NOTE = (
+    "By the ball: with the smallest and the largest patch through which it can push, and with as little and as much of "
+    "its loss going with the rate at which it is pressed as the evidence allows (90 %), which hardly matters on wood."
+    + NORMALISED_NOTE
 )
 MOI_NOTE = (
     "By the MOI: it was not measured but follows from the outline, and ± is half of its 90 % interval. A bat that "
@@ -191,7 +196,8 @@ def _ball_of_the_rule(answer: CertifyAnswer) -> list[Sentence]:
 
 def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
     fast, slow, length = test.fast, test.slow, answer.implement.length
-    open_by = [spreads for spreads in (test.spread, test.spread_by_moi) if spreads is not None]
+    of_ball = test.spread if test.spread_by_law is None else _together(test, test.spread, test.spread_by_law)
+    open_by = [spreads for spreads in (of_ball, test.spread_by_moi) if spreads is not None]
     at = Slot(fast.closing_speed, "speed", 0)
 
     def ranges(name: str, scale: str = "ratio", digits: int = 4) -> list[Cell]:
@@ -213,12 +219,24 @@ def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
         ["batted-ball speed", speed, *speeds, fast_place, _swung(test.swung)],
         ["MOI", turning, *none, "", "the clamp's axis"],
     ]
-    columns = table_head("measure | value > | by the patch >")
+    columns = table_head("measure | value > | by the ball >")
     columns += [Column("by the MOI", right=True) for _ in open_by[1:]]
     columns += table_head("from the tip: length | test")
+    ball_note = PATCH_NOTE if test.spread_by_law is None else BALL_NOTE
     moi_note = [] if test.spread_by_moi is None else [MOI_NOTE]
-    notes: list[Words] = [*_wall_note(answer, test), PATCH_NOTE, *moi_note]
+    notes: list[Words] = [*_wall_note(answer, test), ball_note, *moi_note]
     return [Table("Simulated test", columns, rows, name="certified"), *(Paragraph(note, "note") for note in notes)]
+
+
+def _together(test: SimulatedTest, *spreads: MeasureSpreads) -> MeasureSpreads:
+    """Return between which each measure lies by doubts that are independent."""
+
+    def ends(name: str) -> tuple[float, float]:
+        value = float(getattr(test, name))
+        below, above = (hypot(*(value - getattr(each, name)[end] for each in spreads)) for end in (0, 1))
+        return value - below, value + above
+
+    return MeasureSpreads(**{each.name: ends(each.name) for each in fields(MeasureSpreads)})
 
 
 def _wall_note(answer: CertifyAnswer, test: SimulatedTest) -> list[Words]:

@@ -32,7 +32,7 @@ VERBS = {
     Verdict.NOT_APPLICABLE: ("does not apply", "do not apply"),
 }
 KINDS = {
-    True: "Computed. Band: what the size of the ball's patch leaves open. Orange dot: the best place.",
+    True: "Computed. Band: what the ball's patch and its law leave open. Orange dot: the best place.",
     False: "Measured: each dot is a place, the mean of its shots. Orange dot: the best place.",
 }
 """The small print, of a simulated test and of shots."""
@@ -111,7 +111,7 @@ def _curve(answer: CertifyAnswer) -> _Curve:
         return _Curve("bbcor", places, values, values, values, (test.best_position, test.bbcor.mean))
     measure = "bpf" if "bpf" in asked and "bbcor" not in asked else "bbcor"
     tests = [(test.slow if measure == "bpf" else test.fast)]
-    tests += [slow if measure == "bpf" else fast for fast, slow in test.other_patches]
+    tests += [slow if measure == "bpf" else fast for fast, slow in (*test.other_patches, *test.other_laws)]
     curves = np.array([_values(each, measure) for each in tests])
     best = tests[0].best_position, test.bpf if measure == "bpf" else test.bbcor
     return _Curve(measure, tests[0].position, curves[0], curves.min(axis=0), curves.max(axis=0), best)

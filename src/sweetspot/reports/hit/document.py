@@ -43,7 +43,7 @@ def hit_document(answer: HitAnswer) -> Document:
         blocks=[
             hit_table(answer, words, masses, rigid=implement.face is None),
             *_aside(answer, words),
-            *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, words)),
+            *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, answer.exit_speed_half_by_kind, words)),
             *_doubts(impact, words),
             *known_misses(implement, implement.length - impact.position),
             *in_hands(answer.exit_speed, answer.exit_speed_in_hands, words),
@@ -81,17 +81,24 @@ def masses_words(tool: Number, ball: Number, words: Terms) -> Sentence:
     return in_words("{implement} {tool:mass}, {ball} {thrown}", words, tool=tool, thrown=weight(ball))
 
 
-def by_ball(half: Number | None, words: Terms) -> list[Sentence]:
+def by_ball(scatter: Number | None, common: Number | None, words: Terms) -> list[Sentence]:
     """Return in words the uncertainty of an exit speed due to the ball alone; nothing if unknown.
 
     Parameters
     ----------
-    half : of its 90 % interval, m/s.
+    scatter, common : halves of 90 % intervals, m/s: from ball to ball, and of all balls of the kind alike.
     """
-    if half is None:
+    if scatter is None or common is None:
         return []
-    slot = Slot(half, "speed_change", 1)
-    return [in_words("By the {ball} alone the {exit_speed} may be {half} more or less (90 %).", words, half=slot)]
+    return [
+        in_words(
+            "No two {ball}s are the same: nine in ten come off within {scatter} of that. How lively they are on "
+            "average, and how they spring back, is known to {common} (90 %).",
+            words,
+            scatter=Slot(scatter, "speed_change", 1),
+            common=Slot(common, "speed_change", 1),
+        )
+    ]
 
 
 def _doubts(impact: Impact, words: Terms) -> list[Paragraph]:

@@ -72,7 +72,7 @@ class LeagueHits(NamedTuple):
 
 def ceiling_ratio(*, bat: str, deflection: float, other_deflection: float) -> float:
     """Return the 98th percentile of exit speed over ceiling between two deflections, relative to 0 to 5 degrees."""
-    hits = _league(bat)
+    hits = simulated_league(bat)
 
     def edge(low: float, high: float) -> float:
         return float(np.percentile(hits.over_ceiling[(hits.deflection >= low) & (hits.deflection < high)], 98))
@@ -85,7 +85,7 @@ def edge_slope(*, bat: str) -> float:
 
     Measured speeds, in groups of 2 mph from 60 to 80 mph, a straight line through the groups.
     """
-    hits, middle, edge = _league(bat), [], []
+    hits, middle, edge = simulated_league(bat), [], []
     straight = np.abs(hits.deflection) < 20 * DEGREE
     for low in range(60, 80, 2):
         group = straight & (np.abs(hits.measured_bat_speed / MPH - low - 1) <= 1)
@@ -99,12 +99,12 @@ def edge_over_own_ceiling(*, bat: str) -> float:
 
     Measured speeds, bat speeds above 60 mph, deflections within 20 degrees.
     """
-    hits = _league(bat)
+    hits = simulated_league(bat)
     chosen = (np.abs(hits.deflection) < 20 * DEGREE) & (hits.measured_bat_speed > 60 * MPH)
-    return float(np.percentile(hits.measured_speed[chosen] / _ceiling(bat, hits.measured_bat_speed[chosen]), 98))
+    return float(np.percentile(hits.measured_speed[chosen] / own_ceiling(bat, hits.measured_bat_speed[chosen]), 98))
 
 
-def _ceiling(bat: str, bat_speed: Array) -> Array:
+def own_ceiling(bat: str, bat_speed: Array) -> Array:
     """Return the exit speed of the best head-on hit at an 82 mph pitch for bat speeds 6 in from the tip, m/s."""
     model, from_tip = _model(bat), np.linspace(2 * INCH, 10 * INCH, 33)
     places, swings = model.bat.length - from_tip, np.linspace(40, 110, 15) * MPH
@@ -198,7 +198,7 @@ def _mean_spin(bat: str) -> Array:
 
     Fly balls of right-handed batters: 15 to 40 degrees up, at least 85 mph.
     """
-    hits = _league(bat, left_handed=0.0)
+    hits = simulated_league(bat, left_handed=0.0)
     high = (hits.launch_angle > 15 * DEGREE) & (hits.launch_angle < 40 * DEGREE) & (hits.exit_speed > 85 * MPH)
     terms = np.stack([np.ones_like(hits.spray), hits.launch_angle, hits.spray], axis=-1)[high]
     spins = np.stack([hits.backspin, hits.sidespin], axis=-1)[high]
@@ -206,7 +206,7 @@ def _mean_spin(bat: str) -> Array:
 
 
 @cache
-def _league(
+def simulated_league(
     bat: str,
     left_handed: float = 0.4,
     count: int = 60_000,
