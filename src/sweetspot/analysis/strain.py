@@ -122,14 +122,16 @@ def damage(impact: Impact, *, beam: BeamModel, modes: Modes) -> Damage:
     )
 
 
-def breaking_speed(impact: Impact, *, beam: BeamModel, modes: Modes, ball: Ball) -> tuple[float, float] | None:
-    """Return the closing speeds in m/s between which a hit at this place breaks the handle of a wooden bat.
+def breaking_speed(
+    impact: Impact, strains: Damage, *, beam: BeamModel, modes: Modes, ball: Ball
+) -> tuple[float, float] | None:
+    """Return the closing speeds in m/s between which a hit like this one breaks the handle of a wooden bat.
 
     At the lower one the greatest strain reaches the least at which the wood breaks, at the higher one the most; see
     `failure_strains`. None where it is not of wood, or nothing bends it.
     """
     bat = bat_of_beam(beam)
-    first = damage(impact, beam=beam, modes=modes).handle_strain
+    first = strains.handle_strain
     if bat.shell is not None or bat.material.family != "wood" or first <= 0:
         return None
 

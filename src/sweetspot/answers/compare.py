@@ -11,7 +11,7 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Compared, Comparison, compare
-from sweetspot.analysis.strain import breaking_speed
+from sweetspot.analysis.strain import breaking_speed, damage
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, uncertainty_of
 from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, certify_answer
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_columns, mass_properties
@@ -127,7 +127,7 @@ class ComparedBat:
     max_exit_speed : the best place, from the knob end.
     handling, off_center : of rackets, see `Handling`; hits beside the middle of what has a flat face.
     breaking_speed : closing speed from which on a hit 12 in from the tip breaks the handle of a wooden bat; nan: not of
-        wood, or not known. See `sweetspot.analysis.strain.breaking_speed`.
+        wood, not known, or not asked, as in `compare_of`. See `sweetspot.analysis.strain.breaking_speed`.
     rules : whether it keeps those of its own sport; None: that was not asked, or it has none.
     """
 
@@ -144,7 +144,7 @@ class ComparedBat:
     max_exit_speed: Length
     zone: Annotated[tuple[float, float] | None, LENGTH]
     scan: ComparedCurves
-    breaking_speed: Speed
+    breaking_speed: Speed = float("nan")
     rules: RulesKept | None = None
     handling: Handling | None = None
     off_center: tuple[HitBeside, ...] = ()
@@ -231,6 +231,8 @@ def compare_answer(question: CompareQuestion) -> CompareAnswer:
     comparison = compare(question.implements, conditions=question.conditions, law=question.law, labels=question.labels)
     ends = {number: _ends(question, both) for number, both in enumerate(question.ends) if both is not None}
     answer = compare_of(comparison, question.sources, drawn=question.drawn, draws=question.draws, ends=ends)
+    bats = (replace(bat, breaking_speed=_breaking_speed(bat.compared.analysis)) for bat in answer.bats)
+    answer = replace(answer, bats=tuple(bats))
     return _with_rules(answer) if question.rules else answer
 
 
@@ -298,7 +300,6 @@ def _compared_bat(bat: Compared[Implement], reference: Compared[Implement]) -> C
         handling=handling_of(analysis.bat, analysis.body),
         off_center=hits_beside(analysis.bat, analysis.body, analysis.modes, analysis.conditions),
         scan=ComparedCurves(scan.position, scan.exit_speed, scan.exit_speed - before),
-        breaking_speed=_breaking_speed(analysis),
         swung_faster=bat.bat_speed.value - reference.bat_speed.value,
         compared=bat,
     )
@@ -309,8 +310,9 @@ def _breaking_speed(analysis: Analysis[Implement]) -> float:
     bat, ball = analysis.bat, analysis.conditions.ball
     if not isinstance(bat, Bat) or bat.shell is not None or bat.length <= JAMMED:
         return float("nan")
-    impact = hit(analysis.modes, ball=ball, position=bat.length - JAMMED, closing_speed=USUAL_CLOSING)
-    found = breaking_speed(impact, beam=analysis.beam, modes=analysis.modes, ball=ball)
+    beam, modes = analysis.beam, analysis.modes
+    impact = hit(modes, ball=ball, position=bat.length - JAMMED, closing_speed=USUAL_CLOSING)
+    found = breaking_speed(impact, damage(impact, beam=beam, modes=modes), beam=beam, modes=modes, ball=ball)
     return float("nan") if found is None else found[0]
 
 

@@ -292,8 +292,10 @@ class HitAnswer(Hit, Answer):
 def _strains(impact: Impact, beam: BeamModel, modes: Modes, ball: Ball) -> Strains | None:
     if not isinstance(beam.bat, Bat):
         return None
-    breaking = breaking_speed(impact, beam=beam, modes=modes, ball=ball) if impact.closing_speed > 0 else None
-    return strains_of(damage(impact, beam=beam, modes=modes), breaking)
+    strains, breaking = damage(impact, beam=beam, modes=modes), None
+    if impact.closing_speed > 0:
+        breaking = breaking_speed(impact, strains, beam=beam, modes=modes, ball=ball)
+    return strains_of(strains, breaking)
 
 
 def hit_answer(question: HitQuestion) -> HitAnswer:
