@@ -48,11 +48,6 @@ CAUGHT = ("field_out", "sac_fly", "double_play", "sac_fly_double_play")
 FAIR = 45.5 * DEGREE
 """The map is drawn by hand; three home runs are marked farther out than this."""
 KRPM = 1000 * RPM
-BOOTSTRAPS = 40
-STEPS = {"roof": 0.004, "open": 0.004, "backspin": 40.0, "opposite": 4.0, "hook": 10.0, "slice": 10.0}
-ROUNDS = 6
-COVERED = float(np.mean([park.covered for park in catalog.parks()]))
-"""Part of games under a closed roof."""
 
 
 @dataclass(frozen=True)

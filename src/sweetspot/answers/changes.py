@@ -82,9 +82,7 @@ def changed(implement: Implement, text: str) -> Changed:
     >>> changed(catalog.bat("r161-ash"), "cup 0.9 in, knob-weight 2 oz").implement.name
     'R161, white ash, cup 0.9 in, knob-weight 2 oz'
     """
-    made = ends = None
-    name = ""
-    amounts: list[str] = []
+    name, amounts, open_ended = "", [], False
     low = middle = high = implement
     for part in SEPARATOR.split(text):
         words = WORDS.match(part)
@@ -98,12 +96,10 @@ def changed(implement: Implement, text: str) -> Changed:
         low, middle, high = (
             _made(each, name, size, place) for each, size in zip((low, middle, high), amount, strict=True)
         )
-        ends = (low, high) if amount[0] < amount[2] or ends else None
+        open_ended |= amount[0] < amount[2]
         amounts.append(part.strip() if words["name"] else f"{name} {part.strip()}")
-        made = middle
-    assert made is not None  # a text has one part at least
     label = f"{implement.name}, {', '.join(amounts)}"
-    return Changed(made.replaced(name=label), ends)
+    return Changed(middle.replaced(name=label), (low, high) if open_ended else None)
 
 
 def _made(implement: Implement, name: str, amount: float, place: float) -> Implement:

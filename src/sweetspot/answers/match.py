@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from typing import Annotated
 
 import numpy as np
@@ -155,9 +155,8 @@ def _joined(lead: Sequence[Lead], implement: Implement) -> list[Lead]:
 
 def _same(feel: Feel, target: Feel) -> bool:
     """Return whether all four numbers are alike to `SCALES`."""
-    names = ("mass", "balance_point", "swing_weight", "twist_weight")
-    pairs = ((float(getattr(feel, name)), float(getattr(target, name))) for name in names)
-    return all(abs(ours - theirs) <= unit for (ours, theirs), unit in zip(pairs, SCALES, strict=True))
+    numbers = zip(astuple(feel), astuple(target), SCALES, strict=True)
+    return all(abs(ours - theirs) <= unit for ours, theirs, unit in numbers)
 
 
 def _face_of(implement: Implement, target: Implement) -> FaceOutline:

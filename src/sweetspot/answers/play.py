@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Annotated
 
 import numpy as np
@@ -302,10 +303,11 @@ def _home_run_chance(launch: BallMotion, through: FlightConditions, park: Park, 
 
     Its interval is that chance with all balls at either end of what is not known of their kind (90 %).
     """
+    chances_of = partial(
+        home_run_chances, conditions=through, parks=(park,), own_elevation=False, scatter=SPIN_MEASURED
+    )
     if errors is None:
-        return float(
-            home_run_chances(launch, through, parks=(park,), own_elevation=False, scatter=SPIN_MEASURED).chance[0, 0]
-        )
+        return float(chances_of(launch).chance[0, 0])
     nodes, weights = np.polynomial.hermite_e.hermegauss(BALLS)
     common = REACH * errors.common * np.array([0.0, -1.0, 1.0])
     faster = 1 + (common[:, None] + errors.scatter * nodes) / launch.speed
@@ -314,8 +316,6 @@ def _home_run_chance(launch: BallMotion, through: FlightConditions, park: Park, 
         spin=np.asarray(launch.spin),
         position=np.asarray(launch.position),
     )
-    chances = home_run_chances(
-        balls, through, parks=(park,), own_elevation=False, scatter=SPIN_MEASURED
-    ).chance.reshape(faster.shape)
+    chances = chances_of(balls).chance.reshape(faster.shape)
     value, *ends = (chances @ weights / weights.sum()).tolist()
     return Interval(value, min(value, *ends), max(value, *ends))

@@ -11,6 +11,7 @@ from pydantic import Field
 
 from sweetspot.equipment.base import Fraction, Positive, Real, Validated
 from sweetspot.errors import InputError
+from sweetspot.numerics.interpolants import on_parabola
 
 COR_FLOOR = 0.05
 """Lowest restitution the linear law may reach; keeps the law meaningful far beyond game speed."""
@@ -131,8 +132,7 @@ class Ball(Validated):
         here = (self.damping, math.log(self.stiffness), law.reference, law.slope)
         less, more = ((end.damping, math.log(end.stiffness), end.reference, end.slope) for end in self.law_ends)
         damping, stiffness, reference, slope = (
-            middle + deviation * (high - low) / 2 + deviation**2 * ((high + low) / 2 - middle)
-            for low, middle, high in zip(less, here, more, strict=True)
+            on_parabola(deviation, *values) for values in zip(less, here, more, strict=True)
         )
         return self.replaced(
             damping=max(damping, 0.0),
@@ -193,11 +193,11 @@ def damped_part(number: float) -> float:
     return number - math.log1p(number)
 
 
-def stored_at(ball: Ball, speed: float) -> float:
-    """Return the energy in J that a ball stores on a rigid wall that it meets at ``speed`` (m/s)."""
-    if ball.damping == 0 or speed == 0:
-        return ball.mass * speed**2 / 2
-    return ball.mass * damped_part(ball.damping * speed) / ball.damping**2
+def stored_on_wall(speed: float, *, mass: float, damping: float) -> float:
+    """Return the energy in J that a ball of ``mass`` (kg) and ``damping`` (s/m) stores on a rigid wall, met at m/s."""
+    if damping == 0 or speed == 0:
+        return mass * speed**2 / 2
+    return mass * damped_part(damping * speed) / damping**2
 
 
 def rate_share(damping: float, *, speed: float, restitution: float) -> float:
@@ -246,14 +246,15 @@ def damping_from_share(share: float, *, speed: float, restitution: float) -> flo
 def peak_compression(ball: Ball, speed: float) -> float:
     """Return the depth U in m to which a rigid wall presses one side of a ball that meets it at ``speed`` (m/s).
 
-    What is stored there is k U^(n+1) / (n+1) = m v^2 / 2, less what a damper takes (`stored_at`).
+    What is stored there is k U^(n+1) / (n+1) = m v^2 / 2, less what a damper takes (`stored_on_wall`).
 
     >>> law = RestitutionLaw(reference=0.5, reference_speed=25.0)
     >>> ball = Ball(name="spring", mass=0.1, radius=0.04, restitution=law, stiffness=1e5, exponent=1.0)
     >>> round(peak_compression(ball, 10.0), 6)  # v sqrt(m / k)
     0.01
     """
-    return float(((ball.exponent + 1) * stored_at(ball, speed) / ball.stiffness) ** (1 / (ball.exponent + 1)))
+    stored = stored_on_wall(speed, mass=ball.mass, damping=ball.damping)
+    return float(((ball.exponent + 1) * stored / ball.stiffness) ** (1 / (ball.exponent + 1)))
 
 
 def peak_over_turn(number: float, exponent: float) -> float:
@@ -287,7 +288,7 @@ def stiffness_from_peak_force(
     >>> round(stiffness_from_peak_force(100.0, speed=10.0, mass=0.1, exponent=1.0), 6)
     1000.0
     """
-    energy = mass * damped_part(damping * speed) / damping**2 if damping else mass * speed**2 / 2
+    energy = stored_on_wall(speed, mass=mass, damping=damping)
     force = peak_force / peak_over_turn(damping * speed, exponent)
     compression = (exponent + 1) * energy / force
     return float(force / compression**exponent)

@@ -6,10 +6,13 @@ Plain arithmetic on numbers: readable code calls it as it is, kernels compile it
 from __future__ import annotations
 
 import math
+from typing import TypeVar
 
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
+
+Values = TypeVar("Values", float, Array)
 
 
 def vertex(before: float, middle: float, after: float) -> tuple[float, float]:
@@ -24,6 +27,15 @@ def vertex(before: float, middle: float, after: float) -> tuple[float, float]:
     if not (math.isfinite(bend) and bend < 0):
         return 0.0, middle
     return (before - after) / (2 * bend), middle - (before - after) ** 2 / (8 * bend)
+
+
+def on_parabola(part: Values, before: Values, middle: Values, after: Values) -> Values:
+    """Return the parabola through values at -1, 0 and 1, at ``part``: numbers or arrays that fit each other.
+
+    >>> on_parabola(0.5, 0.0, 3.0, 2.0)
+    3.0
+    """
+    return middle + part * (after - before) / 2 + part**2 * ((after + before) / 2 - middle)
 
 
 def crossing(before: float, middle: float, after: float) -> float:

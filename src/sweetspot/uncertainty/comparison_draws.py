@@ -17,7 +17,7 @@ from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interpolants import peak
+from sweetspot.numerics.interpolants import on_parabola, peak
 from sweetspot.uncertainty.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.uncertainty.sources import DRAWS, Source, Sources, even_normal, one_by_one
 
@@ -154,7 +154,7 @@ def _changed_as_far(
     def moved(values: Array, answer: Callable[[Compared[Implement]], ArrayLike]) -> Array:
         low, here, high = (np.asarray(answer(each), float) for each in (both[0], middle, both[1]))
         size = part.reshape(-1, *(1,) * here.ndim)
-        return np.asarray(values + size * (high - low) / 2 + size**2 * ((high + low) / 2 - here))
+        return np.asarray(values - here + on_parabola(size, low, here, high))
 
     def along(each: Compared[Implement]) -> Array:
         return np.asarray(np.interp(places, each.analysis.scan.position, each.analysis.scan.exit_speed))

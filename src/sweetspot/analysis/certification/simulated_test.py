@@ -28,7 +28,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.interpolants import top
+from sweetspot.numerics.interpolants import on_parabola, top
 from sweetspot.numerics.interval import REACH
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.units import INCH, MPH, format_length
@@ -337,5 +337,4 @@ def _parabola(value: Array, index: int, shift: float) -> float:
     """Return the parabola through three neighbours of ``index``, ``shift`` steps beside it."""
     if index in (0, len(value) - 1) or not np.isfinite(value[index - 1 : index + 2]).all():
         return float(value[index])
-    left, middle, right = value[index - 1 : index + 2]
-    return float(middle + shift * (right - left) / 2 + shift**2 * (left - 2 * middle + right) / 2)
+    return float(on_parabola(shift, *value[index - 1 : index + 2]))
