@@ -232,7 +232,7 @@ def torpedo_outline() -> None:
 
     def misfit(sizes: NDArray[np.float64]) -> list[float]:
         profile = tuple(zip((places * INCH).tolist(), (INCH * shaped(sizes)).tolist(), strict=True))
-        found = observed(twin.replaced(profile=profile, mass=twin.mass * PAIR["mass"]))
+        found = observed(twin.replaced(profile=profile, mass=before["mass"] * OUNCE * PAIR["mass"]))
         ratios = found["moi_6in"] / before["moi_6in"], found["density_factor"] / before["density_factor"]
         return [ratios[0] - PAIR["moi_6in"], ratios[1] - PAIR["density"]]
 

@@ -44,7 +44,7 @@ def test_what_lead_made_lead_can_make(pieces: list[tuple[float, float]]) -> None
     target = with_lead(*pieces)
     found = sweetspot.match(RACKET, target)
     assert found.reached and feels(found.after, target) and len(found.lead) <= 4
-    assert all(piece.mass > 0 for piece in found.lead)
+    assert all(float(piece.mass) > 0 for piece in found.lead)
     assert feels(found.after, found.leaded, accuracy=1e-6)  # what is printed is what the racket then has
 
 

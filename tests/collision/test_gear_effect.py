@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.collision.gear_effect import side_shot
+from sweetspot.equipment.face import Face
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
 
 CLUB = catalog.implement("golf-driver")
@@ -18,7 +19,7 @@ BALL = catalog.ball("golf")
 PUSH = BALL.mass * 67.0  # N s, a ball at 150 mph
 
 
-def head(**changes: float | None) -> ClubHead:
+def head(**changes: float | Face | None) -> ClubHead:
     assert isinstance(CLUB, GolfClub)
     return CLUB.head.replaced(**changes)
 
