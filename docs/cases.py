@@ -37,6 +37,6 @@ def best_contact(pitch: str, attack_angle: float | None = None) -> BestSwing:
         reduced_bat(bat, ball=ball),
         FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(), air=Air()),
         swing=standard_conditions(bat).swing,
-        pitch=pitch_flight(pitch, "pitched-baseball").plate,
+        pitch=pitch_flight(pitch).plate,
         held=Held(attack_angle=attack_angle),
     )

@@ -225,7 +225,7 @@ def _parks_and_pitches() -> dict[str, str]:
     spreads = [
         entry["fence"]["spread_ft"] for entry in read_table("parks.toml").values() if "spread_ft" in entry["fence"]
     ]
-    fastball = pitch_flight("four-seam", "pitched-baseball")
+    fastball = pitch_flight("four-seam")
     return {
         "park_count": str(len(catalog.park_names())),
         "park_spread": f"{np.median(spreads):.0f}",

@@ -259,7 +259,7 @@ def pitches_table() -> str:
     """Return the catalog's pitches as they leave the hand and as they arrive."""
 
     def row(name: str) -> Iterator[str]:
-        found = pitch_flight(name, "pitched-baseball")
+        found = pitch_flight(name)
         delivery = found.delivery
         yield name
         yield f"{delivery.speed / MPH:.1f}"
@@ -279,7 +279,7 @@ def optimum_table() -> str:
     """Return the best contact with each of the catalog's pitches, the flagship bat held level."""
 
     def row(name: str) -> Iterator[str]:
-        best, pitch = best_contact(name), pitch_flight(name, "pitched-baseball")
+        best, pitch = best_contact(name), pitch_flight(name)
         left = best.launched
         yield name
         yield f"{pitch.plate.speed / MPH:.0f}"

@@ -30,7 +30,7 @@ def optimum_figure() -> Figure:
     """Return lines of equal carry in ft, the best contact, and the launch angles that go with them."""
     bat, ball = catalog.bat(), catalog.ball()
     model, swing = reduced_bat(bat, ball=ball), standard_conditions(bat).swing
-    pitch = pitch_flight("four-seam", "pitched-baseball").plate
+    pitch = pitch_flight("four-seam").plate
     conditions = FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(), air=Air())
     best = best_swing(model, conditions, swing=swing, pitch=pitch)
     angle, offset = np.meshgrid(ANGLES, OFFSETS)
