@@ -12,7 +12,7 @@ import hashlib
 import io
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
@@ -28,6 +28,7 @@ from sweetspot.numerics.whole_files import file_digest, sweep, written_whole
 from sweetspot.seasons.ball_columns import SeasonSetting, answer_columns, answers_of, counted_rows
 from sweetspot.seasons.duplicates import with_duplicates
 from sweetspot.seasons.rows import USED, rows_of
+from sweetspot.seasons.shared_types import column_types, in_types
 from sweetspot.seasons.table_copies import MOST_CELLS, rows_together
 from sweetspot.seasons.table_file import TableFile
 from sweetspot.seasons.table_reader import TableReader
@@ -45,7 +46,7 @@ ONLY_CONTACTS = {
 """Quantities that contacts alone hang on."""
 BALLS, LEDGER, COUNTED, NOTES = "balls", "ledger", "counted", "done"
 FOLDERS = (BALLS, LEDGER, COUNTED, NOTES)
-WRITTEN = 8
+WRITTEN = 9
 """What a task writes, counted up when that changes: answers of an earlier form are computed anew."""
 
 
@@ -67,16 +68,23 @@ class Task:
 class Plan:
     """Everything that the tasks of a run share.
 
-    ``duplicates``: rows of each that are another row's pitch. ``folder``: where the answers go. ``task_rows``: rows of
-    a task, at most. ``fingerprint``: of all that the answers depend on.
+    ``duplicates``: rows of each that are another row's pitch. ``folder``: where the answers go. ``columns``: of all
+    tables, with the one type that each has in every part; none: they are settled. ``task_rows``: rows of a task,
+    at most. ``fingerprint``: of all that the answers depend on.
     """
 
     tables: tuple[TableFile, ...]
     duplicates: tuple[NDArray[np.uint32], ...]
     setting: SeasonSetting
     folder: Path
+    columns: Mapping[str, pl.DataType] = field(default_factory=dict)
     task_rows: int = TASK_ROWS
     fingerprint: str = field(default="")
+
+    def __post_init__(self) -> None:
+        """Settle the types of columns over all tables."""
+        if not self.columns:
+            object.__setattr__(self, "columns", column_types(self.tables))
 
     def tasks(self) -> Iterator[Task]:
         """Yield all tasks, in the order of tables and rows."""
@@ -147,7 +155,8 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
     names = {column.name for column in columns}
     row = _numbered(rows, table)
     source = pl.Series("table", [table.path.name], dtype=pl.String)
-    passed = [column for column in source_rows.get_columns() if column.name not in {*names, "table", "table_row"}]
+    ours = {*names, "table", "table_row"}
+    passed = in_types(source_rows, {name: kind for name, kind in plan.columns.items() if name not in ours})
     balls, ledger, counted = plan.paths(task)
     _write(pl.DataFrame([source.new_from_index(0, len(row)), row, *passed, *columns]), balls)
     _write(

@@ -94,6 +94,17 @@ class TableFile:
         return self.rows > 0 and any(self.rows % size == 0 for size in CUTS)
 
     @cached_property
+    def schema(self) -> pl.Schema:
+        """Types of its columns, as `part` gives them."""
+        kinds = pl.scan_parquet(self.data).collect_schema()
+        return pl.Schema({name: pl.Float64() if name in self.empty else kind for name, kind in kinds.items()})
+
+    def holding_nothing(self, names: Sequence[str]) -> set[str]:
+        """Return those of some columns that hold nothing in any row."""
+        found = pl.scan_parquet(self.data).select(pl.col(names).is_null().all()).collect().row(0, named=True)
+        return {name for name, nothing in found.items() if nothing}
+
+    @cached_property
     def row_groups(self) -> tuple[int, ...]:
         """Rows of the pieces of its data that are unpacked whole; one piece where the file does not tell."""
         groups = tuple(group.rows for group in row_groups_of(self.strips[0] if self.strips else self.data))
