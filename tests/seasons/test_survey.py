@@ -180,7 +180,7 @@ def test_rows_of_csv_are_numbered_as_a_spreadsheet_shows_them(
     sheet = {"90": 4, "999": 7, "95": 9, "998": 10}  # the remark of two lines is one row of the sheet
     monkeypatch.setattr(plan, "TASK_ROWS", 2)
     answer = season_answer(SeasonQuestion(paths=[path], contact=False, folder=tmp_path / "out"))
-    season, rows = answer.season, {warning.name: warning.first_rows for warning in answer.warnings}
+    season, rows = answer.season, {caution.name: caution.tables[0].first_rows for caution in answer.warnings}
     assert rows["impossible"] == [sheet["999"], sheet["998"]]
     assert season.balls().select("table_row").collect()["table_row"].to_list() == [sheet["90"], sheet["95"]]
     assert season.ledger().collect()["table_row"].to_list() == list(sheet.values())

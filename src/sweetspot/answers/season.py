@@ -14,6 +14,7 @@ from typing import Annotated, Any
 import polars as pl
 
 from sweetspot.answers.answer import Answer
+from sweetspot.answers.cautions import Caution, cautions_of
 from sweetspot.answers.records import INTERNAL
 from sweetspot.answers.season_question import SeasonQuestion, checked_season
 from sweetspot.collision.contact_table import table_errors, tabled_bat
@@ -87,17 +88,6 @@ class UnreadFile:
 
     file: str
     reason: str
-
-
-@dataclass(frozen=True)
-class Caution:
-    """Something to beware of; see `TableWarning`."""
-
-    name: str
-    file: str
-    rows: int
-    first_rows: Sequence[int]
-    detail: str
 
 
 @dataclass(frozen=True)
@@ -311,10 +301,7 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
         drawn=drawn,
         tables=tuple(_tables(survey)),
         not_read=tuple(UnreadFile(str(path), reason) for path, reason in survey.faults),
-        warnings=tuple(
-            Caution(warning.name, str(survey.tables[warning.table].path), warning.count, warning.rows, warning.detail)
-            for warning in survey.warnings
-        ),
+        warnings=cautions_of(survey),
         league=_league(counted, drag, balls),
         untracked=tracking_bias(survey),
         places=None if contact is None else _places(contact.relation),

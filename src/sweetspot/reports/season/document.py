@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 import polars as pl
 
+from sweetspot.answers.cautions import Caution, cautioned_files
 from sweetspot.answers.records import plain_data
-from sweetspot.answers.season import Caution, SeasonAnswer, SeasonPlayer, SeasonTable
+from sweetspot.answers.season import SeasonAnswer, SeasonPlayer, SeasonTable
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.text_files import harmless
 from sweetspot.reports.document import (
@@ -50,6 +51,8 @@ SHOWN = 15
 """Players in the printed table."""
 FEWEST = 5
 """Balls of a player in the printed table."""
+FIRST_ROWS = 5
+"""Rows that are named with something to beware of."""
 LISTED = {
     "exit_speed": "exit speed",
     "bat_speed": "bat speed",
@@ -120,17 +123,30 @@ def _ledger(tables: Sequence[SeasonTable]) -> Table:
 def _warnings(cautions: Sequence[Caution]) -> Block:
     if not cautions:
         return Paragraph("Nothing to beware of was found in the tables.", "note")
-    rows: list[list[Cell]] = []
-    for caution in cautions:
-        first = caution.first_rows[:5]
-        where = ", ".join(map(str, first)) + (", …" if caution.rows > len(first) > 0 else "")
-        detail = f" ({caution.detail})" if caution.detail else ""
-        what = WARNINGS[caution.name] + detail
-        rows.append([caution.name, Path(caution.file).name, grouped(caution.rows), where or "all", what])
+    rows: list[list[Cell]] = [
+        [
+            caution.name,
+            Path(caution.tables[0].file).name if len(caution.tables) == 1 else f"{len(caution.tables)} tables",
+            grouped(caution.rows),
+            _first_rows(caution),
+            WARNINGS[caution.name] + (f" ({caution.detail})" if caution.detail else ""),
+        ]
+        for caution in cautions
+    ]
     columns = table_head("beware | table | rows > | first of them | what")
-    of_csv = any(caution.first_rows and not is_parquet(Path(caution.file)) for caution in cautions)
+    of_csv = any(not is_parquet(Path(file)) for file in cautioned_files(cautions))
     title = "Beware; rows of a CSV file have the numbers that a spreadsheet shows" if of_csv else "Beware"
     return Table(title, columns, rows)
+
+
+def _first_rows(caution: Caution) -> str:
+    """Return the first rows that a caution concerns, of its first table with any; "all": it concerns whole tables."""
+    named = [table for table in caution.tables if table.first_rows]
+    if not named:
+        return "all"
+    first = named[0].first_rows[:FIRST_ROWS]
+    rows = ", ".join(map(str, first)) + (", …" if caution.rows > len(first) else "")
+    return rows if len(caution.tables) == 1 else f"{rows} in {Path(named[0].file).name}"
 
 
 def _players(players: Standing) -> Block:
