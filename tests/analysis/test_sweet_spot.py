@@ -54,12 +54,26 @@ def test_best_hit_is_the_top_of_the_scan(analysis: Analysis) -> None:
         assert exit_speed_of(beside, analysis.conditions) < best
 
 
-def test_real_bat_never_beats_the_rigid_one_on_the_barrel(analysis: Analysis) -> None:
-    """Nathan 2000: vibration only takes; what the dent of the wood gives back is not in his model."""
+def test_real_bat_beats_the_rigid_one_by_no_more_than_its_dent_gives_back(analysis: Analysis) -> None:
+    """Nathan 2000: vibration only takes; what the dent of the wood gives back (up to 2 mph) is not in his model.
+
+    Nor is a ball that loses by the rate of its compression: what gives way presses it more slowly, and costs it less.
+    """
+    less, more = (analysed_with(analysis, law) for law in (-1.0, 1.0))
+    excess = [excess_on_the_barrel(one) for one in (less, analysis, more)]
+    assert excess == sorted(excess)
+    assert 0 < excess[0] < 2 * MPH  # hysteresis alone
+    assert excess[2] - excess[0] < 1.5 * MPH
+
+
+def analysed_with(analysis: Analysis, law: float) -> Analysis:
+    conditions = analysis.conditions
+    return analyse(analysis.bat, conditions.replaced(ball=conditions.ball.with_law(law)))
+
+
+def excess_on_the_barrel(analysis: Analysis) -> float:
     barrel = analysis.scan.position > 0.6
-    assert np.all(
-        analysis.scan.exit_speed[barrel] <= analysis.scan.rigid_exit_speed[barrel] + 1.0
-    )  # the dent gives back up to 2 mph
+    return float(np.max((analysis.scan.exit_speed - analysis.scan.rigid_exit_speed)[barrel]))
 
 
 def test_hand_impulse_changes_sign_at_the_percussion_centre(analysis: Analysis) -> None:

@@ -170,7 +170,7 @@ def test_how_sure_a_report_a_hit_and_a_comparison_are(run: Run, run_json: Callab
     assert best["exit_speed_low_m_s"] < best["exit_speed_m_s"] < best["exit_speed_high_m_s"]
     assert report["sweet_spots"]["max_exit_speed_low_m"] < at < report["sweet_spots"]["max_exit_speed_high_m"]
     assert len(report["scan"]["exit_speed_low_m_s"]) == len(report["scan"]["position_m"])
-    assert next(iter(report["uncertainty"]["shares"])) == "ball restitution"
+    assert next(iter(report["uncertainty"]["shares"])) == "this ball"
     hit = run_json("hit", "russell-b1", "--at", f"{at}m", "--uncertainty")
     for end in ("low", "high"):
         assert hit[f"exit_speed_{end}_m_s"] == pytest.approx(best[f"exit_speed_{end}_m_s"], rel=2e-3)

@@ -58,7 +58,7 @@ def test_json_keys_and_units(run: Run) -> None:
     test = result["test"]
     assert {
         "pivot_m", "bbcor", "collision_efficiency", "besr", "bpf", "batted_ball_speed_m_s", "best_position_m", "fast",
-        "slow", "spread", "spread_by_moi", "spread_by_wall",
+        "slow", "spread", "spread_by_law", "spread_by_moi", "spread_by_wall",
     } == set(test)  # fmt: skip
     assert test["pivot_m"] == pytest.approx(0.1524)
     assert test["fast"]["closing_speed_m_s"] == pytest.approx(136 * 0.44704)

@@ -31,10 +31,10 @@ HOLE, PLUG = 1 * INCH, 1 * INCH
 """m; width of a hole, and of the wood that closes a filled one, as in the published tests [nathan_corknote]."""
 NEAR_THE_END = 0.5 * INCH
 """m from the end of a bat, where a weight for knob or barrel end sits [our choice]."""
-ROLLED = (0.6, 0.9)
+ROLLED = (0.48, 0.74)
 """Part of the resin's stiffness that breaks: slow-pitch bats gain 3 to 5 mph by 500 hits [russell2008breakin], and the
-catalogue's gains 3 mph by the first and 4 mph by the second. That the resin between the fibres is what breaks, and no
-fibre, is assumed; without it no range gives 5 mph."""
+catalogue's gains 3 mph by the first and 5 mph by the second. That the resin between the fibres is what breaks, and no
+fibre, is assumed."""
 SEPARATOR = re.compile(r"(?<!\d),\s*")
 WORDS = re.compile(r"\s*(?P<name>[a-z][a-z-]*)?\s*(?P<amount>[^@]*?)\s*(?:@\s*(?P<place>.+?)\s*)?$", re.IGNORECASE)
 

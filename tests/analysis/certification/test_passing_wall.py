@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from sweetspot import catalog
@@ -46,27 +48,31 @@ def test_the_patch_leaves_an_interval_about_every_measure(baseball: Ball) -> Non
     assert found.interval is not None and "moment of inertia" in found.interval_is
     assert found.interval[0] < low < high < found.interval[1] and found.interval[1] - found.interval[0] < 0.05
     measured = certify(catalog.bat("russell-b1"), ball=baseball)
-    assert measured.moi_spreads == {} and measured.findings()["besr"].interval == measured.spreads["besr"]
+    assert measured.moi_spreads == {}
+    patch, law, both = measured.spreads["besr"], measured.law_spreads["besr"], measured.findings()["besr"].interval
+    assert both is not None and both[0] < min(patch[0], law[0]) and max(patch[1], law[1]) < both[1]
+    ends = [math.hypot(patch[end] - measured.besr, law[end] - measured.besr) for end in (0, 1)]
+    assert both == pytest.approx((measured.besr - ends[0], measured.besr + ends[1]), rel=1e-9)
 
 
 def test_the_thinnest_wall_that_passes_lies_on_the_limit(baseball: Ball) -> None:
     bat = catalog.bat("single-wall")
     found = wall_that_passes(bat, ball=baseball, limit=0.52)
     assert certify(found.bat, ball=baseball).bbcor == pytest.approx(0.52, abs=5e-4)
-    assert found.thickness == pytest.approx(found.factor * 2.9e-3, rel=1e-6) and 1.1 < found.factor < 1.4
+    assert found.thickness == pytest.approx(found.factor * 2.9e-3, rel=1e-6) and 1.1 < found.factor < 1.6
     assert found.mass == pytest.approx(rigid_body(beam_model(found.bat)).mass)
     assert found.mass > rigid_body(beam_model(bat)).mass
 
 
 def test_a_disc_makes_a_lively_barrel_legal(baseball: Ball) -> None:
-    """A disc of 3 mm where it is hit adds less than two ounces; a wall that does the same adds more than ten."""
+    """A disc of 4 mm where it is hit adds less than two ounces; a wall that does the same adds more than ten."""
     bat = catalog.bat("single-wall")
     assert bat.shell is not None
-    disc = Ring(position=bat.length - 6.3 * INCH, width=3e-3, material=bat.material)
+    disc = Ring(position=bat.length - 6.3 * INCH, width=4e-3, material=bat.material)
     stiffer = bat.replaced(shell=bat.shell.replaced(rings=(disc,)))
     done = certify(stiffer, ball=baseball)
     assert done.bbcor < 0.505 and certify(bat, ball=baseball).bbcor > 0.54
-    assert (done.body.mass - rigid_body(beam_model(bat)).mass) / OUNCE < 1.2
+    assert (done.body.mass - rigid_body(beam_model(bat)).mass) / OUNCE < 2
 
 
 def test_what_has_no_wall_and_what_nothing_helps_is_refused(baseball: Ball) -> None:
