@@ -112,7 +112,7 @@ def analyse(bat: Given, conditions: Conditions) -> Analysis[Given]:
     >>> round(bat.length - analysis.sweet_spots.max_exit_speed, 2)  # m from the tip
     0.15
     >>> round(float(analysis.scan.exit_speed.max()), 1)  # m/s
-    46.4
+    46.6
     """
     return analyse_reduced(reduced_bat(bat, ball=conditions.ball), conditions)
 
@@ -136,7 +136,7 @@ def hit_at(position: float, *, modes: Modes, conditions: Conditions, lateral: fl
     >>> analysis = standard_analysis("r161-ash")
     >>> impact = hit_at(0.7, modes=analysis.modes, conditions=analysis.conditions)
     >>> round(exit_speed_of(impact, analysis.conditions), 1)  # m/s
-    46.4
+    46.5
     """
     closing = conditions.pitch.speed + conditions.swing.speed_at(position)
     return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing)
@@ -149,7 +149,7 @@ def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     >>> from sweetspot.analysis.bat_analysis import exit_speed_of
     >>> analysis = standard_analysis("r161-ash")
     >>> round(exit_speed_of(analysis.best, analysis.conditions), 1)  # m/s
-    46.4
+    46.6
     """
     bat_speed = conditions.swing.speed_at(impact.position)
     return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)

@@ -110,7 +110,7 @@ def compare(
     >>> comparison = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
     >>> corked = comparison.compared[1]
     >>> round(corked.bat_speed.value, 1), round(corked.change.value, 1)  # m/s: swung faster, and what the ball loses
-    (32.2, -0.4)
+    (32.2, -0.3)
     """
     _check_alike(bats)
     reductions = [reduced_bat(bat, ball=conditions.ball) for bat in bats]

@@ -61,7 +61,7 @@ def play(
     >>> done = play(reduced_bat(bat, ball=flying.ball), flying, swing=standard_conditions(bat).swing,
     ...             path=SwingPath(attack_angle=radians(9)), pitch=pitch, contact=Contact(bat.length - 0.15, 0.018))
     >>> round(done.flight.carry)  # m
-    116
+    115
     """
     struck = strike(
         reduced, ball=conditions.ball, swing=swing, path=path, pitch=pitch, contact=contact, friction=friction
@@ -100,7 +100,7 @@ def plays(
     >>> met = Contact([bat.length - 0.15] * 2, [0.018] * 2)
     >>> reduced, flying = reduced_bat(bat, ball=ball), standard_flight()
     >>> plays(reduced, flying, swings=swings, pitches=pitch, contact=met).flights.carry.round()  # m
-    array([102., 112.])
+    array([101., 110.])
     """
     struck = strikes(
         reduced,

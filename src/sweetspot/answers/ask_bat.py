@@ -48,7 +48,7 @@ def report(implement: Loaded, *, setup: HitSetup = AS_USUAL, uncertainty: bool =
     >>> import sweetspot
     >>> best = sweetspot.report("r161-ash", pitch_speed="85 mph").best_hit
     >>> f"{best.position:.2f} m, {best.exit_speed:.1f} m/s"
-    '0.69 m, 46.2 m/s'
+    '0.69 m, 46.3 m/s'
     """
     from sweetspot.answers.report import report_answer
 
@@ -98,7 +98,7 @@ def hit(
 
     >>> import sweetspot
     >>> round(sweetspot.hit("r161-ash", at="6in-from-tip").exit_speed, 1)  # m/s
-    46.4
+    46.5
     """
     from sweetspot.answers.hit import HitQuestion, hit_answer
 
@@ -220,8 +220,8 @@ def what_if(
     >>> import sweetspot
     >>> table = sweetspot.what_if("r161-ash", {"mass": ["29 oz", "33 oz"], "bore_depth": ["0 in", "10 in"]})
     >>> table.answers.exit_speed.round(1)  # m/s
-    array([[46.1, 45.7],
-           [46.7, 46.4]])
+    array([[46.3, 45.9],
+           [46.9, 46.6]])
     """
     from sweetspot.answers.what_if import what_if_answer
 

@@ -75,7 +75,7 @@ def play(
 
     >>> import sweetspot
     >>> round(sweetspot.play("r161-ash", park="fenway").flight.carry)  # m
-    116
+    114
     """
     from sweetspot.analysis.bat_analysis import check_conditions
     from sweetspot.answers.play import PlayQuestion, play_answer, play_sources
@@ -128,7 +128,7 @@ def fly(
 
     >>> import sweetspot
     >>> round(sweetspot.fly(exit_speed="103 mph", launch_angle="28 deg").carry)  # m
-    122
+    121
     """
     from sweetspot.answers.flight import flight_sources
     from sweetspot.answers.fly import FlyQuestion, fly_answer
@@ -176,8 +176,8 @@ def fly_table(
     >>> import sweetspot
     >>> table = sweetspot.fly_table({"exit_speed": ["90 mph", "100 mph"], "launch_angle": ["20 deg", "28 deg"]})
     >>> table.answers.carry.round()  # m
-    array([[ 94., 103.],
-           [110., 118.]])
+    array([[ 93., 103.],
+           [108., 117.]])
     """
     from sweetspot.answers.what_if import FlyTableQuestion, fly_table_answer, two_sides
 

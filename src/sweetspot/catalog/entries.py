@@ -46,7 +46,7 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
     What was recalled and not read in a source says so:
 
     >>> print(entry_toml("softball-12in", "ball").splitlines()[-2])
-    peak_force = "21 kN"  # assumed
+    [law_high]
     """
     import tomli_w
 

@@ -140,7 +140,7 @@ def tabled_bat(bat: Bat, *, ball: Ball) -> ContactTable:
     >>> from sweetspot import catalog
     >>> table = tabled_bat(catalog.bat("r161-ash"), ball=catalog.ball())
     >>> table.efficiency(6 * INCH, [60.0, 70.0]).round(3)
-    array([0.226, 0.213])
+    array([0.226, 0.215])
     """
     model = reduced_bat(bat, ball=ball)
     from_tip = STEP * np.arange(math.floor(bat.length / STEP) + 1)

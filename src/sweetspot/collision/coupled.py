@@ -92,7 +92,7 @@ def hit(
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
     >>> impact = hit(modes, ball=catalog.ball(), position=0.7, closing_speed=70.0)
     >>> round(impact.collision_efficiency, 2), round(1e3 * impact.contact_time, 1)  # q, and ms of contact
-    (0.2, 0.8)
+    (0.2, 0.7)
     """
     step = contact_step(modes, ball, longest=STEP) if step is None else step
     check_step(step)

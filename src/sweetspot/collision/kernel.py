@@ -72,7 +72,7 @@ def hits(
     >>> from sweetspot import all_modes, beam_model, catalog, hits
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
     >>> hits(modes, ball=catalog.ball(), position=[0.6, 0.7, 0.8], closing_speed=70.0).collision_efficiency.round(2)
-    array([ 0.16,  0.2 , -0.05])
+    array([ 0.15,  0.2 , -0.06])
     """
     return _hits(modes, ball, (position, closing_speed, lateral), step, threads, keep_motion=False)
 
