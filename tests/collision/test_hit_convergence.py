@@ -119,7 +119,7 @@ def test_ledger_closes_at_second_order(closing: float) -> None:
 
 @pytest.mark.parametrize(
     ("name", "ball", "speed", "count", "allowed"),
-    [("torpedo", "baseball", 95.0, 12, 1e-4), ("college-alloy", "baseball", 71.5, 12, 2e-5),
+    [("torpedo", "baseball", 95.0, 12, 1e-4), ("college-alloy", "baseball", 71.5, 12, 2.5e-5),
      ("tennis-racket", "tennis", 45.0, 12, 1e-5), ("hockey-stick", "field-hockey", 45.0, 12, 1e-4),
      ("cricket-bat", "cricket", 60.0, 12, 1.5e-4), ("golf-driver", "golf", 70.0, 24, 2e-5),
      ("badminton-racket", "shuttle", 30.0, 48, 5e-4)],

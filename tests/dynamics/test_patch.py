@@ -16,22 +16,30 @@ from sweetspot.dynamics.hoop import OtherPatch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import ByPatch, contact_patch, patch_law
 from sweetspot.dynamics.reduction import all_modes
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, stored_on_wall
 from sweetspot.numerics.arrays import Array
 
 
 def test_the_patch_is_hertz_at_the_mean_that_counts(baseball: Ball) -> None:
-    """a^2 = R u (Hertz), u = 0.91 of the compression that stops the ball at 60 m/s: k U^(n+1)/(n+1) = m v^2/2."""
+    """a^2 = R u (Hertz), u = 0.91 of the compression that stops the ball at 60 m/s: k U^(n+1)/(n+1) is what it stores.
+
+    Without loss by the rate that is m v^2 / 2.
+    """
     compression = contact_patch(baseball) ** 2 / baseball.radius / 0.91
     area = baseball.stiffness * compression ** (baseball.exponent + 1) / (baseball.exponent + 1)
-    assert area == pytest.approx(baseball.mass * 60.0**2 / 2)
+    stored = stored_on_wall(60.0, mass=baseball.mass, damping=baseball.damping)
+    assert area == pytest.approx(stored) and stored < baseball.mass * 60.0**2 / 2
+    assert stored_on_wall(60.0, mass=baseball.mass, damping=0.0) == pytest.approx(baseball.mass * 60.0**2 / 2)
     assert 0.02 < contact_patch(baseball) < 0.03
 
 
 def test_a_slow_ball_presses_a_smaller_patch(baseball: Ball) -> None:
     """u goes with v^(2/(n+1)), a with its root; the recoil of a free bat takes sqrt(1.235) off the speed."""
-    fast, slow = contact_patch(baseball, 60.8), contact_patch(baseball, 26.8)
-    assert slow / fast == pytest.approx((26.8 / 60.8) ** 0.4)
+    still = baseball.replaced(damping=0.0)
+    fast, slow = contact_patch(still, 60.8), contact_patch(still, 26.8)
+    assert slow / fast == pytest.approx((26.8 / 60.8) ** (1 / (still.exponent + 1)))
+    damped = contact_patch(baseball, 26.8) / contact_patch(baseball, 60.8)
+    assert slow / fast < damped < 1.02 * slow / fast  # the faster the blow, the more of it a damper takes
     assert contact_patch(baseball, 60.0 * np.sqrt(1.235)) == pytest.approx(contact_patch(baseball))
     law = patch_law(baseball)
     for speed in (10.0, 26.8, 60.8):
@@ -109,7 +117,7 @@ def growing_efficiency(modes: Modes, ball: Ball, *, place: float, speed: float, 
         position += ball_speed * step
 
 
-@pytest.mark.parametrize(("name", "within"), [("single-wall", 0.002), ("double-wall", 0.0055), ("composite", 0.002)])
+@pytest.mark.parametrize(("name", "within"), [("single-wall", 0.003), ("double-wall", 0.0065), ("composite", 0.002)])
 @pytest.mark.parametrize("speed", [26.8, 60.8])
 def test_a_patch_that_grows_with_the_force_is_one_of_the_mean_size(
     name: str, within: float, speed: float, baseball: Ball

@@ -84,7 +84,8 @@ def exit_speed_without_spikes(scan: Scan) -> Array:
 
     >>> from sweetspot import analyse, catalog, standard_conditions
     >>> scan = analyse(catalog.bat(), standard_conditions(catalog.bat())).scan
-    >>> bool((exit_speed_without_spikes(scan) == scan.exit_speed).all())
+    >>> barrel = scan.position > 0.6  # m from the knob end; nearer the hands a handle may swing back
+    >>> bool((exit_speed_without_spikes(scan) == scan.exit_speed)[barrel].all())
     True
     """
     return without_spikes(scan.exit_speed, step=float(scan.position[1] - scan.position[0]))

@@ -268,7 +268,7 @@ def peak_over_turn(number: float, exponent: float) -> float:
     number : d = c v.
 
     >>> peak_over_turn(0.0, 1.5), round(peak_over_turn(0.4, 1.5), 3)
-    (1.0, 1.076)
+    (1.0, 1.051)
     """
     if number == 0:
         return 1.0
