@@ -49,7 +49,7 @@ def limits(bench: Bench) -> tuple[Limit, ...]:
 def inside_starts(bench: Bench, limits: tuple[Limit, ...]) -> Array:
     """Bats that a search begins with for who meets the ball 8 in from the tip: one that may be, and the fastest."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(local_search, "LOOKS", 30)
+        patch.setattr(local_search, "LOOKS", 60)
         return search_starts(met_at(bench, 8.0), DesignSearch(("exit_speed",), limits))
 
 

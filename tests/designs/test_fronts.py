@@ -33,7 +33,7 @@ def test_who_meets_the_ball_inside_gets_a_torpedo(
     bench: Bench, limits: tuple[Limit, ...], inside_starts: np.ndarray, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """At equal weight and moment of inertia: contact 5.5 in from the tip, an ordinary bat; 8 in, a thin end."""
-    monkeypatch.setattr(local_search, "LOOKS", 30)
+    monkeypatch.setattr(local_search, "LOOKS", 60)
     shapes = []
     for inches in (5.5, 8.0):
         there = met_at(bench, inches)
@@ -85,7 +85,7 @@ def small(limits: tuple[Limit, ...], seed: int = 1, generations: int = 4) -> Des
 @pytest.fixture(scope="module")
 def starts(bench: Bench, limits: tuple[Limit, ...]) -> np.ndarray:
     with pytest.MonkeyPatch.context() as patch:
-        for name, count in {"BETWEEN": 3, "LOOKS": 30, "BETWEEN_LOOKS": 10}.items():  # within 0.005 m/s of more
+        for name, count in {"BETWEEN": 3, "LOOKS": 60, "BETWEEN_LOOKS": 25}.items():  # within 0.005 m/s of more
             patch.setattr(local_search, name, count)
         heard: list[tuple[int, int]] = []
         found = search_starts(bench, small(limits), progress=lambda done, front: heard.append((done, len(front))))

@@ -39,7 +39,7 @@ def test_a_slow_ball_presses_a_smaller_patch(baseball: Ball) -> None:
     fast, slow = contact_patch(still, 60.8), contact_patch(still, 26.8)
     assert slow / fast == pytest.approx((26.8 / 60.8) ** (1 / (still.exponent + 1)))
     damped = contact_patch(baseball, 26.8) / contact_patch(baseball, 60.8)
-    assert slow / fast < damped < 1.02 * slow / fast  # the faster the blow, the more of it a damper takes
+    assert slow / fast < damped < 1.03 * slow / fast  # the faster the blow, the more of it a damper takes
     assert contact_patch(baseball, 60.0 * np.sqrt(1.235)) == pytest.approx(contact_patch(baseball))
     law = patch_law(baseball)
     for speed in (10.0, 26.8, 60.8):

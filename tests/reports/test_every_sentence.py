@@ -208,7 +208,11 @@ def test_parks_say_what_their_fences_are(tell: Tell) -> None:
                                    ("golf-driver", "--at", "3cm-from-tip")], ids=" ".join)  # fmt: skip
 def test_a_hit(tell: Tell, words: tuple[str, ...]) -> None:
     document = tell("hit", *words)
-    check_sentences(document, READERS)
+    hit = document.data
+    differences = [hit["exit_speed_in_hands_m_s"] - hit["exit_speed_m_s"]] if hit.get("exit_speed_in_hands_m_s") else []
+    if hit.get("first_touch_efficiency") is not None:
+        differences.append(hit["closing_speed_m_s"] * (hit["first_touch_efficiency"] - hit["collision_efficiency"]))
+    check_sentences(document, READERS, differences)
 
 
 @pytest.fixture

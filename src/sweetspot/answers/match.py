@@ -121,7 +121,7 @@ def match_answer(question: MatchQuestion) -> MatchAnswer:
     )
     assert found.x is not None, "whatever is missed has its slack"
     masses = np.maximum(found.x[: len(place)], 0.0)
-    exact = [Lead(*each) for each in zip(place, lateral, masses, strict=True) if each[2] > LEAST]
+    exact = [Lead(*map(float, each)) for each in zip(place, lateral, masses, strict=True) if each[2] > LEAST]
     aim = _feel(wanted, axis)
     for lead in (exact if question.places else _joined(exact, implement), exact):
         leaded = implement.replaced(name=f"{implement.name}, leaded", added=(*implement.added, *_weights(lead)))

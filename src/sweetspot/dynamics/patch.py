@@ -21,7 +21,8 @@ PATCH_SPEED = 60.0
 """m/s on a rigid wall, about what presses the ball as a hit at game speed does."""
 PATCH_COMPRESSION = 0.91
 """Part of the peak compression at which the patch is taken: the mean over a hit weighted with F^2, as the energy in a
-spring is: 0.90 for the baseball on a rigid wall, 0.88 to 0.91 between the ends of its law. A patch that grows and shrinks with the compression, a^2 = R u at every moment, gives the same q as one fixed
+spring is; 0.90 for the baseball on a rigid wall, 0.88 to 0.91 between the ends of its law. A patch that grows and
+shrinks with the compression, a^2 = R u at every moment, gives the same q as one fixed
 there within 0.003 on single walls and composites, and 0.0065 on the double wall, which is so soft that the ball is
 pressed less than on a rigid wall (tests/dynamics/test_patch.py)."""
 PATCH_SPREAD = (0.83, 1.25)

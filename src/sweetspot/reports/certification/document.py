@@ -18,7 +18,7 @@ from sweetspot.dynamics.rigid import moi_doubt
 from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.certification.limits_shown import (
-    broken_words,
+    broken_rules,
     limit_shown,
     marked_verdict,
     unsure_words,
@@ -153,7 +153,7 @@ def _headline(answer: CertifyAnswer) -> Sentence:
 def _broken(answer: CertifyAnswer) -> Sentence:
     """Return the rules that a bat breaks; where none is broken surely, those that it breaks as far as is known."""
     bat, sure = answer.bat.name, [each for each in answer.failed if each.sure]
-    rules = joined([broken_words(each) for each in (sure or answer.failed)], "; ")
+    rules = broken_rules(sure or answer.failed)
     if not sure:
         return say(FAILS_UNSURELY, bat=bat, rules=rules)
     unsure = unsure_words([check.outcome for check in answer.checks], verdict=Verdict.FAIL)

@@ -29,10 +29,24 @@ BROKEN = {
 """What is wrong with a bat whose value says nothing beside the rule's name."""
 
 
+def broken_rules(checks: Sequence[RuleCheck], *, not_sure: str = "") -> Sentence:
+    """Return all that is broken, what several leagues forbid alike once; ``not_sure`` stands after what may be kept."""
+    leagues: dict[str, list[str]] = {}
+    for check in checks:
+        leagues.setdefault(check.quantity, []).append(check.league_name)
+    told: list[Sentence] = []
+    for check in checks:
+        if check.quantity not in BROKEN:
+            told.append(broken_words(check) + say("" if check.sure else not_sure))
+        elif check.quantity in leagues:
+            told.append(
+                say("{fault} ({leagues})", fault=BROKEN[check.quantity], leagues=", ".join(leagues.pop(check.quantity)))
+            )
+    return joined(told, "; ")
+
+
 def broken_words(check: RuleCheck) -> Sentence:
     """Return a broken rule with its league, since another league's rules may be kept, and by what it is broken."""
-    if check.quantity in BROKEN:
-        return say("{fault} ({league})", fault=BROKEN[check.quantity], league=check.league_name)
     value, limit = value_shown(check.quantity, check.outcome.value), limit_shown(check)
     words = "{check.title} of {check.league_name} ({value}, allowed {limit})"
     return say(words, check=check, value=value, limit=limit)

@@ -20,7 +20,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Number, interval_of
 from sweetspot.reports.bat.tables import moment
-from sweetspot.reports.certification.limits_shown import MARKS, broken_words, limit_shown, value_shown
+from sweetspot.reports.certification.limits_shown import MARKS, broken_rules, limit_shown, value_shown
 from sweetspot.reports.comparison.words import assumed, breaking_words, cork_verdict, gain_words, verdict
 from sweetspot.reports.document import (
     Block,
@@ -252,7 +252,7 @@ def _verdict(tested: CertifyAnswer) -> Marked:
 def _reason(tested: CertifyAnswer) -> Sentence:
     """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
     if tested.failed:
-        return joined([broken_words(each) + say(_doubt(each)) for each in tested.failed], "; ")
+        return broken_rules(tested.failed, not_sure=NOT_SURE)
     lively = [
         say("{rule} of the test {value}, allowed {limit}{doubt}", rule=check.title,
             value=value_shown(check.quantity, check.value), limit=limit_shown(check), doubt=_doubt(check))
