@@ -25,6 +25,7 @@ FILES = {
     "swings.csv": f"Bat Speed (mph),Exit Velocity (mph),Launch Angle (deg)\n{SWINGS}",
     "bats.csv": "name,mass_oz,balance_point_in,bending_1_hz\nA,31.00±0.05,22.05±0.05,171.5±0.4\n"
     "B,31.05±0.05,22.05±0.05,165.0±0.4\n",
+    "heavier.toml": 'like = "tennis-racket"\nmass = "330 g"\nmoi = "335 kg*cm^2"\n',
     "stations.csv": "position_in,diameter_in\n0,1.7\n1,1\n9,1\n15,1.2\n20,1.7\n25,2.3\n30,2.6\n33,2.4\n",
 }
 ASKED: list[tuple[str, Callable[[], Any]]] = [
@@ -101,6 +102,10 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
     (
         "fit-player swings.csv --bat mlb-a --pitch-speed 60mph --goal line --line 250ft",
         lambda: door.fit_player("swings.csv", bat="mlb-a", pitch_speed="60mph", goal="line", line="250ft"),
+    ),
+    (
+        "match tennis-racket heavier.toml",
+        lambda: door.match("tennis-racket", "heavier.toml"),
     ),
     ("rank bats.csv --like r161-ash --bat-speed 68mph", lambda: door.rank("bats.csv", like=R161, bat_speed="68mph")),
     (

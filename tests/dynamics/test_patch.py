@@ -39,11 +39,12 @@ def test_a_slow_ball_presses_a_smaller_patch(baseball: Ball) -> None:
     fast, slow = contact_patch(still, 60.8), contact_patch(still, 26.8)
     assert slow / fast == pytest.approx((26.8 / 60.8) ** (1 / (still.exponent + 1)))
     damped = contact_patch(baseball, 26.8) / contact_patch(baseball, 60.8)
-    assert slow / fast < damped < 1.03 * slow / fast  # the faster the blow, the more of it a damper takes
+    assert slow / fast < damped < 1.03 * (slow / fast)  # the faster the blow, the more of it a damper takes
     assert contact_patch(baseball, 60.0 * np.sqrt(1.235)) == pytest.approx(contact_patch(baseball))
-    law = patch_law(baseball)
-    for speed in (10.0, 26.8, 60.8):
-        assert law.radius_at(speed) == pytest.approx(contact_patch(baseball, speed))
+    for ball, within in ((still, 1e-9), (baseball, 0.04)):  # a damper lets slow balls press more than the power says
+        law = patch_law(ball)
+        for speed in (10.0, 26.8, 60.8):
+            assert law.radius_at(speed) == pytest.approx(contact_patch(ball, speed), rel=within)
     assert patch_law(baseball, factor=1.2).radius_at(40.0) == pytest.approx(1.2 * contact_patch(baseball, 40.0))
 
 
