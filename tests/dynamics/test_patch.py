@@ -45,7 +45,7 @@ def test_a_slow_ball_presses_a_smaller_patch(baseball: Ball) -> None:
         law = patch_law(ball)
         for speed in (10.0, 26.8, 60.8):
             assert law.radius_at(speed) == pytest.approx(contact_patch(ball, speed), rel=within)
-    assert patch_law(baseball, factor=1.2).radius_at(40.0) == pytest.approx(1.2 * contact_patch(baseball, 40.0))
+    assert patch_law(still, factor=1.2).radius_at(40.0) == pytest.approx(1.2 * contact_patch(still, 40.0))
 
 
 def test_tables_are_interpolated_in_the_square_of_the_radius() -> None:

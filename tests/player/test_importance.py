@@ -68,11 +68,15 @@ def test_both_of_two_hills_are_found() -> None:
 
 
 def test_the_long_tail_towards_a_small_scatter_along_the_bat_is_drawn() -> None:
-    """18,000 draws: the scatter is uncertain by 0.429; normals that do not reach down to small ones give 0.398."""
+    """300,000 draws of emcee from the same posterior: uncertain by 0.392 +- 0.01, one in a hundred below -1.45 +- 0.05."""
     model = modelled(60, -1.0 * (np.arange(10) == NAMES.index("position_spread")))
     drawn = [importance_draws(model.log_posterior, along=3, skewed=4, size=10, seed=seed) for seed in range(8)]
     deviations = [np.sqrt(np.cov(one.draws[:, 4], aweights=one.weights)) for one in drawn]
-    assert np.mean(deviations) == pytest.approx(0.429, rel=0.05)
+    assert np.mean(deviations) == pytest.approx(0.392, rel=0.06)
+    every = np.concatenate([one.draws[:, 4] for one in drawn])
+    by_place = np.argsort(every)
+    below = np.cumsum(np.concatenate([one.weights for one in drawn])[by_place]) / len(drawn)
+    assert every[by_place][np.searchsorted(below, 0.01)] == pytest.approx(-1.45, abs=0.15)
 
 
 def test_without_data_the_draws_are_the_prior() -> None:

@@ -234,7 +234,7 @@ def test_the_export_gives_the_numbers_and_pictures(opened: Page) -> None:
 
 @pytest.mark.parametrize(
     ("view", "fold", "row", "words"),
-    [("explorer", "sure", "ball restitution", "%"), ("compare", "rules_sure", "BBCOR of the test", " to ")],
+    [("explorer", "sure", "this ball", "%"), ("compare", "rules_sure", "BBCOR of the test", " to ")],
 )
 def test_how_sure_the_numbers_are_stands_below(
     still: Page, server: str, settled: Wait, view: str, fold: str, row: str, words: str
