@@ -34,15 +34,15 @@ def broken_rules(checks: Sequence[RuleCheck], *, not_sure: str = "") -> Sentence
     leagues: dict[str, list[str]] = {}
     for check in checks:
         leagues.setdefault(check.quantity, []).append(check.league_name)
-    told: list[Sentence] = []
+    faults: list[Sentence] = []
     for check in checks:
         if check.quantity not in BROKEN:
-            told.append(broken_words(check) + say("" if check.sure else not_sure))
+            faults.append(broken_words(check) + say("" if check.sure else not_sure))
         elif check.quantity in leagues:
-            told.append(
+            faults.append(
                 say("{fault} ({leagues})", fault=BROKEN[check.quantity], leagues=", ".join(leagues.pop(check.quantity)))
             )
-    return joined(told, "; ")
+    return joined(faults, "; ")
 
 
 def broken_words(check: RuleCheck) -> Sentence:
