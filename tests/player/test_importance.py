@@ -68,7 +68,7 @@ def test_both_of_two_hills_are_found() -> None:
 
 
 def test_the_long_tail_towards_a_small_scatter_along_the_bat_is_drawn() -> None:
-    """300,000 draws of emcee from the same posterior: uncertain by 0.392 +- 0.01, one in a hundred below -1.45 +- 0.05."""
+    """300,000 draws of emcee from the same posterior: uncertain by 0.392 ± 0.01, 1 % below -1.45 ± 0.05."""
     model = modelled(60, -1.0 * (np.arange(10) == NAMES.index("position_spread")))
     drawn = [importance_draws(model.log_posterior, along=3, skewed=4, size=10, seed=seed) for seed in range(8)]
     deviations = [np.sqrt(np.cov(one.draws[:, 4], aweights=one.weights)) for one in drawn]

@@ -67,7 +67,7 @@ def test_the_explorer_works_without_a_mouse(page: Page, server: str, answered: A
 
 @pytest.mark.parametrize(
     ("view", "words", "last"),
-    [("flight", "This path as a table", "382"), ("modes?number=2", "This motion as a table", "0.00")],
+    [("flight", "This path as a table", "381"), ("modes?number=2", "This motion as a table", "0.00")],
 )
 def test_a_path_and_a_motion_are_tables_too(
     page: Page, server: str, settled: Wait, view: str, words: str, last: str

@@ -18,7 +18,7 @@ VIEW = "explorer"
 
 def test_the_first_picture_says_where_the_bat_hits_best(opened: Page, settled: Wait) -> None:
     settled(opened)
-    expect(opened.locator("#verdict")).to_contain_text("R161, white ash hits fastest 5.8 in from the tip")
+    expect(opened.locator("#verdict")).to_contain_text("R161, white ash hits fastest 5.7 in from the tip")
     expect(opened.locator("#view canvas")).to_have_count(3)
     assert number(opened, "Exit speed") == pytest.approx(103.3, abs=1)
     drawn = opened.evaluate(

@@ -165,7 +165,7 @@ QUESTIONS = ("end", "percussion", "corking", "drop", "energy", "verdict")
 CONTROLS: dict[str, dict[str, Any]] = {
     "as printed": {},
     "moved": {
-        **{"bat": "torpedo", "rod_hands_in": 11.0, "hands_moved_in": 5.0, "hole_diameter_in": 1.5},
+        **{"bat": "torpedo", "rod_hands_in": 11.0, "hands_moved_in": 5.0, "hole_diameter_in": 1.25},
         **{"hole_depth_in": 14.0, "block_thickness_m": 0.003, "block_support": "clamped", "metal_share": 0.3},
     },
 }

@@ -30,13 +30,16 @@ def explored(**controls: Any) -> dict[str, Any]:
 
 @pytest.mark.parametrize("change", CHANGES, ids=str)
 def test_a_changed_bat_is_swung_as_compare_swings_it(change: dict[str, Any]) -> None:
-    """With the bat as it was as bat 1, the comparison says the same of the changed one."""
+    """With the bat as it was as bat 1, the comparison says the same of the changed one.
+
+    Each steps through its hits in its own way, within 1e-4 of the converged exit speed.
+    """
     bat = change.get("bat", "r161-ash")
     beside = CompareState.model_validate({"bat": bat, "others": [{"bat": bat, **change}]})
     _, other = to_dict(compare.answer(beside))["bats"]
     found = explored(**change)
     assert found["conditions"]["bat_speed_m_s"] == pytest.approx(other["bat_speed_m_s"]["value"], rel=1e-7)
-    assert found["best_exit_speed_m_s"] == pytest.approx(other["exit_speed_m_s"]["value"], rel=1e-4)
+    assert found["best_exit_speed_m_s"] == pytest.approx(other["exit_speed_m_s"]["value"], rel=2e-4)
     words = found["bat"]["swung"]["us"]
     assert "with the same effort as before the change" in words
     assert f"{other['bat_speed_m_s']['value'] / MPH:.1f}" in words

@@ -223,7 +223,7 @@ def test_how_sure_a_flight_is(start: str) -> None:
     """A ball with its own numbers has its drag alone; one that was hit has bat and ball too."""
     told = flight.sure(FlightState.model_validate({"start": start})).html["us"]
     assert "carries" in told and "±" in told and "drag of the ball" in told
-    assert ("the ball" in told) == (start == "swing")
+    assert ("this ball" in told) == (start == "swing")
 
 
 def test_a_missed_ball_is_not_sure_of_anything() -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import NamedTuple
 
+from sweetspot.catalog.files.bat import with_fitted
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Entry, TomlTable, TomlValue, canonical, known_names, read_table, unwrapped_table
 from sweetspot.equipment.shell import USUAL_CAP_DEPTH, USUAL_KNOB_DEPTH
@@ -58,7 +59,7 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
         key = known_names(table).get(wanted)
         if key is not None:
             fields = table[key].fields
-            text = tomli_w.dumps(fields if sources else unwrapped_table(fields), multiline_strings=True)
+            text = tomli_w.dumps(fields if sources else unwrapped_table(with_fitted(fields)), multiline_strings=True)
             return text if sources else _marked(text, fields)
     names = sorted({canonical(key) for table in tables.values() for key in table})
     hint = nearest_names(wanted[:60], names)

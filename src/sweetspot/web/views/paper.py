@@ -113,7 +113,7 @@ def answer(state: PaperState) -> PaperPicture:
     with about(control.get(state.question, "")):
         rows = list(PARTS[state.question](analysis, choices))
         picture = PICTURES[state.question](analysis, choices, rows)
-    truth, live = paper_words(state.question, analysis, choices, rows)
+        truth, live = paper_words(state.question, analysis, choices, rows)
     entry = read_table("paper.toml")[state.question]
     return PaperPicture(
         question=state.question,
