@@ -82,6 +82,7 @@ def pages() -> dict[str, Callable[[], str]]:
         "licences": licences.licences_table,
         "validation": tables.validation_page,
         "validation_summary": tables.validation_summary,
+        "validation_subjects": tables.subjects_table,
         "error_from": tables.error_from_table,
         "evidence_summary": evidence.evidence_summary,
         "evidence": evidence.evidence_table,

@@ -230,6 +230,12 @@ def validation_summary() -> str:
     return f"**{validation.headline(found)}**\n\n{table(head, rows)}"
 
 
+def subjects_table() -> str:
+    """Return how many published numbers are predicted of every sport, and how many hold, miss as explained and fail."""
+    head = ("about", "numbers", "hold", "miss, explained", "fail")
+    return table(head, [tuple(part) for part in validation.by_subject(validation.results())])
+
+
 def error_from_table() -> str:
     """Return where the allowed range of a published value can come from."""
     return table(("from", "the allowed range is"), list(ERROR_FROM.items()))

@@ -296,7 +296,7 @@ BUDGET = {
     "cli": 3_500, "collision": 3_600, "designs": 2_750, "dynamics": 4_550, "equipment": 3_550, "errors": 150,
     "flight": 3_500, "front_door": 450, "motion": 750, "numerics": 1_850, "papers": 850, "plausibility": 800,
     "player": 3_750, "references": 150, "reports": 12_800, "seasons": 7_050, "tables": 1_000, "uncertainty": 1_700,
-    "units": 800, "validation": 2_800, "web": 8_650,
+    "units": 800, "validation": 2_850, "web": 8_650,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
 package that shrinks gives its lines back."""

@@ -162,3 +162,23 @@ def test_a_broken_case_is_refused(tmp_path: Path, old: str, new: str, message: s
 
 def test_results_are_the_same_again(found: tuple[Result, ...]) -> None:
     assert validation.results() == found
+
+
+FEWEST = 10
+FEW = {"field hockey": 5}
+"""Sports of which fewer numbers were found."""
+
+
+def test_every_sport_is_tried_on_enough_numbers(found: tuple[Result, ...]) -> None:
+    counts = {part.subject: part.numbers for part in validation.by_subject(found)}
+    assert sum(counts.values()) >= 150
+    assert counts["hollow bats and softball"] >= 40
+    assert {name: count for name, count in counts.items() if count < FEW.get(name, FEWEST)} == {}
+    held = sum(part.hold + part.explained_misses + part.fail for part in validation.by_subject(found))
+    assert held == sum(counts.values())
+
+
+def test_a_case_says_what_it_is_about(tmp_path: Path) -> None:
+    folder = copied("nathan_corknote", tmp_path, 'subject = "wood bats and baseballs"', 'subject = "curling"')
+    with pytest.raises(InputError, match="about 'curling'; allowed are wood bats"):
+        validation.sources(folder)

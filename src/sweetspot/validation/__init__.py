@@ -5,12 +5,13 @@ was left out and why. The command line, the tests and the docs page all read `re
 """
 
 from sweetspot.validation.cases import Case, Result, Row, sources
-from sweetspot.validation.verdicts import headline, markdown, passed, results, rows, short_rows, summary
+from sweetspot.validation.verdicts import by_subject, headline, markdown, passed, results, rows, short_rows, summary
 
 __all__ = [
     "Case",
     "Result",
     "Row",
+    "by_subject",
     "headline",
     "markdown",
     "passed",

@@ -49,6 +49,11 @@ ERROR_FROM: dict[ErrorFrom, str] = {
     "ours": "our own judgment, or a sum with more than the source's error; the reason says what is in it",
 }
 """Where the error of a printed value comes from. All but the last can be written down before ours is computed."""
+Subject = Literal[
+    "wood bats and baseballs", "hollow bats and softball", "cricket", "tennis", "table tennis", "badminton", "golf",
+    "field hockey",
+]  # fmt: skip
+"""What a source is about."""
 
 
 @dataclass(frozen=True)
@@ -175,11 +180,12 @@ class Result(Row):
 class Case:
     """Everything taken from one source.
 
-    ``source``: key of the bibliography. ``axes``: how its positions, signs and units map to ours. ``left_out``: what
-    the source also gives and is not compared, each with the reason.
+    ``source``: key of the bibliography. ``subject``: what it is about. ``axes``: how its positions, signs and units map
+    to ours. ``left_out``: what the source also gives and is not compared, each with the reason.
     """
 
     source: str
+    subject: Subject
     title: str
     measured: str
     axes: str
@@ -198,8 +204,12 @@ def load_case(path: Path) -> Case:
         table = tomllib.load(file)
     if table.get("source") != path.parent.name:
         raise InputError(f"{path} names the source {table.get('source')!r}; it must be its folder's name")
+    subject: Any = table.get("subject")
+    if subject not in get_args(Subject):
+        raise InputError(f"{path} is about {subject!r}; allowed are {', '.join(get_args(Subject))}")
     rows = tuple(_row(entry, path) for row in table.get("row", ()) for entry in _repeated(row, path.parent))
-    return Case(table["source"], table["title"], table["measured"], table["axes"], tuple(table["left_out"]), rows)
+    left_out = tuple(table["left_out"])
+    return Case(table["source"], subject, table["title"], table["measured"], table["axes"], left_out, rows)
 
 
 def _repeated(row: Mapping[str, object], folder: Path) -> Iterator[Mapping[str, object]]:

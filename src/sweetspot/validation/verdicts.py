@@ -6,12 +6,12 @@ from collections.abc import Iterable, Sequence
 from math import isfinite
 from operator import attrgetter
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM, Kind
-from sweetspot.validation.cases import CASES, EVIDENCE, TAGS, Case, Evidence, Result, Row, sources
+from sweetspot.validation.cases import CASES, EVIDENCE, TAGS, Case, Evidence, Result, Row, Subject, sources
 from sweetspot.validation.computations.registry import COMPUTATIONS
 
 UNITS = dict.fromkeys(("", "m", "kg", "kg m^2", "m/s", "s", "rad/s", "Hz", "kg/m^3", "mph per mph"), 1.0)
@@ -25,7 +25,7 @@ UNITS |= {
     "lbf": POUND_FORCE,
     "GPa": 1e9,
 }
-UNITS |= {"lbf": POUND_FORCE, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
+UNITS |= {"lbf": POUND_FORCE, "1/m": 1.0, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
 """Units of printed values, each in SI."""
 
 _INPUTS: dict[Kind, str] = {
@@ -115,6 +115,10 @@ def short_rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, str]]
     ]
 
 
+PREDICTED: tuple[Evidence, ...] = ("prediction about bats", "other prediction")
+"""Evidence that can tell whether the model is right."""
+
+
 class EvidenceCount(NamedTuple):
     """How many rows, and how many independent published numbers, of one kind of evidence hold, miss, and fail.
 
@@ -153,6 +157,33 @@ def _count(evidence: Evidence, group: Sequence[Result]) -> EvidenceCount:
         numbers_fail=sum(not passed(rows) for rows in numbers.values()),
         from_source=sum(all(row.allowed_by != "ours" for row in rows) for rows in numbers.values()),
     )
+
+
+class SubjectCount(NamedTuple):
+    """How many independent published numbers of one subject are predicted, and how many hold, miss, and fail."""
+
+    subject: Subject
+    numbers: int
+    hold: int
+    explained_misses: int
+    fail: int
+
+
+def by_subject(verdicts: Sequence[Result], folder: Path = CASES) -> list[SubjectCount]:
+    """Return the counts of predicted numbers for every subject; one number holds if each of its rows does."""
+    of = {case.source: case.subject for case in sources(folder)}
+    counts = []
+    for subject in get_args(Subject):
+        parts = [
+            part
+            for part in summary([row for row in verdicts if of[row.source] == subject])
+            if part.evidence in PREDICTED
+        ]
+        numbers, hold, fail = (
+            sum(getattr(part, key) for part in parts) for key in ("numbers", "numbers_hold", "numbers_fail")
+        )
+        counts.append(SubjectCount(subject, numbers, hold, numbers - hold - fail, fail))
+    return counts
 
 
 def _holds(result: Result) -> bool:

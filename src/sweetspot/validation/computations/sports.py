@@ -11,7 +11,7 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced, dead_spot, exit_speed_of
-from sweetspot.analysis.drop_test import Rebound, fire
+from sweetspot.analysis.drop_test import Rebound, fire, terminal_speed
 from sweetspot.catalog.scaled_implements import Measures, scaled_to
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
@@ -22,7 +22,7 @@ from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.block import Block
 from sweetspot.dynamics.reduction import ReducedBat, all_modes, bending_modes, reduced_bat
-from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, rigid_body
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
 from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.ball import restitution_at
 from sweetspot.equipment.cricket_bat import CricketBat
@@ -366,6 +366,87 @@ def steeper_fall(*, ball: str, air: str, speed: float, launch_angle: float) -> f
     )
 
 
+def drag_per_length(*, ball: str, air: str) -> float:
+    """Return the part of its speed that a ball without spin loses per metre of its way, rho C_D pi R^2 / (2 m)."""
+    thing, law = catalog.ball(ball), catalog.aerodynamics(air)
+    return SHEET_AIR.density * law.drag * math.pi * thing.radius**2 / (2 * thing.mass)
+
+
+def half_speed_distance(*, ball: str, air: str) -> float:
+    """Return the distance in which drag halves the speed of a ball."""
+    return math.log(2) / drag_per_length(ball=ball, air=air)
+
+
+def falling_speed(*, ball: str, air: str) -> float:
+    """Return the terminal speed of a ball with the drag of its flights."""
+    law = catalog.aerodynamics(air)
+    return terminal_speed(catalog.ball(ball), air_density=SHEET_AIR.density, drag_coefficient=law.drag)
+
+
+def time_to_slow(*, ball: str, air: str, speed: float, other_speed: float) -> float:
+    """Return the time after which a ball hit level at 3 m is no faster than ``other_speed``."""
+    start = batted_ball(speed=speed, launch_angle=0.0, position=(0.0, 0.0, 3.0))
+    conditions = FlightConditions(ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics(air), air=SHEET_AIR)
+    flight = fly(start, conditions)
+    speeds = np.linalg.norm(flight.velocities, axis=1)
+    slow = int(np.argmax(speeds <= other_speed))
+    assert slow, "only balls that become as slow are asked"
+    return float(np.interp(-other_speed, -speeds[: slow + 1], flight.times[: slow + 1]))
+
+
+def table_restitution(*, speed: float) -> float:
+    """Return the restitution of the usual ball on half a table-tennis table."""
+    return fire(
+        rule_book_drops("table tennis")["bounce on the table"].block, ball=catalog.ball("table_tennis"), speed=speed
+    ).restitution
+
+
+def racket_restitution(*, implement: str, closing_speed: float) -> float:
+    """Return e of ball and implement, q (1 + r) + r with r = m / M_eff, at its best place."""
+    reduced, place = _reduced(implement), _usual(implement).best.position
+    ball = _conditions(implement).ball
+    recoil = ball.mass / effective_mass(reduced.body, place)
+    found = hit(reduced.modes, ball=ball, position=place, closing_speed=closing_speed)
+    return found.collision_efficiency * (1 + recoil) + recoil
+
+
+def restitution_change(*, implement: str, closing_speed: float, other_speed: float) -> float:
+    """Return the change of that restitution from one closing speed to another."""
+    before, after = (
+        racket_restitution(implement=implement, closing_speed=speed) for speed in (closing_speed, other_speed)
+    )
+    return after - before
+
+
+def lost_off_best(*, implement: str, along: float = 0.0, lateral: float = 0.0) -> float:
+    """Return the share of the best exit speed lost by a hit off the best place; of the ways along it the worse."""
+    analysis, conditions = _usual(implement), _conditions(implement)
+    speeds = []
+    for place in (analysis.best.position - along, analysis.best.position + along):
+        closing = conditions.pitch.speed + conditions.swing.speed_at(place)
+        found = hit(
+            _reduced(implement).modes, ball=conditions.ball, position=place, lateral=lateral, closing_speed=closing
+        )
+        speeds.append((1 + found.collision_efficiency) * closing - conditions.pitch.speed)
+    return 1 - min(speeds) / exit_speed_of(analysis.best, conditions)
+
+
+def line_shift(*, implement: str, shift: float) -> float:
+    """Return the relative change of a cricket bat's moment about its end when its blade begins further out."""
+    bat = catalog.implement(implement)
+    assert isinstance(bat, CricketBat)
+    body = rigid_body(beam_model(bat))
+    bat = bat.replaced(mass=body.mass, balance_point=body.balance_point)
+    blade = {
+        name: ((stations[0][0] + shift, stations[0][1]), *stations[1:])
+        for name, stations in (("width", bat.width), ("spine", bat.spine), ("edge", bat.edge))
+    }
+    end, diameter = bat.handle[-1]
+    moved = bat.replaced(handle=(*bat.handle[:-1], (end + shift, diameter)), **blade)
+    before, after = (rigid_body(beam_model(tool)).moi(0.0) for tool in (bat, moved))
+    return abs(after / before - 1)
+
+
 def lift_of(*, air: str, spin_factor: float) -> float:
     """Return the lift coefficient of a ball at a spin factor."""
     return catalog.aerodynamics(air).lift_coefficient(spin_factor)
@@ -380,6 +461,16 @@ def rubber_tone_change(*, implement: str, mode: int) -> float:
         modes = bending_modes(beam_model(tool), count=max(mode, 2))
         tones.append(float(modes.frequency[modes.of_family("bending")[mode - 1]]))
     return tones[1] / tones[0] - 1
+
+
+def faster_by_stiffness(*, implement: str, from_tip: float, closing_speed: float, factor: float) -> float:
+    """Return the relative gain of the speed of a ball at rest from a stick stiffer by ``factor`` around the usual."""
+    soft, stiff = (
+        gain_by_stiffness(implement=implement, from_tip=from_tip, closing_speed=closing_speed, factor=factor**power)
+        for power in (-0.5, 0.5)
+    )
+    usual = struck(implement=implement, from_tip=from_tip, closing_speed=closing_speed).collision_efficiency
+    return (1 + usual + stiff) / (1 + usual + soft) - 1
 
 
 def gain_by_stiffness(*, implement: str, from_tip: float, closing_speed: float, factor: float) -> float:
