@@ -12,7 +12,8 @@ from pkgutil import resolve_name
 import pytest
 
 import sweetspot
-from sweetspot import references
+from sweetspot import catalog, references
+from sweetspot.catalog.balls import ball_of_text
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.cli import main
 from sweetspot.dynamics.beam import beam_model
@@ -57,8 +58,14 @@ def test_examples_of_a_page(page: Path) -> None:
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "toml")], ids=str)
-def test_bat_files_of_a_page(page: Path) -> None:
-    for text in blocks(page, "toml"):
+def test_files_of_a_page(page: Path) -> None:
+    texts = blocks(page, "toml")
+    balls = [text for text in texts if tomllib.loads(text).get("like") in catalog.ball_names()]
+    for text in balls:
+        assert ball_of_text(text).name == tomllib.loads(text)["name"]
+    for text in texts:
+        if text in balls:
+            continue
         made = implement_from_table(tomllib.loads(text), page.name)
         least = 0.5 if isinstance(made, Bat) else 0.05
         assert least < rigid_body(beam_model(made)).mass < 1.3, made.name

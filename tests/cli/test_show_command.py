@@ -33,7 +33,7 @@ def test_every_implement_is_shown_as_a_file_that_gives_it_back(run: Run, tmp_pat
 
 def test_anything_else_can_be_shown_too(run: Run, tmp_path: Path) -> None:
     code, text, _ = run("show", "baseball")
-    assert code == 0 and 'mass = "5.125 oz"' in text and "mlb_rules" not in text
+    assert code == 0 and 'mass = "5.125 oz ± 0.05 oz"' in text and "mlb_rules" not in text
     assert "mlb_rules" in run("show", "baseball", "--sources")[1]
     assert 'distance = "50 ft"' in run("show", "slow-pitch", "--of", "pitch")[1]
     out = tmp_path / "racket.toml"

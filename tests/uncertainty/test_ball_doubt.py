@@ -28,7 +28,7 @@ def test_every_ball_has_three_parts(baseball: Ball) -> None:
     for name in catalog.ball_names():
         by_definition = {MEAN_BALL} if name in ("baseball-dead", "baseball-lively") else set()
         assert {doubt.part for doubt in ball_doubts(catalog.ball(name))} == set(PARTS) - by_definition
-    assert ball_doubts(baseball.replaced(name="my own")) == ()
+    assert ball_doubts(baseball.replaced(spread=None)) == ()
 
 
 def test_a_line_of_restitution_turns_about_what_wood_certifies_at(baseball: Ball) -> None:

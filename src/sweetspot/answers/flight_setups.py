@@ -157,7 +157,7 @@ class LaunchSetup:
     gyrospin : rad/s, about the direction of motion.
     height, forward : of contact above the ground and in front of the plate's tip, m.
     bats : side the batter bats from, for the usual spin.
-    ball : its name in the catalogue; its sport's drag and lift are taken.
+    ball : its name in the catalogue, or its TOML file; its sport's drag and lift are taken.
     law : name of another law of drag and lift; None: the sport's.
     """
 

@@ -83,7 +83,7 @@ class HitSetup:
     bat_speed, bat_speed_at : of the bat before impact, m/s, and where that is measured, m from the knob end.
     pivot : m from the knob end, the axis that the bat turns about.
     hands : m from the knob end, the centre of the top hand.
-    ball : its name in the catalogue.
+    ball : its name in the catalogue, or its TOML file.
     ball_cor : restitution of the ball as bought, at its law's speed.
     ball_humidity, ball_temperature : relative humidity that it was stored at, 0 to 1, and its temperature, degC.
     same_speed : whether a changed bat, or each of several, is swung at the same speed in place of the same effort.
@@ -241,7 +241,7 @@ class FallSetup:
     ----------
     height : m that it falls; None: 1 m unless ``speed`` is given.
     speed : m/s with which it is fired in place of a fall.
-    ball : its name in the catalogue.
+    ball : its name in the catalogue, or its TOML file.
     in_air : whether air slows fall and rise, as in the tests of rule books.
     """
 

@@ -1,14 +1,17 @@
-"""Balls by name."""
+"""Balls by name or from a file."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 
-from sweetspot.catalog.records import Entry, canonical, entry, read_table
+from sweetspot.catalog.files.ball import BALLS, ball_table
+from sweetspot.catalog.records import Entry, canonical, entry, is_file, read_table
 from sweetspot.equipment.ball import (
     Ball,
+    BallSpread,
     LossLaw,
     RestitutionLaw,
     damping_from_share,
@@ -19,7 +22,6 @@ from sweetspot.equipment.ball import (
 from sweetspot.numerics.interval import REACH
 from sweetspot.units import Kind
 
-FILE = "balls.toml"
 DEFAULT_BALL = "baseball"
 OF_WEATHER: dict[str, Kind] = {
     "cor_humidity_slope": "ratio",
@@ -32,29 +34,56 @@ OF_WEATHER: dict[str, Kind] = {
 
 def ball_names() -> list[str]:
     """Return the names of all balls in the catalogue."""
-    return [canonical(name) for name in read_table(FILE)]
+    return [canonical(name) for name in read_table(BALLS)]
 
 
 def ball_sport(name: str) -> str:
-    """Return the sport that a ball of the catalogue belongs to.
+    """Return the sport that a ball of the catalogue, or of a file, belongs to.
 
     >>> ball_sport("shuttle")
     'badminton'
     """
-    return entry(read_table(FILE), name, "ball")[1].text("sport")
+    return ball(name).sport
 
 
-@cache
-def ball(name: str = DEFAULT_BALL) -> Ball:
-    """Return a ball of the catalogue; raises `InputError` with the nearest names for an unknown one.
+def ball(name: str | Path = DEFAULT_BALL) -> Ball:
+    """Return a ball of the catalogue by its name, or the ball of a TOML file; see `is_file` for what is a file.
 
-    The stiffness k of F = k u^n follows from what the record gives: the peak force on a rigid wall, a slow load, or
-    the time of contact with a rigid wall.
+    The stiffness k of F = k u^n follows from what is given: the peak force on a rigid wall, a slow load, or the time of
+    contact with a rigid wall.
+
+    Parameters
+    ----------
+    name : of the catalogue, as `sweetspot sports` lists them, or the path of a TOML file.
+
+    Raises
+    ------
+    InputError
+        for an unknown name, with the nearest ones, and for a file that describes no ball, with what is wrong in it.
 
     >>> round(ball("baseball").mass, 4)
     0.1453
     """
-    _, record = entry(read_table(FILE), name, "ball")
+    return read_ball(Path(name)) if is_file(str(name)) else listed_ball(str(name))
+
+
+@cache
+def listed_ball(name: str) -> Ball:
+    """Return a ball of the catalogue by its name alone, never that of a file; see `ball`."""
+    return _ball_of(entry(read_table(BALLS), name, "ball")[1])
+
+
+def read_ball(path: Path) -> Ball:
+    """Return the ball that a TOML file describes, perhaps ``like`` another; an `InputError` says what is wrong."""
+    return _ball_of(Entry(str(path), ball_table(path)))
+
+
+def ball_of_text(text: str) -> Ball:
+    """Return the ball of a TOML text, perhaps like one of the catalogue; no file is opened."""
+    return _ball_of(Entry("the ball file", ball_table(text)))
+
+
+def _ball_of(record: Entry) -> Ball:
     mass, exponent = record.quantity("mass", "mass"), record.quantity("force_exponent", "ratio")
     diameter = record.quantity_or_none("diameter", "length")
     law, loss = _law(record, mass=mass, exponent=exponent)
@@ -63,8 +92,9 @@ def ball(name: str = DEFAULT_BALL) -> Ball:
         for end in ("law_low", "law_high")
         if end in record
     ]
-    return Ball(
+    described = Ball(
         name=record.name,
+        sport=canonical(record.text("sport")),
         mass=mass,
         radius=(record.quantity("circumference", "length") / math.pi if diameter is None else diameter) / 2,
         restitution=law,
@@ -72,8 +102,11 @@ def ball(name: str = DEFAULT_BALL) -> Ball:
         exponent=exponent,
         damping=loss.damping,
         law_ends=(ends[0], ends[1]) if ends else None,
+        spread=_spread(record, exponent),
         **record.quantities(OF_WEATHER),
     )
+    now = record.quantities({"humidity": "ratio", "temperature": "temperature"})
+    return described.conditioned(**now) if now else described
 
 
 def _law(record: Entry, *, mass: float, exponent: float) -> tuple[RestitutionLaw, LossLaw]:
@@ -85,12 +118,14 @@ def _law(record: Entry, *, mass: float, exponent: float) -> tuple[RestitutionLaw
         slope=record.quantity("cor_slope", "slope per speed")
         + (record.quantity_or_none("cor_slope_change", "slope per speed") or 0.0),
     )
-    damping = 0.0
+    damping, harder = 0.0, 1.0
+    if "compression_tested" in record:
+        harder = record.quantity("compression", "force") / record.quantity("compression_tested", "force")
     if "rate_share" in record:
         speed = record.quantity("rate_share_speed", "speed")
         damping = damping_from_share(record.quantity("rate_share", "ratio"), speed=speed, restitution=law.at(speed))
     stiffness = _stiffness(record, mass=mass, exponent=exponent, law=law, damping=damping)
-    return law, LossLaw(damping=damping, stiffness=stiffness, reference=law.reference, slope=law.slope)
+    return law, LossLaw(damping=damping, stiffness=harder * stiffness, reference=law.reference, slope=law.slope)
 
 
 def _stiffness(record: Entry, *, mass: float, exponent: float, law: RestitutionLaw, damping: float) -> float:
@@ -133,25 +168,24 @@ class BallDoubt:
 
 
 def ball_doubts(ball: Ball) -> tuple[BallDoubt, ...]:
-    """Return the unknowns of a ball of the catalogue, whatever was changed on it; empty for one it does not have.
+    """Return the unknowns of a ball, whatever was changed on it; empty for one without a spread.
 
-    The catalogue's spreads are half widths of 90 % intervals. The restitution of a baseball is anchored at the speed of
-    the test by which wood bats are known: where its slope is another, its line turns about that speed.
+    The restitution of a baseball is anchored at the speed of the test by which wood bats are known: where its slope is
+    another, its line turns about that speed.
 
     >>> sorted({doubt.part for doubt in ball_doubts(ball("baseball"))})
     ['the law of the ball', 'the mean ball', 'this ball']
     """
-    record = _record(ball)
-    if record is None:
+    spread = ball.spread
+    if spread is None:
         return ()
     slope, anchor = slope_doubt(ball)
-    scatter = record.quantity_or_none("cor_scatter", "ratio")
     halves = (
-        (THIS_BALL, "restitution", scatter),
-        (THIS_BALL, "mass", _part(record, "mass", "mass")),
-        (MEAN_BALL, "restitution", record.spread("cor_reference", "ratio")),
-        (BALL_LAW, "stiffness", _stiffness_part(record, ball.exponent)),
-        (BALL_LAW, "law", None if ball.law_ends is None else 1.0),
+        (THIS_BALL, "restitution", spread.scatter),
+        (THIS_BALL, "mass", spread.mass),
+        (MEAN_BALL, "restitution", spread.restitution),
+        (BALL_LAW, "stiffness", spread.stiffness),
+        (BALL_LAW, "law", 0.0 if ball.law_ends is None else 1.0),
     )
     doubts = [BallDoubt(part, ((name, half / REACH),), WHERE[part]) for part, name, half in halves if half]
     if slope:
@@ -162,16 +196,21 @@ def ball_doubts(ball: Ball) -> tuple[BallDoubt, ...]:
 
 def slope_doubt(ball: Ball) -> tuple[float, float]:
     """Return one standard deviation of a restitution's slope, s/m, and the speed in m/s about which its line turns."""
-    record, law = _record(ball), ball.restitution
-    if record is None:
+    spread, law = ball.spread, ball.restitution
+    if spread is None:
         return 0.0, law.reference_speed
-    anchor = record.quantity_or_none("cor_anchor_speed", "speed")
-    size = record.spread("cor_slope", "slope per speed") or 0.0
-    return size / REACH, law.reference_speed if anchor is None else anchor
+    return spread.slope / REACH, spread.anchor_speed or law.reference_speed
 
 
-def _record(ball: Ball) -> Entry | None:
-    return next((each for each in read_table(FILE).values() if each.name == ball.name), None)
+def _spread(record: Entry, exponent: float) -> BallSpread:
+    return BallSpread(
+        scatter=record.quantity_or_none("cor_scatter", "ratio") or 0.0,
+        mass=_part(record, "mass", "mass") or 0.0,
+        restitution=record.spread("cor_reference", "ratio") or 0.0,
+        stiffness=_stiffness_part(record, exponent) or 0.0,
+        slope=record.spread("cor_slope", "slope per speed") or 0.0,
+        anchor_speed=record.quantity_or_none("cor_anchor_speed", "speed"),
+    )
 
 
 def _part(record: Entry, field: str, kind: Kind) -> float | None:

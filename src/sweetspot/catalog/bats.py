@@ -9,7 +9,7 @@ from pathlib import Path
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.read import bat_from_table, read_bat
 from sweetspot.catalog.materials import material
-from sweetspot.catalog.records import FOLDER, Entry, canonical, entry
+from sweetspot.catalog.records import FOLDER, Entry, canonical, entry, is_file
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
@@ -103,17 +103,6 @@ def refuse_slip(name_or_path: str, entries: Container[str]) -> None:
         raise InputError(
             f"{neither}: there is no such file here. Bat files end in .toml; `sweetspot bats` lists the catalogue"
         )
-
-
-def is_file(name_or_path: str) -> bool:
-    """Return whether a text denotes a file: it ends in ``.toml``, holds a path separator or names an existing one."""
-    path = Path(name_or_path)
-    if path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path:
-        return True
-    try:
-        return path.is_file()
-    except (OSError, ValueError):  # longer than any file's name, or with a sign that none may have
-        return False
 
 
 def wall_pattern(bat: Bat) -> str | None:

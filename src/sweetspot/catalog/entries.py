@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import NamedTuple
 
+from sweetspot.catalog.files.ball import written_table
 from sweetspot.catalog.files.bat import with_fitted
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Entry, TomlTable, TomlValue, canonical, known_names, read_table, unwrapped_table
@@ -32,7 +33,7 @@ USUAL_DEPTHS = {"knob_mass": ("knob_depth", USUAL_KNOB_DEPTH), "end_cap_mass": (
 
 
 def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> str:
-    """Return an entry as TOML text; that of an implement is a file which `load_implement` takes.
+    """Return an entry as TOML text; that of an implement or a ball is a file that can be given back.
 
     Raises `InputError` for an unknown name or kind, with the nearest ones.
 
@@ -59,7 +60,8 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
         key = known_names(table).get(wanted)
         if key is not None:
             fields = table[key].fields
-            text = tomli_w.dumps(fields if sources else unwrapped_table(with_fitted(fields)), multiline_strings=True)
+            plain = written_table(fields) if table is tables.get("ball") else unwrapped_table(with_fitted(fields))
+            text = tomli_w.dumps(fields if sources else plain, multiline_strings=True)
             return text if sources else _marked(text, fields)
     names = sorted({canonical(key) for table in tables.values() for key in table})
     hint = nearest_names(wanted[:60], names)

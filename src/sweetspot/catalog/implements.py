@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from sweetspot.catalog.bats import bat_files, bat_tables, is_file, load_bat, other_files, other_tables, refuse_slip
+from sweetspot.catalog.bats import bat_files, bat_tables, load_bat, other_files, other_tables, refuse_slip
 from sweetspot.catalog.files.bat import bat_of_table, read_toml
 from sweetspot.catalog.files.implement import implement_of_table
 from sweetspot.catalog.files.read import implement_from_table, warn_of_doubts, whole_table
-from sweetspot.catalog.records import Entry, TomlTable, entry
+from sweetspot.catalog.records import Entry, TomlTable, entry, is_file
 from sweetspot.equipment.implement import Implement
 
 

@@ -187,6 +187,17 @@ def canonical(name: str) -> str:
     return name.strip().lower().replace("_", "-").replace(" ", "-")
 
 
+def is_file(name_or_path: str) -> bool:
+    """Return whether a text denotes a file: it ends in ``.toml``, holds a path separator or names an existing one."""
+    path = Path(name_or_path)
+    if path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path:
+        return True
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # longer than any file's name, or with a sign that none may have
+        return False
+
+
 def unwrapped(value: TomlValue) -> TomlValue:
     """Return a value without its provenance: the ``value`` of a record, also inside tables and lists."""
     match value:

@@ -6,12 +6,13 @@ from functools import cache
 
 from sweetspot.catalog.aerodynamic_laws import FILE as AIR
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
-from sweetspot.catalog.balls import FILE as BALLS
 from sweetspot.catalog.balls import ball_sport
 from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.deliveries import delivery_sport
+from sweetspot.catalog.files.ball import BALLS
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Entry, Record, all_records, canonical, entry, read_table
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import (
     CERTAINTIES,
     Certainty,
@@ -87,13 +88,13 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
     )
 
 
-def aerodynamics_of_ball(name: str) -> Aerodynamics:
-    """Return the aerodynamic law of a ball of the catalogue: that of its sport.
+def aerodynamics_of_ball(name: str | Ball) -> Aerodynamics:
+    """Return the aerodynamic law of a ball, or of the ball of a name in the catalogue or of a file: that of its sport.
 
     >>> aerodynamics_of_ball("softball-12in") == aerodynamics("softball")
     True
     """
-    return aerodynamics(sport(ball_sport(name)).aerodynamics)
+    return aerodynamics(sport(name.sport if isinstance(name, Ball) else ball_sport(name)).aerodynamics)
 
 
 def pitched_aerodynamics(pitch: str) -> Aerodynamics:

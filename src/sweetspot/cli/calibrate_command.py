@@ -60,7 +60,7 @@ class CalibrationShotOptions:
     shots: Annotated[
         Path | None, Parameter(help="CSV of shots at places: ball_in_mph, ball_out_mph, position_in_from_tip.")
     ] = None
-    ball: Annotated[str | None, Parameter(help="Ball of the shots; default: the sport's.")] = None
+    ball: Annotated[str | None, Parameter(help="Ball of the shots, or its TOML file; default: the sport's.")] = None
     columns: ColumnOptions = DEFAULT_COLUMNS
 
 

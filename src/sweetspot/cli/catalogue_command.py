@@ -51,18 +51,21 @@ def sports(
 
 def schema(
     kind: Annotated[
-        str, Parameter(help="bat, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket.")
+        str, Parameter(help="bat, ball, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket.")
     ] = "bat",
     /,
 ) -> None:
-    """Print the JSON schema of a file that describes a bat, racket, club or stick."""
+    """Print the JSON schema of a file that describes a bat, ball, racket, club or stick."""
+    from sweetspot.catalog.files.ball import BallFile
     from sweetspot.catalog.files.implement import FILES
+    from sweetspot.catalog.files.tables import FileTable
     from sweetspot.cli.output import print_json
     from sweetspot.errors import nearest_names
 
-    if kind not in FILES:
-        raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted(FILES))}")
-    print_json(FILES[kind].model_json_schema())
+    files: dict[str, type[FileTable]] = {**FILES, "ball": BallFile}
+    if kind not in files:
+        raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted(files))}")
+    print_json(files[kind].model_json_schema())
 
 
 def validate(
@@ -116,7 +119,7 @@ def show(
     ] = False,
     out: Annotated[Path | None, Parameter(help="File to write it to, which must not be there yet.")] = None,
 ) -> int:
-    """Print an entry of the catalogue as a file; that of a bat, racket, club or stick can be changed and given back.
+    """Print an entry of the catalogue as a file; that of a bat, ball, racket, club or stick can be given back.
 
     A comment marks every value that was assumed: recalled, no source was read.
     """

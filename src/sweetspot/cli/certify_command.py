@@ -37,7 +37,7 @@ def certify(
         Parameter(help="League of the catalogue, or all that use the ball; default: that of the bat's sport."),
     ] = None,
     shooting: ShotOptions = DEFAULT_SHOTS,
-    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the league's.")] = None,
+    ball: Annotated[str | None, Parameter(help="Ball of the catalogue, or a TOML file; default: the league's.")] = None,
     wall_that_passes: Annotated[
         bool, Parameter(negative="", help="Also say which barrel wall of a hollow bat would just pass.")
     ] = False,

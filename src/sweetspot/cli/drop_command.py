@@ -33,7 +33,7 @@ class FallOptions:
 
     height: Annotated[str | None, Parameter(help="Height the ball falls from; 1m unless --speed is given.")] = None
     speed: Annotated[str | None, Parameter(help="Fire the ball at this speed instead, for example 60mph.")] = None
-    ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball"
+    ball: Annotated[str, Parameter(help="Ball of the catalogue, or a TOML file.")] = "baseball"
     in_air: Annotated[bool, Parameter(help="Let air slow fall and rise, as in the tests of rule books.")] = False
 
 

@@ -37,7 +37,9 @@ class FileOptions:
         str | None, Parameter(help="Whose rows to use, where the file has several; all: a team sheet.")
     ] = None
     bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip"
-    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
+    ball: Annotated[
+        str | None, Parameter(help="Ball of the catalogue, or a TOML file; default: the first of the bat's sport.")
+    ] = None
     columns: ColumnOptions = DEFAULT_COLUMNS
 
 

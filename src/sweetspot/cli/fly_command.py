@@ -41,7 +41,9 @@ class LaunchOptions:
     bats: Annotated[Literal["right", "left"], Parameter(help="Side the batter bats from, for the usual spin.")] = (
         "right"
     )
-    ball: Annotated[str, Parameter(help="Ball of the catalogue; its sport's drag and lift are taken.")] = "baseball"
+    ball: Annotated[
+        str, Parameter(help="Ball of the catalogue, or a TOML file; its sport's drag and lift are taken.")
+    ] = "baseball"
     law: Annotated[
         str | None, Parameter(help="Another law of drag and lift, such as trajectory-calculator; default: the sport's.")
     ] = None

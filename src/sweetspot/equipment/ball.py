@@ -75,6 +75,27 @@ class LossLaw(Validated):
     slope: Annotated[float, Field(ge=0)]
 
 
+class BallSpread(Validated):
+    """How far a ball may be from its description, each the half width of a 90 % interval.
+
+    Parameters
+    ----------
+    scatter : of the restitution, from one ball of a kind to the next.
+    mass : from one to the next, as a part of the mass.
+    restitution : of the mean ball of its kind, at the reference speed of its law.
+    stiffness : of k, as a part of it.
+    slope : of the restitution law, s/m.
+    anchor_speed : m/s about which the law turns where its slope is another; None: its reference speed.
+    """
+
+    scatter: Annotated[float, Field(ge=0)] = 0.0
+    mass: Annotated[float, Field(ge=0)] = 0.0
+    restitution: Annotated[float, Field(ge=0)] = 0.0
+    stiffness: Annotated[float, Field(ge=0)] = 0.0
+    slope: Annotated[float, Field(ge=0)] = 0.0
+    anchor_speed: Positive | None = None
+
+
 class Ball(Validated):
     """A ball that is loaded along F = k u^n (1 + c u') and gives back what its restitution law says.
 
@@ -96,6 +117,8 @@ class Ball(Validated):
     cor_temperature_slope : change of e per kelvin.
     reference_humidity : relative humidity at which the law holds, 0 to 1.
     reference_temperature : degC at which the law holds.
+    sport : that it belongs to; "": any.
+    spread : how far it may be from all this; None: it is just so.
     """
 
     name: str
@@ -110,6 +133,8 @@ class Ball(Validated):
     cor_temperature_slope: float = 0.0
     reference_humidity: Fraction = 0.5
     reference_temperature: float = 21.0
+    sport: str = ""
+    spread: BallSpread | None = None
 
     def with_restitution(self, reference: float) -> Self:
         """Return the same ball with another e at the reference speed of its law."""

@@ -108,6 +108,11 @@ QUANTITIES: Mapping[str, PlausibleRange] = {
     "forward": PlausibleRange(-10, 10, "ft"),
     "offset": PlausibleRange(-3, 3, "in", "ball and barrel touch up to about 2.7 in"),
     "ball_cor": PlausibleRange(0.2, 0.9, "", possible=(0, math.inf)),
+    "ball_mass": PlausibleRange(2, 500, "g", why="from table tennis to softball, and some more"),
+    "ball_diameter": PlausibleRange(15, 150, "mm"),
+    "ball_circumference": PlausibleRange(50, 450, "mm"),
+    "ball_cor_reference": PlausibleRange(0.1, 0.98, "", "it is that on a rigid wall", (0, 1)),
+    "ball_compression": PlausibleRange(130, 3600, "N", "it brings two plates a quarter inch nearer", (0, math.inf)),
     "bbcor": PlausibleRange(-0.2, 0.8, "", "bats have 0.2 to 0.6: check the speeds and their columns"),
     "measured_ball_cor": PlausibleRange(
         0.3, 0.7, "", "it is that of a ball on a rigid wall", why="balls of bat sports have 0.4 to 0.6 (assumed)"

@@ -11,6 +11,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.comparison import Changed
 from sweetspot.analysis.what_if import varied
+from sweetspot.catalog.balls import listed_ball
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table
@@ -86,10 +87,15 @@ def swung(state: Swung) -> Swung:
     return state.model_copy(update={name: getattr(conditions, name) for name in empty})
 
 
+def bought_ball(state: SwungState) -> Ball:
+    """Return the ball of the catalogue that a state names, as bought; what a browser sends must open no file."""
+    with about("ball"):
+        return listed_ball(swung(state).ball or "")
+
+
 def ball_of(state: SwungState) -> Ball:
     """Return the ball as the controls say: bought with this restitution, then stored."""
-    with about("ball"):
-        ball = catalog.ball(swung(state).ball or "")
+    ball = bought_ball(state)
     if state.ball_cor is not None:
         ball = ball.with_restitution(state.ball_cor)
     if state.ball_humidity is None and state.ball_temperature_degf is None:

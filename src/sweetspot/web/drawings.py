@@ -8,7 +8,6 @@ from typing import Annotated
 
 import numpy as np
 
-from sweetspot import catalog
 from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.records import Length, Mass, MomentOfInertia, Ratio
 from sweetspot.answers.setups import SwungWith
@@ -23,7 +22,7 @@ from sweetspot.numerics.interval import REACH
 from sweetspot.reports.notebook import effort_words
 from sweetspot.units.dimensions import LENGTH, System
 from sweetspot.web.bat_bounds import Range, bounds
-from sweetspot.web.bats import UsualHit, changed_bat, conditions_of, swung, usual
+from sweetspot.web.bats import UsualHit, bought_ball, changed_bat, conditions_of, usual
 from sweetspot.web.controls import BatState, SwungState
 from sweetspot.web.documents import in_either_system, in_one_system
 
@@ -156,7 +155,7 @@ def moi_half(bat: Bat, body: RigidBody) -> float:
 
 def ball_picture(state: SwungState, ball: Ball) -> BallPicture:
     """Return the picture of a ball."""
-    listed = catalog.ball(swung(state).ball or "")
+    listed = bought_ball(state)
     warm = listed.reference_temperature * 1.8 + 32
     return BallPicture(ball.radius, ball.mass, listed.restitution.reference, listed.reference_humidity, warm)
 

@@ -35,7 +35,9 @@ class StrokeOptions:
         str | None,
         Parameter(help="Centre of the top hand, from the knob end; default: 6in above the bottom of the grip."),
     ] = None
-    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of its sport.")] = None
+    ball: Annotated[
+        str | None, Parameter(help="Ball of the catalogue, or a TOML file; default: the first of its sport.")
+    ] = None
     ball_cor: Annotated[
         str | None,
         Parameter(help="Restitution of the ball as bought, at its law's speed, in place of the catalogue's."),

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.catalog.balls import FILE as BALL_FILE
 from sweetspot.catalog.balls import ball
+from sweetspot.catalog.files.ball import BALLS
 from sweetspot.catalog.implements import implement, implement_tables
 from sweetspot.catalog.materials import FILE as MATERIAL_FILE
 from sweetspot.catalog.materials import RUBBERS, material
@@ -95,7 +95,7 @@ def material_records(made_of: Material) -> list[Record]:
 def ball_records(used: Ball) -> list[Record]:
     """Return the records of a ball; none when its name is not in the catalogue."""
     key = _ball_key(used)
-    return all_records(read_table(BALL_FILE)[key], key) if key else []
+    return all_records(read_table(BALLS)[key], key) if key else []
 
 
 def assumed_of_ball(used: Ball) -> list[str]:
@@ -153,7 +153,7 @@ def _material_key(made_of: Material) -> str | None:
 
 
 def _ball_key(used: Ball) -> str | None:
-    return next((key for key, entry in read_table(BALL_FILE).items() if entry.name == used.name), None)
+    return next((key for key, entry in read_table(BALLS).items() if entry.name == used.name), None)
 
 
 def _changes(what: str, used: Material | Ball, original: Material | Ball) -> list[str]:

@@ -282,8 +282,7 @@ def _conditions(state: FlightState, park: Park, ball: Ball) -> FlightConditions:
             elevation=elevation,
         )
     wind = Wind(speed=state.wind_speed_mph * MPH, direction=math.radians(state.wind_direction_deg))
-    with about("ball"):
-        law = aerodynamics_in(park, aerodynamics_of_ball(swung(state).ball or ""))
+    law = aerodynamics_in(park, aerodynamics_of_ball(ball))
     return FlightConditions(ball=ball, aerodynamics=law, air=air, wind=wind)
 
 

@@ -20,7 +20,7 @@ from sweetspot.motion.ball_motion import USUAL_CONTACT, batted_ball
 from sweetspot.reports.optimum import optimum_document
 from sweetspot.reports.page_words import carries_farthest, park_chances
 from sweetspot.units import MPH, RPM
-from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
+from sweetspot.web.bats import ball_of, bought_ball, conditions_of, described, reduced, swung
 from sweetspot.web.controls import Name, SwungState, Tilt, within
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
@@ -109,17 +109,16 @@ def swing(state: OptimumState) -> ReadDocument:
 def parks(state: OptimumState) -> ReadDocument:
     """Return the slowest home run of every park, each in its own air, as a document."""
     state = swung(state)
-    bat, name = reduced(state, ball_of(state)).bat, state.ball or ""
-    outdoors = FlightConditions(ball=catalog.ball(name), aerodynamics=catalog.aerodynamics_of_ball(name), air=Air())
+    bat, ball = reduced(state, ball_of(state)).bat, bought_ball(state)
+    outdoors = FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics_of_ball(ball), air=Air())
     there = tuple((park, catalog.conditions_in(park, outdoors)) for park in parks_of(bat))
     question = OptimumQuestion(bat, park=ParkSearch(there, state.backspin_rpm * RPM))
     return page_document(optimum_document(optimum_answer(question)))
 
 
 def _through(state: OptimumState) -> FlightConditions:
-    with about("ball"):
-        law = catalog.aerodynamics_of_ball(state.ball or "")
-    return FlightConditions(ball=ball_of(state), aerodynamics=law, air=Air())
+    ball = ball_of(state)
+    return FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics_of_ball(ball), air=Air())
 
 
 def _thrown(state: OptimumState, through: FlightConditions) -> PitchFlight:
