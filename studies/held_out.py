@@ -56,8 +56,8 @@ def balls_in(path: Path, most: int | None = None) -> Balls:
 
 def shortened(surface: BatInPlane, end: float) -> BatInPlane:
     """Return a bat's table without the places further from the tip than an end, m."""
-    values = np.where((end + 1e-9 >= PLACES)[:, None, None], surface.table.values, np.nan)
-    return replace(surface, table=surface.table._replace(values=values))
+    terms = np.where((end + 1e-9 >= PLACES)[:, None, None, None], surface.table.terms, np.nan)
+    return replace(surface, table=surface.table._replace(terms=terms))
 
 
 def told(balls: Balls, setting: ContactSetting, first: NDArray[np.bool_]) -> Array:

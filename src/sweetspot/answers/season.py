@@ -317,7 +317,7 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
 
 def _errors_of_tables(contact: ContactSetting) -> Iterator[BatErrors]:
     for surface in (*contact.surfaces, *(other.surface for other in contact.others)):
-        yield BatErrors(surface.bat.name, *table_errors(tabled_bat(surface.bat, ball=contact.ball)))
+        yield BatErrors(surface.bat.name, *table_errors(tabled_bat(surface.bat, ball=contact.ball))[:2])
 
 
 def _tables(survey: Survey) -> Iterator[SeasonTable]:

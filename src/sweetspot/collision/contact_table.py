@@ -2,47 +2,66 @@
 
 Along the line of centres a hit is fixed by the place and the closing speed, and so is what the bat's surface gives to
 friction. These are tabled; the frame of the hit, friction and spin are computed for every hit, so that the change
-from gripping to slipping is exact. Between nodes lies the cubic through the nearest four, in the place and in the
-square root of the closing speed, in which hits are smoothest.
+from gripping to slipping is exact. The barrel is cut into equal pieces and closing speeds into bands. In each cell
+stands the polynomial through Chebyshev's nodes in the place and in the square root of the closing speed, in which hits
+are smoothest. Where such polynomials miss most it is held against the collision itself. A cell
+that misses by more than `TOLERANCE`, or where a ball is touched twice so that hits change in a jump, is not used: the
+kernel answers there.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sweetspot.collision.hit_in_space import Contact, meetings, strikes
-from sweetspot.collision.kernel import hits_with_motion
-from sweetspot.collision.oblique_contact import (
-    USUAL_FRICTION,
-    Friction,
-    Launch,
-    SurfaceMobility,
-    bat_give,
-    launch,
-)
+from sweetspot.collision.contact_lookup import TERMS, Lookup, fill_efficiency, fill_launches
+from sweetspot.collision.hit_in_space import Contact, check_positions, strikes
+from sweetspot.collision.kernel import hits, hits_with_motion
+from sweetspot.collision.oblique_contact import USUAL_FRICTION, Friction, spring_mobilities
+from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
-from sweetspot.motion.swing_path import Swings, path_axes
-from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.units import INCH, RPM
+from sweetspot.motion.swing_path import PathAxes, Swings, path_axes
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.threads import in_parts
+from sweetspot.units import DEGREE, INCH, RPM
 
-STEP = INCH / 4
-"""m between the places that are tabled, from the tip to the knob."""
-ROOTS = np.linspace(math.sqrt(2.0), 10.0, 13)
-"""Square roots of the closing speeds that are tabled, m/s: 2 to 100; beyond them the nearest counts."""
-SPEED_ERROR = 0.015
-"""m/s, 0.03 mph: 99 of 100 hits as balls in play are, 1 to 14 in from the tip, miss the kernel by less."""
+REACH = 18 * INCH
+"""m from the tip that is tabled; nobody hits a ball on purpose farther in."""
+PIECES = 32
+"""Equal pieces of that."""
+BANDS = (2.0, 6.67, 22.0, 100.0)
+"""m/s, ends of the bands of closing speeds; below 6.67 m/s the patch that the ball presses on does not shrink."""
+STEPS = (20e-6, 20e-6, 12e-6)
+"""s, the time step of each band's hits: slow hits last longer. It leaves an error of about 1e-5 of the exit speed."""
+TOLERANCE = 8e-5
+"""Of the exit speed, by which a cell may miss where it is checked: with the error of the steps within 1e-4."""
+CHECKED, ENDS = np.cos(np.arange(TERMS[0] + 1) * math.pi / TERMS[0]), np.array([-1.0, 1.0])
+"""Where in a cell, from -1 to 1, polynomials through Chebyshev's nodes miss most, along the barrel and in the root."""
+BAT_SHARE, LEAST = 0.44, 0.2
+"""Bat over closing speed of usual hits, so that an error of q is one of the exit speed, and the least of their sum."""
+CHUNK = 65_536
+"""Look-ups per task handed to a thread."""
+SPEED_ERROR, DIRECTION_ERROR, SPIN_ERROR = 0.02, 0.1 * DEGREE, 20 * RPM
+"""m/s, rad and rad/s: 999 of 1,000 hits as balls in play are, 1 to 14 in from the tip, miss the kernel by less."""
 TRIED = 4000
 """Hits that a table is compared with the kernel at."""
 TABLES = 64
 """Bats whose table a process keeps."""
+
+
+class Launched(NamedTuple):
+    """Balls as they leave, m/s and rad/s, shape (n, 3); nan where there is no hit."""
+
+    velocity: Array
+    spin: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,26 +71,43 @@ class ContactTable:
     Parameters
     ----------
     model : the bat reduced to what a collision needs.
-    values : collision efficiency and the four mobilities of `SurfaceMobility`, shape (places, closing speeds, 5).
-    smooth : whether between four nodes either way, from these on, the ball is touched once: where it is touched again
-        hits change in a jump, and are computed by the kernel; shape (places - 3, closing speeds - 3).
+    lookup : the polynomials and what else a look-up needs.
     """
 
     model: ReducedBat[Bat]
     ball: Ball
-    values: Array
-    smooth: NDArray[np.bool_]
+    lookup: Lookup
 
     @property
     def bat(self) -> Bat:
         """The bat."""
         return self.model.bat
 
-    def efficiency(self, from_tip: ArrayLike, closing_speed: ArrayLike) -> Array:
+    @cached_property
+    def certified(self) -> float:
+        """The part of the cells that are used; elsewhere the kernel answers."""
+        return float(np.mean(self.lookup.certified))
+
+    def efficiency(self, from_tip: ArrayLike, closing_speed: ArrayLike, *, threads: int | None = None) -> Array:
         """Return collision efficiency at places (m from the tip) and closing speeds (m/s), nan where there is none."""
-        places, speeds = np.broadcast_arrays(from_tip, closing_speed)
-        found = self._look_up(self.bat.length - places.ravel(), speeds.ravel())
-        return np.asarray(found[0]).reshape(places.shape)
+        places, speeds = np.broadcast_arrays(np.asarray(from_tip, float), np.asarray(closing_speed, float))
+        shape, places, speeds = places.shape, places.ravel(), speeds.ravel()
+        efficiency, left = np.empty(len(places)), np.empty(len(places), np.bool_)
+
+        def work(part: slice) -> None:
+            fill_efficiency(self.lookup, places[part], speeds[part], efficiency[part], left[part])
+
+        in_parts(work, len(places), size=CHUNK, threads=threads)
+        rest = np.flatnonzero(left)
+        if len(rest):
+            efficiency[rest] = hits(
+                self.model.modes,
+                ball=self.ball,
+                position=self.bat.length - places[rest],
+                closing_speed=speeds[rest],
+                threads=threads,
+            ).collision_efficiency
+        return efficiency.reshape(shape)
 
     def launches(
         self,
@@ -80,57 +116,72 @@ class ContactTable:
         pitches: BallMotion | BallMotions,
         contact: Contact,
         friction: Friction = USUAL_FRICTION,
-    ) -> Launch:
+        threads: int | None = None,
+    ) -> Launched:
         """Return the motion of many balls after the hit, nan where there is none; takes what `strikes` takes."""
-        meets = meetings(self.bat, ball=self.ball, swings=swings, pitches=pitches, contact=contact)
-        efficiency, *give = self._look_up(meets.position, meets.closing)
-        return launch(
-            meets.frame,
-            ball=self.ball,
-            pitch=meets.pitches,
-            surface_velocity=meets.surface_velocity,
-            normal_impulse=self.ball.mass * meets.closing * (1 + efficiency),
-            give=SurfaceMobility(*give),
-            friction=friction,
+        speed, place, above = (
+            np.ascontiguousarray(values)
+            for values in np.broadcast_arrays(
+                *(np.asarray(values, float).ravel() for values in (swings.bat_speed, contact.position, contact.offset))
+            )
         )
+        check_positions(self.bat, place)
+        count = len(speed)
+        forward, up, tip, coming, turning = (
+            np.broadcast_to(np.asarray(values, float), (count, 3))
+            for values in (*swings.axes, pitches.velocity, pitches.spin)
+        )
+        velocity, spin, left = np.empty((count, 3)), np.empty((count, 3)), np.empty(count, np.bool_)
+        rubbing = friction.coefficient, 1 + friction.tangential_restitution
 
-    def _look_up(self, position: Array, closing: Array) -> Array:
-        """Return efficiency and mobilities at n places (m from the knob end) and closing speeds, shape (5, n)."""
-        meets = closing > 0
-        root = np.sqrt(np.where(meets, closing, ROOTS[0] ** 2))
-        row, rows = _cubic((self.bat.length - position) / STEP, len(self.values))
-        column, columns = _cubic((root - ROOTS[0]) / (ROOTS[1] - ROOTS[0]), len(ROOTS))
-        flat, total = self.values.reshape(-1, self.values.shape[2]), np.zeros((len(root), self.values.shape[2]))
-        for i in range(4):
-            for j in range(4):
-                total += (rows[i] * columns[j])[:, None] * flat[(row + i) * len(ROOTS) + column + j]
-        total[~meets] = np.nan
-        rough = np.flatnonzero(meets & ~self.smooth[row, column])
-        if len(rough):
-            total[rough] = _computed(self.model, self.ball, position[rough], closing[rough])[0]
-        return total.T
+        def work(part: slice) -> None:
+            numbers = speed[part], place[part], above[part]
+            fill_launches(
+                self.lookup,
+                (*numbers, swings.pivot),
+                (forward[part], up[part], tip[part], coming[part], turning[part]),
+                rubbing,
+                (velocity[part], spin[part], left[part]),
+            )
 
+        in_parts(work, count, size=CHUNK, threads=threads)
+        rest = np.flatnonzero(left)
+        if len(rest):
+            axes = PathAxes(forward[rest], up[rest], tip[rest])
+            struck = strikes(
+                self.model,
+                ball=self.ball,
+                swings=Swings(speed[rest], axes, swings.pivot),
+                pitches=BallMotions(velocity=coming[rest], spin=turning[rest]),
+                contact=Contact(place[rest], above[rest]),
+                friction=friction,
+                threads=threads,
+            )
+            velocity[rest], spin[rest] = struck.velocity, struck.spin
+        return Launched(velocity, spin)
 
-def _cubic(at: Array, count: int) -> tuple[IntArray, tuple[Array, ...]]:
-    """Return the first of the nearest four nodes and Lagrange's weights of these; beyond the ends those of the end."""
-    at = np.clip(at, 0.0, count - 1.0)
-    first = np.clip(at.astype(np.int64) - 1, 0, count - 4)
-    a, b, c, d = (at - first - node for node in range(4))
-    return first, (-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6)
+    def along_speeds(self, from_tip: Array) -> Array:
+        """Return the polynomials in the closing speed at places in m from the tip; nan beyond the tabled ones.
 
+        Where a cell is not certified the polynomial goes through hits at the place itself, also touched twice.
 
-def _computed(model: ReducedBat[Bat], ball: Ball, position: Array, closing: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """Return efficiency and mobilities of n hits by the kernel, shape (n, 5), and whether the ball is touched once."""
-    impacts = hits_with_motion(model.modes, ball=ball, position=position, closing_speed=closing)
-    give = bat_give(
-        model.modes,
-        model.body,
-        position=position,
-        radius=model.bat.diameter_at(position) / 2,
-        velocity=impacts.velocity,
-        normal_impulse=ball.mass * closing * (1 + impacts.collision_efficiency),
-    )
-    return np.stack([impacts.collision_efficiency, *give], axis=-1), impacts.touches == 1
+        Returns
+        -------
+        Array
+            of efficiency and the mobilities of `Lookup.give`, shape (places, bands, 4, terms).
+        """
+        lookup = self.lookup
+        at = from_tip * lookup.per_metre
+        piece = np.clip(at.astype(int), 0, PIECES - 1)
+        powers = np.vander(2 * (at - piece) - 1, TERMS[0], increasing=True)
+        both = np.concatenate([lookup.efficiency[:, :, None], lookup.give], axis=2)
+        found = np.einsum("ni,nbcij->nbcj", powers, both[piece])
+        for band in range(len(STEPS)):
+            rough = np.flatnonzero(~lookup.certified[piece, band] & (at <= PIECES))
+            if len(rough):
+                found[rough, band] = _rising(self.model, self.ball, from_tip[rough], band)[0]
+        found[at > PIECES] = np.nan
+        return np.asarray(found)
 
 
 @lru_cache(maxsize=TABLES)
@@ -143,16 +194,89 @@ def tabled_bat(bat: Bat, *, ball: Ball) -> ContactTable:
     array([0.226, 0.215])
     """
     model = reduced_bat(bat, ball=ball)
-    from_tip = STEP * np.arange(math.floor(bat.length / STEP) + 1)
-    place, closing = (values.ravel() for values in np.meshgrid(bat.length - from_tip, ROOTS**2, indexing="ij"))
-    values, once = _computed(model, ball, place, closing)
-    shape = len(from_tip), len(ROOTS)
-    smooth = np.lib.stride_tricks.sliding_window_view(once.reshape(shape), (4, 4)).all(axis=(2, 3))
-    return ContactTable(model, ball, values.reshape(*shape, -1), np.asarray(smooth))
+    reach = min(REACH, bat.length)
+    terms, certified = np.empty((PIECES, len(STEPS), 4, *TERMS)), np.empty((PIECES, len(STEPS)), np.bool_)
+    for band in range(len(STEPS)):
+        terms[:, band], certified[:, band] = _cells(model, ball, reach, band)
+    stations, radii = _outline(bat)
+    first, second, third, fourth = np.sqrt(BANDS).tolist()
+    lookup = Lookup(
+        efficiency=np.ascontiguousarray(terms[:, :, 0]),
+        give=np.ascontiguousarray(terms[:, :, 1:]),
+        certified=certified,
+        per_metre=PIECES / reach,
+        roots=(first, second, third, fourth),
+        length=bat.length,
+        stations=stations,
+        radii=radii,
+        ball_mass=ball.mass,
+        ball_radius=ball.radius,
+        per_mass=1 / model.body.mass,
+        per_moi=1 / model.body.moi_cm,
+        per_roll=1 / model.body.roll_moi,
+    )
+    return ContactTable(model, ball, lookup)
 
 
-def table_errors(table: ContactTable, *, part: float = 0.95) -> tuple[float, float]:
-    """Return by how much a part of the hits that balls in play are miss the kernel, in speed (m/s) and direction (rad).
+def _cells(model: ReducedBat[Bat], ball: Ball, reach: float, band: int) -> tuple[Array, NDArray[np.bool_]]:
+    """Return the polynomials of a band, shape (pieces, 4, *TERMS), and which of its cells are certified."""
+    along, by_along = _nodes(TERMS[0])
+    piece = np.arange(PIECES)[:, None] + 0.5
+    terms, once = _rising(model, ball, ((piece + along / 2) * reach / PIECES).ravel(), band)
+    terms = np.einsum("ia,pacj->pcij", by_along, terms.reshape(PIECES, TERMS[0], *terms.shape[1:]))
+    tried = hits(
+        model.modes,
+        ball=ball,
+        position=model.bat.length - ((piece + CHECKED / 2) * reach / PIECES)[..., None],
+        closing_speed=np.array(BANDS[band : band + 2]),
+        step=_step(model, ball, band),
+    )
+    read = np.vander(CHECKED, TERMS[0], increasing=True) @ terms[:, 0] @ np.vander(ENDS, TERMS[1], increasing=True).T
+    missed = np.abs(read - tried.collision_efficiency) / np.maximum(tried.collision_efficiency + BAT_SHARE, LEAST)
+    sure = (tried.touches == 1) & (missed < TOLERANCE)
+    return terms, np.asarray(once.reshape(PIECES, -1).all(axis=1) & sure.all(axis=(1, 2)))
+
+
+def _rising(model: ReducedBat[Bat], ball: Ball, from_tip: Array, band: int) -> tuple[Array, NDArray[np.bool_]]:
+    """Return polynomials in the closing speed at n places, shape (n, 4, terms), and where a ball is touched once."""
+    rising, by_rising = _nodes(TERMS[1])
+    low, high = math.sqrt(BANDS[band]), math.sqrt(BANDS[band + 1])
+    closing = ((low + high + rising * (high - low)) / 2) ** 2
+    position, closing = np.broadcast_arrays(model.bat.length - from_tip[:, None], closing)
+    impacts = hits_with_motion(
+        model.modes, ball=ball, position=position, closing_speed=closing, step=_step(model, ball, band)
+    )
+    give = spring_mobilities(
+        model.modes,
+        position=position,
+        velocity=impacts.velocity,
+        normal_impulse=ball.mass * closing * (1 + impacts.collision_efficiency),
+    )
+    values = np.stack([impacts.collision_efficiency, *give], axis=1)
+    return values @ by_rising.T, np.asarray(impacts.touches == 1)
+
+
+def _step(model: ReducedBat[Bat], ball: Ball, band: int) -> float:
+    return contact_step(model.modes, ball, longest=STEPS[band])
+
+
+def _nodes(count: int) -> tuple[Array, Array]:
+    """Return Chebyshev's nodes in -1 to 1, and the matrix from values there to coefficients of powers."""
+    nodes = np.cos((2 * np.arange(count) + 1) * math.pi / (2 * count))
+    return nodes, np.linalg.inv(np.vander(nodes, increasing=True))
+
+
+def _outline(bat: Bat) -> tuple[Array, Array]:
+    """Return stations in m from the knob end and the radii there, in m, between which a bat is straight."""
+    if bat.profile is not None:
+        stations, diameters = (np.array(values) for values in zip(*bat.profile, strict=True))
+        return stations, diameters / 2
+    stations = np.linspace(0.0, bat.length, 2001)
+    return stations, bat.diameter_at(stations) / 2
+
+
+def table_errors(table: ContactTable, *, part: float = 0.95) -> tuple[float, float, float]:
+    """Return by how much a part of the hits that balls in play are miss `strikes`: m/s, rad and rad/s of spin.
 
     Hits are drawn: 1 to 14 in from the tip, off a tee or pitched, above and below the axis, with any spin.
     """
@@ -166,8 +290,10 @@ def table_errors(table: ContactTable, *, part: float = 0.95) -> tuple[float, flo
         spin=rng.normal(0, 1500 * RPM, (TRIED, 3)),
     )
     contact = Contact(place, rng.uniform(-0.85, 0.85, TRIED) * (table.ball.radius + bat.diameter_at(place) / 2))
-    true = strikes(table.model, ball=table.ball, swings=swings, pitches=pitches, contact=contact).velocity
-    tabled = table.launches(swings=swings, pitches=pitches, contact=contact).velocity
-    fast, read = np.linalg.norm(true, axis=-1), np.linalg.norm(tabled, axis=-1)
-    turned = np.linalg.norm(np.cross(true, tabled), axis=-1) / (fast * read)
-    return float(np.nanquantile(np.abs(read - fast), part)), float(np.nanquantile(turned, part))
+    true = strikes(table.model, ball=table.ball, swings=swings, pitches=pitches, contact=contact)
+    tabled = table.launches(swings=swings, pitches=pitches, contact=contact)
+    fast, read = np.linalg.norm(true.velocity, axis=-1), np.linalg.norm(tabled.velocity, axis=-1)
+    turned = np.linalg.norm(np.cross(true.velocity, tabled.velocity), axis=-1) / (fast * read)
+    spun = np.linalg.norm(tabled.spin - true.spin, axis=-1)
+    speed, direction, spin = (float(np.nanquantile(values, part)) for values in (np.abs(read - fast), turned, spun))
+    return speed, direction, spin

@@ -267,7 +267,7 @@ def meetings(bat: Bat, *, ball: Ball, swings: Swings, pitches: BallMotion | Ball
     speed, place, above = np.broadcast_arrays(
         *(np.asarray(values, float).ravel() for values in (swings.bat_speed, contact.position, contact.offset))
     )
-    _check_positions(bat, place)
+    check_positions(bat, place)
     velocity, spin = (
         np.broadcast_to(np.asarray(values, float), (len(speed), 3)) for values in (pitches.velocity, pitches.spin)
     )
@@ -283,7 +283,8 @@ def meetings(bat: Bat, *, ball: Ball, swings: Swings, pitches: BallMotion | Ball
     return Meetings(place, radius, closing, missed, frame, surface, BallMotions(velocity=velocity, spin=spin))
 
 
-def _check_positions(bat: Bat, place: Array) -> None:
+def check_positions(bat: Bat, place: Array) -> None:
+    """Refuse places in m from the knob end that are not on a bat."""
     if np.any((place < 0) | (place > bat.length)):
         worst = float(place[np.argmax(np.abs(place - bat.length / 2))])
         raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {bat.length:.4g} m")

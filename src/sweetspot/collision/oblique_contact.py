@@ -274,15 +274,37 @@ def bat_give(
     position, radius : m, of shape (...).
     velocity : modal velocities when the ball leaves, sqrt(kg) m/s, shape (..., n).
     """
-    places, size = np.asarray(position, float), np.asarray(radius, float)
+    size = np.asarray(radius, float)
+    normal, around, tilting = spring_mobilities(
+        modes, position=position, velocity=velocity, normal_impulse=normal_impulse
+    )
+    return SurfaceMobility(
+        normal=normal,
+        around=around + size**2 / body.roll_moi,
+        along=1 / body.mass + size**2 / body.moi_cm,
+        coupling=size * tilting,
+    )
+
+
+def spring_mobilities(
+    modes: Modes, *, position: ArrayLike, velocity: Array, normal_impulse: ArrayLike
+) -> tuple[Array, Array, Array]:
+    """Return what the modes give of a bat's mobility along the line of centres, around the bat and in tilting.
+
+    sum s_i p_i over all modes, over the beam's, and sum s_i' p_i over the beam's: 1/kg, 1/kg and 1/(kg m).
+
+    Parameters
+    ----------
+    position, velocity, normal_impulse : as in `bat_give`.
+    """
+    places = np.asarray(position, float)
     beam = [index for index, family in enumerate(modes.families) if family != "hoop"]
     per_impulse = velocity / np.asarray(normal_impulse)[..., None]
     shape, slope = modes.shape_at(places), modes.slope_at(places)
-    return SurfaceMobility(
-        normal=np.sum(shape * per_impulse, axis=-1),
-        around=np.sum((shape * per_impulse)[..., beam], axis=-1) + size**2 / body.roll_moi,
-        along=1 / body.mass + size**2 / body.moi_cm,
-        coupling=size * np.sum((slope * per_impulse)[..., beam], axis=-1),
+    return (
+        np.sum(shape * per_impulse, axis=-1),
+        np.sum((shape * per_impulse)[..., beam], axis=-1),
+        np.sum((slope * per_impulse)[..., beam], axis=-1),
     )
 
 

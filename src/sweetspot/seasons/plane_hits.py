@@ -13,9 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.collision.contact_table import ROOTS, STEP, ContactTable, tabled_bat
+from sweetspot.collision.contact_lookup import RISING, band_of, rubbed
+from sweetspot.collision.contact_table import ContactTable, tabled_bat
 from sweetspot.collision.hit_in_space import Contact
-from sweetspot.collision.oblique_contact import SPHERE, USUAL_FRICTION
+from sweetspot.collision.oblique_contact import USUAL_FRICTION
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -25,9 +26,9 @@ from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled, inner
 from sweetspot.numerics.vector_math import sine_and_cosine
-from sweetspot.units import MPH
+from sweetspot.units import INCH, MPH
 
-PLACES: Array = np.linspace(0.0, 72 * STEP, 73)
+PLACES: Array = np.linspace(0.0, 18 * INCH, 73)
 """m from the tip, to 18 in. Balls that jam a batter are met 14 in from the tip and more: there a hit is worth half of
 the best one."""
 RATIOS, SLANTS, SPEEDS = (
@@ -44,20 +45,24 @@ TURNS, CLOSE = 12, 5e-4
 """Most steps of the search for the line of centres, and rad by which the direction may miss before the last one."""
 USUAL_TURN = 4 / 3
 """rad that a ball turns for a rad of the line of centres, to begin with."""
-FIRST_ROOT, ROOT_STEP, COUNT = float(ROOTS[0]), float(ROOTS[1] - ROOTS[0]), len(ROOTS)
-LIMIT, RETURNED = USUAL_FRICTION.coefficient, 1 + USUAL_FRICTION.tangential_restitution
-SIXTH = 1 / 6
+RUBBING = (USUAL_FRICTION.coefficient, 1 + USUAL_FRICTION.tangential_restitution)
 
 
 class PlaneTable(NamedTuple):
     """A bat's table as the kernels read it, at `PLACES`.
 
-    ``values``: of the `ContactTable`, shape (places, closing speeds, 5); nan beyond the knob. ``reach``: m, radii of
-    ball and bat together. ``arm``: bat speed over that where it is measured. ``turning``: speed at which the turning
-    bat's front moves towards the hands, over bat speed where it is measured. ``ball_mass``: kg.
+    ``terms``: polynomials in the closing speed (`ContactTable.along_speeds`), shape (places, bands, 4, terms); nan
+    beyond the knob. ``roots``: ends of its bands, sqrt(m/s). ``give_around``, ``give_along``: what the rigid bat gives
+    to friction by its turning and moving, 1/kg. ``radius``: of the bat, m. ``reach``: m, radii of ball and bat
+    together. ``arm``: bat speed over that where it is measured. ``turning``: speed at which the turning bat's front
+    moves towards the hands, over bat speed where it is measured. ``ball_mass``: kg.
     """
 
-    values: Array
+    terms: Array
+    roots: tuple[float, float, float, float]
+    give_around: Array
+    give_along: Array
+    radius: Array
     reach: Array
     arm: Array
     turning: Array
@@ -83,13 +88,16 @@ class BatInPlane:
 def bat_in_plane(bat: Bat, *, ball: Ball) -> BatInPlane:
     """Return a bat's answers."""
     contact = tabled_bat(bat, ball=ball)
-    values = np.full((len(PLACES), *contact.values.shape[1:]), np.nan)
-    values[: len(contact.values)] = contact.values[: len(PLACES)]
-    if not np.isfinite(values[..., 0]).any():
+    terms, body = contact.along_speeds(PLACES), contact.model.body
+    if not np.isfinite(terms[..., 0, 0]).any():
         raise InputError(f"{bat.name} does not send the ball back on its barrel; check its wall")
     radius, arm = bat.diameter_at(np.maximum(bat.length - PLACES, 0.0)) / 2, bat.length - bat.choke
     table = PlaneTable(
-        values,
+        terms,
+        contact.lookup.roots,
+        radius**2 / body.roll_moi,
+        1 / body.mass + radius**2 / body.moi_cm,
+        radius,
         ball.radius + radius,
         (arm - PLACES) / (arm - SPEED_FROM_TIP),
         np.asarray(radius / (arm - PLACES)),
@@ -124,30 +132,22 @@ def hit_at(
     between the line of centres and the ball's way.
     """
     normal = closing_speed * cosine
-    at = min(max((math.sqrt(normal) - FIRST_ROOT) / ROOT_STEP, 0.0), COUNT - 1.0)
-    first = min(max(int(at) - 1, 0), COUNT - 4)
-    a = at - first
-    b, c, d = a - 1, a - 2, a - 3
-    w0, w1, w2, w3 = -b * c * d * SIXTH, 0.5 * a * c * d, -0.5 * a * b * d, a * b * c * SIXTH
-    v0, v1, v2, v3 = (
-        table.values[place, first],
-        table.values[place, first + 1],
-        table.values[place, first + 2],
-        table.values[place, first + 3],
+    band, root = band_of(table.roots, min(max(math.sqrt(normal), table.roots[0]), table.roots[3]))
+    efficiency = normal_give = around_give = tilting = 0.0
+    for column in range(RISING):
+        term = RISING - 1 - column
+        efficiency = efficiency * root + table.terms[place, band, 0, term]
+        normal_give = normal_give * root + table.terms[place, band, 1, term]
+        around_give = around_give * root + table.terms[place, band, 2, term]
+        tilting = tilting * root + table.terms[place, band, 3, term]
+    give = (
+        normal_give,
+        around_give + table.give_around[place],
+        table.give_along[place],
+        table.radius[place] * tilting,
     )
-    efficiency = w0 * v0[0] + w1 * v1[0] + w2 * v2[0] + w3 * v3[0]
-    give = w0 * v0[1] + w1 * v1[1] + w2 * v2[1] + w3 * v3[1]
-    give_around = w0 * v0[2] + w1 * v1[2] + w2 * v2[2] + w3 * v3[2]
-    coupling = w0 * v0[4] + w1 * v1[4] + w2 * v2[4] + w3 * v3[4]
     before = table.ball_mass * normal * (1 + efficiency)
-    sphere = (1 + 1 / SPHERE) / table.ball_mass
-    raised = coupling / (1 / table.ball_mass + give)
-    around = RETURNED * (tangent - closing_speed * sine) / (sphere + give_around)
-    along = (coupling * before - RETURNED * turning) / (sphere + v0[3] - coupling * raised)
-    push, size = before + raised * along, math.sqrt(around * around + along * along)
-    if size > LIMIT * push:
-        push = before / (1 - LIMIT * raised * along / size)
-        around *= LIMIT * push / size
+    push, around, _ = rubbed((tangent - closing_speed * sine, -turning), give, table.ball_mass, before, RUBBING)
     per_speed = 1 / (table.ball_mass * closing_speed)
     return (push * cosine - around * sine) * per_speed - 1, (push * sine + around * cosine) * per_speed
 
