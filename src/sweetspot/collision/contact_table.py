@@ -34,7 +34,7 @@ from sweetspot.numerics.threads import in_parts
 from sweetspot.units import DEGREE, INCH, RPM
 
 REACH = 18 * INCH
-"""m from the tip that is tabled; nobody hits a ball on purpose farther in."""
+"""m from the tip that is tabled; a bat's handle begins about there."""
 PIECES = 32
 """Equal pieces of that."""
 BANDS = (2.0, 6.67, 22.0, 100.0)

@@ -289,7 +289,7 @@ def bat_give(
 def spring_mobilities(
     modes: Modes, *, position: ArrayLike, velocity: Array, normal_impulse: ArrayLike
 ) -> tuple[Array, Array, Array]:
-    """Return what the modes give of a bat's mobility along the line of centres, around the bat and in tilting.
+    """Return the modes' part of a bat's mobility along the line of centres, around the bat and in tilting.
 
     sum s_i p_i over all modes, over the beam's, and sum s_i' p_i over the beam's: 1/kg, 1/kg and 1/(kg m).
 
