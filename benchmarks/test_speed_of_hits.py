@@ -13,9 +13,14 @@ import pytest
 from benchmarks import cases
 from benchmarks.cases import QUICK, ROUNDS, ball, best, duration, game_hits, measured, modes
 from benchmarks.rivals import limits, numpy_hits, rigid_engine
-from sweetspot import hits, rigid_body
+from sweetspot import catalog, hits, rigid_body
 from sweetspot.collision import kernel
+from sweetspot.collision.contact_table import ContactTable, tabled_bat
 from sweetspot.collision.coupled import hit
+from sweetspot.collision.hit_in_space import Contact, strikes
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing_path import Swings, path_axes
+from sweetspot.units import INCH
 
 Record = Callable[..., None]
 
@@ -72,6 +77,48 @@ def test_many_hits(benchmark: Any, record: Record) -> None:
     one = best(run(1), 2 if QUICK else 3)
     record(f"{cases.MANY:,} hits, 12 modes, 2 threads", f"{cases.MANY / both:,.0f} hits/s", goal="1,000,000 hits/s")
     record(f"{cases.MANY:,} hits, 12 modes, 1 thread", f"{cases.MANY / one:,.0f} hits/s")
+
+
+@pytest.mark.parametrize("name", ["r161-ash", "composite"])
+def test_hits_looked_up_in_a_table(benchmark: Any, record: Record, name: str) -> None:
+    bat, count = catalog.bat(name), 100_000 if QUICK else 1_000_000
+    modes_of = tabled_bat(bat, ball=ball()).model.modes
+
+    def made() -> ContactTable:
+        tabled_bat.cache_clear()
+        return tabled_bat(bat, ball=ball())
+
+    building, table = best(made, 3 if QUICK else 10), made()
+    rng = np.random.default_rng(3)
+    from_tip, closing = rng.uniform(INCH, 13 * INCH, count), rng.uniform(25, 85, count)
+    seconds = measured(benchmark, lambda: table.efficiency(from_tip, closing, threads=1), ROUNDS)
+    some = slice(None, count // 50)
+    kernel_seconds = best(
+        lambda: hits(
+            modes_of, ball=ball(), position=bat.length - from_tip[some], closing_speed=closing[some], threads=1
+        )
+    )
+    rate, of_kernel = count / seconds, count // 50 / kernel_seconds
+    record(
+        f"{name}, hits looked up in random order, 1 thread", f"{rate:,.0f} hits/s", goal="100,000,000 hits/s",
+        rival=f"our own kernel: {of_kernel:,.0f} hits/s", ratio=f"{rate / of_kernel:.0f}",
+    )  # fmt: skip
+    record("  making the table of the bat", duration(building))
+    swings = Swings(rng.uniform(18, 38, count), path_axes(0.1, 0.0, tilt=0.6, left=False), bat.choke)
+    pitches = BallMotions(velocity=(0.0, -38.0, -4.0), spin=(-200.0, 0.0, 0.0))
+    reach = ball().radius + bat.diameter_at(bat.length - from_tip) / 2
+    contact = Contact(bat.length - from_tip, rng.uniform(-0.7, 0.7, count) * reach)
+    slow = Contact(bat.length - from_tip[some], contact.offset[some])
+    launching = best(lambda: table.launches(swings=swings, pitches=pitches, contact=contact, threads=1), 3)
+    some_swings = Swings(swings.bat_speed[some], swings.axes, bat.choke)
+    striking = best(
+        lambda: strikes(table.model, ball=ball(), swings=some_swings, pitches=pitches, contact=slow, threads=1), 3
+    )
+    rate, of_kernel = count / launching, count // 50 / striking
+    record(
+        "  oblique hits, 1 thread", f"{rate:,.0f} hits/s", goal="10,000,000 hits/s",
+        rival=f"strikes by our own kernel: {of_kernel:,.0f} hits/s", ratio=f"{rate / of_kernel:.0f}",
+    )  # fmt: skip
 
 
 def test_many_hits_beside_numpy(benchmark: Any, record: Record) -> None:
