@@ -25,7 +25,7 @@ print(f"{thin.balance_point + beyond:.3f} m of 0.840 m; two thirds are {2 / 3 * 
 # Next, the claim about cork: a lighter barrel is swung faster. That is true, but it hits with less mass. Which
 # effect wins?
 
-sweetspot.compare_corked("r161-ash").plot()
+sweetspot.compare("r161-ash", what_if="cork").plot()
 
 # %%
 # The lower panel shows the difference: it is below zero along the barrel. Measurements of corked bats agree (Nathan

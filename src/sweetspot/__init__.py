@@ -14,7 +14,7 @@ wanted, its name in the catalogue or its file will do, and what is left out is a
 
 Questions, with the same answers as the commands of these names; ``uncertainty=True`` gives every number its interval:
 
-- where it hits best and why: `report`; one collision: `hit`; bats side by side: `compare`, `compare_corked`;
+- where it hits best and why: `report`; one collision: `hit`; bats side by side: `compare`;
   one bat with one or two things varied: `what_if`;
 - lead that makes a racket feel like another: `match`;
 - whether rules let it pass: `certify`; from the pitch to the fence: `play`; a ball in the air: `fly`, `fly_table`; the
@@ -50,7 +50,7 @@ _HOMES: Mapping[str, str] = {
     "": "catalog units",
     "analysis.bat_analysis": "Analysis analyse",
     "analysis.full_play": "plays",
-    "answers.ask_bat": "certify compare compare_corked hit match paper report what_if",
+    "answers.ask_bat": "certify compare hit match paper report what_if",
     "answers.ask_design": "design",
     "answers.ask_flight": "fly fly_table optimum play",
     "answers.ask_measured": "calibrate drop fit_player outline pendulum rank season tap",

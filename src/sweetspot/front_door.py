@@ -35,7 +35,6 @@ SETUPS = {
     *(
         "BlockSetup",
         "FallSetup",
-        "CorkSetup",
         "SearchSetup",
         "SentSetup",
         "Choices",

@@ -141,3 +141,20 @@ def test_a_thinner_handle_and_a_drilled_barrel_say_what_they_do_to_the_strength(
     assert 1.01 < thick / whole < 1.09
     assert cup == pytest.approx(whole, rel=0.02)
     assert np.isnan(float(sweetspot.compare("slow-pitch").bats[0].breaking_speed))
+
+
+@pytest.mark.parametrize(("name", "fill"), [("cork", "cork"), ("rubber", "rubber"), ("foam", "polyurethane-foam")])
+def test_a_hole_has_a_depth_and_a_width(name: str, fill: str) -> None:
+    """Exact: the bat that a workshop with these two numbers makes; its plug is an inch, or half of a shallow hole."""
+    bat = catalog.bat("r161-ash")
+    made = changed(bat, f"{name} 8in x 0.75in").implement
+    plain = bat.corked(diameter=0.75 * INCH, depth=8 * INCH, fill=catalog.material(fill), plug=1 * INCH)
+    assert made == plain.replaced(name=made.name)
+    shallow = changed(bat, f"{name} 1.5 in").implement
+    assert isinstance(shallow, Bat) and shallow.bores[0].plug == pytest.approx(0.75 * INCH)
+
+
+@pytest.mark.parametrize("text", ["cup 0.9in x 1in", "lead 6g x 1in @ 27in", "cork 8in x 4in", "cork 8in x 1"])
+def test_a_width_that_no_hole_has_is_refused(text: str) -> None:
+    with pytest.raises(InputError, match="hole|unit"):
+        changed(catalog.bat("r161-ash"), text)

@@ -89,7 +89,10 @@ def test_a_moment_of_inertia_that_was_not_measured_has_its_interval() -> None:
 def test_corking_is_answered_in_both_systems() -> None:
     state = CompareState(what_if="cork", hole_depth_in=10.0)
     found = intervals(state)
-    assert [row["label"] for row in answer(state)["bats"]] == ["unmodified", "drilled", "cork", "rubber", "foam"]
+    assert [row["label"] for row in answer(state)["bats"]] == [
+        "R161, white ash",
+        *(f"R161, white ash, {made}" for made in ("drilled", "cork", "rubber", "foam")),
+    ]
     assert any("Does corking help?" in text and " oz lighter" in text for text in found["verdict"]["us"])
     assert any("Does corking help?" in text and " g lighter" in text for text in found["verdict"]["si"])
     assert not any("mph faster" in text for text in found["verdict"]["si"])

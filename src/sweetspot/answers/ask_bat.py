@@ -11,7 +11,7 @@ from itertools import starmap
 from typing import TYPE_CHECKING
 
 from sweetspot import catalog
-from sweetspot.answers.setups import AS_USUAL, CorkSetup, HitSetup, Place, SwungWith, check_beyond_hands, round_bat
+from sweetspot.answers.setups import AS_USUAL, HitSetup, Place, SwungWith, check_beyond_hands, round_bat
 from sweetspot.catalog.implements import Loaded
 from sweetspot.errors import InputError
 from sweetspot.papers.choices import Choices
@@ -149,8 +149,8 @@ def compare(
     ----------
     implements : each a bat or another implement, its name in the catalogue, or its file; the first is the reference.
     what_if : changes of a single implement, each beside it: "lead 6 g @ 52 cm", "knob-weight 2 oz", "end-load 1 oz",
-        "shaved 0.2 mm", "rolled", "broken-in", "moisture 14 %", "cork", "drilled 10 in", "cup 0.9 in", "cut 0.5 in",
-        "handle -0.03 in", "taper 1 in"; several on one after commas.
+        "shaved 0.2 mm", "rolled", "broken-in", "moisture 14 %", "drilled 10 in", "cork 10 in x 1 in", "rubber", "foam",
+        "cup 0.9 in", "cut 0.5 in", "handle -0.03 in", "taper 1 in"; several on one after commas.
     swing_law : name of the law by which speed depends on the bat; None: the sport's.
     uncertainty : whether the intervals come from draws, with what they come from.
 
@@ -177,21 +177,6 @@ def compare(
     made = [changed(first.implement, text) for text in texts]
     every = [first, *(Loaded(each.implement, first.table) for each in made)]
     return _compared(every, law, setup, drawn=uncertainty, ends=[None, *(each.ends for each in made)])
-
-
-def compare_corked(
-    bat: Loaded,
-    *,
-    corking: CorkSetup = CorkSetup(),
-    swing_law: str | None = None,
-    setup: HitSetup = AS_USUAL,
-    uncertainty: bool = False,
-) -> CompareAnswer:
-    """Put a bat beside itself drilled, corked, and filled with rubber or foam; see `compare`."""
-    from sweetspot.catalog.bats import LABELS
-
-    variants = [Loaded(variant) for variant in corking.variants(round_bat(bat))]
-    return _compared(variants, _law(bat, swing_law, setup), setup, drawn=uncertainty, labels=LABELS)
 
 
 def what_if(
@@ -257,7 +242,6 @@ def _compared(
     setup: HitSetup,
     *,
     drawn: bool,
-    labels: Sequence[str] | None = None,
     ends: Sequence[tuple[Implement, Implement] | None] = (),
 ) -> CompareAnswer:
     from sweetspot.answers.compare import CompareQuestion, compare_answer
@@ -268,7 +252,6 @@ def _compared(
         [loaded.implement for loaded in implements],
         conditions,
         law,
-        labels=labels,
         sources=[each.sources(loaded, conditions) for each, loaded in zip(asked, implements, strict=True)],
         drawn=drawn,
         rules=True,

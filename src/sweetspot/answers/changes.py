@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -27,8 +27,9 @@ from sweetspot.errors import InputError
 from sweetspot.plausibility.reading import parse, parse_position
 from sweetspot.units import INCH, Kind, format_length
 
-HOLE, PLUG = 1 * INCH, 1 * INCH
-"""m; width of a hole, and of the wood that closes a filled one, as in the published tests [nathan_corknote]."""
+HOLE, PLUG, WIDEST_HOLE = 1 * INCH, 1 * INCH, 3 * INCH
+"""m; usual width of a hole and length of the wood that closes a filled one, as in the published tests
+[nathan_corknote]; and the widest that is read."""
 NEAR_THE_END = 0.5 * INCH
 """m from the end of a bat, where a weight for knob or barrel end sits [our choice]."""
 ROLLED = (0.48, 0.74)
@@ -36,10 +37,16 @@ ROLLED = (0.48, 0.74)
 catalogue's gains 3 mph by the first and 5 mph by the second. That the resin between the fibres is what breaks, and no
 fibre, is assumed."""
 SEPARATOR = re.compile(r"(?<!\d),\s*")
-WORDS = re.compile(r"\s*(?P<name>[a-z][a-z-]*)?\s*(?P<amount>[^@]*?)\s*(?:@\s*(?P<place>.+?)\s*)?$", re.IGNORECASE)
+WORDS = re.compile(
+    r"\s*(?P<name>[a-z][a-z-]*)?\s*(?P<amount>[^@x×]*?)\s*(?:[x×]\s*(?P<width>[^@]+?)\s*)?"
+    r"(?:@\s*(?P<place>.+?)\s*)?$",
+    re.IGNORECASE,
+)
+FILLS: Mapping[str, str] = {"cork": "cork", "rubber": "rubber", "foam": "polyurethane-foam"}
+"""Fillings of a drilled bat: how the change is called, and the material of the catalogue."""
 
 Maker = Callable[[Implement, float, float], Implement]
-"""Returns an implement changed by an amount at a place, both in SI."""
+"""Returns an implement changed by an amount at a place, or by a hole of a depth and a width, all in SI."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +60,7 @@ class _Change:
     usual : amount where none is written; None: it must be.
     allowed : least and most, SI.
     placed : whether it takes a place, ``@52cm``.
+    wide : whether it is a hole, which may have a width behind its depth, ``x 0.75 in``.
     open_range : of the amount where none is written, because nobody can know it.
     example : as it is written.
     """
@@ -63,6 +71,7 @@ class _Change:
     example: str
     usual: float | None = None
     placed: bool = False
+    wide: bool = False
     open_range: tuple[float, float] | None = None
 
 
@@ -91,7 +100,9 @@ def changed(implement: Implement, text: str) -> Changed:
             known = ", ".join(f'"{change.example}"' for change in CHANGES.values())
             raise InputError(f"{text[:60]!r} names no change that is known; write for example {known}")
         change = CHANGES[name]
-        place = _place(implement, change, words["place"], part)
+        place = _width(words["width"], part) if change.wide else _place(implement, change, words["place"], part)
+        if words["width"] is not None and not change.wide:
+            raise InputError(f"{part.strip()!r} has a width, and is no hole; write for example {change.example!r}")
         amount = _amount(change, words["amount"], part)
         low, middle, high = (
             _made(each, name, size, place) for each, size in zip((low, middle, high), amount, strict=True)
@@ -130,6 +141,13 @@ def _place(implement: Implement, change: _Change, written: str | None, part: str
         say = "says no place" if change.placed else "takes no place"
         raise InputError(f"{part.strip()!r} {say}; write for example {change.example!r}")
     return math.nan if written is None else parse_position(written, length=implement.length, what="place")
+
+
+def _width(written: str | None, part: str) -> float:
+    width = HOLE if written is None else parse(written, "length", "bore_diameter")
+    if not 0 < width <= WIDEST_HOLE:
+        raise InputError(f"{part.strip()!r}: a hole of that width fits no bat; write for example 'cork 10 in x 1 in'")
+    return width
 
 
 def weight_texts(weights: Sequence[str]) -> list[str]:
@@ -255,13 +273,18 @@ def _moist(implement: Implement, moisture: float, _: float) -> Implement:
     return bat.changed(f"{bat.name}, moist", material=wood.replaced(**changes))
 
 
-def _drilled(implement: Implement, depth: float, _: float) -> Implement:
-    return _wooden(implement).drilled(diameter=HOLE, depth=depth)
+def _drilled(implement: Implement, depth: float, width: float) -> Implement:
+    return _wooden(implement).drilled(diameter=width, depth=depth)
 
 
-def _corked(implement: Implement, depth: float, _: float) -> Implement:
-    bat = _wooden(implement)
-    return bat.corked(diameter=HOLE, depth=depth, fill=material("cork"), plug=min(PLUG, depth / 2))
+def _filled(fill: str) -> Maker:
+    """Return the change that drills a bat, fills the hole and closes it with wood."""
+
+    def made(implement: Implement, depth: float, width: float) -> Implement:
+        bat = _wooden(implement)
+        return bat.corked(diameter=width, depth=depth, fill=material(fill), plug=min(PLUG, depth / 2))
+
+    return made
 
 
 def _cupped(implement: Implement, depth: float, _: float) -> Implement:
@@ -307,7 +330,7 @@ def _outline(bat: Bat) -> Stations:
 
 KNOB = 0.06
 """Of the length, up to where the knob reaches: 2 in of 33 [our choice]."""
-WEIGHT, HOLE_DEPTH = (1e-4, 0.25), (1e-3, 0.4)
+WEIGHT, HOLE_DEPTH = (1e-4, 0.25), (1e-3, 0.51)
 CHANGES: dict[str, _Change] = {
     "lead": _Change(_lead, "mass", WEIGHT, "lead 6 g @ 52 cm", placed=True),
     "knob-weight": _Change(_knob_weight, "mass", WEIGHT, "knob-weight 2 oz"),
@@ -317,8 +340,11 @@ CHANGES: dict[str, _Change] = {
     "rolled": _Change(_rolled, "ratio", (0.0, 0.9), "rolled", open_range=ROLLED),
     "broken-in": _Change(_broken_in, "ratio", (0.0, 0.9), "broken-in", open_range=ROLLED),
     "moisture": _Change(_moist, "ratio", MOISTURES, "moisture 14 %"),
-    "drilled": _Change(_drilled, "length", HOLE_DEPTH, "drilled 10 in", usual=10 * INCH),
-    "cork": _Change(_corked, "length", HOLE_DEPTH, "cork 10 in", usual=10 * INCH),
+    "drilled": _Change(_drilled, "length", HOLE_DEPTH, "drilled 10 in", usual=10 * INCH, wide=True),
+    **{
+        name: _Change(_filled(fill), "length", HOLE_DEPTH, f"{name} 10 in x 1 in", usual=10 * INCH, wide=True)
+        for name, fill in FILLS.items()
+    },
     "cup": _Change(_cupped, "length", (1e-3, 0.06), "cup 0.9 in"),
     "handle": _Change(_handle, "length", (-5e-3, 1e-2), "handle -0.03 in"),
     "taper": _Change(_taper, "length", (-0.05, 0.05), "taper 1 in"),

@@ -16,7 +16,6 @@ from sweetspot.analysis.comparison import Changed
 from sweetspot.answers.records import INTERNAL, Speed
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
-from sweetspot.catalog.bats import corkings
 from sweetspot.catalog.implements import Loaded
 from sweetspot.catalog.records import canonical
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -249,19 +248,6 @@ class FallSetup:
     speed: Written | None = None
     ball: str = "baseball"
     in_air: bool = False
-
-
-@dataclass(frozen=True, kw_only=True)
-class CorkSetup:
-    """A hole in a bat: ``bore_diameter``, ``bore_depth``, and the ``plug`` of wood that closes a filled one, m."""
-
-    bore_diameter: float = 1 * INCH
-    bore_depth: float = 10 * INCH
-    plug: float = 1 * INCH
-
-    def variants(self, bat: Bat) -> tuple[Bat, ...]:
-        """Return a bat as it is, drilled, and with each filling of the catalogue."""
-        return corkings(bat, diameter=self.bore_diameter, depth=self.bore_depth, plug=self.plug)
 
 
 AS_USUAL = HitSetup()

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Container
 from functools import cache
 from pathlib import Path
 
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.read import bat_from_table, read_bat
-from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import FOLDER, Entry, canonical, entry, is_file
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.shell import Stations
@@ -126,20 +125,3 @@ def wall_doubt(bat: Bat) -> float:
 def _names_by_wall() -> dict[Stations, str]:
     drawn = {name: (each.drawn_shell or each.shell) for name in bat_names() for each in (bat(name),)}
     return {shell.wall: name for name, shell in drawn.items() if shell is not None}
-
-
-FILLS: Mapping[str, str] = {"cork": "cork", "rubber": "rubber", "foam": "polyurethane-foam"}
-"""Fill of a corked bat: label and material of the catalogue."""
-LABELS = ("unmodified", "drilled", *FILLS)
-
-
-def corkings(bat: Bat, *, diameter: float, depth: float, plug: float) -> tuple[Bat, ...]:
-    """Return a bat unmodified, drilled, and with every filling, in the order of `LABELS`.
-
-    Parameters
-    ----------
-    diameter, depth : m, of the hole from the tip.
-    plug : m of wood that closes a filled hole.
-    """
-    filled = (bat.corked(diameter=diameter, depth=depth, fill=material(name), plug=plug) for name in FILLS.values())
-    return (bat, bat.drilled(diameter=diameter, depth=depth), *filled)

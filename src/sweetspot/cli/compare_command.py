@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.reading import given, read, refuse_unused
+from sweetspot.cli.options.reading import given, refuse_unused
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.cli.options.what_if_table import TableOptions
 from sweetspot.errors import InputError
@@ -38,15 +38,13 @@ class ChangeOptions:
         Parameter(
             help='A change of one bat, any number of times: "shaved 0.2mm", rolled, broken-in, "moisture 14%", '
             '"knob-weight 2oz", "end-load 1oz", "lead 6g@52cm", "cut 0.5in", "drilled 10in", "cup 0.9in", '
-            '"handle -0.03in", "taper 1in"; several at once after commas. cork: drilled, and filled in three ways.'
+            '"handle -0.03in", "taper 1in", or a hole filled: cork, rubber, foam, "cork 8in x 0.75in"; several at once '
+            "after commas."
         ),
     ] = ()
     add: Annotated[
         tuple[str, ...], Parameter(help="Weights on one bat or racket, with their places: 6g@52cm,6g@12cm.")
     ] = ()
-    bore_diameter: Annotated[str, Parameter(help="Width of the hole of --what-if cork.")] = "1in"
-    bore_depth: Annotated[str, Parameter(help="Depth of the hole of --what-if cork.")] = "10in"
-    plug: Annotated[str, Parameter(help="Length of wood that closes a filled hole.")] = "1in"
 
 
 DEFAULT_EFFORT, DEFAULT_CHANGES, DEFAULT_TABLE = EffortOptions(), ChangeOptions(), TableOptions()
@@ -65,9 +63,8 @@ def compare(
 ) -> int:
     """Put bats side by side for one player's swing: what each gains or loses, and how surely."""
     from sweetspot.answers.ask_bat import compare as asked
-    from sweetspot.answers.ask_bat import compare_corked, what_if_question
+    from sweetspot.answers.ask_bat import what_if_question
     from sweetspot.answers.changes import weight_texts
-    from sweetspot.answers.setups import CorkSetup
     from sweetspot.answers.what_if import what_if_answer
     from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import patience, present, progress
@@ -76,9 +73,6 @@ def compare(
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
     texts = [*changes.what_if, *weight_texts(changes.add)]
-    corked = texts == ["cork"]
-    if not corked:
-        refuse_unused(given(changes, "bore_diameter", "bore_depth", "plug"), "a corked bat", "add --what-if cork")
     loaded = [loaded_implement(name) for name in bats]
     first, law = loaded[0].implement, effort.swing_law
     if table.rows is not None or table.columns is not None:
@@ -97,13 +91,8 @@ def compare(
         raise InputError(f"--what-if or --add was given with {len(bats)} bats; it takes one")
     setup = swing.setup(first)
     with patience():
-        if corked:
-            hole = read(CorkSetup, changes)
-            _bat(first)
-            answer = compare_corked(loaded[0], corking=hole, swing_law=law, setup=setup, uncertainty=uncertainty)
-        else:
-            answer = asked(*loaded, what_if=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
-    return present(compare_document(answer, corking=corked), output)
+        answer = asked(*loaded, what_if=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
+    return present(compare_document(answer), output)
 
 
 def _bat(described: Implement) -> Bat:
@@ -111,5 +100,5 @@ def _bat(described: Implement) -> Bat:
     from sweetspot.equipment.bat import Bat
 
     if not isinstance(described, Bat):
-        raise InputError(f"{described.name} is not a bat; only bats can be drilled, corked or varied in a table")
+        raise InputError(f"{described.name} is not a bat; only bats can be varied in a table")
     return described

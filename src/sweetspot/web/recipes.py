@@ -67,30 +67,26 @@ class Ask:
     ----------
     name, things : of the command, and the bats that it is asked about.
     options : by the parameter's name; None and False are left out.
-    function : of Python, where it is called otherwise.
-    chosen : options by which the command chooses that function.
     note : what stands above the line.
     """
 
     name: str
     things: tuple[str, ...] = ()
     options: Options = field(default_factory=dict)
-    function: str = ""
-    chosen: Options = field(default_factory=dict)
     note: str = ""
 
     @property
     def command(self) -> str:
         """The line for the command line."""
         things = "".join(f" {quote(thing)}" for thing in self.things)
-        return self._noted(f"sweetspot {self.name}{things}{as_text({**self.chosen, **self.options})}")
+        return self._noted(f"sweetspot {self.name}{things}{as_text(self.options)}")
 
     @property
     def python(self) -> str:
         """The line for Python."""
         options = (f"{name}={value!r}" for name, value in self.options.items() if value not in (None, False))
         words = ", ".join([*map(repr, self.things), *options])
-        return self._noted(f"{self.name} = sweetspot.{self.function or self.name}({words})")
+        return self._noted(f"{self.name} = sweetspot.{self.name}({words})")
 
     def _noted(self, line: str) -> str:
         return f"# {self.note}:\n{line}" if self.note else line

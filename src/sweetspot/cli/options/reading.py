@@ -94,9 +94,9 @@ def refuse_unused(names: Sequence[str], what: str, instead: str) -> None:
 
     Examples
     --------
-    >>> refuse_unused(["--plug"], "a corked bat", "add --what-if cork")
+    >>> refuse_unused(["--cell"], "a what-if table", "add --rows")
     Traceback (most recent call last):
-    sweetspot.errors.InputError: --plug belongs to a corked bat; add --what-if cork, or leave it out
+    sweetspot.errors.InputError: --cell belongs to a what-if table; add --rows, or leave it out
     """
     if names:
         belong, them = ("belongs", "it") if len(names) == 1 else ("belong", "them")

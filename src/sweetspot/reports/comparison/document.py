@@ -60,17 +60,12 @@ OF_MASS = ("mass", "balance_point", "moi_6in", "moi_knob")
 WITH_RULES, WITHOUT = ", as in the table of the rules", "; `sweetspot certify` computes that one"
 
 
-def compare_document(answer: CompareAnswer, *, corking: bool = False) -> Document:
-    """Return a comparison as a document.
-
-    Parameters
-    ----------
-    corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
-    """
+def compare_document(answer: CompareAnswer) -> Document:
+    """Return a comparison as a document."""
     reference, bats, uncertainty = answer.comparison.reference.analysis, answer.bats, answer.uncertainty
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(bats)
-    gains, corked = verdict(answer), cork_verdict(answer) if corking else []
+    gains, corked = verdict(answer), cork_verdict(answer)
     chances = [] if uncertainty is None else [gain_words(gain, answer.reference) for gain in uncertainty.gains]
     main = "exit speed" if number == 1 else f"change of {bats[-1].label}"
     picture = Picture(

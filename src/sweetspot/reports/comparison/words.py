@@ -7,8 +7,10 @@ import math
 from sweetspot.analysis.comparison import Comparison
 from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.answers.compare import JAMMED, BatGain, CompareAnswer, ComparedBat
+from sweetspot.catalog.materials import material
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import ENDS, NO_SPEED, interval_of, sure_sign
 from sweetspot.reports.sentences import Line, Sentence, joined, say, tell
 from sweetspot.reports.uncertainty import chance_words
@@ -20,6 +22,7 @@ PUBLISHED_EFFICIENCY = (0.214, 0.193)
 """q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
 """m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
+CORK = "cork"
 
 CHANGE = (
     Line("{label}: "),
@@ -175,14 +178,24 @@ def gain_words(gain: BatGain, reference: str) -> Sentence:
 
 
 def cork_verdict(answer: CompareAnswer) -> list[Sentence]:
-    """Return the answer to "does corking help?" for a comparison labelled unmodified, drilled, cork, ...
+    """Return the answer to "does corking help?" where one of the bats is the first one, corked; else nothing.
 
     The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
     """
-    first, corked = answer.bats[0], next(bat for bat in answer.bats if bat.label == "cork")
+    first, piece = answer.bats[0], answer.bats[0].compared.analysis.bat
+    corked = next((bat for bat in answer.bats[1:] if _is_corked(bat.compared.analysis.bat, piece)), None)
+    if corked is None:
+        return []
     hits = [bat.compared.analysis.best for bat in (first, corked)]
     argument = say(ARGUMENT, whole=hits[0], corked=hits[1])
     return [_whether_it_helps(first, corked, answer), _beside_published(first, corked), argument]
+
+
+def _is_corked(bat: Implement, piece: Implement) -> bool:
+    """Return whether a bat is this piece of wood with cork in it."""
+    if not isinstance(bat, Bat) or bat == piece or piece not in bat.lineage():
+        return False
+    return any(bore.fill == material(CORK) for bore in bat.bores)
 
 
 def _whether_it_helps(first: ComparedBat, corked: ComparedBat, answer: CompareAnswer) -> Sentence:

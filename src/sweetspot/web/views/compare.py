@@ -17,6 +17,7 @@ from sweetspot.analysis.certification.simulated_test import Certification, certi
 from sweetspot.analysis.comparison import Comparison, compare, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.answers.certify import CertifyQuestion, RuleCheck, certificate_of
+from sweetspot.answers.changes import changed
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, ComparedCurves, SpeedWithEnds, compare_of
 from sweetspot.answers.conditions import MassProperties
 from sweetspot.answers.records import GAPS, Frequency, Length, MomentOfInertia, Ratio
@@ -51,12 +52,12 @@ from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, in
 from sweetspot.web.drawings import BallPicture, BatPicture, BatShape, ball_picture, bat_picture, moi_half, outline
 from sweetspot.web.errors import about
 from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
-from sweetspot.web.recipes import Ask, bat_source, bat_text, is_catalogued, lines_of, number, options_of, swing_options
+from sweetspot.web.recipes import Ask, bat_source, bat_text, is_catalogued, lines_of, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.compare_state import (
     CompareState,
     bats_of,
-    change_of,
+    changes_of,
     controls_of,
     leagues_of,
     others_of,
@@ -230,7 +231,7 @@ def intervals(state: CompareState) -> SureComparison:
     state = swung(state)
     _, comparison = _compared(state, ball_of(state))
     sure = compare_of(comparison, _sources(state, comparison), ends=_ends(state, comparison))
-    words = (verdict(sure) or [ALONE]) + (cork_verdict(sure) if state.what_if == "cork" else [])
+    words = (verdict(sure) or [ALONE]) + cork_verdict(sure)
     return SureComparison(
         tuple(map(_sure_bat, sure.bats)),
         in_both_systems(words + _of_wall(state, comparison)),
@@ -255,12 +256,12 @@ def _sources(state: CompareState, comparison: Comparison[Bat]) -> list[Sources]:
 
 def _ends(state: CompareState, comparison: Comparison[Bat]) -> Ends:
     """Return the changed bat at both ends of what cannot be known of its change, where that was asked."""
-    first = comparison.reference.analysis
-    both = change_of(state, first.bat).ends if state.what_if == "change" else None
-    if both is None:
-        return {}
-    found = compare([first.bat, *both], conditions=first.conditions, law=comparison.law)
-    return {1: (found.compared[1], found.compared[2])}
+    first, ends = comparison.reference.analysis, {}
+    for place, text in enumerate(changes_of(state), start=1):
+        if both := changed(first.bat, text).ends:
+            found = compare([first.bat, *both], conditions=first.conditions, law=comparison.law)
+            ends[place] = (found.compared[1], found.compared[2])
+    return ends
 
 
 def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], Comparison[Bat]]:
@@ -281,7 +282,7 @@ def sure(state: CompareState) -> ReadDocument:
     answer = compare_of(
         comparison, _sources(state, comparison), drawn=True, draws=PAGE_DRAWS, ends=_ends(state, comparison)
     )
-    return page_document(compare_document(answer, corking=state.what_if == "cork"))
+    return page_document(compare_document(answer))
 
 
 def rules_sure(state: CompareState) -> ReadDocument:
@@ -366,12 +367,8 @@ def recipe(state: CompareState) -> dict[str, str]:
             files[names[-1]] = bat_text(bat)
     options = swing_options(state, beside=True) | {"same_speed": state.same == "speed", "swing_law": state.swing_law}
     ask = Ask("compare", tuple(names), options)
-    if state.what_if == "change":
-        ask = replace(ask, options=options | {"what_if": state.change})
-    if state.what_if == "cork":
-        hole = options_of(state, bore_diameter="hole_diameter_in", bore_depth="hole_depth_in")
-        hole["plug"] = number(min(1.0, state.hole_depth_in / 2), "in")
-        ask = replace(ask, options=options | hole, function="compare_corked", chosen={"what_if": "cork"})
+    if made := changes_of(state):
+        ask = replace(ask, options=options | {"what_if": made})
     tests = [Ask("certify", (name,), {"league": swung(state).league}).command for name in names]
     return {
         "command": "\n".join([ask.command, *tests]),

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Annotated, Literal
 
 from pydantic import Field
 
 from sweetspot.analysis.certification.rules import League
-from sweetspot.answers.changes import Changed, changed
-from sweetspot.catalog.bats import FILLS, LABELS
+from sweetspot.answers.changes import FILLS, changed
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
@@ -16,9 +16,9 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.web.bats import reduced
 from sweetspot.web.controls import BatState, HoleDepth, HoleDiameter, Name, SwungState, WallFactor, part_of
 from sweetspot.web.errors import FieldError, about
+from sweetspot.web.recipes import number
 
-ALL = "all"
-NOTHING = "nothing"
+ALL, USUAL_HOLE = "all", " 10in x 1in"
 
 
 class CompareState(SwungState):
@@ -48,27 +48,33 @@ class CompareState(SwungState):
 def bats_of(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]:
     """Return the bats with their labels; those of a what-if are made of the first."""
     first = reduced(state, ball)
-    if state.what_if == "cork":
-        made = [_made(_holed(state, fill), ball, "hole_diameter_in") for fill in (NOTHING, *FILLS.values())]
-        return [first, *made], list(LABELS)
     if state.what_if == "wall":
         if first.bat.shell is None:
             raise FieldError("what_if", f"{first.bat.name} is solid and has no wall; choose a hollow bat as bat 1")
         thickness = state.wall_factor * state.wall_times
         other = _made(part_of(state, BatState, wall_factor=thickness), ball, "wall_times")
         return [first, other], ["wall as it is", f"wall × {state.wall_times:.3g}"]
-    if state.what_if == "change":
-        after = change_of(state, first.bat).implement
-        assert isinstance(after, Bat)  # as the first
-        return [first, reduced_bat(after, ball=ball)], [first.bat.name, after.name]
+    if texts := changes_of(state):
+        with about("hole_diameter_in" if state.what_if == "cork" else "change"):
+            made = [_after(first.bat, text, ball) for text in texts]
+        return [first, *made], [each.bat.name for each in (first, *made)]
     bats = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
     return bats, _distinct([reduction.bat.name for reduction in bats])
 
 
-def change_of(state: CompareState, first: Bat) -> Changed:
-    """Return the first bat changed as it was asked, and what stays open of that."""
-    with about("change"):
-        return changed(first, state.change)
+def changes_of(state: CompareState) -> list[str]:
+    """Return the changes of the first bat, as the option --what-if has it, a bat for each; empty: nothing."""
+    if state.what_if == "cork":
+        hole = f" {number(state.hole_depth_in, 'in')} x {number(state.hole_diameter_in, 'in')}"
+        return [f"{name}{'' if hole == USUAL_HOLE else hole}" for name in ("drilled", *FILLS)]
+    return [state.change] if state.what_if == "change" else []
+
+
+@lru_cache(maxsize=32)
+def _after(first: Bat, text: str, ball: Ball) -> ReducedBat[Bat]:
+    after = changed(first, text).implement
+    assert isinstance(after, Bat)  # as the first
+    return reduced_bat(after, ball=ball)
 
 
 def controls_of(state: CompareState, count: int) -> list[BatState]:
@@ -97,11 +103,6 @@ def _made(bat: BatState, ball: Ball, control: str) -> ReducedBat:
         return reduced(bat, ball)
     except FieldError as error:
         raise FieldError(control, str(error)) from None
-
-
-def _holed(state: CompareState, fill: str) -> BatState:
-    hole = {"bore_diameter_in": state.hole_diameter_in, "bore_depth_in": state.hole_depth_in, "bore_fill": fill}
-    return part_of(state, BatState, **hole)
 
 
 def _distinct(names: list[str]) -> list[str]:

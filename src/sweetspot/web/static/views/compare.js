@@ -46,7 +46,7 @@ export default class CompareView {
       slider(app, "hole_depth_in", { label: "Hole, depth from the tip", step: 0.25 }));
     const wall = slider(app, "wall_times", { label: "Wall, times bat 1's own", step: 0.01 });
     const change = words(app, "change", { label: "Change",
-      note: "lead 6g@27in, knob-weight 2oz, end-load 1oz, shaved 0.2mm, rolled, broken-in, moisture 14%, cork, drilled 10in, cup 0.9in, cut 0.5in, handle -0.03in or taper 1in; several after commas." });
+      note: "lead 6g@27in, knob-weight 2oz, end-load 1oz, shaved 0.2mm, rolled, broken-in, moisture 14%, drilled 10in, cork, rubber, foam, cup 0.9in, cut 0.5in, handle -0.03in or taper 1in; several after commas." });
     app.control({ field: "parts of what_if", sync: ({ what_if: asked }) => {
       hole.hidden = asked !== "cork";
       wall.hidden = asked !== "wall";
