@@ -156,5 +156,5 @@ def test_a_hole_has_a_depth_and_a_width(name: str, fill: str) -> None:
 
 @pytest.mark.parametrize("text", ["cup 0.9in x 1in", "lead 6g x 1in @ 27in", "cork 8in x 4in", "cork 8in x 1"])
 def test_a_width_that_no_hole_has_is_refused(text: str) -> None:
-    with pytest.raises(InputError, match="hole|unit"):
+    with pytest.raises(InputError, match=r"hole|unit"):
         changed(catalog.bat("r161-ash"), text)
