@@ -23,6 +23,7 @@ CASES: dict[str, tuple[str, ...]] = {
     "badminton": ("badminton_swingweight", "cohen2015", "bwf_laws"),
     "golf": ("shoptalk_smash", "golf_smash_tour", "usga_impact", "tutelman_impact", "trackman_tour", "nathan_golf"),
     "field-hockey": ("hockey2012", "fih_rules"),
+    "pickleball": (),
 }
 """Published cases of each sport, by source."""
 

@@ -21,6 +21,7 @@ SMALL: dict[str, str] = {
     "measured_bats": "--count 2",
     "measured_spin": "--count 3000",
     "other_sounds": "--count 1 --only scrape",
+    "paddle_ball": "--only CRBN1",
     "park_ranking": "--flies 20",
     "photographs": "--count 1 --only transparent --pixel 2",
     "player_coverage": "--players 1 --swings 20",

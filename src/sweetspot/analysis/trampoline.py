@@ -85,7 +85,7 @@ def wall_energy(impact: Impact, modes: Modes) -> WallEnergy:
     motion = replayed(impact, hoop)
     energy = bat_energy(hoop, motion.displacement, motion.velocity)[3]
     held = float(energy[-1])
-    give = float(modes.compliance_at(impact.position, closing_speed=impact.closing_speed))
+    give = float(modes.compliance_at(impact.position, impact.lateral, closing_speed=impact.closing_speed))
     stored = float((energy[:-1] + give * impact.force**2 / 2).max())
     restitution = math.sqrt(max(0.0, 1 - held / stored)) if stored > 0 else math.nan
     return WallEnergy(stored, held, stored / impact.energy.incoming, restitution)

@@ -51,7 +51,7 @@ def hit_conditions(conditions: Conditions) -> HitConditions:
         ball_mass=ball.mass,
         ball_restitution=ball.restitution.reference,
         ball_restitution_speed=ball.restitution.reference_speed,
-        ball_restitution_slope=ball.restitution.slope,
+        ball_restitution_slope=ball.restitution.slope_at(ball.restitution.reference_speed),
     )
 
 
@@ -63,7 +63,7 @@ def conditions_columns(draws: Draws) -> Columns:
         "bat_speed": draws.bat_speed,
         "ball_mass": draws.ball_mass,
         "ball_restitution": np.array([law.reference for law in laws]),
-        "ball_restitution_slope": np.array([law.slope for law in laws]),
+        "ball_restitution_slope": np.array([law.slope_at(law.reference_speed) for law in laws]),
     }
 
 

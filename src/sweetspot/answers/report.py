@@ -15,9 +15,11 @@ from sweetspot.answers.answer import Answer, Uncertainty, with_draws
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_properties
 from sweetspot.answers.handling import Handling, HitBeside, handling_of, hits_beside
 from sweetspot.answers.hit import Hit, hit_of
+from sweetspot.answers.paddle_numbers import PaddleFace, paddle_face
 from sweetspot.answers.records import (
     GAPS,
     GRID,
+    INLINE,
     INTERNAL,
     Frequency,
     Length,
@@ -169,6 +171,7 @@ class ReportAnswer(Answer):
     grip_effect : relative change of the best exit speed by typical hands.
     sport, swing_weight, face_map : of what has a face.
     handling : how a racket handles; None for other implements.
+    paddle : numbers of a paddle; None for other implements.
     off_center : hits beside the middle, of what has a flat face; the ball leaves at an angle.
     misses : what they cost; none on a face too short for one.
     at_the_tip : None where the tip is the best place, or moves no faster.
@@ -191,6 +194,7 @@ class ReportAnswer(Answer):
     sport: str | None = None
     swing_weight: SwingWeightText | None = None
     handling: Handling | None = None
+    paddle: Annotated[PaddleFace | None, INLINE] = None
     off_center: tuple[HitBeside, ...] = ()
     face_map: HitsOnFace | None = None
     uncertainty: Uncertainty | None = None
@@ -274,6 +278,7 @@ def _described(analysis: Analysis[Implement]) -> ReportAnswer:
         sport=bat.sport if face else None,
         swing_weight=SwingWeightText(convention.name, convention.text_of(body)) if face else None,
         handling=handling_of(bat, body),
+        paddle=paddle_face(bat, body),
         off_center=hits_beside(bat, body, analysis.modes, analysis.conditions),
         face_map=hits_on_face(face_map(analysis.reduced, analysis.conditions)) if face else None,
         analysis=analysis,

@@ -115,8 +115,9 @@ def _law(record: Entry, *, mass: float, exponent: float) -> tuple[RestitutionLaw
         reference=record.quantity("cor_reference", "ratio")
         + (record.quantity_or_none("cor_reference_change", "ratio") or 0.0),
         reference_speed=record.quantity("cor_reference_speed", "speed"),
-        slope=record.quantity("cor_slope", "slope per speed")
+        slope=(record.quantity_or_none("cor_slope", "slope per speed") or 0.0)
         + (record.quantity_or_none("cor_slope_change", "slope per speed") or 0.0),
+        log_slope=record.quantity_or_none("cor_log_slope", "ratio") or 0.0,
     )
     damping, harder = 0.0, 1.0
     if "compression_tested" in record:

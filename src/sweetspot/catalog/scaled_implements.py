@@ -19,6 +19,7 @@ from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.material import Material
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.stretch import stretched
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
@@ -26,6 +27,8 @@ from sweetspot.errors import InputError
 from sweetspot.plausibility import bounds, fine
 from sweetspot.units import format_length, format_mass
 
+TRIED = 1e-3
+"""Relative change of a paddle's swing weight by which the change of its balance point is found."""
 THICKNESS = (0.75, 1.35)
 """Of blades and walls over the pattern's, where their density cannot meet the weight (assumed)."""
 
@@ -68,6 +71,8 @@ def scaled_to(pattern: Implement, measures: Measures) -> tuple[Implement, str]:
         return _club(tool, measures)
     if isinstance(tool, Racket):
         return _racket(tool, measures), ""
+    if isinstance(tool, Paddle):
+        return _paddle(tool, measures), ""
     mass = _mass_of(pattern, tool) if measures.mass is None else measures.mass
     try:
         return _measured(_weighing(tool, mass), measures)
@@ -101,6 +106,27 @@ def _racket(racket: Racket, measures: Measures) -> Racket:
     axis = racket.moi_axis if measures.moi is None else measures.moi_axis
     moi = mass * (about_centre + (balance - axis) ** 2) if measures.moi is None else measures.moi
     return racket.replaced(mass=mass, balance_point=balance, moi=moi, moi_axis=axis)
+
+
+def _paddle(paddle: Paddle, measures: Measures) -> Paddle:
+    """Return a paddle of measured mass and swing weight, between rim and handle; the latter as the mass, if unknown.
+
+    A balance point stands for the swing weight: at one mass the one is linear in the other.
+    """
+    assert paddle.mass is not None and paddle.moi is not None
+    mass = paddle.mass if measures.mass is None else measures.mass
+    if measures.moi is not None:
+        if measures.balance_point is not None:
+            raise InputError("the balance point of a paddle follows from mass and swing weight; leave one of them out")
+        return paddle.replaced(mass=mass, moi=measures.moi, moi_axis=measures.moi_axis)
+    plain = paddle.replaced(mass=mass, moi=paddle.moi * mass / paddle.mass)
+    if measures.balance_point is None:
+        return plain
+    assert plain.moi is not None
+    other = plain.replaced(moi=plain.moi * (1 + TRIED))
+    here, there = (rigid_body(beam_model(tool)).balance_point for tool in (plain, other))
+    needed = (measures.balance_point - here) / (there - here) * TRIED
+    return plain.replaced(moi=plain.moi * (1 + needed))
 
 
 def _weighing(tool: Implement, mass: float) -> tuple[Implement, str]:

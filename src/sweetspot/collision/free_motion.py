@@ -166,7 +166,7 @@ class Struck(NamedTuple):
 def struck_place(modes: Modes, position: float, lateral: float, closing_speed: float) -> Struck:
     """Return the place at a position and lateral place in m, as a ball of a closing speed in m/s meets it."""
     shape = modes.shape_at(position, lateral, closing_speed=closing_speed)
-    return _place(shape, float(modes.compliance_at(position, closing_speed=closing_speed)))
+    return _place(shape, float(modes.compliance_at(position, lateral, closing_speed=closing_speed)))
 
 
 def _place(shape: Array, compliance: float, by_steps: float = 0.0) -> Struck:

@@ -127,7 +127,7 @@ def _hits(
     def work(part: slice) -> None:
         here, speed = places[part], speeds[part]
         shapes = modes.shape_at(here, across[part], closing_speed=speed)
-        give = modes.compliance_at(here, closing_speed=speed)
+        give = modes.compliance_at(here, across[part], closing_speed=speed)
         shapes, give = with_quick_modes_as_springs(shapes, give, omega, step)
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = output_of(len(speed), size, keep_motion=keep_motion)
@@ -163,7 +163,7 @@ def steps_of(ball: Ball, step: float) -> Steps:
 def numbers_of(ball: Ball) -> BallNumbers:
     """Return the kernel's constants of a ball."""
     law = ball.restitution
-    line = RestitutionNumbers(law.reference, law.slope, law.reference_speed)
+    line = RestitutionNumbers(law.reference, law.slope, law.reference_speed, law.log_slope)
     return BallNumbers(ball.mass, ball.stiffness, ball.exponent, ball.damping, line)
 
 

@@ -14,11 +14,12 @@ RESULT_ROWS = 7
 
 
 class RestitutionNumbers(NamedTuple):
-    """A straight law of restitution: e at a speed in m/s, and what is lost per m/s."""
+    """A law of restitution: e at a speed in m/s, and what is lost per m/s and per e-fold of speed."""
 
     reference: float
     slope: float
     reference_speed: float
+    log_slope: float
 
 
 class BallNumbers(NamedTuple):

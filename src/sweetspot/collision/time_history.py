@@ -110,7 +110,7 @@ def history_of(
     bat, later = _ringing_on(contact, chosen, modes, duration=duration, frames=free_frames)
     force, compression = np.append(impact.force, 0.0), np.append(impact.compression, 0.0)
     speed, travel = _ball_motion(impact, ball, contact.times)
-    give = float(modes.compliance_at(impact.position, closing_speed=impact.closing_speed))
+    give = float(modes.compliance_at(impact.position, impact.lateral, closing_speed=impact.closing_speed))
     elastic, stored = _inside_ball(ball, compression)
     dent = give * elastic**2 / 2
     pressed = np.append(impact.approach, 0.0)

@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sweetspot.dynamics.over_face import OverFace
 from sweetspot.dynamics.patch import ByPatch
 from sweetspot.equipment.ball import Ball, peak_compression
 from sweetspot.errors import InputError
@@ -79,7 +80,7 @@ class Modes(ShownInNotebooks):
     rigid_part: Array
     dashpots: Array
     surface: Surface | None = None
-    compliances: tuple[Piecewise | ByPatch, ...] = field(default=(), repr=False)
+    compliances: tuple[Piecewise | ByPatch | OverFace, ...] = field(default=(), repr=False)
 
     def __len__(self) -> int:
         return len(self.families)
@@ -121,11 +122,20 @@ class Modes(ShownInNotebooks):
         speed = None if closing_speed is None else np.asarray(closing_speed, float)
         return along + self.surface.basis(places, across, speed) @ self.surface.weights
 
-    def compliance_at(self, position: ArrayLike, *, closing_speed: ArrayLike | None = None) -> Array:
-        """Return the instantaneous compliance in m/N of the surface at positions in m, of their shape; at least 0."""
-        return np.maximum(self.give_at(position, closing_speed=closing_speed), 0.0)
+    def compliance_at(
+        self, position: ArrayLike, lateral: ArrayLike = 0.0, *, closing_speed: ArrayLike | None = None
+    ) -> Array:
+        """Return the instantaneous compliance in m/N of the surface at positions in m, of their shape; at least 0.
 
-    def give_at(self, position: ArrayLike, *, closing_speed: ArrayLike | None = None) -> Array:
+        Parameters
+        ----------
+        lateral : m across the face from the line, as `shape_at` takes it; it counts where the whole face is a plate.
+        """
+        return np.maximum(self.give_at(position, lateral, closing_speed=closing_speed), 0.0)
+
+    def give_at(
+        self, position: ArrayLike, lateral: ArrayLike = 0.0, *, closing_speed: ArrayLike | None = None
+    ) -> Array:
         """Return the same without the bound at zero, to be added to that of other motions.
 
         A hollow barrel's own part is the excess of its wall's compliance over that of the beam of the bending modes
@@ -135,10 +145,16 @@ class Modes(ShownInNotebooks):
         """
         places = np.asarray(position, float)
         speed = None if closing_speed is None else np.asarray(closing_speed, float)
-        each = (
-            give(places, speed) if isinstance(give, ByPatch) else np.asarray(give(places)) for give in self.compliances
-        )
-        return np.asarray(sum(each, np.zeros_like(places)))
+        total = np.zeros_like(places)
+        for give in self.compliances:
+            match give:
+                case ByPatch():
+                    total = total + give(places, speed)
+                case OverFace():
+                    total = total + give(places, np.broadcast_to(np.asarray(lateral, float), places.shape))[..., 0]
+                case _:
+                    total = total + np.asarray(give(places))
+        return np.asarray(total)
 
     def slope_at(self, position: ArrayLike) -> Array:
         """Return the slopes of the shapes along the line, 1/(sqrt(kg) m): shape (..., n) for positions (...)."""

@@ -15,10 +15,12 @@ from sweetspot.dynamics.batch.reduction import reduced_beams
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.hands import held_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.paddle_modes import plate_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
 
@@ -61,8 +63,8 @@ def all_modes(beam: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: 
     """Return rigid motions and bending modes of a bat, and what its striking face or hollow barrel adds.
 
     A face adds roll and its own mode, damped as it damps this ball; a hollow barrel its hoop modes, which are felt
-    through the ball's contact patch. A solid or drilled wood barrel has none that a ball could excite: it is dented,
-    without delay.
+    through the ball's contact patch. A paddle is a plate, whose motions are its own (`plate_modes`). A
+    solid or drilled wood barrel has none that a ball could excite: it is dented, without delay.
 
     Parameters
     ----------
@@ -76,6 +78,8 @@ def all_modes(beam: BeamModel, ball: Ball, *, patch_factor: float = 1.0, count: 
     >>> modes, modes.frequency[2:4].round()  # Hz, of the first two bending modes
     (<Modes: 2 rigid, 12 bending>, array([172., 572.]))
     """
+    if isinstance(beam.bat, Paddle):
+        return plate_modes(beam, patch_factor=patch_factor)
     return reduced_beams([beam], ball=ball, patch_factor=patch_factor, count=count).modes(0)
 
 

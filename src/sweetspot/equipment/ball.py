@@ -14,30 +14,45 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.interpolants import on_parabola
 
 COR_FLOOR = 0.05
-"""Lowest restitution the linear law may reach; keeps the law meaningful far beyond game speed."""
+"""Lowest restitution the law may reach; keeps it meaningful far beyond game speed."""
+SLOWEST = 1e-3
+"""m/s at which a logarithm of speed is taken at the least."""
 
 
 class RestitutionLaw(Validated):
-    """Coefficient of restitution against a rigid wall as a straight line in speed.
+    """Coefficient of restitution against a rigid wall: a straight line in speed, or in the logarithm of speed.
 
-    e(v) = reference - slope (v - reference_speed), never above 1 nor below `COR_FLOOR`.
+    e(v) = reference - slope (v - reference_speed) - log_slope ln(v / reference_speed), never above 1 nor below
+    `COR_FLOOR`.
 
     Parameters
     ----------
     reference : e at ``reference_speed``, in (0, 1].
     reference_speed : m/s, > 0.
     slope : loss of e per m/s of speed, s/m, >= 0.
+    log_slope : loss of e for every e-fold of speed, >= 0; for hollow balls, which lose less and less of it.
+
+    >>> law = RestitutionLaw(reference=0.6, reference_speed=5.0, log_slope=0.2)
+    >>> round(law.at(5.0), 3), round(law.at(5.0 * math.e), 3)
+    (0.6, 0.4)
     """
 
     reference: Annotated[float, Field(gt=0, le=1)]
     reference_speed: Positive
     slope: Annotated[float, Field(ge=0)] = 0.0
+    log_slope: Annotated[float, Field(ge=0)] = 0.0
+
+    def slope_at(self, speed: float) -> float:
+        """Return the loss of e per m/s of speed, s/m, at a speed in m/s."""
+        return self.slope + self.log_slope / max(speed, SLOWEST)
 
     def at(self, speed: Real) -> Real:
         """Return e at an impact speed in m/s."""
         if isinstance(speed, float):  # many times faster, and stays a plain number
             return restitution_at(self, speed)
         line = self.reference - self.slope * (speed - self.reference_speed)
+        if self.log_slope:
+            line = line - self.log_slope * np.log(np.maximum(speed, SLOWEST) / self.reference_speed)
         within: Real = np.minimum(1.0, np.maximum(COR_FLOOR, line))
         return within
 
@@ -51,11 +66,16 @@ class RestitutionLine(Protocol):
     def slope(self) -> float: ...
     @property
     def reference_speed(self) -> float: ...
+    @property
+    def log_slope(self) -> float: ...
 
 
 def restitution_at(law: RestitutionLine, speed: float) -> float:
     """Return e of a law at a speed in m/s; see `RestitutionLaw`. Plain arithmetic, which the kernel compiles."""
-    return min(1.0, max(COR_FLOOR, law.reference - law.slope * (speed - law.reference_speed)))
+    line = law.reference - law.slope * (speed - law.reference_speed)
+    if law.log_slope > 0:
+        line -= law.log_slope * math.log(max(speed, SLOWEST) / law.reference_speed)
+    return min(1.0, max(COR_FLOOR, line))
 
 
 class LossLaw(Validated):

@@ -9,6 +9,7 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import UNMEASURED, Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.shell import Shell, Stations
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
@@ -19,7 +20,8 @@ from sweetspot.errors import InputError
 def stretched(implement: Implement, length: float) -> Implement:
     """Return an implement of another length (m); what was measured of it is gone, but for a racket's.
 
-    A racket keeps its head and its handle; its frame between them is longer. A club keeps its head and its grip.
+    A racket keeps its head and its handle; its frame between them is longer. A club keeps its head and its grip, a
+    paddle its handle; its swing weight goes as the square of its length.
 
     Raises `InputError` for a bat without an outline, or a kind that is not known.
     """
@@ -95,3 +97,11 @@ def _racket(racket: Racket, length: float) -> Racket:
         balance_point=balance,
         moi=about_centre * part**2 + racket.mass * (balance - racket.moi_axis) ** 2,
     )
+
+
+@stretched.register
+def _paddle(paddle: Paddle, length: float) -> Paddle:
+    assert paddle.moi is not None
+    spot, longer = paddle.soft_spot, length - paddle.length
+    moved = None if spot is None else spot.replaced(position=spot.position + longer)
+    return paddle.replaced(length=length, soft_spot=moved, moi=paddle.moi * (length / paddle.length) ** 2)

@@ -81,6 +81,16 @@ SIZES: Mapping[str, PlausibleRange] = {
     "table-tennis-racket blade_width": _part(11, 20, "cm"),
     "table-tennis-racket handle_width": _part(12, 60, "mm"),
     "table-tennis-racket handle_thickness": _part(10, 45, "mm"),
+    "paddle handle_length": _part(7, 20, "cm"),
+    "paddle handle_width": _part(20, 50, "mm"),
+    "paddle throat": _part(0.5, 15, "cm"),
+    "paddle head_width": _part(14, 30, "cm"),
+    "paddle corner_radius": _part(1, 13, "cm"),
+    "paddle core_thickness": _part(5, 40, "mm"),
+    "paddle core_density": _part(20, 400, "kg/m^3"),
+    "paddle core_shear": _part(0.1, 100, "MPa"),
+    "paddle core_modulus": _part(0.5, 500, "MPa"),
+    "paddle patch": _part(4, 30, "mm"),
 }
 """By the quantity, or by the implement's kind and the field's name in its file."""
 
@@ -112,6 +122,7 @@ WHOLE: Mapping[str, WholeImplement] = {
     "tennis": WholeImplement((0.2, 0.42), (0.4, 0.6), (0.27, 0.38), (80.0, 250.0)),
     "badminton": WholeImplement((0.06, 0.13), (0.33, 0.55), (0.3, 0.43), (25.0, 120.0)),
     "table-tennis": WholeImplement((0.08, 0.3), (0.45, 0.72), (0.17, 0.32), (90.0, 700.0)),
+    "pickleball": WholeImplement((0.17, 0.3), (0.5, 0.7), (0.2, 0.34), (150.0, 600.0)),
     "golf": WholeImplement((0.25, 0.65), (0.6, 0.85), (0.22, 0.42), (18.0, 120.0)),
     "field-hockey": WholeImplement((0.35, 0.8), (0.45, 0.72), (0.24, 0.37), (60.0, 250.0)),
 }

@@ -36,7 +36,7 @@ _BAT = PlausibleRange(
     why="88 mph is the fastest tracked; checked swings are below 5",
 )
 TEE = "for a ball at rest say tee"
-OTHERS = ("cricket", "tennis", "table-tennis", "badminton", "golf", "field-hockey")
+OTHERS = ("cricket", "tennis", "table-tennis", "badminton", "golf", "field-hockey", "pickleball")
 _OFF_BAT = "a little above the fastest that was measured; slow ones hardly leave"
 
 
@@ -77,6 +77,7 @@ SPEEDS: Mapping[str, Sports] = {
         "table-tennis": _off(40, 0.3, "m/s"),
         "badminton": _off(170, 0.5, "m/s"),
         "golf": _off(110, 1, "m/s"),
+        "pickleball": _off(85, 1),
         "field-hockey": _off(65, 1, "m/s"),
     },
 }

@@ -83,7 +83,7 @@ def test_commands(run: Run, name: str) -> None:
     tool = sport_implements(name)[0]
     code, out, err = run("hit", tool, "--at", "4cm-from-tip")
     assert code == 0 and sport(name).words.efficiency in out, err
-    assert ("hit 1.6 in from the" if name == "golf" else "hit 4.0 cm from the") in out
+    assert ("hit 1.6 in from the" if name in ("golf", "pickleball") else "hit 4.0 cm from the") in out
 
 
 def test_a_ball_of_another_sport_is_said_aloud(run: Run) -> None:

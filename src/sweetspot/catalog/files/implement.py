@@ -11,12 +11,15 @@ from pydantic import Field
 from sweetspot.catalog.files.bat import BatFile, MaterialName, Plies, bat_of_table, with_fitted
 from sweetspot.catalog.files.racket_words import in_file_names
 from sweetspot.catalog.files.tables import (
+    AREAL_DENSITY,
+    DENSITY,
     FORCE,
     FREQUENCY,
     LENGTH,
     LINEAR_DENSITY,
     MASS,
     MOI,
+    PRESSURE,
     STIFFNESS,
     CalibrationTable,
     Called,
@@ -38,6 +41,7 @@ from sweetspot.equipment.face import Face, FaceOutline
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import AddedMass, Implement
+from sweetspot.equipment.paddle import Paddle, SoftSpot
 from sweetspot.equipment.racket import Racket, StringBed
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
@@ -207,6 +211,39 @@ class TableTennisRacketFile(CommonTable):
     damping: float = 0.02
 
 
+class SoftSpotTable(FileTable):
+    """[soft_spot]: where the core of a paddle is crushed."""
+
+    position: Length = Field(description="of its middle, from the butt end")
+    radius: Length
+    factor: float = Field(description="of its shear stiffness over the sound core's")
+
+
+class PaddleFile(CommonTable):
+    """A paddle: a sandwich plate with a handle."""
+
+    kind: Literal["paddle"]
+    handle_length: Length
+    handle_width: Length
+    throat: Length = Field("4 cm", description="over which the handle widens to the head")
+    head_width: Length
+    corner_radius: Length = Field("5 cm", description="of the corners at the tip")
+    core_thickness: Length
+    core_density: Annotated[str, DENSITY]
+    core_shear: Annotated[str, PRESSURE] = Field(description="shear modulus of the core, for example '8 MPa'")
+    core_modulus: Annotated[str, PRESSURE] = Field("40 MPa", description="of the core through its thickness")
+    skin: Plies = Field(description="plies of one skin, outwards; angle 0 along the handle")
+    glue: Annotated[str, AREAL_DENSITY] = Field("0 kg/m^2", description="and paint")
+    soft_spot: Annotated[SoftSpotTable | None, Made(SoftSpot, SoftSpotTable)] = None
+    patch: Length = Field("16 mm", description="radius of the round patch through which the ball pushes")
+    damping: float = Field(0.01, description="fraction of critical damping, hung freely")
+    friction: float | None = Field(None, description="of the ball on the face")
+    tangential_restitution: float | None = Field(None, description="e_x of the ball on the face; 0 is rolling")
+    swing_weight: float | str | None = Field(
+        None, description="in place of moi, about the axis of the sport; a number is in kg cm^2"
+    )
+
+
 def implement_of_table(table: TomlTable, where: str) -> Implement:
     """Return the implement that a table describes by itself, by its ``kind``; ``where`` names the file in messages."""
     kind = table.get("kind", "bat")
@@ -217,7 +254,7 @@ def implement_of_table(table: TomlTable, where: str) -> Implement:
         raise InputError(f"{where}: kind {repr(kind)[:60]} is not known. {names}")
     made_from, make = KINDS[kind]
     try:
-        table = in_file_names(table, str(unwrapped(table.get("sport", "")))) if kind == "racket" else table
+        table = in_file_names(table, str(unwrapped(table.get("sport", "")))) if kind in IN_WORDS else table
         check_sport(str(unwrapped(table.get("sport", ""))), kind=kind)
         with insisting(insisted() or "calibration" in table):  # what was fitted to a checked drawing need not be usual
             return make(made_from(**unwrapped_table(with_fitted(table))))
@@ -266,11 +303,16 @@ KINDS: dict[str, tuple[type[FileTable], Callable[[Any], Implement]]] = {
     "hockey-stick": (HockeyStickFile, lambda file: _made(HockeyStick, file)),
     "golf-club": (GolfClubFile, _golf_club),
     "table-tennis-racket": (TableTennisRacketFile, _table_tennis_racket),
+    "paddle": (PaddleFile, lambda file: _made(Paddle, file)),
 }
 """By a file's ``kind``: the table it is read as, and the constructor of the implement."""
+IN_WORDS = ("racket", "paddle")
+"""Kinds whose files may give the swing weight as shops tell it."""
 MANY_MISSING = 3
-EXAMPLES = {"racket": "tennis-racket", "golf-club": "golf-driver"}
+EXAMPLES = {"racket": "tennis-racket", "golf-club": "golf-driver", "paddle": "pickleball-paddle"}
 """Entry of the catalogue to begin with, where it has not the name of its kind."""
-PREFIXES = r"^(?:\w*file|\w*racket|cricketbat|hockeystick|golfclub|\w*table|outline|stringbed|clubhead|face): "
+PREFIXES = (
+    r"^(?:\w*file|\w*racket|paddle|softspot|cricketbat|hockeystick|golfclub|\w*table|outline|stringbed|clubhead|face): "
+)
 FILES: dict[str, type[FileTable]] = {"bat": BatFile, **{kind: made_from for kind, (made_from, _) in KINDS.items()}}
 """The table of every kind, for schemas."""

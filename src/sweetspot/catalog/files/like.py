@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from sweetspot.catalog.files.bat import MEASURED, OUTLINES, read_toml, with_fitted
-from sweetspot.catalog.files.implement import AddedTable, implement_of_table
+from sweetspot.catalog.files.implement import IN_WORDS, AddedTable, implement_of_table
 from sweetspot.catalog.files.racket_words import in_file_names
 from sweetspot.catalog.files.tables import made
 from sweetspot.catalog.files.write import implement_table
@@ -30,7 +30,7 @@ ADDED_TO = ("point_mass", "bore", "ring")
 """Lists that a file adds to; an empty one takes away what the parent has."""
 OF_THE_PARENT = ("note", "original", "fitted")
 """Keys of a parent's file that hold for the parent alone."""
-KNOWN_BY_MEASURES = ("racket", "golf-club")
+KNOWN_BY_MEASURES = ("racket", "golf-club", "paddle")
 """Kinds that cannot be without what was measured, or its parts: what their files leave out keeps the parent's."""
 
 CHANGED = ", changed"
@@ -60,11 +60,11 @@ def resolved(table: TomlTable, where: str, folder: Path | None = None, before: t
     """
     name = table.get("like")
     if not isinstance(name, str):
-        return in_file_names(table, str(table.get("sport", ""))) if table.get("kind") == "racket" else table
+        return in_file_names(table, str(table.get("sport", ""))) if table.get("kind") in IN_WORDS else table
     changes = unwrapped_table(with_fitted({field: value for field, value in table.items() if field != "like"}))
     try:
         parent = _parent(name, folder, before)
-        if parent.get("kind") != "racket":
+        if parent.get("kind") not in IN_WORDS:
             return _changed(parent, changes)
         return _changed(parent, in_file_names(changes, str(changes.get("sport", parent.get("sport", "")))))
     except InputError as error:

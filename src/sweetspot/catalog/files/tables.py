@@ -66,6 +66,7 @@ Meaning = Of | PairsOf | NameOf | Made
 LENGTH, MASS, MOI, FORCE = Of("length"), Of("mass"), Of("moi"), Of("force")
 FREQUENCY, STIFFNESS, LINEAR_DENSITY = Of("frequency"), Of("stiffness"), Of("linear density")
 ANGLE, DENSITY, PRESSURE = Of("angle"), Of("density"), Of("pressure")
+AREAL_DENSITY = Of("areal density")
 SIZES = PairsOf("length", "length")
 Length = Annotated[str, LENGTH]
 Mass = Annotated[str, MASS]

@@ -32,6 +32,7 @@ UNITS: Mapping[Kind, str] = {
     "angle": "rad",
     "density": "kg/m^3",
     "pressure": "Pa",
+    "areal density": "kg/m^2",
 }
 Written = dict[str, TomlValue]
 

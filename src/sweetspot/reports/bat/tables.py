@@ -11,6 +11,7 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.answers.conditions import MassProperties
 from sweetspot.answers.handling import Handling, handling_of
+from sweetspot.answers.paddle_numbers import paddle_face
 from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.modes import Family
@@ -151,6 +152,7 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
         *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, swing_weight(bat.sport))]),
         *handling_rows(handling_of(bat, body)),
         *string_rows(bat),
+        *paddle_rows(bat, body),
         *moments,
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]
@@ -179,6 +181,22 @@ def string_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
         ("strings, mains × crosses", f"{bed.mains} × {bed.crosses}"),
         ("tension now", f"{bed.tension:.0f} N, {bed.tension / POUND_FORCE:.0f} lb"),
         ("stiffness of the string bed in its middle", f"{stiffness / 1e3:.1f} kN/m, {in_pounds:.0f} lb/in"),
+    ]
+
+
+def paddle_rows(bat: Implement, body: RigidBody) -> list[tuple[Cell, Cell]]:
+    """Return how stiff the face of a paddle is and how it sounds; nothing for other implements."""
+    face = paddle_face(bat, body)
+    if face is None:
+        return []
+    pounds = float(face.deflection_force) / POUND_FORCE
+    return [
+        ("stiffness of the face", f"{float(face.face_stiffness) / 1e3:.0f} kN/m, {pounds:.0f} lb for 1/16 in"),
+        ("tone of the face", Slot(face.face_tone, "frequency")),
+        (
+            "rim, and handle beyond the plate",
+            f"{1e3 * float(face.rim_mass):.0f} g, {1e3 * float(face.handle_mass):.0f} g",
+        ),
     ]
 
 
