@@ -55,6 +55,7 @@ class BallFile(FileTable):
     cor_reference: Ratio = Field(description="restitution on a rigid wall at cor_reference_speed")
     cor_reference_speed: Speed = Field(description="speed of that test")
     cor_slope: SpeedSlope = Field("0 s/m", description="loss of restitution with speed")
+    cor_log_slope: Ratio = Field(0.0, description="loss of restitution for every e-fold of speed")
     cor_scatter: Ratio = Field(None, description="half of the 90 % interval from one ball of the kind to the next")
     cor_anchor_speed: Speed = Field(None, description="about which the law turns where its slope is another")
     cor_humidity_slope: Ratio = Field(0.0, description="change of restitution for each unit of relative humidity")
