@@ -18,7 +18,7 @@ from sweetspot.collision.oblique_contact import oblique
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.ball import Ball, peak_compression, peak_over_turn
-from sweetspot.player.expected_gain import DRAWS, SWINGS
+from sweetspot.player.expected_gain import DRAWS, SWINGS, USUAL_DRAWS
 from sweetspot.player.posterior import NOTHING_LEARNED
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM
 from sweetspot.validation.computations.flight import best_swing_at, pitch_flight
@@ -58,6 +58,7 @@ def _player() -> dict[str, str]:
         "player_nothing": f"{NOTHING_LEARNED:g}",
         "player_draws": str(DRAWS),
         "player_swings": str(SWINGS),
+        "player_usual": str(USUAL_DRAWS),
     }
 
 

@@ -29,7 +29,7 @@ from sweetspot.numerics.interval import Interval
 from sweetspot.player.advice import Advice, advise
 from sweetspot.player.bat_pairs import BatPair
 from sweetspot.player.bat_response import RATIOS, response_of
-from sweetspot.player.candidate import candidates, lengthened
+from sweetspot.player.candidate import candidates
 from sweetspot.player.expected_gain import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table
 from sweetspot.player.model import player_model
@@ -142,9 +142,7 @@ def test_straight_lines_between_the_grids() -> None:
 def test_advice_is_whole_and_ordered(advice: Advice, posterior: PlayerPosterior) -> None:
     changes = [option.change.value for option in advice.options]
     assert changes == sorted(changes, reverse=True)
-    assert {option.candidate.family for option in advice.options} == {
-        "weight", "balance", "length", "choke", "catalogue",
-    }  # fmt: skip
+    assert {option.candidate.family for option in advice.options} == {"weight", "balance", "choke", "catalogue"}
     assert advice.faults == ()
     for option in advice.options:
         assert option.change.low <= option.change.value <= option.change.high
@@ -192,7 +190,7 @@ def test_goals_that_make_no_sense() -> None:
 
 @pytest.mark.parametrize("name", ["r161-ash", "mlb-a", "single-wall"])
 def test_every_kind_of_bat_can_be_varied(name: str) -> None:
-    """Exact: the weights are what the labels say, and a longer bat of the same wood weighs the same."""
+    """Exact: the weights are what the labels say."""
     bat = catalog.bat(name)
     mass = rigid_body(beam_model(bat)).mass
     found, _ = candidates(bat)
@@ -200,14 +198,6 @@ def test_every_kind_of_bat_can_be_varied(name: str) -> None:
     for key in ("end-loaded", "knob-loaded", "weight+1oz"):
         assert by_key[key].body.mass - mass == pytest.approx(0.0283495, rel=1e-4), key
     assert by_key["end-loaded"].body.moi(0.0) > by_key["knob-loaded"].body.moi(0.0)
-    for inches in (-1.0, 0.3, 1.0, 1.7):
-        assert response_of(lengthened(bat, inches * INCH, mass=mass), ball=BALL, axis=0.0).efficiency[24] > 0
-    longer = lengthened(bat, INCH, mass=mass)
-    assert longer.length == pytest.approx(bat.length + INCH)
-    label, grown = pytest.approx(mass), pytest.approx(longer.length / bat.length * mass, rel=4e-3)
-    assert rigid_body(beam_model(longer)).mass == (
-        label if bat.shell is None else grown
-    )  # of a hollow bat all but ends
 
 
 @pytest.fixture
@@ -219,9 +209,13 @@ def test_the_answers_in_words(advice: Advice, answer: FitPlayerAnswer, swings: S
     asked = {question: str(words) for question, words in answers(advice)}
     assert set(asked) >= {"Balanced or end-loaded?", "Choke up?", "What is better contact worth?", "Which bat?"}
     assert "What is more bat speed worth?" in asked
-    for spoken in asked.values():
+    unknown = {
+        question for question, spoken in asked.items() if spoken.startswith(("These swings cannot", "Not known"))
+    }
+    assert unknown >= {"Heavier or lighter?", "Longer or shorter?", "Choke up?"}  # all swings are with one bat
+    for spoken in (spoken for question, spoken in asked.items() if question not in unknown):
         assert re.search(r"ft \([-+]?[\d.]+ to [-+]?[\d.]+\)", spoken), spoken
-        assert "nan" not in spoken
+    assert not any("nan" in spoken for spoken in asked.values())
     words = " ".join(map(str, findings(answer)))
     assert "The data cannot tell: what a heavier bat costs" in words
     assert any("row 7: too fast" in note for note in notes(swings))
@@ -259,7 +253,7 @@ def test_real_swings_give_sensible_numbers() -> None:
 def test_a_gain_that_is_told_as_none_is_not_sure(advice: Advice, mph: float, sure: bool) -> None:
     """Exact: the interval of every gain begins 0.01 or 0.06 mph above zero, which are told as +0.0 and +0.1 mph."""
     gain = Interval(0.5 * MPH, mph * MPH, 0.9 * MPH)
-    options = tuple(replace(option, change=gain) for option in advice.options)
+    options = tuple(replace(option, change=gain, width_ratio=0.5, length_known=True) for option in advice.options)
     changed = replace(advice, goal=Goal(), options=options, end_loaded=gain)
     asked = {question: str(words) for question, words in answers(changed)}
     assert asked["Balanced or end-loaded?"].startswith("End-loaded" if sure else "These swings cannot tell")
@@ -267,6 +261,8 @@ def test_a_gain_that_is_told_as_none_is_not_sure(advice: Advice, mph: float, sur
     assert ("No other weight tried is surely better" in asked["Heavier or lighter?"]) == (not sure)
     assert ("none is surely better" in asked["Which bat?"]) == (not sure)
     assert (changed.surely_best is not None) == sure
+    usual = tuple(replace(option, width_ratio=1.0) for option in options)
+    assert replace(changed, options=usual).surely_best is None  # as sure as it may be, the swings say nothing of it
 
 
 @pytest.mark.parametrize(("slower", "sign"), [(-1.0, 1), (0.4, 0), (2.0, 0)])

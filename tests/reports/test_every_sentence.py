@@ -245,20 +245,22 @@ def check_verdicts(document: Document, data: Mapping[str, Any]) -> None:
     (change,) = {key for key in data["options"][0] if key.startswith("change_") and key != "change_probability"}
     options = {option["key"]: option for option in data["options"]}
     nothing = NO_GAIN[data["goal"]["name"]]
-    for family, question in (("weight", "Heavier or lighter?"), ("length", "Longer or shorter?")):
-        sure = [one["label"] for one in data["options"] if one["family"] == family and one[change]["low"] > nothing]
-        first = answers[question].split(".")[0].lower()
-        assert first.startswith(f"best is {sure[0].lower()}") if sure else not first.startswith("best is")
-        for one in data["options"]:
-            if one["family"] == family:
-                told = re.search(re.escape(one["label"]) + r" ([-+])", answers[question])
-                assert told is not None and (told[1] == "+") == (one[change]["value"] > -1e-12)
+    question = "Heavier or lighter?"
+    own = [one for one in data["options"] if one["family"] == "weight" and one["told_by_swings"]]
+    sure = [one["label"] for one in own if one[change]["low"] > nothing]
+    first = answers[question].split(".")[0].lower()
+    assert first.startswith(f"best is {sure[0].lower()}") if sure else not first.startswith("best is")
+    assert bool(own) != (answers[question] == "These swings cannot tell.")
+    for one in own:
+        told = re.search(re.escape(one["label"]) + r" ([-+])", answers[question])
+        assert told is not None and (told[1] == "+") == (one[change]["value"] > -1e-12)
     (loaded,) = (value for key, value in data.items() if key.startswith("end_loaded_against"))
-    for words, key, interval in (
-        (("End-loaded", "Balanced"), "Balanced or end-loaded?", loaded),
-        (("Yes", "No"), "Choke up?", options["choke1in"][change]),
+    ends_own = any(options[key]["told_by_swings"] for key in ("end-loaded", "knob-loaded"))
+    for words, key, interval, is_own in (
+        (("End-loaded", "Balanced"), "Balanced or end-loaded?", loaded, ends_own),
+        (("Yes", "No"), "Choke up?", options["choke1in"][change], options["choke1in"]["told_by_swings"]),
     ):
-        sign = sure_sign(interval["low"], interval["high"], nothing=nothing)
+        sign = sure_sign(interval["low"], interval["high"], nothing=nothing) if is_own else 0
         assert answers[key].startswith({1: words[0], -1: words[1], 0: "These swings cannot"}[sign])
     pairs = data["pairs"]
     for pair in pairs:

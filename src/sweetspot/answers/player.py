@@ -32,6 +32,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import LEVEL, Interval, Number
 from sweetspot.player.advice import PLACES, Advice, Option
 from sweetspot.player.bat_pairs import BatPair, MeasuredBat, measured_bats
+from sweetspot.player.best_bat import BatChance
 from sweetspot.player.expected_gain import Change
 from sweetspot.player.goal import GoalName
 from sweetspot.player.posterior import Learned, PlayerPosterior
@@ -109,7 +110,8 @@ class TriedBat:
 
     ``key``, ``label``, ``family``: see `sweetspot.player.candidate.Candidate`. ``goal``, ``change``: what is expected
     with it, and that against the player's own bat. ``chance_better``: part of what the data allow in which it is
-    better.
+    better. ``usual_change``: of whom no swing is known. ``told_by_swings``: whether the change is known from the
+    player's own swings. ``length_swung``: whether a bat of its length was swung.
     """
 
     key: str
@@ -121,6 +123,9 @@ class TriedBat:
     goal: Annotated[Number, OF_RECORD, NESTED]
     change: Annotated[Number, OF_RECORD, NESTED]
     chance_better: float
+    usual_change: Annotated[Number, OF_RECORD, NESTED]
+    told_by_swings: bool
+    length_swung: bool
     dimension: Annotated[Dimension, INTERNAL]
     option: Annotated[Option, INTERNAL]
 
@@ -140,6 +145,9 @@ class TriedBatRow:
     goal: Annotated[Number, OF_RECORD]
     change: Annotated[Number, OF_RECORD]
     chance_better: float
+    usual_change: Annotated[Number, OF_RECORD]
+    told_by_swings: bool
+    length_swung: bool
     dimension: Annotated[Dimension, INTERNAL]
 
 
@@ -167,6 +175,21 @@ class PairGain:
 
 
 @dataclass(frozen=True)
+class BestBat:
+    """Which of the bats at hand is best, the likeliest first.
+
+    ``best``: its name; None: the swings cannot tell. ``bats``: each with its chance of being the best, for this player
+    and for anybody. ``lead``: of the first over the second. ``told_by_swings``: whether own swings say which of these.
+    """
+
+    best: str | None
+    bats: tuple[BatChance, ...]
+    lead: Annotated[Number, OF_RECORD, NESTED]
+    told_by_swings: bool
+    dimension: Annotated[Dimension, INTERNAL]
+
+
+@dataclass(frozen=True)
 class ContactCurve:
     """The expected goal by where the mean contact lies, arrays of one shape (n,)."""
 
@@ -189,10 +212,12 @@ class ChangedPlayer:
 
 @dataclass(frozen=True)
 class ChangeWorth:
-    """A change of the player, and what it brings."""
+    """A change of the player, and what it brings this one and anybody; whether own swings tell."""
 
     change: ChangedPlayer
     gain: Annotated[Number, OF_RECORD, NESTED]
+    usual_gain: Annotated[Number, OF_RECORD, NESTED]
+    told_by_swings: bool
     dimension: Annotated[Dimension, INTERNAL]
 
 
@@ -211,6 +236,7 @@ class FitPlayerAnswer(Answer):
     not_tried : bats that could not be, and why.
     pairs : the bats of the file, every two of them.
     swung_too_seldom : bats of the file with too few swings to be compared.
+    best_bat : which of the player's own bat, those of the file and those asked for is best; None: there is one only.
     end_loaded_against_knob_loaded : an ounce at the tip against the same ounce at the knob.
     contact_point_from_tip, contact_point_gain : where the mean contact should lie, and what that brings.
     contact_height, contact_height_gain : the same for the ball's centre above the bat's axis.
@@ -234,6 +260,7 @@ class FitPlayerAnswer(Answer):
     swung: tuple[BatMeans, ...]
     pairs: tuple[PairGain, ...]
     swung_too_seldom: tuple[str, ...]
+    best_bat: BestBat | None
     end_loaded_against_knob_loaded: Annotated[Number, OF_RECORD, NESTED]
     contact_point_from_tip: Annotated[Length, NESTED]
     contact_point_gain: Annotated[Number, OF_RECORD, NESTED]
@@ -255,7 +282,10 @@ class FitPlayerAnswer(Answer):
     @property
     def rows(self) -> list[TriedBatRow]:
         """The bats tried as rows of a table, the best first."""
-        shared = ("key", "label", "family", "bat_speed", "goal", "change", "chance_better", "dimension")
+        shared = (
+            *("key", "label", "family", "bat_speed", "goal", "change", "chance_better", "dimension"),
+            *("usual_change", "told_by_swings", "length_swung"),
+        )
         sizes = ("length", "mass", "balance_point", "moi_6in")
         return [
             TriedBatRow(
@@ -318,13 +348,17 @@ def player_answer(swings: PlayerSwings, advice: Advice) -> FitPlayerAnswer:
         swung=tuple(_bat_means(swung) for swung in measured_bats(model)),
         pairs=tuple(_pair_gain(pair, dimension) for pair in advice.pairs),
         swung_too_seldom=advice.seldom,
+        best_bat=_best_bat(advice, dimension),
         end_loaded_against_knob_loaded=advice.end_loaded,
         contact_point_from_tip=advice.contact_point,
         contact_point_gain=advice.contact_gain,
         contact_height=advice.height_point,
         contact_height_gain=advice.height_gain,
         contact_curve=ContactCurve(PLACES, advice.contact_curve, dimension),
-        worth={key: ChangeWorth(_changed(worth.change), worth.gain, dimension) for key, worth in advice.worth.items()},
+        worth={
+            key: ChangeWorth(_changed(worth.change), worth.gain, worth.usual, worth.own, dimension)
+            for key, worth in advice.worth.items()
+        },
     )
 
 
@@ -361,6 +395,9 @@ def _tried_bat(option: Option, dimension: Dimension) -> TriedBat:
         goal=option.goal,
         change=option.change,
         chance_better=option.chance,
+        usual_change=option.usual,
+        told_by_swings=option.own,
+        length_swung=option.length_known,
         dimension=dimension,
         option=option,
     )
@@ -372,6 +409,14 @@ def _bat_means(swung: MeasuredBat) -> BatMeans:
 
 def _pair_gain(pair: BatPair, dimension: Dimension) -> PairGain:
     return PairGain(pair.better, pair.other, pair.gain, pair.chance, pair.measured, pair.verdict, dimension)
+
+
+def _best_bat(advice: Advice, dimension: Dimension) -> BestBat | None:
+    choice = advice.choice
+    if choice is None:
+        return None
+    best = None if advice.named_best is None else advice.named_best.name
+    return BestBat(best, choice.bats, choice.lead, choice.own, dimension)
 
 
 def _changed(change: Change) -> ChangedPlayer:

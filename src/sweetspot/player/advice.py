@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from statistics import median
 
@@ -16,18 +16,24 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import top
 from sweetspot.numerics.interval import Interval, sure_sign
 from sweetspot.player.bat_pairs import BatPair, compared_pairs, measured_bats
-from sweetspot.player.bat_response import response_of
+from sweetspot.player.bat_response import BatResponse, response_of
+from sweetspot.player.best_bat import BatChance, BatChoice, bat_choice, width_ratio
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.expected_gain import NO_CHANGE, Change, Expectation, expectation
 from sweetspot.player.goal import Goal, carry_table
-from sweetspot.player.posterior import PlayerPosterior, interval
+from sweetspot.player.posterior import NOTHING_LEARNED, PlayerPosterior, interval
 from sweetspot.player.prior import NAMES
+from sweetspot.player.unlike_bats import beyond_own, livelier
 from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH
 """m from the tip where the mean contact is tried."""
 OFFSETS = np.arange(-0.5, 1.76, 0.15) * INCH
 """m above the bat's axis where the mean contact is tried."""
+ATTACK_CHANGE = float(np.radians(5.0))
+"""rad steeper upward, of which the worth is asked."""
+SAME_LENGTH = 0.25 * INCH
+"""m; bats whose lengths differ by less are swung alike. Our choice: bats come in half inches."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +41,9 @@ class Option:
     """A bat tried on the player.
 
     ``bat_speed``: of the player with it, m/s. ``goal``: what is expected with it. ``change``: the same against the
-    player's own bat. ``chance``: part of the draws in which it is better by more than nothing.
+    player's own bat. ``chance``: part of the draws in which it is better by more than nothing. ``usual``: the change
+    for anybody, of whom no swing is known. ``width_ratio``: of the change, see `sweetspot.player.best_bat.width_ratio`.
+    ``length_known``: whether the player swung a bat of this length: timing, reach and misses change with it.
     """
 
     candidate: Candidate
@@ -43,18 +51,34 @@ class Option:
     goal: Interval
     change: Interval
     chance: float
+    usual: Interval
+    width_ratio: float
+    length_known: bool
+
+    @property
+    def own(self) -> bool:
+        """Whether the change is known from the player's own swings."""
+        return self.length_known and self.width_ratio < NOTHING_LEARNED
 
 
 @dataclass(frozen=True)
 class Worth:
     """What a change of the player is worth.
 
-    ``key``: short and unique, for programs. ``change``: what is changed, SI.
+    ``key``: short and unique, for programs. ``change``: what is changed, SI. ``usual``: the gain of anybody.
+    ``width_ratio``: of the gain, see `sweetspot.player.best_bat.width_ratio`.
     """
 
     key: str
     change: Change
     gain: Interval
+    usual: Interval
+    width_ratio: float
+
+    @property
+    def own(self) -> bool:
+        """Whether the gain is known from the player's own swings."""
+        return self.width_ratio < NOTHING_LEARNED
 
 
 @dataclass(frozen=True)
@@ -70,6 +94,8 @@ class Advice:
     faults : bats that could not be tried, and why.
     pairs : the bats of the file, every two of them, the best first.
     seldom : names of bats of the file that were swung too seldom to be compared.
+    choice : the player's own bat, those of the file and those asked for, the likeliest best first; None: it is the only
+        one whose length the player swung.
     end_loaded : an ounce at the tip against the same ounce at the knob.
     contact_point : m from the tip, where the mean contact should lie; with its interval.
     contact_gain : of the goal, from there against where the player meets the ball now.
@@ -86,6 +112,7 @@ class Advice:
     faults: tuple[str, ...]
     pairs: tuple[BatPair, ...]
     seldom: tuple[str, ...]
+    choice: BatChoice | None
     end_loaded: Interval
     contact_point: Interval
     contact_gain: Interval
@@ -99,7 +126,7 @@ class Advice:
         return replace(self, posterior=replace(self.posterior.lighter(), weighted=None))
 
     def sign_of(self, option: Option) -> int:
-        """Return 1 for a bat surely better than the player's own, -1 for one surely worse, 0 where that is open.
+        """Return 1 for a bat surely better than the player's own by own swings, -1 for one surely worse, 0 else.
 
         Of a bat that the player swung, what was measured has its say too: see `BatPair.verdict`.
         """
@@ -108,12 +135,40 @@ class Advice:
             if {pair.better, pair.other} == names:
                 sure = pair.verdict in ("better", "better by the model")
                 return 0 if not sure else 1 if pair.better == option.candidate.bat.name else -1
+        if not option.own:
+            return 0
         return sure_sign(option.change.low, option.change.high, nothing=self.goal.nothing)
+
+    def usual_sign(self, option: Option) -> int:
+        """Return 1 for a bat surely better than the player's own for anybody, -1 for one surely worse, 0 else."""
+        if not option.length_known:
+            return 0
+        return sure_sign(option.usual.low, option.usual.high, nothing=self.goal.nothing)
+
+    @property
+    def named_best(self) -> BatChance | None:
+        """The best of the bats at hand; None: the swings cannot tell, or what was measured says something else."""
+        best = None if self.choice is None else self.choice.best
+        contrary = any(
+            pair.verdict == "gainsaid" and best is not None and best.name in (pair.better, pair.other)
+            for pair in self.pairs
+        )
+        return None if contrary else best
 
     @property
     def surely_best(self) -> Option | None:
         """The bat that is surely better by most, None where there is none."""
         return next((option for option in self.options if self.sign_of(option) > 0), None)
+
+    @property
+    def surely_worth(self) -> tuple[Worth, ...]:
+        """The changes of the player that surely bring something by own swings, those that bring most first."""
+        sure = [
+            worth
+            for worth in self.worth.values()
+            if worth.own and sure_sign(worth.gain.low, worth.gain.high, nothing=self.goal.nothing) > 0
+        ]
+        return tuple(sorted(sure, key=lambda worth: -worth.gain.value))
 
 
 def advise(
@@ -140,13 +195,19 @@ def advise(
     if goal.name != "exit-speed":
         carries = carry_table(model, pitch_speed=pitch, aerodynamics=aerodynamics, air=air)
     asked = expectation(posterior, goal=goal, pitch_speed=pitch, carries=carries, seed=posterior.seed)
+    anybody = asked.of_anybody(posterior.population)
     reference = model.bats[0]
     now = asked.of(reference)
+    swung = measured_bats(model)
+    beside = _Asked(asked, anybody, now, anybody.of(reference), beyond_own(swung, reference.bat))
     tried, not_read = candidates(reference.bat, others, swung=[table.bat for table in model.bats[1:]])
-    options, with_key, not_met = _tried(asked, tried, now, progress)
-    by_key = {f"bat:{reference.bat.name}": now, **with_key}
+    options, with_key, not_met = _tried(beside, tried, progress)
+    by_key = {f"bat:{reference.bat.name}": (now, beside.usual_now), **with_key}
     named = {key.removeprefix("bat:"): gained for key, gained in by_key.items() if key.startswith("bat:")}
-    pairs, seldom = compared_pairs(measured_bats(model), named, goal=goal)
+    gained, usual = ({name: both[side] for name, both in named.items()} for side in (0, 1))
+    pairs, seldom = compared_pairs(swung, gained, usual, goal=goal)
+    unlike = {option.candidate.bat.name for option in options if not option.length_known}
+    comparable = [name for name in gained if name not in unlike]
     place, place_gain, curve = _best_place(asked, PLACES, "position", now)
     height, height_gain, _ = _best_place(asked, OFFSETS, "offset", now)
     return Advice(
@@ -158,23 +219,61 @@ def advise(
         faults=(*not_read, *not_met),
         pairs=pairs,
         seldom=seldom,
-        end_loaded=interval(by_key["end-loaded"] - by_key["knob-loaded"]),
+        choice=bat_choice({name: gained[name] for name in comparable}, {name: usual[name] for name in comparable}),
+        end_loaded=interval(by_key["end-loaded"][0] - by_key["knob-loaded"][0]),
         contact_point=place,
         contact_gain=place_gain,
         contact_curve=curve,
         height_point=height,
         height_gain=height_gain,
-        worth={
-            key: Worth(key, change, interval(asked.of(reference, change) - now)) for key, change in _changes().items()
-        },
+        worth={key: beside.worth(key, change) for key, change in _changes().items()},
     )
 
 
+@dataclass(frozen=True)
+class _Asked:
+    """A player and anybody, asked the same question; ``now``, ``usual_now``: their goal with the player's own bat.
+
+    ``measured``: of bats of the file by name, the mean exit speed beyond that with the player's own, m/s, see
+    `sweetspot.player.unlike_bats`.
+    """
+
+    player: Expectation
+    anybody: Expectation
+    now: Array
+    usual_now: Array
+    measured: Mapping[str, Interval]
+
+    def with_bat(self, candidate: Candidate, table: BatResponse) -> tuple[Array, Array]:
+        """Return the goal expected with a bat over the draws of the player and of anybody.
+
+        Bats of the file and of the catalogue may be livelier or deader than described beside the player's own.
+        """
+        if candidate.family not in ("swung", "catalogue"):
+            return self.of(table)
+        name = candidate.bat.name
+        of_player = livelier(self.player, table, measured=self.measured.get(name), name=name)
+        of_anybody = livelier(self.anybody, table, measured=None, name=name)
+        return self.player.of(table, livelier=of_player), self.anybody.of(table, livelier=of_anybody)
+
+    def of(self, table: BatResponse, change: Change = NO_CHANGE) -> tuple[Array, Array]:
+        """Return the goal expected with a bat over the draws of the player, and of anybody."""
+        return self.player.of(table, change), self.anybody.of(table, change)
+
+    def worth(self, key: str, change: Change) -> Worth:
+        """Return the worth of a change of the player."""
+        changed, usual = self.of(self.player.model.bats[0], change)
+        gain, usual = changed - self.now, usual - self.usual_now
+        return Worth(key, change, interval(gain), interval(usual), width_ratio(gain, usual))
+
+
 def _tried(
-    asked: Expectation, bats: Sequence[Candidate], now: Array, progress: Callable[[int, int], None] | None
-) -> tuple[list[Option], dict[str, Array], list[str]]:
+    asked: _Asked, bats: Sequence[Candidate], progress: Callable[[int, int], None] | None
+) -> tuple[list[Option], dict[str, tuple[Array, Array]], list[str]]:
     """Return the expected goal with each bat: as options, by key over the draws; and the faults of the others."""
-    reference, model = asked.model.bats[0], asked.model
+    model, goal = asked.player.model, asked.player.goal
+    reference = model.bats[0]
+    lengths = np.array([table.bat.length for table in model.bats])
     options, by_key, faults = [], {}, []
     for number, candidate in enumerate(bats, start=1):
         try:
@@ -182,15 +281,18 @@ def _tried(
         except SweetspotError as error:
             faults.append(f"{candidate.label}: {error}")
             continue
-        gained = asked.of(table)
-        by_key[candidate.key] = gained
+        gained, usually = by_key[candidate.key] = asked.with_bat(candidate, table)
+        change, usual = gained - asked.now, usually - asked.usual_now
         options.append(
             Option(
                 candidate,
-                interval(asked.bat_speed(table)),
-                interval(gained),
-                interval(gained - now),
-                float(np.mean(gained - now > asked.goal.nothing)),
+                bat_speed=interval(asked.player.bat_speed(table)),
+                goal=interval(gained),
+                change=interval(change),
+                chance=float(np.mean(change > goal.nothing)),
+                usual=interval(usual),
+                width_ratio=width_ratio(change, usual),
+                length_known=bool(np.min(np.abs(lengths - candidate.bat.length)) < SAME_LENGTH),
             )
         )
         if progress is not None:
@@ -206,7 +308,7 @@ def _changes() -> dict[str, Change]:
         "offset_spread": Change(offset_spread=-0.25 * INCH),
         "towards_tip": Change(position=-1 * INCH),
         "towards_hands": Change(position=1 * INCH),
-        "attack_angle": Change(attack_angle=np.radians(5.0)),
+        "attack_angle": Change(attack_angle=ATTACK_CHANGE),
     }
 
 

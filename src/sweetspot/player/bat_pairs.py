@@ -13,9 +13,10 @@ import numpy as np
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import ENDS, Interval, sure_sign
+from sweetspot.player.best_bat import width_ratio
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import PlayerModel
-from sweetspot.player.posterior import interval
+from sweetspot.player.posterior import NOTHING_LEARNED, interval
 
 FEWEST_OF_A_BAT = 3
 """Swings below which the mean of a bat has no interval."""
@@ -77,7 +78,7 @@ class BatPair:
     expects of the first beyond the other, over what the data allow. ``chance``: part of what the data allow in which
     the first is better by more than nothing. ``measured``: m/s, the difference of the mean exit speeds as they were
     measured; None: not measured with both. ``goal``: what is wanted; where it is exit speed, ``measured`` may gainsay
-    ``gain``.
+    ``gain``. ``width_ratio``: of the gain, see `sweetspot.player.best_bat.width_ratio`.
     """
 
     better: str
@@ -86,6 +87,7 @@ class BatPair:
     chance: float
     measured: Interval | None
     goal: Goal
+    width_ratio: float = 0.0
 
     @property
     def goal_is_speed(self) -> bool:
@@ -97,8 +99,8 @@ class BatPair:
         """What can be said of the two.
 
         "gainsaid" where what was measured surely says the opposite of the model; "better" where measured difference
-        and model are both surely above zero; "better by the model" where the model is and what was measured, if it
-        was, is not below zero.
+        and model are both surely above zero; "better by the model" where the model is by the player's own swings and
+        what was measured, if it was, is not below zero.
         """
         nothing = self.goal.nothing
         measured = self.measured if self.goal_is_speed else None
@@ -108,15 +110,18 @@ class BatPair:
         expected = sure_sign(self.gain.low, self.gain.high, nothing=nothing)
         if expected <= 0 or (measured is not None and measured.value < 0):
             return "cannot tell"
-        return "better" if sign > 0 else "better by the model"
+        if sign > 0:
+            return "better"
+        return "better by the model" if self.width_ratio < NOTHING_LEARNED else "cannot tell"
 
 
 def compared_pairs(
-    swung: Sequence[MeasuredBat], gained: Mapping[str, Array], *, goal: Goal
+    swung: Sequence[MeasuredBat], gained: Mapping[str, Array], usual: Mapping[str, Array], *, goal: Goal
 ) -> tuple[tuple[BatPair, ...], tuple[str, ...]]:
     """Return every two of the bats that were swung, and the names of those swung too seldom to be compared.
 
-    ``gained``: of every bat by name, the expected goal for every draw, shape (draws,), with the same draws and swings.
+    ``gained``, ``usual``: of every bat by name, the goal expected of the player and of anybody for every draw, shapes
+    (draws,) and (others,), with the same draws and swings.
     """
     comparable = [bat for bat in swung if bat.count >= FEWEST_OF_A_BAT and bat.bat.name in gained]
     comparable.sort(key=lambda bat: -float(np.median(gained[bat.bat.name])))
@@ -131,6 +136,7 @@ def compared_pairs(
                 float(np.mean(more > goal.nothing)),
                 difference(first.exit_speed, second.exit_speed),
                 goal,
+                width_ratio(more, usual[first.bat.name] - usual[second.bat.name]),
             )
         )
     return tuple(pairs), tuple(bat.bat.name for bat in swung if bat.count < FEWEST_OF_A_BAT)

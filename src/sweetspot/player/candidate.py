@@ -20,8 +20,6 @@ FROM_END = 1 * INCH
 """m from tip or knob where the weight sits."""
 WEIGHTS = (-3, -2, -1, 1, 2, 3)
 """oz heavier, by denser wood or a heavier end cap."""
-LENGTHS = (-1, 1)
-"""in longer, at the same weight."""
 CHOKES = (0.5, 1.0, 2.0)
 """in up the handle."""
 
@@ -31,7 +29,7 @@ class Candidate:
     """A bat to try.
 
     ``key``: short and unique, for programs. ``label``: what to call it beside the player's own. ``family``: "weight",
-    "balance", "length", "choke", "catalogue", or "swung": another bat of the file. ``body``: its mass, balance and
+    "balance", "choke", "catalogue", or "swung": another bat of the file. ``body``: its mass, balance and
     moments of inertia. ``amount``: what was changed, kg or m, with its sign; 0 for whole other bats.
     """
 
@@ -60,10 +58,6 @@ def candidates(
         words = f"{abs(ounces)} oz {'heavier' if ounces > 0 else 'lighter'}"
         heavier = partial(varied, bat, {"mass": mass + ounces * OUNCE}, fill=material("cork"))
         makers.append((f"weight{ounces:+d}oz", words, "weight", ounces * OUNCE, heavier))
-    for inches in LENGTHS:
-        words = f"{abs(inches)} in {'longer' if inches > 0 else 'shorter'}, same weight"
-        longer = partial(lengthened, bat, inches * INCH, mass=mass)
-        makers.append((f"length{inches:+d}in", words, "length", inches * INCH, longer))
     makers += [
         (f"choke{grip:g}in", f"choked up {grip:g} in", "choke", grip * INCH, partial(bat.choked_up, grip * INCH))
         for grip in CHOKES
@@ -79,29 +73,3 @@ def candidates(
         except SweetspotError as error:
             faults.append(f"{label}: {' '.join(str(error).split())}")
     return tuple(options), tuple(faults)
-
-
-def lengthened(bat: Bat, distance: float, *, mass: float) -> Bat:
-    """Return a bat stretched or shortened along its axis, of the same weight.
-
-    ``distance``: m, added to the length. ``mass``: kg of the bat, which stays; hollow bats keep their wall instead.
-    """
-    length = bat.length + distance
-    factor = length / bat.length
-
-    def moved(stations: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
-        # the last station must be the tip itself: one rounded a hair short of it would make a slice without length
-        inner = tuple((position * factor, size) for position, size in stations[:-1])
-        return (*inner, (length, stations[-1][1]))
-
-    changes: dict[str, object] = {"length": length, "mass": None, "balance_point": None, "moi": None, "original": None}
-    if bat.profile is not None:
-        changes["profile"] = moved(bat.profile)
-    else:
-        assert bat.linear_density is not None  # one of the two is given
-        changes["linear_density"] = tuple(part / factor**power for power, part in enumerate(bat.linear_density))
-    if bat.shell is None:
-        changes["mass"] = mass
-    else:
-        changes["shell"] = bat.shell.replaced(wall=moved(bat.shell.wall))
-    return bat.replaced(**changes)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -22,11 +22,13 @@ from sweetspot.player.goal import (
 )
 from sweetspot.player.model import PlayerModel, speed_ratio
 from sweetspot.player.posterior import PlayerPosterior
-from sweetspot.player.prior import NAMES, fixed
+from sweetspot.player.prior import NAMES, Population, fixed, natural, prior_draws
 from sweetspot.units import FOOT
 
 DRAWS, SWINGS = 160, 300
 """Draws of the posterior, and swings for each: the same for every bat, so that differences are not noise."""
+USUAL_DRAWS = 400
+"""Players drawn from those of whom nothing is known."""
 CARRY_SCATTER = 16.8 * FOOT
 """m; standard deviation of 492 tracked indoor fly balls about the carry computed for their launch [statcast]."""
 
@@ -68,6 +70,7 @@ class Expectation:
         *,
         position: Array | None = None,
         offset: Array | None = None,
+        livelier: Array | None = None,
     ) -> Array:
         """Return the expected goal for every draw, shape (draws,): m/s, m, or a part of the hits.
 
@@ -76,13 +79,13 @@ class Expectation:
         line is beyond it half of the times.
 
         ``table``: of the bat in the player's hands. ``position``, ``offset``: means in place of every draw's own, m,
-        shape (draws,).
+        shape (draws,). ``livelier``: added to the collision efficiency, shape (draws,).
         """
         gains = np.empty(len(self.draws))
         fill_gains(
             self._in_hand(table),
             self._wanted(),
-            self._scattered(table, change, position, offset),
+            self._scattered(table, change, position, offset, livelier),
             self.pitch_speed,
             gains,
         )
@@ -99,7 +102,20 @@ class Expectation:
         )
         return ratio * self.draws[:, NAMES.index("bat_speed")]
 
-    def _scattered(self, table: BatResponse, change: Change, position: Array | None, offset: Array | None) -> Scattered:
+    def of_anybody(self, population: Population) -> Expectation:
+        """Return the same question asked about players of a population in place of this one."""
+        draws = natural(prior_draws(USUAL_DRAWS, seed=0, population=population))
+        scatter = np.random.default_rng(0).standard_normal((4, len(draws), SWINGS))
+        return replace(self, draws=draws, scatter=scatter)
+
+    def _scattered(
+        self,
+        table: BatResponse,
+        change: Change,
+        position: Array | None,
+        offset: Array | None,
+        livelier: Array | None,
+    ) -> Scattered:
         """Return the scatter of the swings of every draw."""
         value = {name: self.draws[:, index] for index, name in enumerate(NAMES)}
         ratio = self.bat_speed(table) / value["bat_speed"]
@@ -112,7 +128,7 @@ class Expectation:
             position_spread=np.maximum(value["position_spread"] + change.position_spread, 0.0),
             offset_spread=np.maximum(value["offset_spread"] + change.offset_spread, 0.0),
             attack_spread=fixed("attack_angle_spread"),
-            shift=value["efficiency_shift"] + 0.0,
+            shift=value["efficiency_shift"] + (0.0 if livelier is None else livelier),
             normal=self.scatter,
         )
 

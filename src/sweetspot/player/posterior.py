@@ -20,7 +20,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import ENDS, Interval
 from sweetspot.player.importance import Weighted, drawn_further, importance_draws
 from sweetspot.player.model import PlayerModel
-from sweetspot.player.prior import NAMES, Population, natural, prior_draws
+from sweetspot.player.prior import ANYBODY, NAMES, Population, natural, prior_draws
 
 ENOUGH = 200.0
 """Independent draws from which 90 % intervals are steady to a few per cent of their width."""
@@ -57,7 +57,8 @@ class PlayerPosterior:
     """The fit of a player.
 
     ``draws``: shape (draws, 10), SI, in the order of `NAMES`. ``seed``: that the draws can be repeated with.
-    ``weighted``: the draws as they were weighted, standard parameters; None: they were let go.
+    ``weighted``: the draws as they were weighted, standard parameters; None: they were let go. ``population``: the
+    players that this one was taken for one of before any swing.
     """
 
     model: PlayerModel
@@ -65,6 +66,7 @@ class PlayerPosterior:
     learned: dict[str, Learned]
     seed: int
     weighted: Weighted | None = field(default=None, repr=False)
+    population: Population = field(default=ANYBODY, repr=False)
 
     @property
     def converged(self) -> bool:
@@ -104,7 +106,7 @@ def refitted(posterior: PlayerPosterior, population: Population) -> PlayerPoster
     apart = (earlier.draws - population.mean) / population.spread
     heights = earlier.heights + 0.5 * np.sum(earlier.draws**2 - apart**2, axis=1)  # -inf stays what is forbidden
     weighted = drawn_further(earlier, heights, lambda rows: model.log_posterior(rows, population), seed=seed)
-    return _resampled(model, weighted, seed)
+    return replace(_resampled(model, weighted, seed), population=population)
 
 
 def _resampled(model: PlayerModel, weighted: Weighted, seed: int) -> PlayerPosterior:

@@ -46,6 +46,7 @@ FIXED: dict[str, Kind] = {
     "slow_by": "speed",
     "slow_spread": "speed",
     "model_noise": "speed",
+    "bat_description": "ratio",
 }
 
 
@@ -147,12 +148,12 @@ def log_prior(standard: Array, population: Population = ANYBODY) -> Array:
     return np.where(allowed, -0.5 * np.sum(apart**2, axis=-1), -np.inf)
 
 
-def prior_draws(count: int, seed: int) -> Array:
+def prior_draws(count: int, seed: int, population: Population = ANYBODY) -> Array:
     """Return draws from the prior, standard parameters, shape (count, 10)."""
     generator = np.random.default_rng(seed)
     draws = np.empty((0, len(NAMES)))
     while len(draws) < count:
-        fresh = generator.standard_normal((2 * count, len(NAMES)))
+        fresh = population.mean + population.spread * generator.standard_normal((2 * count, len(NAMES)))
         draws = np.concatenate([draws, fresh[np.isfinite(log_prior(fresh))]])
     return draws[:count]
 

@@ -86,14 +86,19 @@ def _cards(advice: Advice) -> Cards:
 def _bats(advice: Advice) -> Table:
     """Return the bats tried, the player's own first."""
     goal, bat_now = advice.goal, advice.posterior.model.bats[0].bat
-    columns = table_head("bat | mass: mass | MOI: moi | bat speed: speed | expected > | change > | better: share")
-    rows: list[list[Cell]] = [[f"{bat_now.name} (now)", "", "", "", goal_shown(advice.now, goal), "", ""]]
+    columns = table_head(
+        "bat | mass: mass | MOI: moi | bat speed: speed | expected > | change > | better: share | for anybody > | "
+        "by these swings"
+    )
+    rows: list[list[Cell]] = [[f"{bat_now.name} (now)", "", "", "", goal_shown(advice.now, goal), "", "", "", ""]]
     for option in advice.options:
         bat, body = option.candidate.bat, option.candidate.body
         expected, change = goal_shown(option.goal, goal), goal_shown(option.change, goal, sign=True)
         moi = body.moi(bat.choke + STANDARD_AXIS)
         name = option_words(option.candidate)
-        rows.append([name, body.mass, moi, option.bat_speed.value, expected, change, option.chance])
+        usual = goal_shown(option.usual, goal, sign=True)
+        evidence = "yes" if option.own else "cannot tell" if option.length_known else "length not swung"
+        rows.append([name, body.mass, moi, option.bat_speed.value, expected, change, option.chance, usual, evidence])
     return Table("", columns, rows)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from sweetspot.numerics.interval import Interval
-from sweetspot.player.advice import Advice
+from sweetspot.player.advice import ATTACK_CHANGE, Advice
 from sweetspot.player.bat_pairs import BatPair
 from sweetspot.player.candidate import Candidate
 from sweetspot.player.goal import Goal
 from sweetspot.reports.document import Cell, Table, table_head
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say, within
+from sweetspot.units import INCH, MPH
 
 GOALS: dict[str, tuple[str, int | None]] = {
     "exit-speed": ("speed_change", None),
@@ -16,7 +17,7 @@ GOALS: dict[str, tuple[str, int | None]] = {
     "line": ("share", 1),
 }
 """Scale and digits of every goal."""
-SCALES = {"weight": "mass", "balance": "mass", "length": "place", "choke": "place"}
+SCALES = {"weight": "mass", "balance": "mass", "choke": "place"}
 """Of what is changed, by family."""
 
 
@@ -49,7 +50,7 @@ def goal_shown(interval: Interval, goal: Goal, *, sign: bool = False) -> Sentenc
 
 
 def option_words(candidate: Candidate) -> Sentence:
-    """Return a tried bat relative to the player's own, "1 in longer, same weight", or another bat's name."""
+    """Return a tried bat relative to the player's own, "1 oz at the tip", or another bat's name."""
     scale = SCALES.get(candidate.family)
     if scale is None:
         return say("{name}", name=candidate.label)
@@ -59,10 +60,20 @@ def option_words(candidate: Candidate) -> Sentence:
         return say("{amount} at the {where}", amount=amount, where=where)
     if candidate.family == "choke":
         return say("choked up {amount}", amount=amount)
-    if candidate.family == "length":
-        way = "longer" if candidate.amount > 0 else "shorter"
-        return say("{amount} {way}, same weight", amount=amount, way=way)
     return say("{amount} {way}", amount=amount, way="heavier" if candidate.amount > 0 else "lighter")
+
+
+def changes() -> dict[str, Sentence]:
+    """Return the single changes whose worth is reported, in words, by key of `Advice.worth`."""
+    inch, quarter = Slot(INCH, "place"), Slot(INCH / 4, "offset")
+    return {
+        "bat_speed": say("{speed:speed_change} more bat speed", speed=MPH),
+        "position_spread": say("{inch} less scatter along the bat", inch=inch),
+        "offset_spread": say("{quarter} less scatter over and under", quarter=quarter),
+        "towards_tip": say("contact {inch} nearer the tip", inch=inch),
+        "towards_hands": say("contact {inch} nearer the hands", inch=inch),
+        "attack_angle": say("{angle} more upward swing", angle=Slot(ATTACK_CHANGE, "angle")),
+    }
 
 
 PAIRS_TOLD = 6
@@ -119,8 +130,8 @@ def _lead(pairs: tuple[BatPair, ...]) -> str:
     if all(verdict in BETTER for verdict in verdicts):
         return f"Of the bats swung {top} is best by the model"
     if any(pair.verdict in BETTER for pair in pairs):
-        return "Of the bats swung no one is surely the best of all"
-    return "Which of the bats swung is best the swings cannot tell"
+        return "Of the bats swung none is surely the best of all"
+    return "Of the bats swung none is surely better"
 
 
 def _better(pair: BatPair, advice: Advice) -> Sentence:
@@ -146,11 +157,11 @@ def _unsure(pair: BatPair, advice: Advice) -> Sentence:
     if pair.measured is not None and pair.goal_is_speed and pair.measured.value < 0 < pair.gain.low:
         return say(
             "{pair.better} against {pair.other} {gain} by the model and {pair.measured:speed_change, sign, ends} as "
-            "measured: the swings cannot tell",
+            "measured: not sure",
             pair=pair,
             gain=gain,
         )
-    return say("{pair.better} against {pair.other} {gain}: the swings cannot tell", pair=pair, gain=gain)
+    return say("{pair.better} against {pair.other} {gain}: not sure", pair=pair, gain=gain)
 
 
 def _gainsaid(pair: BatPair, advice: Advice) -> Sentence:
@@ -169,4 +180,4 @@ def _gainsaid(pair: BatPair, advice: Advice) -> Sentence:
 def _too_seldom(names: tuple[str, ...]) -> Words:
     if not names:
         return ""
-    return f"MeasuredBat too seldom to be compared: {', '.join(names)}."
+    return f"Swung too seldom to be compared: {', '.join(names)}."

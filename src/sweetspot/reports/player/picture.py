@@ -13,8 +13,7 @@ from sweetspot.player.advice import PLACES, Advice
 from sweetspot.player.prior import NAMES
 from sweetspot.reports.pictures.panels import Page, Panel, beside, beside_row, frame, rows_only
 from sweetspot.reports.pictures.style import MUTED, NORMAL, SHEET, SMALL, fitted, styled
-from sweetspot.reports.player.phrases import GOALS, goal_words, option_words, pitch_words
-from sweetspot.reports.player.words import changes
+from sweetspot.reports.player.phrases import GOALS, changes, goal_words, option_words, pitch_words
 from sweetspot.reports.quantities import BLUE, GREEN, RED, SKY, US, Reader, Unit
 from sweetspot.reports.sentences import say
 

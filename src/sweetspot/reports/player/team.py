@@ -28,8 +28,7 @@ from sweetspot.units import INCH
 MEANS = say(
     "Bat speed and scatter: most likely values. Expected: the mean over the batter's swings with the bat now. Best "
     "place: mean contact from the tip. Less scatter: what {inch:place, round} less of it along the bat brings. A bat "
-    "is named only where the 90 % interval of its gain leaves zero out; (law) stands behind it where the average "
-    "player's swing law says so and not these swings.",
+    "is named only where the batter's own swings say so and the 90 % interval of its gain leaves zero out.",
     inch=INCH,
 )
 NO_LEAGUE = "With fewer than five batters nothing is known of how they differ; each is fitted alone."
@@ -115,10 +114,9 @@ def _table(batters: Sequence[TeamBatter], goal: Goal) -> Table:
 def _better(batter: TeamBatter, scale: str, digits: int | None) -> Words:
     best = batter.best
     if best is None:
-        return "none surely"
-    law = "" if batter.posterior.learned["exponent"].told else " (law)"
+        return "swings cannot tell"
     gain = Sentence((Slot(best.change.value, scale, digits, sign=True),))
-    return say("{label} {gain}{law}", label=option_words(best.candidate), gain=gain, law=law)
+    return say("{label} {gain}", label=option_words(best.candidate), gain=gain)
 
 
 def _lean(batters: Sequence[TeamBatter]) -> Table:

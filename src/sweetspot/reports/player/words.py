@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Sequence
 from textwrap import shorten
 
 from sweetspot.answers.player import FitPlayerAnswer
@@ -17,10 +16,11 @@ from sweetspot.player.bat_pairs import measured_bats
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import Learned, PlayerPosterior
 from sweetspot.player.swings import SwingFile
-from sweetspot.reports.player.phrases import goal_shown, goal_words, of_those_swung, option_words
-from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say, within
+from sweetspot.reports.player.decision import lead_paragraphs
+from sweetspot.reports.player.phrases import changes, goal_shown, goal_words, of_those_swung, option_words
+from sweetspot.reports.sentences import Sentence, Words, joined, say, within
 from sweetspot.tables.cells import BadRow
-from sweetspot.units import INCH, MPH, OUNCE
+from sweetspot.units import INCH, OUNCE
 
 PARAMETERS: dict[str, tuple[str, str, int | None]] = {
     "bat_speed": ("mean bat speed", "speed", None),
@@ -39,9 +39,11 @@ TOO_FEW_DRAWS = (
     "Few of the draws count, so the intervals may be too narrow. Look for rows in the file that do not belong "
     "together, or for one row that was copied."
 )
-USUAL_EXPONENT = (
-    "How much slower this player swings a heavier bat is not known from these swings: every answer about another bat "
-    "rests on what is usual for players, and its interval with it."
+CANNOT_TELL = "These swings cannot tell."
+CANNOT_TELL_BATS = "Of the bats tried in the computer these swings tell nothing beyond what holds for everybody."
+LENGTH_UNKNOWN = (
+    "Not known: another length changes timing, reach and how often the ball is missed, which no computer tells. Swing "
+    "a bat of another length."
 )
 REASONS, LONGEST_REASON = 3, 160
 """Kinds of reasons listed in the first line, and letters of each."""
@@ -59,7 +61,7 @@ def findings(answer: FitPlayerAnswer) -> list[Words]:
     """Return the findings from the swings, and what they leave undetermined."""
     posterior, swings = answer.posterior, answer.file
     learned = posterior.learned
-    words: list[Words] = [_data(posterior, swings), *taken_for(posterior.model)]
+    words: list[Words] = [*lead_paragraphs(answer.advice), _data(posterior, swings), *taken_for(posterior.model)]
     if side_by_side := measured(posterior):
         words.append(side_by_side)
     words += [_speed(posterior), _contact(learned)]
@@ -75,12 +77,11 @@ def findings(answer: FitPlayerAnswer) -> list[Words]:
 
 def answers(advice: Advice) -> list[tuple[str, Sentence]]:
     """Return questions that players ask, each with its answer and interval."""
-    no_weight = say("No other weight tried is surely better for {goal}.", goal=goal_words(advice.goal))
     return [
         ("Which bat?", _which(advice)),
-        ("Heavier or lighter?", _family(advice, "weight", no_weight)),
+        ("Heavier or lighter?", _weight(advice)),
         ("Balanced or end-loaded?", _end_loaded(advice)),
-        ("Longer or shorter?", _family(advice, "length", "Neither longer nor shorter is surely better.")),
+        ("Longer or shorter?", _length(advice)),
         ("Choke up?", _choke(advice)),
         ("Where should the ball meet the bat?", _place(advice)),
         ("What is better contact worth?", _inch(advice)),
@@ -192,28 +193,35 @@ def _contact(learned: dict[str, Learned]) -> Sentence:
 def _which(advice: Advice) -> Sentence:
     goal = advice.goal
     lead = say("Expected {goal} with the bat now: {now}.", goal=goal_words(goal), now=goal_shown(advice.now, goal))
-    others = [option for option in advice.options if option.candidate.family != "swung"]
-    informed = advice.posterior.learned["exponent"].told
-    return joined([lead, of_those_swung(advice), _of_those_tried(others, advice), "" if informed else USUAL_EXPONENT])
+    return joined([lead, of_those_swung(advice), _chances(advice), _of_those_tried(advice)])
 
 
-def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
-    """Name the best of the bats that the player never swung, and who says so."""
-    best = others[0] if others else None
-    if best is None or best.change.value <= advice.goal.nothing:
-        return "None of the bats tried in the computer is better."
-    sure = advice.sign_of(best) > 0
-    informed = advice.posterior.learned["exponent"].told
+def _chances(advice: Advice) -> Words:
+    """Say how likely each of several bats is the best, where own swings tell anything of it."""
+    choice = advice.choice
+    if choice is None or not choice.own:
+        return ""
+    listed = joined([say("{bat.name} {bat.chance:share}", bat=bat) for bat in choice.bats], ", ")
+    return say("Chance of being the best: {listed}.", listed=listed)
+
+
+def _of_those_tried(advice: Advice) -> Words:
+    """Name the best of the changes tried in the computer that the player's own swings tell of."""
+    by_swings = [option for option in advice.options if option.own and option.candidate.family != "swung"]
+    if not by_swings:
+        return CANNOT_TELL_BATS
+    best = by_swings[0]
+    if best.change.value <= advice.goal.nothing:
+        return "None of the bats tried in the computer is better by these swings."
     return say(
-        "{lead}: {label} ({size}), {change}, better in {chance:share} of what {speaker}.",
-        lead=("Best of those tried in the computer" if informed else "Not by these swings but by what is usual, best")
-        if sure
+        "{lead}: {label} ({size}), {change}, better in {chance:share} of what the data allow.",
+        lead="Best of those tried in the computer"
+        if advice.sign_of(best) > 0
         else "Of those tried in the computer none is surely better; the likeliest gain is with",
         label=option_words(best.candidate),
         size=_sizes(best),
         change=goal_shown(best.change, advice.goal, sign=True),
         chance=best.chance,
-        speaker=_speaker(advice),
     )
 
 
@@ -228,25 +236,13 @@ def _sizes(option: Option) -> Sentence:
     )
 
 
-def _speaker(advice: Advice) -> str:
-    """Return who says how fast another bat is swung: the data, or a law."""
-    told_by_data = advice.posterior.learned["exponent"].told
-    return (
-        "the data allow" if told_by_data else "the average player's swing law allows, these swings saying nothing of it"
-    )
-
-
-def _by_law(advice: Advice) -> str:
-    """Return that an answer is the law's, where these swings do not know how another bat would be swung."""
-    if advice.posterior.learned["exponent"].told:
-        return ""
-    return " by the average player's swing law (these swings do not know it)"
-
-
-def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
-    options = [option for option in advice.options if option.candidate.family == family]
+def _weight(advice: Advice) -> Sentence:
+    options = [option for option in advice.options if option.candidate.family == "weight"]
+    by_swings = [option for option in options if option.own]
     if not options:
         return say("None could be tried.")
+    if not by_swings:
+        return say("{words}", words=CANNOT_TELL)
     listed = joined(
         [
             say(
@@ -254,24 +250,34 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
                 label=option_words(option.candidate),
                 change=goal_shown(option.change, advice.goal, sign=True),
             )
-            for option in sorted(options, key=lambda option: option.candidate.body.moi(0.0))
+            for option in sorted(by_swings, key=lambda option: option.candidate.body.moi(0.0))
         ],
         "; ",
     )
-    best = options[0]
-    if advice.sign_of(best) > 0:
-        lead = say("Best is {label}{law}.", label=option_words(best.candidate), law=_by_law(advice))
-        return joined([lead, listed + "."])
-    return joined([nothing, listed + "."])
+    if advice.sign_of(by_swings[0]) > 0:
+        return say("Best is {label}. {listed}.", label=option_words(by_swings[0].candidate), listed=listed)
+    return say(
+        "No other weight tried is surely better for {goal}. {listed}.", goal=goal_words(advice.goal), listed=listed
+    )
+
+
+def _length(advice: Advice) -> Sentence:
+    """Say that length is known only of bats that were swung: it changes more than radius and moment of inertia."""
+    lengths = {round(table.bat.length / INCH, 1) for table in advice.posterior.model.bats}
+    if len(lengths) > 1:
+        return say("Only the bats that were swung tell: see the first answer.")
+    return say("{words}", words=LENGTH_UNKNOWN)
 
 
 def _end_loaded(advice: Advice) -> Sentence:
-    words = {1: "End-loaded", -1: "Balanced", 0: "These swings cannot tell"}
+    ends = [option for option in advice.options if option.candidate.family == "balance"]
+    if not any(option.own for option in ends):
+        return say("{words}", words=CANNOT_TELL)
+    words = {1: "End-loaded", -1: "Balanced", 0: CANNOT_TELL.rstrip(".")}
     verdict = sure_sign(advice.end_loaded.low, advice.end_loaded.high, nothing=advice.goal.nothing)
     return say(
-        "{answer}{law}: the same weight of {mass:mass} at the tip instead of at the knob changes {goal} by {gain}.",
+        "{answer}: the same weight of {mass:mass} at the tip instead of at the knob changes {goal} by {gain}.",
         answer=words[verdict],
-        law=_by_law(advice) if verdict else "",
         mass=OUNCE,
         goal=goal_words(advice.goal),
         gain=goal_shown(advice.end_loaded, advice.goal, sign=True),
@@ -282,6 +288,11 @@ def _choke(advice: Advice) -> Sentence:
     option = next((option for option in advice.options if option.candidate.key == "choke1in"), None)
     if option is None:
         return say("Could not be tried.")
+    if not option.own:
+        return say(
+            "{words} What better control is worth stands under better contact.",
+            words=CANNOT_TELL,
+        )
     return say(
         "{answer}, as far as {goal} goes: held {inch:place} further up, bat speed is {speed:speed, ends} and the "
         "change {gain}. Better control, if there is any, is not counted; compare it with what better contact is worth.",
@@ -306,18 +317,6 @@ def _place(advice: Advice) -> Sentence:
         high=advice.height_point,
         more=goal_shown(advice.height_gain, advice.goal, sign=True),
     )
-
-
-def changes() -> dict[str, Sentence]:
-    """Return the single changes whose worth is reported, in words, by key of `Advice.worth`."""
-    inch, quarter = Slot(INCH, "place"), Slot(INCH / 4, "offset")
-    return {
-        "bat_speed": say("{speed:speed_change} more bat speed", speed=MPH),
-        "position_spread": say("{inch} less scatter along the bat", inch=inch),
-        "offset_spread": say("{quarter} less scatter over and under", quarter=quarter),
-        "towards_tip": say("contact {inch} nearer the tip", inch=inch),
-        "towards_hands": say("contact {inch} nearer the hands", inch=inch),
-    }
 
 
 def _inch(advice: Advice) -> Sentence:
