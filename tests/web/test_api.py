@@ -16,6 +16,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse, exit_speed_of, hit_at
+from sweetspot.catalog.entries import entry_toml
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.errors import UnusualWarning
@@ -120,6 +121,19 @@ def test_uploaded_bats_are_parsed(client: httpx.Client) -> None:
     assert {bat["key"] for bat in listed} == set(catalog.bat_names())
 
 
+def test_a_ball_of_ones_own_is_the_one_that_is_hit(client: httpx.Client) -> None:
+    """What `show` prints answers as the name does; what differs counts, and its file goes along with the lines."""
+    state = {"impact_from_tip_in": 6.0, "pitch_speed_mph": 80.0}
+    speeds = [
+        client.post("/api/v1/hit", json=state | ball).json()["hit"]["exit_speed_m_s"]
+        for ball in ({}, {"ball_toml": entry_toml("baseball", "ball")}, {"ball_toml": DEAD})
+    ]
+    assert speeds[0] == speeds[1] > speeds[2] + 0.5
+    lines = client.post("/api/v1/hit/recipe", json=state | {"ball_toml": DEAD}).json()
+    assert lines["ball.toml"] == DEAD and "--ball ball.toml" in lines["command"]
+
+
+DEAD = 'like = "baseball"\nname = "dead"\ncor_reference = 0.48\n'
 WRONG_STATES: list[tuple[dict[str, Any], str]] = [
     ({"pitch_speed_mph": 1e308}, "pitch_speed_mph"),
     ({"pitch_speed_mph": "fast"}, "pitch_speed_mph"),
@@ -129,6 +143,10 @@ WRONG_STATES: list[tuple[dict[str, Any], str]] = [
     ({"bat": "/etc/passwd.toml"}, "bat"),
     ({"bat": "x" * 61}, "bat"),
     ({"ball": "no-such-ball"}, "ball"),
+    ({"ball": "/etc/passwd.toml"}, "ball"),
+    ({"ball_toml": ""}, "ball_toml"),
+    ({"ball_toml": 'like = "/etc/passwd.toml"'}, "ball_toml"),
+    ({"ball_toml": 'like = "baseball"\nweight = "5 oz"'}, "ball_toml"),
     ({"bore_diameter_in": 1, "bore_fill": "gold"}, "bore_fill"),
     ({"bore_diameter_in": 2}, "bore_diameter_in"),
     ({"bat": "composite", "bore_diameter_in": 1}, "bore_diameter_in"),

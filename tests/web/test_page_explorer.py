@@ -137,6 +137,26 @@ def test_an_uploaded_bat(opened: Page, answered: Answered, tmp_path: Path) -> No
     expect(opened.locator("#verdict")).to_contain_text("My bat")  # the address holds it
 
 
+def test_a_ball_of_ones_own(opened: Page, answered: Answered, tmp_path: Path) -> None:
+    """What is wrong in it stands beside it; the ball that it describes is hit; a listed one takes its place again."""
+    opened.locator("summary", has_text="Ball").first.click()
+    opened.locator("summary", has_text="Your own ball").click()
+    before = number(opened, "Exit speed")
+    (tmp_path / "ball.toml").write_text('like = "baseball"\nweight = "5 oz"\n', encoding="utf-8")
+    opened.get_by_label("Ball file (TOML)").set_input_files(tmp_path / "ball.toml")
+    expect(opened.locator("#ball-fault")).to_contain_text("unknown key 'weight'")
+    count = answered(opened)
+    opened.locator("#ball-text").fill('like = "baseball"\nname = "dead"\ncor_reference = 0.48\n')
+    opened.locator("details.own", has=opened.locator("#ball-text")).get_by_role("button", name="Use").click()
+    answered(opened, count)
+    expect(opened.locator("#ball-fault")).to_be_hidden()
+    assert number(opened, "Exit speed") < before - 1
+    count = answered(opened)
+    opened.get_by_label("Ball", exact=True).select_option("baseball")
+    answered(opened, count)
+    assert number(opened, "Exit speed") == before and "ball_toml" not in opened.url
+
+
 def test_a_bat_too_long_for_an_address_is_kept_by_the_browser(opened: Page, answered: Answered, tmp_path: Path) -> None:
     own = catalog.bat("youth-30").replaced(name="Long bat")
     (tmp_path / "long.toml").write_text("# " + "many words " * 1600 + "\n" + bat_toml(own), encoding="utf-8")

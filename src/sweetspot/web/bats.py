@@ -11,7 +11,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.comparison import Changed
 from sweetspot.analysis.what_if import varied
-from sweetspot.catalog.balls import listed_ball
+from sweetspot.catalog.balls import ball_of_text, listed_ball
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.catalog.files.read import bat_from_table, implement_from_table
@@ -88,7 +88,10 @@ def swung(state: Swung) -> Swung:
 
 
 def bought_ball(state: SwungState) -> Ball:
-    """Return the ball of the catalogue that a state names, as bought; what a browser sends must open no file."""
+    """Return the ball of a state's text, or of the catalogue, as bought; what a browser sends must open no file."""
+    if state.ball_toml is not None:
+        with about("ball_toml"):
+            return _ball_of_text(state.ball_toml)
     with about("ball"):
         return listed_ball(swung(state).ball or "")
 
@@ -143,6 +146,12 @@ def place_of(state: PlacedState, bat: Bat, conditions: Conditions) -> float:
 
 
 @lru_cache(maxsize=KEPT)
+def _ball_of_text(text: str) -> Ball:
+    _table(text)
+    return ball_of_text(text)
+
+
+@lru_cache(maxsize=KEPT)
 def _body_of(bat: Bat) -> RigidBody:
     return rigid_body(beam_model(bat))
 
@@ -191,7 +200,7 @@ def implement_of(name: str, text: str | None) -> Implement:
 
 
 def _table(text: str) -> TomlTable:
-    table = table_of_text(text, "the bat file")
+    table = table_of_text(text, "the file")
     _check_extent(table)
     return table
 
@@ -200,11 +209,11 @@ def _check_extent(table: TomlTable) -> None:
     for count, (depth, value) in enumerate(_values(table, 0), start=1):
         if depth > DEEPEST or count > MOST_VALUES:
             raise InputError(
-                f"the bat file holds more than {MOST_VALUES} values or {DEEPEST} tables inside each other; "
-                "a bat has a few lines"
+                f"the file holds more than {MOST_VALUES} values or {DEEPEST} tables inside each other; "
+                "it needs a few lines"
             )
         if isinstance(value, str) and len(value) > LONGEST_VALUE:
-            raise InputError(f"a value of the bat file has {len(value)} letters; allowed are {LONGEST_VALUE}")
+            raise InputError(f"a value of the file has {len(value)} letters; allowed are {LONGEST_VALUE}")
 
 
 def _values(value: TomlValue, depth: int) -> Iterator[tuple[int, TomlValue]]:

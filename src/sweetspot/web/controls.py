@@ -94,7 +94,10 @@ class SwingState(ViewState):
         "effort", description="how a bat that was changed or is choked up, and every other bat beside it, is swung"
     )
     hands_in: float = Field(6.0, ge=3, le=12, description="centre of the top hand above the bottom of the grip")
-    ball: Name | None = Field(None, description="name in the catalogue; empty: the first of the bat's sport")
+    ball: Name | None = Field(
+        None, description="name in the catalogue; empty: the first of the bat's sport; not looked at beside ball_toml"
+    )
+    ball_toml: Toml | None = Field(None, description="a ball file's text")
     ball_cor: Annotated[float, within("ball_cor", "")] | None = Field(
         None, description="restitution at its law's speed, as bought; empty: the catalogue's"
     )

@@ -17,7 +17,7 @@ from sweetspot.units import MPH
 from sweetspot.web.bats import changed_bat, conditions_of, described, usual
 from sweetspot.web.controls import BatState, PlacedState, SwungState, ViewState
 
-BAT_FILE = "bat.toml"
+BAT_FILE, BALL_FILE = "bat.toml", "ball.toml"
 ENOUGH = 12
 """Decimals of a bat's lengths and masses with which its file gives the page's numbers to nine figures."""
 _FIRST = BatState()
@@ -43,6 +43,11 @@ def is_catalogued(state: BatState) -> bool:
     shapes = ("bore_depth_in", "bore_fill", "cup_depth_in", "weight_from_tip_in")  # of changes that are not made
     made = {name for name in changes if name not in shapes and changes[name] != getattr(_FIRST, name)}
     return not made
+
+
+def ball_source(state: SwungState) -> str | None:
+    """Return the source of a ball: its name in the catalogue, or the file; None: the usual one."""
+    return state.ball if state.ball_toml is None else BALL_FILE
 
 
 def bat_text(state: BatState) -> str:
@@ -151,7 +156,7 @@ def stroke_options(state: SwungState, *, beside: bool = False) -> Options:
         "same_speed": not beside and state.same == "speed" and is_changed,
         "bat_speed": number(_speed_to_give(state, beside=beside), "mph"),
         "hands": number(state.hands_in + state.choke_up_in, "in") if moved else None,
-        "ball": state.ball,
+        "ball": ball_source(state),
         "ball_cor": number(state.ball_cor),
         "ball_humidity": number(state.ball_humidity),
         "ball_temperature": number(state.ball_temperature_degf, "degF"),

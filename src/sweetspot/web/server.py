@@ -22,6 +22,7 @@ from sweetspot.web.errors import Fault, Refusal, fault
 from sweetspot.web.files import File, shell, static_files
 from sweetspot.web.jobs import Jobs, LongWork, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
+from sweetspot.web.recipes import BALL_FILE
 from sweetspot.web.socket import Sockets
 from sweetspot.web.uploads import UPLOADS, upload_routes
 from sweetspot.web.view import View
@@ -139,7 +140,8 @@ def _view_route(api: APIRouter, view: View, answers: AnswerPool) -> None:
 
     def lines(state: Any) -> dict[str, str]:
         answer_json(view.name, state)  # what has no answer, such as a name that is in no catalogue, has no lines
-        return recipe(state)
+        ball_text = getattr(state, "ball_toml", None)
+        return recipe(state) | ({BALL_FILE: ball_text} if ball_text else {})
 
     lines.__annotations__["state"] = view.state
     lines.__doc__ = "Return the lines that give the same numbers without the page, and the bat's file."

@@ -316,6 +316,7 @@ export interface CompareState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;
@@ -472,6 +473,7 @@ export interface DesignState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;
@@ -688,6 +690,7 @@ export interface ExplorerState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;
@@ -813,6 +816,7 @@ export interface FlightState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;
@@ -987,6 +991,7 @@ export interface HitFilmState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;
@@ -1103,6 +1108,7 @@ export interface ModesState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;
@@ -1133,6 +1139,7 @@ export interface OptimumState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;
@@ -1294,6 +1301,7 @@ export interface PaperState {
   same: "effort" | "speed";
   hands_in: number;
   ball: string | null;
+  ball_toml: string | null;
   ball_cor: number | null;
   ball_humidity: number | null;
   ball_temperature_degf: number | null;

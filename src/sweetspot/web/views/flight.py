@@ -45,7 +45,16 @@ from sweetspot.web.bats import ball_of, conditions_of, described, place_of, redu
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, options_of, place_option, swing_options
+from sweetspot.web.recipes import (
+    Ask,
+    ball_source,
+    bat_source,
+    bat_text,
+    lines_of,
+    options_of,
+    place_option,
+    swing_options,
+)
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import (
     CarryMap,
@@ -375,7 +384,7 @@ def recipe(state: FlightState) -> dict[str, str]:
         ball = options_of(
             state, "exit_speed_mph", "launch_angle_deg", "backspin_rpm", "sidespin_rpm", **{direction: "spray_deg"}
         )
-        other = swung(state).ball
+        other = ball_source(swung(state))
         return lines_of(Ask("fly", options=ball | {"ball": None if other == "baseball" else other} | at | weather))
     path = options_of(state, "attack_angle_deg", "attack_direction_deg", "tilt_deg", bats="batter")
     pitch = options_of(state, "pitch_backspin_rpm", approach_angle="pitch_angle_deg")

@@ -25,7 +25,7 @@ from sweetspot.web.controls import Name, SwungState, Tilt, within
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
 from sweetspot.web.errors import about
-from sweetspot.web.recipes import Ask, bat_source, bat_text, options_of, stroke_options
+from sweetspot.web.recipes import Ask, ball_source, bat_source, bat_text, options_of, stroke_options
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import CarryMap, carries, parks_of
 
@@ -134,7 +134,9 @@ def recipe(state: OptimumState) -> dict[str, str]:
     name, sent = (bat_source(state),), options_of(state, "backspin_rpm")
     swing = options_of(state, "pitch", "tilt_deg") | stroke_options(state)
     options = swing | options_of(state, "exit_speed_mph") | sent | {"park": first}
-    others = [Ask("optimum", name, {"show": "parks", "ball": state.ball, **sent, "park": park}) for park in more]
+    others = [
+        Ask("optimum", name, {"show": "parks", "ball": ball_source(state), **sent, "park": park}) for park in more
+    ]
     lines = [ask.command for ask in (Ask("optimum", name, options), *others)]
     return {"command": "\n".join(lines), "toml": bat_text(state)}
 

@@ -70,7 +70,7 @@ export default class OptimumView {
     this.swing.redraw();
     this.parks.redraw();
     this.app.aside("swing", ["park"], 500, (found) => this.swing.show(found));
-    const others = Object.keys(this.app.state).filter((field) => !["ball", "bat", "bat_toml", "backspin_rpm"].includes(field)); // another bat may be of another sport, with another ball
+    const others = Object.keys(this.app.state).filter((field) => !["ball", "ball_toml", "bat", "bat_toml", "backspin_rpm"].includes(field)); // another bat may be of another sport, with another ball
     this.app.aside("parks", others, 900, (found) => this.parks.show(found));
   }
 
