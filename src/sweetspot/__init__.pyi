@@ -649,6 +649,10 @@ def season(
     humidity: Amount = 0.5,
     pressure: Amount = 101320.74811900273,
     elevation: Amount | None = None,
+    ball: str = "baseball",
+    law: str | None = None,
+    drag: Amount | None = None,
+    park: str | Park | None = None,
 ) -> SeasonAnswer: ...
 def standard_analysis(
     implement: Tool,

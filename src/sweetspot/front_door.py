@@ -31,7 +31,7 @@ NUMBERS = {"float", "float | None", "ArrayLike", "Real", "Mapping[str, ArrayLike
 WRITTEN = re.compile(r"\b(Written|Exact|Place|ExactPlace)\b|tuple\[float")
 """The same of numbers that may have an error, or be a place from the tip."""
 SETUPS = {
-    *("HitSetup", "PathSetup", "PitchSetup", "ContactSetup", "Weather", "FieldAir", "LaunchSetup"),
+    *("HitSetup", "PathSetup", "PitchSetup", "ContactSetup", "Weather", "FieldAir", "LaunchSetup", "FlightChoice"),
     *(
         "BlockSetup",
         "FallSetup",

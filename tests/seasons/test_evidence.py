@@ -23,7 +23,7 @@ from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.seasons.made_up import LIKE_THE_LEAGUE, MadeSeason, made_season
 from sweetspot.seasons.plane_hits import PLACES, USUAL_TURN, bat_in_plane, hit_towards
 from sweetspot.seasons.pooling import pooled, spread_of
-from sweetspot.seasons.season_drag import DragOfMonth, drag_by_month, home_runs_with
+from sweetspot.seasons.season_drag import drag_by_month, home_runs_with
 from sweetspot.seasons.season_table import Season, analyse_season, season_setting
 from sweetspot.seasons.standings import all_standings
 from sweetspot.units import INCH, MPH, RPM
@@ -173,7 +173,8 @@ def test_drag_that_was_put_in_is_found(answered: Callable[[pl.DataFrame], Season
     found = []
     for drag in (1.0, 1.06):
         frame = made_season(catalog.bat(BAT), MadeSeason(players=20, balls=150, drag=drag), seed=5)
-        found.append(drag_by_month(answered(frame.drop("bat_speed")).counted())[0])
+        season = answered(frame.drop("bat_speed"))
+        found.append(drag_by_month(season.counted(), flown_with=season.setting.flight.drag or 1.0)[0])
     change = found[1].drag / found[0].drag
     error = np.hypot(found[0].error, found[1].error)
     assert change == pytest.approx(1.06, abs=3 * error)
@@ -419,13 +420,9 @@ def test_home_runs_by_the_season_s_own_drag() -> None:
     )
     names = [park.name for park in parks] * 11
     counted = pl.LazyFrame({"park": names, "home_run_here": by_law, "event": ["fly out"] * len(names)})
-    law, own = home_runs_with(counted, drag_of(1.0, 0.0)), home_runs_with(counted, drag_of(1.06, 0.01))
+    law, own = home_runs_with(counted, drag=1.0), home_runs_with(counted, drag=1.06, error=0.01)
     assert law is not None and own is not None
     assert (law.low, law.value, law.high) == pytest.approx((by_law.sum(),) * 3)
     assert 1 < own.value < 0.95 * law.value and own.low < own.value < own.high
     assert own.value == pytest.approx(truth.sum(), rel=1e-6)
-    assert home_runs_with(counted.with_columns(event=pl.lit("Home Run")), drag_of(1.06, 0.01)) is None
-
-
-def drag_of(drag: float, error: float) -> DragOfMonth:
-    return DragOfMonth("all", drag, error, flies=100, games=10)
+    assert home_runs_with(counted.with_columns(event=pl.lit("Home Run")), drag=1.06, error=0.01) is None

@@ -33,6 +33,7 @@ from sweetspot.catalog.implements import Loaded
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.goal import Goal, GoalName
+from sweetspot.seasons.flight_choice import USUAL_FLIGHT, FlightChoice
 from sweetspot.units import INCH
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ def season(
     player: str | None = None,
     folder: Path | str | None = None,
     air: FieldAir = GAMES_AIR,
+    flights: FlightChoice = USUAL_FLIGHT,
 ) -> SeasonAnswer:
     """Analyze every ball in play of tables: its place on the bat, its carry, and the results of each batter.
 
@@ -82,6 +84,8 @@ def season(
     contact : whether contacts are wanted beside flights.
     player : number or name of a batter who must be in the tables.
     folder : where the answers go; None: a temporary one.
+    air : of games whose weather the tables do not give.
+    flights : ball, law of drag and lift, drag, and the field of balls whose table names none.
 
     Raises
     ------
@@ -93,7 +97,14 @@ def season(
 
     given = {"": bats} if isinstance(bats, str) else bats
     question = SeasonQuestion(
-        paths=tables, bats=given, others=others, contact=contact, player=player, folder=folder, air=air.air
+        paths=tables,
+        bats=given,
+        others=others,
+        contact=contact,
+        player=player,
+        folder=folder,
+        air=air.air,
+        flights=flights,
     )
     return season_answer(question)
 

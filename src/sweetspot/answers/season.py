@@ -28,7 +28,15 @@ from sweetspot.seasons.place_relation import SCALE, PlaceRelation
 from sweetspot.seasons.plan import Plan, Progress
 from sweetspot.seasons.pooling import Spread
 from sweetspot.seasons.rows import USED
-from sweetspot.seasons.season_drag import EDGES, DragOfMonth, LeftOver, drag_by_month, home_runs_with, left_over_by
+from sweetspot.seasons.season_drag import (
+    EDGES,
+    DragOfMonth,
+    LeftOver,
+    OwnDrag,
+    drag_by_month,
+    home_runs_with,
+    left_over_by,
+)
 from sweetspot.seasons.season_table import Season, analyse_season
 from sweetspot.seasons.standings import (
     OtherBatGain,
@@ -134,8 +142,9 @@ class SeasonMeans:
 
     Parameters
     ----------
-    home_runs, home_runs_expected : that were hit, and with the usual drag in the parks they were hit in.
-    home_runs_with_own_drag : expected with the season's own drag; absent where no table tells.
+    home_runs, home_runs_expected : that were hit, and with the drag that balls fly with in the parks they were hit in.
+    home_runs_by_drag : expected, with what is not known of the season's own drag; absent where the law's was used.
+    home_runs_with_usual_drag : expected with the law's drag; absent where that was used.
     from_best : mean distance from the best place along the bat.
     squared_up, league_squared_up : parts of the balls, against the bat and by the league's formula.
     squared_up_balls, league_squared_up_balls : of how many.
@@ -151,7 +160,8 @@ class SeasonMeans:
     league_squared_up: float | None
     league_squared_up_balls: int
     squared_up_of_the_same: float | None
-    home_runs_with_own_drag: Interval | None = None
+    home_runs_by_drag: Interval | None = None
+    home_runs_with_usual_drag: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -169,6 +179,8 @@ class SeasonAnswer(Answer):
     places : where along the bat balls are met; None: contacts were not asked for.
     surfaces : of the bats' tables.
     other_bats : gains with the bats that were tried.
+    drag : by the distances, over the law's, of all balls and of each month.
+    own_drag : that the balls fly with; None: the law's, or one that was given.
     left_over : tracked distance less carry, by what balls are compared by.
     scatter : how balls and groups scatter, by grouping and measure.
     rare_shares : measures that rest on so few of a kind that their intervals hold less than they say, by grouping.
@@ -189,6 +201,7 @@ class SeasonAnswer(Answer):
     surfaces: tuple[BatErrors, ...]
     other_bats: tuple[OtherBatGain, ...]
     drag: tuple[DragOfMonth, ...]
+    own_drag: OwnDrag | None
     left_over: Mapping[str, tuple[LeftOver, ...]]
     scatter: Mapping[str, Mapping[str, Spread]]
     rare_shares: Mapping[str, Sequence[str]]
@@ -292,7 +305,8 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
     counted = pl.concat(parts, how="diagonal_relaxed")
     balls = sum(counts[USED] for counts in survey.counts)
     drawn = counted if balls <= MOST_DRAWN else counted.gather_every(-(-balls // MOST_DRAWN))
-    standings, drag = all_standings(parts), drag_by_month(drawn)
+    standings = all_standings(parts)
+    drag = drag_by_month(drawn, flown_with=season.setting.flight.drag or 1.0)
     return SeasonAnswer(
         question=question,
         season=season,
@@ -302,12 +316,13 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
         tables=tuple(_tables(survey)),
         not_read=tuple(UnreadFile(str(path), reason) for path, reason in survey.faults),
         warnings=cautions_of(survey),
-        league=_league(counted, drag, balls),
+        league=_league(counted, season.own_drag, balls),
         untracked=tracking_bias(survey),
         places=None if contact is None else _places(contact.relation),
         surfaces=() if contact is None else tuple(_errors_of_tables(contact)),
         other_bats=tuple(bat_gains(season)),
         drag=drag,
+        own_drag=season.own_drag,
         left_over={kind: left_over_by(drawn, kind) for kind in EDGES},
         scatter={key: standing.spreads for key, standing in standings.items()},
         rare_shares={key: rare_shares(standing) for key, standing in standings.items()},
@@ -338,7 +353,7 @@ def _places(relation: PlaceRelation) -> Places:
     )
 
 
-def _league(counted: pl.LazyFrame, drag: Sequence[DragOfMonth], balls: int) -> SeasonMeans:
+def _league(counted: pl.LazyFrame, drag: OwnDrag | None, balls: int) -> SeasonMeans:
     names = counted.collect_schema().names()
     missing = pl.lit(None, pl.Float64)
     squared_up, by_league, from_best = (
@@ -359,8 +374,12 @@ def _league(counted: pl.LazyFrame, drag: Sequence[DragOfMonth], balls: int) -> S
         .collect(engine="streaming")
         .row(0, named=True)
     )
-    with_drag = home_runs_with(counted, drag[0]) if drag else None
-    return SeasonMeans(balls=balls, **row, home_runs_with_own_drag=with_drag)
+    with_own = with_usual = None
+    if drag is not None:
+        with_own = home_runs_with(counted, drag=1.0, error=drag.error / drag.drag)
+        with_usual = home_runs_with(counted, drag=1 / drag.drag)
+    usual = None if with_usual is None else with_usual.value
+    return SeasonMeans(balls=balls, **row, home_runs_by_drag=with_own, home_runs_with_usual_drag=usual)
 
 
 def _row_of(players: pl.DataFrame, batter: str) -> int:

@@ -12,6 +12,7 @@ from sweetspot.errors import UnusualWarning
 from sweetspot.flight.air import Air
 from sweetspot.seasons.ball_columns import SeasonSetting
 from sweetspot.seasons.batters import require_batter, strangers, tables_of_balls
+from sweetspot.seasons.flight_choice import USUAL_FLIGHT, FlightChoice
 from sweetspot.seasons.season_table import season_setting
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 from sweetspot.units.dimensions import System
@@ -27,6 +28,7 @@ class SeasonQuestion:
     bats : of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's usual.
     others : bats that every swing is tried with.
     air : of games whose weather the tables do not give; None: the usual.
+    flights : ball, law of drag and lift, drag, and the field of balls whose table names none.
     contact : whether contacts are wanted beside flights.
     given : what a person says of columns that are not understood, ``GivenColumns({"exit_speed": "EV:mph"})``.
     system : units of the columns of balls and groups.
@@ -41,6 +43,7 @@ class SeasonQuestion:
     bats: Mapping[str, str | Bat] | None = None
     others: Sequence[str | Bat] = ()
     air: Air | None = None
+    flights: FlightChoice = USUAL_FLIGHT
     contact: bool = True
     given: GivenColumns = NOTHING_GIVEN
     system: System = "us"
@@ -72,6 +75,7 @@ def checked_season(question: SeasonQuestion) -> SeasonQuestion:
         bats=question.bats,
         others=question.others,
         air=question.air,
+        flights=question.flights,
         contact=question.contact,
         system=question.system,
         threads=question.threads,

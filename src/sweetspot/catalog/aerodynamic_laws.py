@@ -7,13 +7,14 @@ from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, read_table
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.batted_spin import SHEET, TRACKED, SpinLine
+from sweetspot.flight.batted_spin import NO_SPIN, SHEET, TRACKED, SpinLine
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.park import Park
 from sweetspot.units import Kind
 
 FILE = "aerodynamics.toml"
 DEFAULT_AERODYNAMICS, STILL_AIR, CALCULATOR = "baseball", "baseball-in-still-air", "trajectory-calculator"
+BASEBALL = "baseball"
 FIELDS: dict[str, Kind] = {
     "drag": "ratio",
     "drag_per_spin": "time",
@@ -86,7 +87,12 @@ def drag_spread(law: Aerodynamics) -> float:
 def usual_spin_line(name: str = DEFAULT_AERODYNAMICS) -> SpinLine:
     """Return the line of usual spin that a law was drawn up with: the sheet's own for the trajectory calculator.
 
-    >>> usual_spin_line("trajectory calculator").backspin[0]
-    -763.0
+    None is known of the balls of other sports than baseball.
+
+    >>> usual_spin_line("trajectory calculator").backspin[0], usual_spin_line("softball") == NO_SPIN
+    (-763.0, True)
     """
-    return SHEET if canonical(name) == CALCULATOR else TRACKED
+    if canonical(name) == CALCULATOR:
+        return SHEET
+    _, table = entry(read_table(FILE), name, "aerodynamics")
+    return TRACKED if table.text("sport") == BASEBALL else NO_SPIN

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import cache
 
 import numpy as np
@@ -126,6 +127,27 @@ def _field(key: str) -> Park:
         elevation=0.0,
         fence=tuple((turn, distance, high) for turn, distance in zip(turns, far, strict=True)),
     )
+
+
+def fenced_field(distances: Sequence[float], *, height: float, elevation: float = 0.0) -> Park:
+    """Return a field that is known by some distances of its fence.
+
+    ``distances``: m from home plate, at even angles from the left foul pole to the right one, at least two; between
+    them the fence curves smoothly and is nowhere farther or nearer than those beside it. ``height``: m, the same all
+    along. ``elevation``: m above the sea.
+
+    >>> field = fenced_field([100.6, 121.9, 100.6], height=2.4)
+    >>> [round(field.distance_at(math.radians(turn)), 1) for turn in (-45, 0, 20)]
+    [100.6, 121.9, 117.7]
+    """
+    if len(distances) < 2:
+        raise InputError("a fence needs two distances or more, from the left foul pole to the right one")
+    from scipy.interpolate import PchipInterpolator
+
+    turns = np.radians(np.arange(-45, 46, ARC_STEP))
+    far = PchipInterpolator(np.linspace(turns[0], turns[-1], len(distances)), distances)(turns)
+    fence = tuple((float(turn), float(distance), height) for turn, distance in zip(turns, far, strict=True))
+    return Park(name="own field", elevation=elevation, fence=fence)
 
 
 def _park(entry: Entry) -> Park:

@@ -17,7 +17,11 @@ from sweetspot.units import grouped
 
 if TYPE_CHECKING:
     from sweetspot.answers.season import SeasonAnswer
+    from sweetspot.flight.park import Park
+    from sweetspot.seasons.flight_choice import FlightChoice
     from sweetspot.tables.headings import GivenColumns
+
+FENCE_HEIGHT = "8ft"
 
 
 @Parameter(name="*")
@@ -45,6 +49,59 @@ class SwungOptions:
         if self.bats is not None:
             return read_bats(self.bats)
         return None if self.bat is None else {"": self.bat}
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class BallsOptions:
+    """How the balls fly, and over which fence where the tables do not tell."""
+
+    ball: Annotated[str, Parameter(help="Ball of the catalogue; its sport's drag and lift are taken.")] = "baseball"
+    law: Annotated[
+        str | None, Parameter(help="Another law of drag and lift, such as college-baseball; default: the sport's.")
+    ] = None
+    drag: Annotated[
+        float | None,
+        Parameter(help="Drag over the law's: 1 is the law's own; default: what the tracked distances say."),
+    ] = None
+    park: Annotated[
+        str | None,
+        Parameter(help="Park or kind of field of balls whose table names none that is known: coors, high-school."),
+    ] = None
+    fence: Annotated[
+        str | None,
+        Parameter(
+            help="A field given by its fence instead: distances at even angles from the left foul pole to the right "
+            "one, 330ft,375ft,400ft,375ft,330ft."
+        ),
+    ] = None
+    fence_height: Annotated[str, Parameter(help="Height of that fence: 8ft.")] = FENCE_HEIGHT
+    air: GamesAirOptions = DEFAULT_GAMES_AIR
+
+    def choice(self) -> FlightChoice:
+        """Return how balls fly."""
+        from sweetspot.seasons.flight_choice import FlightChoice
+
+        return FlightChoice(ball=self.ball, law=self.law, drag=self.drag, park=self._field())
+
+    def _field(self) -> Park | None:
+        """Return the field of balls whose table names no park, at the elevation that was given in place of its own."""
+        from sweetspot.catalog.ballparks import fenced_field, park
+        from sweetspot.plausibility import parse
+
+        if self.park is not None and self.fence is not None:
+            raise InputError("--park and --fence were both given; give --park, a known field, or --fence, your own")
+        if self.fence is None and self.fence_height != FENCE_HEIGHT:
+            raise InputError("--fence-height was given without --fence; say how far away that fence is, too")
+        above = None if self.air.elevation is None else parse(self.air.elevation, "length", "--elevation")
+        if self.fence is not None:
+            distances = [parse(text.strip(), "length", "--fence") for text in self.fence.split(",")]
+            height = parse(self.fence_height, "length", "--fence-height")
+            return fenced_field(distances, height=height, elevation=above or 0.0)
+        if self.park is None:
+            return None
+        found = park(self.park)
+        return found if above is None else found.replaced(elevation=above)
 
 
 @Parameter(name="*")
@@ -89,6 +146,7 @@ class WorkOptions:
 
 
 DEFAULT_SWUNG, DEFAULT_SEASON_COLUMNS, DEFAULT_WORK = SwungOptions(), SeasonColumnOptions(), WorkOptions()
+DEFAULT_BALLS = BallsOptions()
 
 
 def season(
@@ -97,7 +155,7 @@ def season(
     *,
     bats: SwungOptions = DEFAULT_SWUNG,
     columns: SeasonColumnOptions = DEFAULT_SEASON_COLUMNS,
-    air: GamesAirOptions = DEFAULT_GAMES_AIR,
+    balls: BallsOptions = DEFAULT_BALLS,
     player: Annotated[
         str | None, Parameter(help="A batter's number or name: a page to print of that player alone.")
     ] = None,
@@ -125,7 +183,8 @@ def season(
                 bats=bats.named(),
                 others=bats.try_bat or (),
                 contact=not bats.flight_only,
-                air=weather_of(air),
+                air=weather_of(balls.air),
+                flights=balls.choice(),
                 given=given,
                 system=output.units or "us",
                 player=player,

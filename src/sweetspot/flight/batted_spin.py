@@ -33,6 +33,8 @@ TRACKED = SpinLine(backspin=(-1070.0, 129.0, 21.0), sidespin=(-980.0, -96.0, -24
 [trackman_college2025, savant_2022rays]. Rates and axes of the college hits alone say 2517 +- 88, 109 +- 7, 15 +- 3;
 -923 +- 116, -87 +- 5, -11 +- 11. It is the spin that flies a ball as far as balls hit so fly on average: liners lose
 more by a lack of spin than they win by as much more, so below 20 deg it is some 250 rpm less than their mean spin."""
+NO_SPIN = SpinLine(backspin=(0.0, 0.0, 0.0), sidespin=(0.0, 0.0, 0.0))
+"""Of balls whose usual spin was never measured, as softballs'."""
 
 MIDDLE_ANGLE = 27.0
 """deg, about the mean of the balls from which the published sidespin comes."""

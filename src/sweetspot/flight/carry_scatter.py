@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.flight.batted_spin import USUAL_ANGLES, backspin_scatter, batted_ball_spin
+from sweetspot.flight.batted_spin import TRACKED as TRACKED_SPIN
+from sweetspot.flight.batted_spin import USUAL_ANGLES, SpinLine, backspin_scatter, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import USUAL
 from sweetspot.flight.kernel import flights
@@ -151,16 +152,22 @@ def _spread_squared(low: Array | float, middle: Array | float, high: Array | flo
 
 
 def usual_launch(
-    speed: Array, angle: Array, spray: Array, *, left: NDArray[np.bool_], more_spin: float | Array = 0.0
+    speed: Array,
+    angle: Array,
+    spray: Array,
+    *,
+    left: NDArray[np.bool_],
+    more_spin: float | Array = 0.0,
+    line: SpinLine = TRACKED_SPIN,
 ) -> BallMotions:
     """Return balls with their usual spin; beyond the angles it is known for, the spin of the nearest.
 
     ``speed``, ``angle``, ``spray``: m/s and rad, shape (n,). ``left``: whether each was hit from the left side.
-    ``more_spin``: backspin beyond the usual, rad/s.
+    ``more_spin``: backspin beyond the usual, rad/s. ``line``: of the usual spin.
     """
     axes = spin_axes(angle, spray)
     usual = np.clip(angle, USUAL_ANGLES[0] * DEGREE, USUAL_ANGLES[1] * DEGREE)
-    back, side = batted_ball_spin(usual, spray, bats=np.where(left, "left", "right"))
+    back, side = batted_ball_spin(usual, spray, bats=np.where(left, "left", "right"), line=line)
     spin = (back + more_spin)[:, None] * axes[0] + side[:, None] * axes[1]
     return BallMotions(velocity=speed[:, None] * axes[2], spin=spin, position=USUAL_CONTACT)
 

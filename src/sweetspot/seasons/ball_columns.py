@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.seasons import contact_kernel as kernel
-from sweetspot.seasons.balls import ELSEWHERE, Balls, Fields, balls_of, fields_of
+from sweetspot.seasons.balls import ELSEWHERE, Balls, Fields, balls_of, fields_of, home_park
 from sweetspot.seasons.contact import Contacts, ContactSetting, contacts, measures
 from sweetspot.seasons.flight_columns import GLOVE, FlightColumns, FlightSetting, flown_balls
 from sweetspot.seasons.rows import by_number
@@ -164,20 +164,22 @@ class Answers:
 def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     """Return all answers for rows that went through `rows_of`."""
     balls = balls_of(rows, pitches=setting.contact is not None)
-    clubs = _clubs_at_home(rows) if "home_team" in rows.columns else [None] * len(rows)
-    fields = fields_of(clubs, balls.season)
+    fields = fields_of(_places_of(rows), balls.season, otherwise=setting.flight.field)
     flown = flown_balls(balls, fields, setting.flight, airs=fields.airs(setting.flight.air, rows))
     bat_of = bats_of(rows, setting)
     contact = None if setting.contact is None else contacts(balls, bat_of, setting.contact)
     return Answers(balls, fields, flown, contact, bat_of)
 
 
-def _clubs_at_home(rows: pl.DataFrame) -> pl.Series:
-    """Return the home clubs of balls that were hit in their own parks, as far as a table tells."""
-    if "game_kind" not in rows.columns:
-        return rows["home_team"]
-    away = pl.col("game_kind").is_in(ELSEWHERE).fill_null(value=False)
-    return rows.select(pl.when(~away).then(pl.col("home_team"))).to_series()
+def _places_of(rows: pl.DataFrame) -> pl.Series:
+    """Return the parks of balls as far as a table names them, else the home clubs of games in their own parks."""
+    club = pl.col("home_team") if "home_team" in rows.columns else pl.lit(None, pl.String)
+    if "game_kind" in rows.columns:
+        club = pl.when(~pl.col("game_kind").is_in(ELSEWHERE).fill_null(value=False)).then(club)
+    if "park" in rows.columns:
+        unknown = [name for name in rows["park"].drop_nulls().unique() if home_park(name, None) is None]
+        club = pl.coalesce(pl.when(~pl.col("park").is_in(unknown)).then(pl.col("park")), club)
+    return rows.with_columns(place=club)["place"]
 
 
 def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:

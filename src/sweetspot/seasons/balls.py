@@ -68,11 +68,13 @@ class Fields:
             yield each[index], (part.start or 0) + np.flatnonzero(number == index)
 
 
-def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:
+def fields_of(
+    clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64], *, otherwise: Park | None = None
+) -> Fields:
     """Return the fields on which balls were hit.
 
-    ``clubs``: the home club's letters or name, None where not known. ``seasons``: year, 0 where not known: the park of
-    today.
+    ``clubs``: the home club's letters or name, or the park's name, None where not known. ``seasons``: year, 0 where not
+    known: the park of today. ``otherwise``: where balls were hit whose park is not known.
     """
     number, spelled = coded(pl.Series("club", clubs, dtype=pl.String))
     names = [*spelled, None]
@@ -87,6 +89,8 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
             if found is not None:
                 here[place] = fields.setdefault(found, len(fields))
         np.copyto(places, here[club], where=mine)
+    if otherwise is not None:
+        places[places < 0] = fields.setdefault(otherwise, len(fields))
     return Fields(tuple(fields), places)
 
 

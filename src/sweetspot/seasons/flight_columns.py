@@ -16,6 +16,7 @@ import numpy as np
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import USUAL_AIR, Air, Airs
+from sweetspot.flight.batted_spin import TRACKED, SpinLine
 from sweetspot.flight.carry_scatter import (
     MORE_DRAG,
     SPEEDS,
@@ -28,6 +29,7 @@ from sweetspot.flight.carry_scatter import (
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import LIKELY, USUAL, home_run_chances
 from sweetspot.flight.kernel import Flights, flights
+from sweetspot.flight.park import Park
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled, inner
@@ -90,11 +92,13 @@ class Expected:
     carry_per_drag: Array
 
 
-def expected_of(balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, density: Array) -> Expected:
+def expected_of(
+    balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, density: Array, line: SpinLine = TRACKED
+) -> Expected:
     """Return the expected quantities of flights that come down in some direction.
 
     ``bearing``: where they come down, rad from centre field, shape (n,); 0 where it is not known. ``density``: of the
-    air that each ball flies through, kg/m^3, shape (n,).
+    air that each ball flies through, kg/m^3, shape (n,). ``line``: of the usual spin.
     """
     side = np.where(balls.left, -1.0, 1.0)  # a left-handed batter's ball is a right-handed one's in a mirror
     asked = np.stack([balls.exit_speed, balls.launch_angle, side * bearing])
@@ -104,25 +108,25 @@ def expected_of(balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerod
     for thin in np.unique(below):
         mine = below == thin
         between = np.empty((3, int(mine.sum())))
-        table = _table(ball, aerodynamics, int(thin))
+        table = _table(ball, aerodynamics, line, int(thin))
         fill_between((SPEEDS, ANGLES, BEARINGS), table, asked[:, mine], steps[mine] - thin, between)
         values[:, mine] = between
     return Expected(bearing + side * bend, turn, per_drag)
 
 
 @lru_cache(maxsize=16)
-def _table(ball: Ball, aerodynamics: Aerodynamics, thin: int) -> Array:
+def _table(ball: Ball, aerodynamics: Aerodynamics, line: SpinLine, thin: int) -> Array:
     """Return the table for right-handed batters between two airs, shape (speeds, angles, bearings, 6)."""
     return np.ascontiguousarray(
-        np.concatenate([_values(ball, aerodynamics, step) for step in (thin, thin + 1)], axis=-1)
+        np.concatenate([_values(ball, aerodynamics, line, step) for step in (thin, thin + 1)], axis=-1)
     )
 
 
 @lru_cache(maxsize=16)
-def _values(ball: Ball, aerodynamics: Aerodynamics, step: int) -> Array:
+def _values(ball: Ball, aerodynamics: Aerodynamics, line: SpinLine, step: int) -> Array:
     density = step * APART * USUAL_AIR.density
     speed, angle, spray = (grid.ravel() for grid in np.meshgrid(SPEEDS, ANGLES, SPRAYS, indexing="ij"))
-    launch = usual_launch(speed, angle, spray, left=np.zeros(len(speed), bool))
+    launch = usual_launch(speed, angle, spray, left=np.zeros(len(speed), bool), line=line)
     shape = (len(SPEEDS), len(ANGLES), len(SPRAYS))
     flown, again = (
         flights(launch, FlightConditions(ball=ball, aerodynamics=law, air=np.full(len(speed), density)))
@@ -165,7 +169,9 @@ class FlightSetting:
 
     ``aerodynamics``: its law in the open; under a roof that never opens `aerodynamics_in` holds. ``air``: of balls
     whose table gives no weather; its elevation where neither the park's nor the table's is known. ``parks``: whether
-    chances of home runs are wanted.
+    chances of home runs are wanted. ``drag``: that the balls fly with, over that of the law; None: what a season's own
+    distances say, and 1 where no season is read. ``line``: of the usual spin. ``field``: where balls were hit whose
+    table names no park that is known; None: unknown. ``major``: whether chances in the thirty parks are wanted.
     ``threads``: workers; None: one per core.
     """
 
@@ -174,7 +180,15 @@ class FlightSetting:
     air: Air
     parks: bool = True
     errors: Errors = USUAL_ERRORS
+    drag: float | None = None
+    line: SpinLine = TRACKED
+    field: Park | None = None
+    major: bool = True
     threads: int | None = None
+
+    def dragged(self, law: Aerodynamics) -> Aerodynamics:
+        """Return a law with the drag that the balls fly with."""
+        return law if self.drag in (None, 1.0) else law.with_drag(self.drag)
 
 
 @dataclass(frozen=True)
@@ -215,7 +229,7 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, airs: A
     def work(part: slice) -> None:
         for law, rows in fields.laws(setting.aerodynamics, part):
             here = replace(fields, index=fields.index[rows])
-            columns_here = _flown_balls(taken(balls, rows), here, alone, airs.at(rows), law)
+            columns_here = _flown_balls(taken(balls, rows), here, alone, airs.at(rows), setting.dragged(law))
             for name, values in vars(columns_here).items():
                 getattr(columns, name)[rows] = values
 
@@ -227,7 +241,7 @@ def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, airs: Air
     """Return the flights of balls that fly by one law; chances start from the setting's, which is that in the open."""
     density, there = airs.density, replace(setting, aerodynamics=law)
     bearing = np.nan_to_num(balls.bearing)
-    expected = expected_of(balls, bearing, ball=setting.ball, aerodynamics=law, density=density)
+    expected = expected_of(balls, bearing, ball=setting.ball, aerodynamics=law, density=density, line=setting.line)
     solved, flown, directed = _launched(balls, density, expected, there)
     per_drag = _per_drag(balls, solved, density, flown, expected, there)
     spread = np.array([*(USUAL.drag(park) for park in fields.parks), USUAL.open])[fields.index]
@@ -310,12 +324,12 @@ def _flown(
     balls: Balls, spray: Array, density: Array, setting: FlightSetting, rows: Rows, law: Aerodynamics
 ) -> Flights:
     conditions = FlightConditions(ball=setting.ball, aerodynamics=law, air=density[rows])
-    return flights(_launch(balls, spray, rows), conditions, step=STEP, threads=setting.threads)
+    return flights(_launch(balls, spray, rows, setting.line), conditions, step=STEP, threads=setting.threads)
 
 
-def _launch(balls: Balls, spray: Array, rows: Rows) -> BallMotions:
+def _launch(balls: Balls, spray: Array, rows: Rows, line: SpinLine) -> BallMotions:
     up, aside = balls.launch_angle[rows], spray[rows]
-    return usual_launch(balls.exit_speed[rows], up, aside, left=balls.left[rows])
+    return usual_launch(balls.exit_speed[rows], up, aside, left=balls.left[rows], line=line)
 
 
 def _replaced(flown: Flights, rows: np.ndarray, again: Flights) -> Flights:
@@ -335,21 +349,30 @@ def _chances(
     if not setting.parks:
         return np.full((3, len(balls)), np.nan)[0], *np.full((2, len(balls)), np.nan)
     for season in np.unique(balls.season[reach > 0]).tolist():
-        thirty = thirty_parks(season)
+        thirty = thirty_parks(season) if setting.major else ()
         extra = [park for park in fields.parks if park not in thirty]
+        if not (thirty or extra):
+            continue
         near = nearest_fences((*thirty, *extra), bearing)
         mine = np.flatnonzero((reach > near) & (balls.season == season))
         if not len(mine):
             continue
-        conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=airs.at(mine))
+        law = setting.dragged(setting.aerodynamics)
+        conditions = FlightConditions(ball=setting.ball, aerodynamics=law, air=airs.at(mine))
         chances = home_run_chances(
-            _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), step=STEP, threads=setting.threads
+            _launch(balls, spray, mine, setting.line),
+            conditions,
+            parks=(*thirty, *extra),
+            step=STEP,
+            threads=setting.threads,
         )
         everywhere[mine] = chances.chance[:, : len(thirty)].sum(axis=1)
         count[mine] = (chances.chance[:, : len(thirty)] > LIKELY).sum(axis=1)
         place = {park: number for number, park in enumerate((*thirty, *extra))}
         columns = np.array([*(place[park] for park in fields.parks), 0])[fields.index[mine]]
         here[mine] = chances.chance[np.arange(len(mine)), columns]
+    if not setting.major:
+        everywhere, count = np.full((2, len(balls)), np.nan)
     return here, everywhere, count
 
 

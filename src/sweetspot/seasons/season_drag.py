@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import polars as pl
 
+from sweetspot.catalog.aerodynamic_laws import CALCULATOR, aerodynamics, drag_spread
 from sweetspot.catalog.ballparks import park
 from sweetspot.errors import InputError
 from sweetspot.flight.home_runs import USUAL
@@ -42,8 +43,10 @@ class DragOfMonth:
     games: int
 
 
-def drag_by_month(counted: pl.LazyFrame) -> tuple[DragOfMonth, ...]:
+def drag_by_month(counted: pl.LazyFrame, *, flown_with: float = 1.0) -> tuple[DragOfMonth, ...]:
     """Return drag over the law's, of all and of each month, from tracked distances.
+
+    ``flown_with``: drag over the law's with which the carries were computed.
 
     Of each ball the logarithm of drag that would give its distance is (distance - carry) / (d carry / d log drag); the
     mean weighs balls by the square of the latter, and its error comes from the scatter between games.
@@ -58,14 +61,53 @@ def drag_by_month(counted: pl.LazyFrame) -> tuple[DragOfMonth, ...]:
     )
     if len(table) < FEWEST:
         return ()
-    months = [_drag(table, "all")]
+    months = [_drag(table, "all", flown_with)]
     for (month,), rows in sorted(table.drop_nulls("month").group_by("month"), key=lambda pair: str(pair[0][0])):
         if len(rows) >= FEWEST:
-            months.append(_drag(rows, str(month)))
+            months.append(_drag(rows, str(month), flown_with))
     return tuple(months)
 
 
-def _drag(rows: pl.DataFrame, month: str) -> DragOfMonth:
+SEASONS_DIFFER = drag_spread(aerodynamics(CALCULATOR))
+"""Part of the drag by which whole seasons of balls differ, one standard deviation [nathan_calculator]."""
+CARRIES = 4.0
+"""Standard deviations of that beyond which distances are no carries of such balls: another unit, or where balls were
+picked up [our choice]."""
+
+
+@dataclass(frozen=True)
+class OwnDrag:
+    """The drag that a season's balls fly with, over that of the law.
+
+    ``drag``, ``error``: the likeliest, with what is known before (`SEASONS_DIFFER`), and its standard error.
+    ``measured``: what the distances alone say.
+    """
+
+    drag: float
+    error: float
+    measured: DragOfMonth
+
+
+def own_drag(counted: pl.LazyFrame, *, flown_with: float = 1.0) -> OwnDrag | None:
+    """Return the drag that balls fly with by their distances; None where these are too few, or no carries.
+
+    ``flown_with``: drag over the law's with which the carries were computed.
+
+    Logarithms of drag are normal about 0 before, with `SEASONS_DIFFER`, and the distances tell them with their error.
+    """
+    months = drag_by_month(counted, flown_with=flown_with)
+    if not months:
+        return None
+    measured = months[0]
+    change, error = float(np.log(measured.drag)), measured.error / measured.drag
+    if abs(change) > CARRIES * float(np.hypot(SEASONS_DIFFER, error)):
+        return None
+    trust = SEASONS_DIFFER**2 / (SEASONS_DIFFER**2 + error**2)
+    drag = float(np.exp(trust * change))
+    return OwnDrag(drag, drag * error * float(np.sqrt(trust)), measured)
+
+
+def _drag(rows: pl.DataFrame, month: str, flown_with: float) -> DragOfMonth:
     above = rows["carry_above"].cast(pl.Float64).to_numpy()
     slope = rows["carry_per_drag"].cast(pl.Float64).to_numpy()
     middle = np.median(above)
@@ -78,14 +120,14 @@ def _drag(rows: pl.DataFrame, month: str) -> DragOfMonth:
     if games < 2:  # one game, or games not known: balls stand alone
         pull = (above - change * slope) * slope
     error = float(np.sqrt(np.sum(pull**2) * len(pull) / max(len(pull) - 1, 1)) / np.sum(slope**2))
-    drag = float(np.exp(change))
+    drag = flown_with * float(np.exp(change))
     return DragOfMonth(month, drag, drag * error, len(rows), games)
 
 
-def home_runs_with(counted: pl.LazyFrame, drag: DragOfMonth) -> Interval | None:
-    """Return the number of home runs if all balls flew with a drag over the law's; 90 % by its error.
+def home_runs_with(counted: pl.LazyFrame, *, drag: float, error: float = 0.0) -> Interval | None:
+    """Return the number of home runs if all balls flew with so much times the drag of their chances; 90 % by its error.
 
-    A chance is that of a normal scatter of drag, sigma wide in that park, so drag that is f times the law's makes c
+    A chance is that of a normal scatter of drag, sigma wide in that park, so drag that is f times theirs makes c
     into Phi(Phi^-1(c) - (f - 1) / sigma).
 
     None for a table without chances, or of hardly anything but home runs, which were selected by their carry.
@@ -99,8 +141,8 @@ def home_runs_with(counted: pl.LazyFrame, drag: DragOfMonth) -> Interval | None:
     scatters = {name: _scatter(name) for name in chances["park"].unique()}
     scatter = chances["park"].replace_strict(scatters, return_dtype=pl.Float64).to_numpy()
     chance = ndtri(chances["home_run_here"].cast(pl.Float64).to_numpy())
-    half = REACH * drag.error
-    least, middle, most = (float(ndtr(chance - (drag.drag + off - 1) / scatter).sum()) for off in (half, 0.0, -half))
+    half = REACH * error
+    least, middle, most = (float(ndtr(chance - (drag + off - 1) / scatter).sum()) for off in (half, 0.0, -half))
     return Interval(middle, least, most)
 
 

@@ -11,15 +11,12 @@ from pathlib import Path
 import numpy as np
 import polars as pl
 
-from sweetspot.catalog.aerodynamic_laws import aerodynamics
-from sweetspot.catalog.balls import ball as catalogue_ball
 from sweetspot.catalog.bats import DEFAULT_BAT, load_bat
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.contact_table import tabled_bat
-from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.flight.air import USUAL_AIR, Air
+from sweetspot.flight.air import Air
 from sweetspot.seasons.ball_columns import (
     UNKNOWN_BAT,
     WHOSE_BAT,
@@ -29,11 +26,13 @@ from sweetspot.seasons.ball_columns import (
     answer_headings,
     answers_of,
     bats_of,
+    counted_rows,
 )
+from sweetspot.seasons.ball_maps import is_home_run
 from sweetspot.seasons.balls import balls_of, together
 from sweetspot.seasons.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
 from sweetspot.seasons.duplicates import with_duplicates
-from sweetspot.seasons.flight_columns import FlightSetting
+from sweetspot.seasons.flight_choice import USUAL_FLIGHT, FlightChoice
 from sweetspot.seasons.place_relation import PlaceRelation
 from sweetspot.seasons.plan import (
     BALLS,
@@ -48,13 +47,18 @@ from sweetspot.seasons.plan import (
 )
 from sweetspot.seasons.plane_hits import bat_in_plane
 from sweetspot.seasons.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
+from sweetspot.seasons.season_drag import SELECTED, OwnDrag, own_drag
 from sweetspot.seasons.survey import Survey, survey_tables
 from sweetspot.seasons.table_copies import LEFT_OUT
 from sweetspot.seasons.table_file import TableWarning, frame_headings
-from sweetspot.seasons.table_look import ENOUGH
+from sweetspot.seasons.table_look import ENOUGH, NO_CLUB
 from sweetspot.seasons.table_reader import PART, parts
-from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
+from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings
 
+DRAG_FROM = 40_000
+"""Balls with a distance that the season's drag is learnt from, at most."""
+PLACED = ("home_team", "park", "game_kind", "game", "event")
+"""Quantities that tell where and when a ball was hit, and how it ended."""
 MOST_PARTS = 16
 """Parts of all tables that the relation of places is learnt from, at most."""
 
@@ -63,13 +67,15 @@ MOST_PARTS = 16
 class Season:
     """The results of a season.
 
-    ``survey``: the first look at the tables. ``setting``: how; its relation of places is the one learnt. ``folder``: of
-    the answers: folders ``balls``, ``ledger`` and ``counted`` of Parquet files.
+    ``survey``: the first look at the tables. ``setting``: how; its relation of places and its drag are those learnt.
+    ``folder``: of the answers: folders ``balls``, ``ledger`` and ``counted`` of Parquet files. ``own_drag``: that the
+    balls fly with; None: that of the setting, for it was given, or no table tells.
     """
 
     survey: Survey
     setting: SeasonSetting
     folder: Path
+    own_drag: OwnDrag | None = None
 
     def balls(self) -> pl.LazyFrame:
         """Return the balls with all answers beside the tables' own columns; missing where a table lacks a column."""
@@ -110,7 +116,7 @@ def season_setting(
     bats: Mapping[str, str | Bat] | None = None,
     others: Sequence[str | Bat] = (),
     air: Air | None = None,
-    ball: str = "baseball",
+    flights: FlightChoice = USUAL_FLIGHT,
     contact: bool = True,
     system: System = "us",
     threads: int | None = None,
@@ -119,19 +125,20 @@ def season_setting(
 
     ``bats``: of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's
     usual. ``air``: of games whose weather the tables do not give, at the elevation of fields whose park is not known;
-    None: 72 degF and the usual, at sea level. ``threads``: workers of a task; None: one per core.
+    None: 72 degF and the usual, at sea level. ``flights``: ball, law, drag and field; without it, a baseball with
+    its season's drag (`learn_drag`). ``threads``: workers of a task; None: one per core.
     """
-    pitched: Ball = catalogue_ball(ball)
-    flight = FlightSetting(pitched, aerodynamics(ball), air or USUAL_AIR, threads=threads)
+    flight = flights.setting(air, threads=threads)
+    pitched = flight.ball
     bat_of = {batter: _named(given) for batter, given in (bats or {"": DEFAULT_BAT}).items()}
     tried = [_named(given) for given in others]
     names = {batter: name for batter, (name, _) in bat_of.items()}
     if not contact:
         return SeasonSetting(flight, None, names, system)
-    law = swing_law()
+    swings = swing_law()
     tables = {
         name: OtherBat(
-            name, bat_in_plane(bat, ball=pitched), tabled_bat(bat, ball=pitched).model.body.moi(bat.choke + law.axis)
+            name, bat_in_plane(bat, ball=pitched), tabled_bat(bat, ball=pitched).model.body.moi(bat.choke + swings.axis)
         )
         for name, bat in dict([*bat_of.values(), *tried]).items()
         if bat is not None
@@ -140,7 +147,7 @@ def season_setting(
     surfaces, mois = tuple(table.surface for table in swung), tuple(table.moi for table in swung)
     others_tried = tuple(tables[name] for name, _ in tried if name in tables)
     return SeasonSetting(
-        flight, ContactSetting(pitched, surfaces, mois, others_tried, law, threads=threads), names, system
+        flight, ContactSetting(pitched, surfaces, mois, others_tried, swings, threads=threads), names, system
     )
 
 
@@ -182,6 +189,17 @@ def analyse_season(
         raise
     chosen = setting or season_setting()
     survey = replace(survey, warnings=(*survey.warnings, *_replaced(survey, chosen)))
+    if chosen.flight.field is not None:
+        here = ("unknown park", "part off")
+        left = [
+            warning
+            for warning in survey.warnings
+            if warning.name not in here or (warning.detail != NO_CLUB and warning.name != here[0])
+        ]
+        survey = replace(survey, warnings=tuple(left))
+    learned = None if chosen.flight.drag is not None else learn_drag(survey, chosen)
+    if learned is not None:
+        chosen = replace(chosen, flight=replace(chosen.flight, drag=learned.drag))
     swung = any(table.headings.has("bat_speed") for table in survey.tables)
     if chosen.contact is not None and swung and not chosen.contact.relation.balls:
         chosen = replace(chosen, contact=replace(chosen.contact, relation=learn_relation(survey, chosen)))
@@ -200,7 +218,7 @@ def analyse_season(
         raise
     sweep_plan(plan)  # of workers that were killed, too
     shutil.rmtree(staging, ignore_errors=True)
-    return Season(survey, chosen, folder)
+    return Season(survey, chosen, folder, learned)
 
 
 def _replaced(survey: Survey, setting: SeasonSetting) -> Iterator[TableWarning]:
@@ -254,38 +272,60 @@ def _unread(survey: Survey) -> str:
 def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
     """Return the relation of places along the bat to the pitch's, learnt from an even sample of all tables."""
     assert setting.contact is not None
-    swung = sum(
-        counts[USED]
-        for table, counts in zip(survey.tables, survey.counts, strict=True)
-        if table.headings.has("bat_speed")
-    )
-    frames = list(_sampled(survey, swung))
+    frames = [rows for _, rows in _sampled(survey, "bat_speed", most=LEARNT_FROM)]
     balls, bats = [balls_of(rows) for rows in frames], [bats_of(rows, setting) for rows in frames]
     if not balls:
         return setting.contact.relation
     return learnt(together(balls), np.concatenate(bats), setting.contact)
 
 
-def _sampled(survey: Survey, swung: int) -> Iterator[pl.DataFrame]:
-    """Yield about `LEARNT_FROM` rows with a swing, of evenly drawn parts of the tables where these are many."""
+def learn_drag(survey: Survey, setting: SeasonSetting) -> OwnDrag | None:
+    """Return the season's own drag over the law's, learnt from the tracked distances of an even sample of all tables.
+
+    None where no table has enough of them, where the balls are home runs, which were selected by their carry, or where
+    the distances are no carries of such balls (`own_drag`).
+    """
+    sample = list(_sampled(survey, "distance", most=DRAG_FROM))
+    learned = None
+    for _ in range(2):  # the second time from where the first led, for carry is no straight line in drag
+        flown_with = 1.0 if learned is None else learned.drag
+        bare = replace(setting, contact=None, flight=replace(setting.flight, drag=flown_with))
+        counted = [counted_rows(rows, answers_of(rows, bare), headings) for headings, rows in sample]
+        if not counted:
+            return None
+        flown = pl.concat(counted, how="diagonal_relaxed")
+        gone = flown.select(is_home_run(pl.col("event")).fill_null(value=False).mean()).item() or 0.0
+        learned = None if gone > SELECTED else own_drag(flown.lazy(), flown_with=flown_with)
+        if learned is None:
+            return None
+    return learned
+
+
+def _sampled(survey: Survey, quantity: str, *, most: int) -> Iterator[tuple[Headings, pl.DataFrame]]:
+    """Yield about ``most`` balls with a quantity, of evenly drawn parts of the tables where these are many.
+
+    Each with the headings of its columns.
+    """
+    having = [table.headings.has(quantity) for table in survey.tables]
+    total = sum(counts[USED] for counts, has in zip(survey.counts, having, strict=True) if has)
     places = [
         (number, start)
         for number, table in enumerate(survey.tables)
-        if table.headings.has("bat_speed")
+        if having[number]
         for start in range(0, table.rows, PART)
     ]
-    every = max(1, -(-len(places) // MOST_PARTS))
-    step = max(1, swung // every // LEARNT_FROM)
+    every = max(1, -(-len(places) // max(MOST_PARTS, sum(having))))
+    step = max(1, total // every // most)
     for number, table in enumerate(survey.tables):
         starts = [start for mine, start in places[::every] if mine == number]
         measured = [name for name, column in table.headings.columns.items() if column.kind != "text"]
-        wanted = (*measured, *WHOSE_BAT, *REASONED, *SIDED, *DATED)
+        wanted = ("exit_speed", *measured, *WHOSE_BAT, *REASONED, *SIDED, *DATED, *PLACED)
         for rows in parts(table, quantities=wanted, step=step, starts=starts):
             used = with_duplicates(rows, survey.duplicates[number]).filter(
-                (pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()
+                (pl.col("reason") == USED) & pl.col(quantity).is_not_null()
             )
             if len(used):
-                yield used
+                yield table.headings.only(*wanted), used
 
 
 def season_columns(

@@ -123,7 +123,7 @@ def exchanged(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> str:
     return ""
 
 
-LOOKED_AT = (*POSSIBLE, "home_team", "game_kind", *REASONED, *SIDED, *DATED)
+LOOKED_AT = (*POSSIBLE, "home_team", "park", "game_kind", *REASONED, *SIDED, *DATED)
 """Quantities that the first look asks of every row; of the others only whether they hold anything."""
 AGAIN, AGAIN_PART = 5, 0.005
 """Balls of a part of a table that have the very same exit speed and angle, at least, and their part of it: tracked ones
@@ -225,7 +225,7 @@ class TableLook:
             speeds = [pl.col(name).is_not_null() for name in ("release_speed", "plate_speed") if headings.has(name)]
             pitched = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
             self._note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~pitched)
-        if headings.has("home_team"):
+        if headings.has("home_team") or headings.has("park"):
             self._note_parks(used)
         self._doubt(rows.filter(pl.col("reason").is_in([USED, "impossible"])) if "impossible" in counts else used)
         if headings.has("event"):
@@ -234,9 +234,11 @@ class TableLook:
     def _note_parks(self, used: pl.DataFrame) -> None:
         """Note balls whose park is not known, and those in a park so high that its home runs are underestimated."""
         flown = self.table.headings.has("launch_angle")
-        for club, year in used.select("home_team", "season").drop_nulls("home_team").unique().iter_rows():
+        names = [name for name in ("park", "home_team") if self.table.headings.has(name)]
+        used = used.with_columns(place=pl.coalesce(names))
+        for club, year in used.select("place", "season").drop_nulls("place").unique().iter_rows():
             park = home_park(club, year)
-            here = (pl.col("home_team") == club) & pl.col("season").eq_missing(pl.lit(year, pl.Int32))
+            here = (pl.col("place") == club) & pl.col("season").eq_missing(pl.lit(year, pl.Int32))
             if park is None:
                 self._note("unknown park", used, here)
                 self.lost.add(club)
@@ -324,6 +326,13 @@ class TableLook:
         return [(a, b) for a, b in pairwise(days) if (b - a).days > LONGEST_GAP and a.year == b.year]
 
 
+NO_CLUB = (
+    "no home club (home_team) and no park (park), nor --park or --fence: no chance of a home run in the park itself; "
+    "air as at sea level or --elevation"
+)
+"""The warning about a table that does not say where its balls were hit."""
+
+
 def _parts_off(headings: Headings) -> Iterator[str]:
     """Yield the results that are missing for want of a column, and the columns that would give them."""
     here = headings.has
@@ -331,8 +340,8 @@ def _parts_off(headings: Headings) -> Iterator[str]:
         yield "no launch angle (launch_angle): no flights and no contacts"
     elif not (here("bearing") or here("launch_direction") or here("map_x", "map_y")):
         yield "no direction (hc_x and hc_y, Direction, bearing_deg): balls fly to centre field, no chances of home runs"
-    elif not here("home_team"):
-        yield "no home club (home_team): no chance of a home run in the park itself; air as at sea level or --elevation"
+    elif not (here("home_team") or here("park")):
+        yield NO_CLUB
     if not here("bat_speed"):
         yield "no bat speed (bat_speed): nothing of bats"
     elif not here("attack_angle"):

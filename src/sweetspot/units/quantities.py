@@ -31,7 +31,7 @@ KINDS: Mapping[Kind, str] = {
     "temperature": "temperature ball_temperature",
     "ratio": (
         "humidity wind_profile ball_cor ball_humidity standard_ball_cor ball_restitution wood_restitution "
-        "metal_restitution wood_share metal_share diameter_error"
+        "metal_restitution wood_share metal_share diameter_error drag"
     ),
 }
 """Names of parameters and fields by what they are."""

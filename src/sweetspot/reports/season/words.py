@@ -10,7 +10,7 @@ from sweetspot.answers.season import SeasonAnswer
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.reports.sentences import Line, Sentence, Slot, say, tell
 from sweetspot.seasons.ball_columns import WITH
-from sweetspot.seasons.season_drag import LeftOver
+from sweetspot.seasons.season_drag import LeftOver, OwnDrag
 from sweetspot.seasons.standings import MEASURES
 from sweetspot.units import grouped
 
@@ -20,10 +20,12 @@ LEAGUE = (
     Line("{rows} rows in {files}; {balls} balls in play with an exit speed."),
     Line("Home runs: {expected} expected in the parks they were hit in, {hit} hit.", "home_runs"),
     Line(
-        "They fly with the usual drag; the season's own, by its tracked distances, is {drag:ratio, 3} of that, and "
-        "with it {league.home_runs_with_own_drag:count, ends} would be expected.",
+        "They fly with the season's own drag, by its tracked distances {drag:ratio, 3, ends} of the law's; its error "
+        "alone makes that {league.home_runs_by_drag:count, ends}, and with the law's drag it would be {usual}.",
         "own_drag",
     ),
+    Line("They fly with the drag of the law: no table tells the season's own.", "usual_drag"),
+    Line("They fly with {given_drag:ratio, 3} of the law's drag, as given.", "given_drag"),
     Line(
         "Squared up (0.80 of what the bat could give): {league.squared_up:share} of the balls, against {bats}.",
         "bat_speeds",
@@ -106,7 +108,8 @@ def league_words(answer: SeasonAnswer) -> list[Sentence]:
     bat_speeds = league.squared_up is not None and league.from_best is not None
     formula = bat_speeds and league.league_squared_up is not None and league.squared_up_of_the_same is not None
     nearly_all = league.league_squared_up_balls > 0.9 * league.squared_up_balls
-    own_drag = home_runs and league.home_runs_with_own_drag is not None
+    own_drag = home_runs and league.home_runs_by_drag is not None
+    given_drag = answer.question.flights.drag if home_runs else None
     facts = {
         "league": league,
         "rows": grouped(sum(table.rows for table in answer.tables)),
@@ -116,7 +119,10 @@ def league_words(answer: SeasonAnswer) -> list[Sentence]:
         "expected": grouped(league.home_runs_expected or 0),
         "hit": grouped(league.home_runs or 0),
         "own_drag": own_drag,
-        "drag": answer.drag[0].drag if own_drag else None,
+        "drag": _drag_interval(answer.own_drag),
+        "usual": f"{league.home_runs_with_usual_drag or 0:,.0f}",
+        "usual_drag": home_runs and answer.own_drag is None and given_drag is None,
+        "given_drag": given_drag,
         "bat_speeds": bat_speeds,
         "bats": names[0] if len(names) == 1 else f"{len(names)} bats",
         "formula_of_all": formula and nearly_all,
@@ -129,6 +135,12 @@ def league_words(answer: SeasonAnswer) -> list[Sentence]:
         paragraphs.append(say(OTHER_BAT, bat=other.bat, gain=gain, balls=grouped(other.balls)))
     paragraphs.append(_places_words(answer))
     return [paragraph for paragraph in paragraphs if paragraph.parts]
+
+
+def _drag_interval(drag: OwnDrag | None) -> Interval | None:
+    if drag is None:
+        return None
+    return Interval(drag.drag, drag.drag - REACH * drag.error, drag.drag + REACH * drag.error)
 
 
 def _places_words(answer: SeasonAnswer) -> Sentence:
